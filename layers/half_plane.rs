@@ -1,0 +1,59 @@
+//! A homogeneous half-plane: everything below its top face.
+use nalgebra::Matrix4x2;
+use serde::Deserialize;
+
+use crate::{FaceStates, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, Wave, homogeneous};
+
+/// Homogeneous, isotropic half-plane, the usual base of a stack.
+///
+/// ```
+/// use recede_layers::HalfPlane;
+/// let ground = HalfPlane::new(1.0, 0.25)?;
+/// assert!(HalfPlane::new(-1.0, 0.25).is_err());
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HalfPlane {
+    shear_modulus: Positive,
+    poisson: Poisson,
+}
+
+impl HalfPlane {
+    /// A half-plane of shear modulus μ > 0 (stress) and Poisson's ratio −1 < ν ≤ 1/2.
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite.
+    pub fn new(shear_modulus: f64, poisson: f64) -> Result<Self, LayerError> {
+        Ok(Self {
+            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
+            poisson: LayerError::checked("poisson", poisson)?,
+        })
+    }
+
+    fn isotropic(&self) -> Isotropic {
+        Isotropic { shear_modulus: self.shear_modulus.get(), poisson: self.poisson.get() }
+    }
+}
+
+impl Layer for HalfPlane {
+    fn thickness(&self) -> Option<f64> {
+        None
+    }
+
+    fn material(&self, _depth: f64, plane: Plane) -> Material {
+        self.isotropic().material(plane)
+    }
+
+    fn face_states(&self, wave: &Wave) -> FaceStates {
+        let [first, second] = homogeneous::decaying_downwards(&self.isotropic(), wave, 0.0);
+        FaceStates::HalfPlane { top: Matrix4x2::from_columns(&[first, second]) }
+    }
+
+    fn notation(&self) -> Notation {
+        Notation {
+            kind: "HalfPlane",
+            parameters: format!("shear_modulus: {}, poisson: {}", self.shear_modulus.get(), self.poisson.get()),
+        }
+    }
+}

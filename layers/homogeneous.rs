@@ -1,0 +1,177 @@
+//! A homogeneous, isotropic layer: closed forms at both ends of the wavenumber axis.
+use nalgebra::{Matrix4, Vector4};
+use serde::Deserialize;
+
+use crate::{
+    FaceStates, Flexibility, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, State,
+    Thickness, Wave, stable,
+};
+
+/// Up to this λh the amplitudes are the state at mid-depth; beyond, solutions that decay from either face.
+const THIN: f64 = 2.0;
+
+/// Homogeneous, isotropic layer of thickness h.
+///
+/// ```
+/// use recede_layers::{Homogeneous, Layer};
+/// let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+/// assert_eq!(strip.thickness(), Some(1.0));
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Homogeneous {
+    thickness: Thickness,
+    shear_modulus: Positive,
+    poisson: Poisson,
+}
+
+impl Homogeneous {
+    /// A layer of thickness h ≥ 0 (length; 0 means "not there"), shear modulus μ > 0 (stress) and Poisson's ratio
+    /// −1 < ν ≤ 1/2.
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite.
+    pub fn new(thickness: f64, shear_modulus: f64, poisson: f64) -> Result<Self, LayerError> {
+        Ok(Self {
+            thickness: LayerError::checked("thickness", thickness)?,
+            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
+            poisson: LayerError::checked("poisson", poisson)?,
+        })
+    }
+
+    fn isotropic(&self) -> Isotropic {
+        Isotropic { shear_modulus: self.shear_modulus.get(), poisson: self.poisson.get() }
+    }
+}
+
+impl Layer for Homogeneous {
+    fn thickness(&self) -> Option<f64> {
+        Some(self.thickness.get())
+    }
+
+    fn material(&self, _depth: f64, plane: Plane) -> Material {
+        self.isotropic().material(plane)
+    }
+
+    fn face_states(&self, wave: &Wave) -> FaceStates {
+        let depth = wave.wavenumber * self.thickness.get();
+        if depth < THIN { thin(&self.isotropic(), wave, depth) } else { thick(&self.isotropic(), wave, depth) }
+    }
+
+    /// With z = λh and g = (κ + 1)/(4μ), the half sum and half difference of the responses to equal loads,
+    /// λC = g (cosh z − 1)/(sinh z + z), and to opposite ones, λC = g (cosh z + 1)/(sinh z − z).
+    fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
+        let z = wave.wavenumber * self.thickness.get();
+        let unit = 2.0 * wave.modulus / self.isotropic().material(wave.plane).axial_stiffness;
+        let (equal, opposite) = (stable::equal_load_ratio(z), stable::opposite_load_ratio(z));
+        let own = 0.5 * unit * (opposite + equal);
+        Some(Flexibility {
+            top: own,
+            coupling: -unit * stable::coupling_ratio(z),
+            bottom: -own,
+            equal_top: unit * equal,
+            equal_bottom: -unit * equal,
+        })
+    }
+
+    fn notation(&self) -> Notation {
+        Notation {
+            kind: "Homogeneous",
+            parameters: format!(
+                "thickness: {}, shear_modulus: {}, poisson: {}",
+                self.thickness.get(),
+                self.shear_modulus.get(),
+                self.poisson.get()
+            ),
+        }
+    }
+}
+
+/// Factors that bring the local components (λμU, λμV, S, T) to the modulus of `wave`.
+fn scale(material: &Isotropic, wave: &Wave) -> Vector4<f64> {
+    let displacement = wave.modulus / material.shear_modulus;
+    Vector4::new(displacement, displacement, 1.0, 1.0)
+}
+
+/// Amplitudes = local state at mid-depth. With ζ = λy the state equations read X' = A X, A² = 1 + N, N² = 0, hence
+/// cosh Aζ = cosh ζ + N (ζ/2) sinh ζ and sinh Aζ = A sinh ζ + A N (ζ cosh ζ − sinh ζ)/2. Entry by entry these have
+/// the small-ζ orders of beam theory and no cancellation.
+fn thin(material: &Isotropic, wave: &Wave, depth: f64) -> FaceStates {
+    let (even, odd) = even_odd(material, wave.plane, 0.5 * depth);
+    let scale = Matrix4::from_diagonal(&scale(material, wave));
+    let identity_plus_even = Matrix4::identity() + even;
+    let uniform_top = scale * (even + odd).column(2);
+    let uniform_bottom = scale * (even - odd).column(2);
+    FaceStates::Finite {
+        top: scale * (identity_plus_even + odd),
+        bottom: scale * (identity_plus_even - odd),
+        uniform: [uniform_top, uniform_bottom],
+    }
+}
+
+/// cosh Aζ − 1 and sinh Aζ in local components.
+fn even_odd(material: &Isotropic, plane: Plane, zeta: f64) -> (Matrix4<f64>, Matrix4<f64>) {
+    let unit = Isotropic { shear_modulus: 1.0, ..*material }.material(plane);
+    let (c, d) = (unit.coupling, unit.normal_compliance);
+    let q = 0.5 * unit.axial_stiffness; // 4/(κ + 1)
+    let sinh = stable::sinh(zeta);
+    let ch = stable::cosh_minus_one(zeta);
+    let y = 0.5 * zeta * sinh;
+    let w = 0.5 * stable::argument_cosh_minus_sinh(zeta);
+    #[rustfmt::skip]
+    let even = Matrix4::new(
+        ch + q * y,    0.0,            0.5 * q * y,   0.0,
+        0.0,           ch - q * y,     0.0,           -0.5 * q * y,
+        -2.0 * q * y,  0.0,            ch - q * y,    0.0,
+        0.0,           2.0 * q * y,    0.0,           ch + q * y,
+    );
+    #[rustfmt::skip]
+    let odd = Matrix4::new(
+        0.0,                   sinh + q * w,  0.0,                   sinh + 0.5 * q * w,
+        -(c * sinh + q * w),   0.0,           d * sinh - 0.5 * q * w, 0.0,
+        0.0,                   -2.0 * q * w,  0.0,                   -(sinh + q * w),
+        2.0 * q * (sinh + w),  0.0,           c * sinh + q * w,      0.0,
+    );
+    (even, odd)
+}
+
+/// Amplitudes = two solutions that decay from the top face and two that decay from the bottom face.
+fn thick(material: &Isotropic, wave: &Wave, depth: f64) -> FaceStates {
+    let [a, b] = decaying_downwards(material, wave, 0.0);
+    let [c, d] = decaying_upwards(material, wave, depth);
+    let top = Matrix4::from_columns(&[a, b, c, d]);
+    let [a, b] = decaying_downwards(material, wave, depth);
+    let [c, d] = decaying_upwards(material, wave, 0.0);
+    let bottom = Matrix4::from_columns(&[a, b, c, d]);
+    FaceStates::thick(top, bottom)
+}
+
+/// Eigenvector of the root m = ±1 (per λ) and its derivative with respect to m, in local components:
+/// S = 1, T = −m, u = −(m² + c)/E, v = m (1 + u).
+fn root(material: &Isotropic, wave: &Wave, m: f64) -> (State, State) {
+    let q = 0.5 * Isotropic { shear_modulus: 1.0, ..*material }.material(wave.plane).axial_stiffness;
+    let scale = scale(material, wave);
+    let vector = Vector4::new(-0.5, 0.5 * m, 1.0, -m);
+    let derivative = Vector4::new(-m / q, 0.5 - 1.0 / q, 0.0, -1.0);
+    (vector.component_mul(&scale), derivative.component_mul(&scale))
+}
+
+/// The two solutions that decay downwards, at distance `depth` (times λ) below where they are 1.
+pub(crate) fn decaying_downwards(material: &Isotropic, wave: &Wave, depth: f64) -> [State; 2] {
+    let (vector, derivative) = root(material, wave, 1.0);
+    decayed(vector, derivative, -depth, depth)
+}
+
+/// The two solutions that decay upwards, at distance `height` (times λ) above where they are 1.
+fn decaying_upwards(material: &Isotropic, wave: &Wave, height: f64) -> [State; 2] {
+    let (vector, derivative) = root(material, wave, -1.0);
+    decayed(vector, derivative, height, height)
+}
+
+/// e^(−distance) x and its derivative with respect to the root, e^(−distance) (ζ x + x').
+fn decayed(vector: State, derivative: State, zeta: f64, distance: f64) -> [State; 2] {
+    let decay = (-distance).exp();
+    // ζ e^(−|ζ|) is formed first: ζ alone may be as large as 1e308
+    [vector * decay, vector * (zeta * decay) + derivative * decay]
+}

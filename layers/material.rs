@@ -1,0 +1,87 @@
+//! What the state equations need to know of a material at one depth.
+use serde::{Deserialize, Serialize};
+
+use crate::{LayerError, Poisson, Positive};
+
+/// Whether the plane problem is one of plane strain or of plane stress.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Plane {
+    /// Plane strain, ε_zz = 0: κ = 3 − 4ν.
+    #[default]
+    Strain,
+    /// Plane stress, σ_zz = 0: κ = (3 − ν)/(1 + ν).
+    Stress,
+}
+
+/// The four coefficients of the state equations at one depth.
+///
+/// For an orthotropic material with axes along x and y and stiffnesses c11, c12, c22, c66 (σ_xx = c11 ε_xx +
+/// c12 ε_yy, ...). None of them is singular for an incompressible material (ν = 1/2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// 1/c66 = 1/μ, in 1/stress.
+    pub shear_compliance: f64,
+    /// 1/c22 = (κ − 1)/((κ + 1) μ), in 1/stress; zero if incompressible in plane strain.
+    pub normal_compliance: f64,
+    /// c12/c22 = (3 − κ)/(κ + 1), dimensionless.
+    pub coupling: f64,
+    /// c11 − c12²/c22 = 8 μ/(κ + 1), the modulus of a plate stretched along x, in stress.
+    pub axial_stiffness: f64,
+}
+
+/// An isotropic elastic material: shear modulus μ and Poisson's ratio ν.
+///
+/// ```
+/// use recede_layers::{Isotropic, Plane};
+/// let steel = Isotropic::new(80e9, 0.25)?;
+/// assert_eq!(steel.kappa(Plane::Strain), 2.0);
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotropic {
+    /// Shear modulus μ, in stress.
+    pub shear_modulus: f64,
+    /// Poisson's ratio ν, dimensionless, −1 < ν ≤ 1/2.
+    pub poisson: f64,
+}
+
+impl Isotropic {
+    /// A material of shear modulus μ > 0 and Poisson's ratio −1 < ν ≤ 1/2.
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite.
+    pub fn new(shear_modulus: f64, poisson: f64) -> Result<Self, LayerError> {
+        Ok(Self {
+            shear_modulus: LayerError::checked::<Positive>("shear_modulus", shear_modulus)?.get(),
+            poisson: LayerError::checked::<Poisson>("poisson", poisson)?.get(),
+        })
+    }
+
+    /// Kolosov's constant κ, dimensionless: 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress.
+    pub fn kappa(&self, plane: Plane) -> f64 {
+        match plane {
+            Plane::Strain => 3.0 - 4.0 * self.poisson,
+            Plane::Stress => (3.0 - self.poisson) / (1.0 + self.poisson),
+        }
+    }
+
+    /// The coefficients of the state equations.
+    pub fn material(&self, plane: Plane) -> Material {
+        let (mu, nu) = (self.shear_modulus, self.poisson);
+        // Written in ν rather than κ, so that κ − 1 and 3 − κ lose no digit near ν = 1/2 and ν = 0.
+        match plane {
+            Plane::Strain => Material {
+                shear_compliance: 1.0 / mu,
+                normal_compliance: (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu) * mu),
+                coupling: nu / (1.0 - nu),
+                axial_stiffness: 2.0 * mu / (1.0 - nu),
+            },
+            Plane::Stress => Material {
+                shear_compliance: 1.0 / mu,
+                normal_compliance: (1.0 - nu) / (2.0 * mu),
+                coupling: nu,
+                axial_stiffness: 2.0 * mu * (1.0 + nu),
+            },
+        }
+    }
+}

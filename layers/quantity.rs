@@ -1,0 +1,55 @@
+//! Checked numbers: rejected with a reason where they are read, so that a scene's error names its column.
+use serde::{Deserialize, Serialize};
+
+/// A number outside the range of its quantity.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("found {found}, allowed is {allowed}")]
+pub struct OutOfRange {
+    /// The offending value.
+    pub found: f64,
+    /// What is allowed, in words.
+    pub allowed: &'static str,
+}
+
+macro_rules! quantity {
+    ($(#[$doc:meta])* $name:ident, $allowed:literal, $test:expr) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
+        #[serde(try_from = "f64", into = "f64")]
+        pub struct $name(f64);
+
+        impl $name {
+            /// The number itself.
+            pub fn get(self) -> f64 {
+                self.0
+            }
+        }
+
+        impl TryFrom<f64> for $name {
+            type Error = OutOfRange;
+            fn try_from(found: f64) -> Result<Self, OutOfRange> {
+                let legal: fn(f64) -> bool = $test;
+                if legal(found) { Ok(Self(found)) } else { Err(OutOfRange { found, allowed: $allowed }) }
+            }
+        }
+
+        impl From<$name> for f64 {
+            fn from(value: $name) -> f64 {
+                value.0
+            }
+        }
+    };
+}
+
+quantity!(
+    /// A positive number, such as a shear modulus, a radius or a force.
+    Positive, "a finite number > 0", |x| x > 0.0 && x.is_finite());
+quantity!(
+    /// A thickness: zero means "not there".
+    Thickness, "a finite number >= 0 (0 means: not there)", |x| x >= 0.0 && x.is_finite());
+quantity!(
+    /// Poisson's ratio of an isotropic material.
+    Poisson, "-1 < poisson <= 0.5", |x| x > -1.0 && x <= 0.5);
+quantity!(
+    /// Any finite number, such as a grading exponent.
+    Finite, "a finite number", f64::is_finite);

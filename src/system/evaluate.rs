@@ -1,0 +1,242 @@
+//! The block system at one wavenumber: eliminated layer by layer, at a cost linear in the number of layers.
+//!
+//! Shear-free faces uncouple the system into *chains*: free laminates, and the base with all that is bonded to it. In a
+//! chain each layer's four amplitudes follow from two conditions handed on by its neighbour and the two displacements
+//! (or stresses) of its far face. Nothing grows: every layer offers its states in amplitudes that decay from a face.
+use std::sync::Arc;
+
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, RowVector2, Vector2};
+use recede_layers::{FaceStates, Flexibility, Layer, State, Wave, solve_equilibrated};
+
+/// Fields decay like e^(−λd): beyond this λd nothing is felt, since even squared it is below rounding.
+const FELT: f64 = 40.0;
+
+/// What the lowest layer of a base is bonded to.
+#[derive(Clone, Debug)]
+pub enum Foundation {
+    /// A layer that fills everything below.
+    HalfPlane(Arc<dyn Layer>),
+    /// A rigid body: U = V = 0.
+    Rigid,
+}
+
+/// Layers bonded to each other, top down, with shear-free faces above and below.
+#[derive(Clone, Debug)]
+pub struct FreeChain {
+    layers: Vec<Arc<dyn Layer>>,
+    /// The chain is eliminated from both faces to the interface above layer `meeting`, the one nearest to the neutral
+    /// axis: seen from afar, the bending of a stiff part would cancel against its stretching.
+    meeting: usize,
+}
+
+/// Layers bonded to each other and to a foundation, top down, with a shear-free top face.
+#[derive(Clone, Debug)]
+pub struct BaseChain {
+    layers: Vec<Arc<dyn Layer>>,
+    foundation: Foundation,
+}
+
+impl FreeChain {
+    /// The chain of a laminate; `plane` and the layers' stiffness decide where elimination from both faces meets.
+    pub fn new(layers: Vec<Arc<dyn Layer>>, plane: recede_layers::Plane) -> Self {
+        // three points tell where a layer is stiff, also if it is graded
+        let mut depth = 0.0;
+        let (mut stiffness, mut moment) = (0.0, 0.0);
+        let mut faces = vec![0.0];
+        for layer in &layers {
+            let h = layer.thickness().unwrap_or(0.0);
+            for (at, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
+                let share = weight * h / 6.0 * layer.material(at * h, plane).axial_stiffness;
+                stiffness += share;
+                moment += share * (depth + at * h);
+            }
+            depth += h;
+            faces.push(depth);
+        }
+        let neutral = moment / stiffness;
+        let distance = |i: &usize| (faces[*i] - neutral).abs();
+        let meeting = (0..faces.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
+        Self { layers, meeting }
+    }
+
+    /// Flexibility at one wavenumber; `None` if a layer's states are not finite or do not determine its fields.
+    pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
+        let layers = &self.layers[..];
+        let above = felt(layers.iter(), wave);
+        let below = felt(layers.iter().rev(), wave);
+        if above + below <= layers.len() && above < layers.len() {
+            // the faces do not feel each other
+            let top = flexibility(&layers[..above], 0, wave)?;
+            let bottom = flexibility(&layers[layers.len() - below..], below, wave)?;
+            return Some(Flexibility {
+                top: top.top,
+                coupling: 0.0,
+                bottom: bottom.bottom,
+                equal_top: top.top,
+                equal_bottom: bottom.bottom,
+            });
+        }
+        flexibility(layers, self.meeting, wave)
+    }
+
+    /// The layers, top down.
+    pub fn layers(&self) -> &[Arc<dyn Layer>] {
+        &self.layers
+    }
+}
+
+impl BaseChain {
+    /// The chain of a base.
+    pub fn new(layers: Vec<Arc<dyn Layer>>, foundation: Foundation) -> Self {
+        Self { layers, foundation }
+    }
+
+    /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` as for a laminate.
+    pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
+        let felt = felt(self.layers.iter(), wave);
+        let mut flexibility = match &self.foundation {
+            Foundation::HalfPlane(layer) if felt == self.layers.len() => match layer.face_states(wave) {
+                FaceStates::HalfPlane { top } => {
+                    let stress: Matrix2<f64> = top.fixed_rows::<2>(2).into_owned();
+                    top.fixed_rows::<2>(0) * solve_equilibrated(stress, Matrix2::identity())?
+                }
+                FaceStates::Finite { .. } => return None,
+            },
+            // a rigid foundation, or one too deep to be felt
+            _ => Matrix2::zeros(),
+        };
+        for layer in self.layers[..felt].iter().rev() {
+            let FaceStates::Finite { top, bottom, .. } = layer.face_states(wave) else { return None };
+            let condition = displacement(&bottom) - flexibility * stress(&bottom);
+            let amplitudes: Matrix4x2<f64> = solve_equilibrated(
+                stacked(&condition, &stress(&top)),
+                Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
+            )?;
+            flexibility = displacement(&top) * amplitudes;
+        }
+        Some(flexibility[(1, 0)])
+    }
+
+    /// The layers bonded to the foundation, top down.
+    pub fn layers(&self) -> &[Arc<dyn Layer>] {
+        &self.layers
+    }
+
+    /// What lies below them.
+    pub fn foundation(&self) -> &Foundation {
+        &self.foundation
+    }
+}
+
+/// How many of the layers, counted from a face, the face can feel.
+fn felt<'a>(layers: impl Iterator<Item = &'a Arc<dyn Layer>>, wave: &Wave) -> usize {
+    let mut depth = 0.0;
+    let mut count = 0;
+    for layer in layers {
+        if depth * wave.wavenumber > FELT {
+            break;
+        }
+        depth += layer.thickness().unwrap_or(f64::INFINITY);
+        count += 1;
+    }
+    count
+}
+
+fn flexibility(layers: &[Arc<dyn Layer>], meeting: usize, wave: &Wave) -> Option<Flexibility> {
+    if let [layer] = layers {
+        return layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
+    }
+    let mut above = Half::free();
+    for layer in &layers[..meeting] {
+        let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
+            return None;
+        };
+        above = above.through((&top, &at_top), (&bottom, &at_bottom))?;
+    }
+    let mut below = Half::free();
+    for layer in layers[meeting..].iter().rev() {
+        let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
+            return None;
+        };
+        below = below.through((&bottom, &at_bottom), (&top, &at_top))?;
+    }
+    // stresses are continuous: K_above w + ... = K_below w + ..., for a load on top, on the bottom, on both
+    let zero = Vector2::zeros();
+    let loads = nalgebra::Matrix2x3::from_columns(&[
+        zero - above.by_load,
+        below.by_load,
+        below.by_equal - above.by_equal,
+    ]);
+    let w = solve_equilibrated(above.stiffness - below.stiffness, loads)?;
+    let top = above.face * w;
+    let bottom = below.face * w;
+    Some(Flexibility {
+        top: top[0] + above.face_by_load,
+        coupling: top[1],
+        bottom: bottom[1] + below.face_by_load,
+        equal_top: top[2] + above.face_by_equal,
+        equal_bottom: bottom[2] + below.face_by_equal,
+    })
+}
+
+/// The part of a free chain between a loaded face and an interface, with the amplitudes eliminated: the stresses (S, T)
+/// at the interface and V at the face, as functions of the displacements w = (U, V) at the interface and of the load.
+/// Under equal loads on both faces of the chain, S means the excess over the load.
+struct Half {
+    stiffness: Matrix2<f64>,
+    by_load: Vector2<f64>,
+    by_equal: Vector2<f64>,
+    face: RowVector2<f64>,
+    face_by_load: f64,
+    face_by_equal: f64,
+}
+
+impl Half {
+    /// Nothing yet: the interface is the loaded face itself.
+    fn free() -> Self {
+        Self {
+            stiffness: Matrix2::zeros(),
+            by_load: Vector2::new(1.0, 0.0),
+            by_equal: Vector2::zeros(),
+            face: RowVector2::new(0.0, 1.0),
+            face_by_load: 0.0,
+            face_by_equal: 0.0,
+        }
+    }
+
+    /// One layer more: `near` is its face at the present interface, `far` the one that becomes the interface.
+    fn through(&self, near: (&Matrix4<f64>, &State), far: (&Matrix4<f64>, &State)) -> Option<Self> {
+        let [(near, near_uniform), (far, far_uniform)] = [near, far];
+        let condition = stress(near) - self.stiffness * displacement(near);
+        let uniform_condition = self.by_equal
+            - (near_uniform.fixed_rows::<2>(2) - self.stiffness * near_uniform.fixed_rows::<2>(0));
+        let mut loads = Matrix4::zeros();
+        loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
+        loads.fixed_view_mut::<2, 1>(0, 2).copy_from(&self.by_load);
+        loads.fixed_view_mut::<2, 1>(0, 3).copy_from(&uniform_condition);
+        loads.fixed_view_mut::<2, 1>(2, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
+        let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
+        let at_far = stress(far) * amplitudes;
+        let at_near = self.face * displacement(near) * amplitudes;
+        Some(Self {
+            stiffness: at_far.fixed_columns::<2>(0).into_owned(),
+            by_load: at_far.column(2).into_owned(),
+            by_equal: at_far.column(3) + far_uniform.fixed_rows::<2>(2),
+            face: at_near.fixed_columns::<2>(0).into_owned(),
+            face_by_load: self.face_by_load + at_near[2],
+            face_by_equal: self.face_by_equal + at_near[3] + (self.face * near_uniform.fixed_rows::<2>(0))[0],
+        })
+    }
+}
+
+fn displacement(states: &Matrix4<f64>) -> Matrix2x4<f64> {
+    states.fixed_rows::<2>(0).into_owned()
+}
+
+fn stress(states: &Matrix4<f64>) -> Matrix2x4<f64> {
+    states.fixed_rows::<2>(2).into_owned()
+}
+
+fn stacked(upper: &Matrix2x4<f64>, lower: &Matrix2x4<f64>) -> Matrix4<f64> {
+    Matrix4::from_rows(&[upper.row(0), upper.row(1), lower.row(0), lower.row(1)])
+}
