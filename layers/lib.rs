@@ -25,6 +25,7 @@
 mod error;
 mod exponential;
 mod flexibility;
+pub mod graded;
 mod half_plane;
 mod homogeneous;
 mod layer;

@@ -1,4 +1,4 @@
-//! Reference flexibilities of single layers.
+//! Scratch.
 use recede_layers::*;
 use std::collections::BTreeMap;
 #[test]

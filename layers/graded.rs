@@ -1,0 +1,451 @@
+//! The general body: face states of any layer from its [`Material`] alone, by integrating the state equations.
+//!
+//! The layer is cut into slices, so thin that the wave (λδ) and the material hardly change in one. A slice's transfer
+//! matrix, less identity, follows from Picard iteration on Gauss points: every entry keeps its own order in λδ, and
+//! with it all its digits. Three ways lead from the slices to the faces:
+//!
+//! * *thin*: amplitudes = the state at one depth; the transfer matrices are multiplied as X − 1.
+//! * *thick*: amplitudes = the stresses on one face while the other is clamped; the flexibility seen from a face is
+//!   carried from slice to slice, so that nothing grows.
+//! * *deep*: the faces do not feel each other; each is the surface of a half-plane.
+use std::sync::LazyLock;
+
+use nalgebra::{Matrix2, Matrix4, Matrix4x2, RowSVector, SMatrix, SVector};
+
+use crate::{FaceStates, Layer, Material, Plane, Wave};
+
+/// Gauss points per slice: collocation on them is exact to order 2·10 at the end of a slice.
+const NODES: usize = 10;
+/// A slice's largest λδ, in units of the material's own decay length.
+const LENGTH: f64 = 1.0;
+/// A material counts as resolved when the last Legendre coefficients on a slice are this small: their squares, which
+/// is what Gauss points leave, are below rounding.
+const RESOLVED: f64 = 1e-9;
+/// Slices around a jump of the material are halved down to this part of the thickness.
+const THINNEST: f64 = 1e-14;
+/// A material that is still not resolved after so many slices is taken as it is.
+const MANY: usize = 10_000;
+/// Up to this length, in decay lengths of the material, a layer is thin: it bends and translates almost freely.
+const THIN: f64 = 2.0;
+/// Beyond this length, in decay lengths, nothing is felt: e^(−2·30) is below rounding, squared once more.
+const FELT: f64 = 30.0;
+/// A modulus that varies by less than this factor is no reason to leave mid-depth.
+const MILD: f64 = 3.0;
+
+/// Face states of any layer, from [`Layer::thickness`] and [`Layer::material`]: the provided body of
+/// [`Layer::face_states`], and what an override is examined against.
+///
+/// Relative accuracy of the flexibility for a smooth material: 1e-12, for any λh and a modulus that varies
+/// monotonically by up to e^±30. A jump of the material inside the layer costs about fifty slices; two layers are better.
+///
+/// ```
+/// use recede_layers::{Exponential, Flexibility, Layer, Plane, Wave, graded};
+/// let layer = Exponential::new(1.0, 1.0, 0.25, -2.0)?;
+/// let wave = Wave { wavenumber: 3.0, modulus: 1.0, plane: Plane::Strain };
+/// let general = Flexibility::of_face_states(&graded::face_states(&layer, &wave)).expect("has two faces");
+/// let closed_form = layer.flexibility(&wave).expect("has two faces");
+/// assert!((general.top / closed_form.top - 1.0).abs() < 1e-12);
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+pub fn face_states(layer: &(impl Layer + ?Sized), wave: &Wave) -> FaceStates {
+    let material = |depth| layer.material(depth, wave.plane);
+    Profile { thickness: layer.thickness(), material: &material }.face_states(wave)
+}
+
+/// All that the general body knows of a layer.
+#[derive(Clone, Copy)]
+pub(crate) struct Profile<'a> {
+    /// As [`Layer::thickness`].
+    pub thickness: Option<f64>,
+    /// The material at a depth.
+    pub material: &'a dyn Fn(f64) -> Material,
+}
+
+impl Profile<'_> {
+    pub(crate) fn face_states(&self, wave: &Wave) -> FaceStates {
+        let Some(thickness) = self.thickness else {
+            return FaceStates::HalfPlane { top: self.surface(wave) };
+        };
+        let mirrored = |depth: f64| (self.material)((thickness - depth).max(0.0));
+        let mirrored = Profile { thickness: self.thickness, material: &mirrored };
+        let mut slices = self.slices(wave, FELT);
+        if slices.depth < thickness {
+            if slices.depth + mirrored.slices(wave, FELT).depth <= thickness {
+                return deep(self.surface(wave), mirrored.surface(wave));
+            }
+            slices = self.slices(wave, f64::INFINITY);
+        }
+        if slices.list.iter().map(|slice| slice.length).sum::<f64>() <= THIN {
+            thin(&slices.list)
+        } else {
+            thick(&slices.list)
+        }
+    }
+
+    /// ∫ f dy over the thickness for each of the functions of (material, depth), with the points that resolve the
+    /// material; zero for a half-plane.
+    pub(crate) fn integrate<const N: usize>(&self, f: impl Fn(&Material, f64) -> [f64; N]) -> [f64; N] {
+        let mut sums = [0.0; N];
+        let Some(thickness) = self.thickness else { return sums };
+        let still = Wave { wavenumber: 0.0, modulus: 1.0, plane: Plane::Strain };
+        let mut from = 0.0;
+        for slice in self.slices(&still, f64::INFINITY).list {
+            for (t, weight) in RULE.nodes.iter().zip(RULE.weights.iter()) {
+                let depth = from + (1.0 - t) * slice.thickness;
+                for (sum, value) in sums.iter_mut().zip(f(&(self.material)(depth), depth)) {
+                    *sum += weight * slice.thickness * value;
+                }
+            }
+            from = (from + slice.thickness).min(thickness);
+        }
+        sums
+    }
+
+    /// Slices from the top face down to the bottom or to where `felt` decay lengths are passed; in a half-plane also
+    /// to where the material is so stiff that it does not move.
+    fn slices(&self, wave: &Wave, felt: f64) -> Slices {
+        let end = self.thickness.unwrap_or(f64::INFINITY);
+        let largest = (1.0 / wave.wavenumber).min(0.5 * end);
+        let thinnest = THINNEST * largest;
+        let mut slices = Slices { list: Vec::new(), depth: 0.0 };
+        let (mut decay, mut softest) = (0.0, 0.0_f64);
+        let mut guess = largest;
+        while slices.depth < end && decay < felt {
+            let left = end - slices.depth;
+            // what is left is shared evenly if a second slice would do
+            let mut thickness = if guess >= left { left } else { guess.min(0.5 * left).max(thinnest.min(left)) };
+            let mut points = Points::new(self, wave, slices.depth, thickness);
+            while !points.resolved(wave.wavenumber * thickness) && thickness > thinnest && slices.list.len() < MANY {
+                thickness *= 0.5;
+                points = Points::new(self, wave, slices.depth, thickness);
+            }
+            slices.depth = if thickness >= left { end } else { slices.depth + thickness };
+            let zeta = wave.wavenumber * thickness;
+            decay += zeta * points.slowest();
+            if self.thickness.is_none() {
+                softest = softest.max(points.shear[NODES - 1]);
+                decay = decay.max(0.5 * (softest / points.shear[0]).ln());
+            }
+            slices.list.push(Slice {
+                thickness,
+                length: zeta * points.fastest(),
+                softness: points.shear.mean(),
+                transfer: points.transfer(zeta),
+            });
+            guess = (2.0 * thickness).min(largest);
+        }
+        slices
+    }
+
+    /// Two columns (λμ₀U, λμ₀V, S, T) at the top face of a layer whose bottom is not felt, for S = 1 and for T = 1.
+    fn surface(&self, wave: &Wave) -> Matrix4x2<f64> {
+        let slices = self.slices(wave, FELT);
+        let depth = slices.depth.min(self.thickness.unwrap_or(f64::INFINITY));
+        let mut seen = Seen { flexibility: surface_flexibility(&(self.material)(depth), wave.modulus), far: None };
+        for slice in slices.list.iter().rev() {
+            seen = seen.through(&slice.transfer);
+        }
+        seen.states()
+    }
+}
+
+/// The flexibility of a homogeneous half-plane: (λμ₀U, λμ₀V) at its top face from (S, T) on it.
+///
+/// With the roots s₁, s₂ of s⁴ − (em − 2c) s² + c² + ed = 0 (coefficients in units of μ₀) only s₁s₂ and s₁ + s₂ enter, so
+/// that coalescing or complex roots need no care.
+pub(crate) fn surface_flexibility(material: &Material, modulus: f64) -> Matrix2<f64> {
+    let Coefficients { m, c, d, e } = Coefficients::new(material, modulus);
+    let product = (c * c + e * d).sqrt();
+    let sum = (e * m - 2.0 * c + 2.0 * product).sqrt();
+    let cross = if c > 0.0 { d / (product + c) } else { (product - c) / e };
+    Matrix2::new(cross, sum / e, product * sum / e, cross)
+}
+
+/// The coefficients of the state equations for (λμ₀U, λμ₀V, S, T).
+#[derive(Clone, Copy)]
+struct Coefficients {
+    m: f64,
+    c: f64,
+    d: f64,
+    e: f64,
+}
+
+impl Coefficients {
+    fn new(material: &Material, modulus: f64) -> Self {
+        Self {
+            m: material.shear_compliance * modulus,
+            c: material.coupling,
+            d: material.normal_compliance * modulus,
+            e: material.axial_stiffness / modulus,
+        }
+    }
+}
+
+/// Gauss points t on [0, 1] with what is needed to integrate on them.
+struct Rule {
+    nodes: [f64; NODES],
+    weights: RowSVector<f64, NODES>,
+    /// Row i: ∫ from 0 to t_i of the interpolating polynomial.
+    integral: SMatrix<f64, NODES, NODES>,
+    /// The two highest Legendre coefficients of the interpolating polynomial.
+    highest: SMatrix<f64, 2, NODES>,
+}
+
+static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
+
+impl Rule {
+    fn new() -> Self {
+        let mut nodes = [0.0; NODES];
+        let mut weights = RowSVector::zeros();
+        let mut tables = [[0.0; NODES + 1]; NODES];
+        for i in 0..NODES {
+            let mut x = -(std::f64::consts::PI * (i as f64 + 0.75) / (NODES as f64 + 0.5)).cos();
+            let slope = |x: f64, p: &[f64]| NODES as f64 * (p[NODES - 1] - x * p[NODES]) / (1.0 - x * x);
+            for _ in 0..8 {
+                let p = legendre(x);
+                x -= p[NODES] / slope(x, &p);
+            }
+            tables[i] = legendre(x);
+            nodes[i] = 0.5 * (1.0 + x);
+            weights[i] = 1.0 / ((1.0 - x * x) * slope(x, &tables[i]).powi(2));
+        }
+        // coefficient k of the polynomial through f: (2k + 1) Σ w f P_k, with Σ w = 1
+        let coefficient = |k: usize, j: usize| (2 * k + 1) as f64 * weights[j] * tables[j][k];
+        let integral = SMatrix::from_fn(|i, j| {
+            let constant = weights[j] * nodes[i];
+            let p = &tables[i];
+            // ∫ P_k dt from 0 = (P_(k+1) − P_(k−1))/(2 (2k + 1))
+            (1..NODES).map(|k| coefficient(k, j) * (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64).sum::<f64>() + constant
+        });
+        let highest = SMatrix::from_fn(|i, j| coefficient(NODES - 2 + i, j));
+        Self { nodes, weights, integral, highest }
+    }
+}
+
+/// P_0 … P_NODES at x.
+fn legendre(x: f64) -> [f64; NODES + 1] {
+    let mut p = [1.0; NODES + 1];
+    p[1] = x;
+    for k in 1..NODES {
+        p[k + 1] = ((2 * k + 1) as f64 * x * p[k] - k as f64 * p[k - 1]) / (k + 1) as f64;
+    }
+    p
+}
+
+/// Consecutive slices from the top face down to `depth`.
+struct Slices {
+    list: Vec<Slice>,
+    depth: f64,
+}
+
+struct Slice {
+    thickness: f64,
+    /// In units of the material's shortest decay length.
+    length: f64,
+    /// Mean shear compliance, times μ₀.
+    softness: f64,
+    /// State at the top from the state at the bottom, less identity.
+    transfer: Matrix4<f64>,
+}
+
+/// The material at the Gauss points of a slice, from the bottom up.
+struct Points {
+    shear: SVector<f64, NODES>,
+    coupling: SVector<f64, NODES>,
+    normal: SVector<f64, NODES>,
+    axial: SVector<f64, NODES>,
+}
+
+impl Points {
+    fn new(profile: &Profile, wave: &Wave, depth: f64, thickness: f64) -> Self {
+        let mut points = Self {
+            shear: SVector::zeros(),
+            coupling: SVector::zeros(),
+            normal: SVector::zeros(),
+            axial: SVector::zeros(),
+        };
+        for (i, t) in RULE.nodes.iter().enumerate() {
+            let material = (profile.material)(depth + (1.0 - t) * thickness);
+            let Coefficients { m, c, d, e } = Coefficients::new(&material, wave.modulus);
+            points.shear[i] = m;
+            points.coupling[i] = c;
+            points.normal[i] = d;
+            points.axial[i] = e;
+        }
+        points
+    }
+
+    /// Whether the slice is short enough for the wave and for the variation of the material.
+    fn resolved(&self, zeta: f64) -> bool {
+        let smooth = |f: &SVector<f64, NODES>, floor: f64| {
+            (RULE.highest * f).amax() <= RESOLVED * f.amax().max(floor)
+        };
+        zeta * self.fastest() <= LENGTH
+            && smooth(&self.shear, 0.0)
+            && smooth(&self.axial, 0.0)
+            && smooth(&self.coupling, 1.0)
+            && smooth(&self.normal, self.shear.amax())
+    }
+
+    /// How fast the fastest field varies with ζ = λy.
+    fn fastest(&self) -> f64 {
+        let rate = |i: usize| {
+            let (m, c, d, e) = (self.shear[i], self.coupling[i], self.normal[i], self.axial[i]);
+            (e * m).max(c.abs()).max((e * d).sqrt()).sqrt()
+        };
+        (0..NODES).map(rate).fold(1.0, f64::max)
+    }
+
+    /// How fast the slowest field decays with ζ: the real part of the smaller root s, see [`surface_flexibility`].
+    fn slowest(&self) -> f64 {
+        let rate = |i: usize| {
+            let (m, c, d, e) = (self.shear[i], self.coupling[i], self.normal[i], self.axial[i]);
+            let (half, product) = (0.5 * (e * m - 2.0 * c), c * c + e * d);
+            let root = half * half - product;
+            if root > 0.0 { (product / (half + root.sqrt())).sqrt() } else { (0.5 * (half + product.sqrt())).sqrt() }
+        };
+        (0..NODES).map(rate).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The transfer matrix through the slice of length ζ, less identity: Picard iteration of X − 1 = ∫ A X dζ, where
+    /// each component takes at once what the others have just become.
+    fn transfer(&self, zeta: f64) -> Matrix4<f64> {
+        type Columns = SMatrix<f64, NODES, 4>;
+        let along = |f: &SVector<f64, NODES>, x: &Columns| Columns::from_fn(|i, j| f[i] * x[(i, j)]);
+        let unit = |k: usize| Columns::from_fn(|_, j| if j == k { 1.0 } else { 0.0 });
+        let integral = RULE.integral * zeta;
+        let [unit_u, unit_v, unit_s, unit_t] = [0, 1, 2, 3].map(unit);
+        let (mut u, mut v, mut s, mut t) = (unit_u, unit_v, unit_s, unit_t);
+        let rates = |u: &Columns, v: &Columns, s: &Columns, t: &Columns| {
+            [
+                v + along(&self.shear, t),
+                along(&self.normal, s) - along(&self.coupling, u),
+                -t,
+                along(&self.axial, u) + along(&self.coupling, s),
+            ]
+        };
+        for _ in 0..sweeps(zeta * self.fastest()) {
+            u = unit_u + integral * (v + along(&self.shear, &t));
+            t = unit_t + integral * (along(&self.axial, &u) + along(&self.coupling, &s));
+            s = unit_s - integral * t;
+            v = unit_v + integral * (along(&self.normal, &s) - along(&self.coupling, &u));
+        }
+        let ends = rates(&u, &v, &s, &t).map(|rate| RULE.weights * rate * zeta);
+        Matrix4::from_rows(&ends)
+    }
+}
+
+/// Sweeps of Picard iteration through a slice of the given length: each adds two orders of the power series.
+fn sweeps(length: f64) -> usize {
+    let (mut count, mut term) = (1.0, 1.0);
+    while term > 0.1 * f64::EPSILON {
+        term *= length * length / (2.0 * count * (2.0 * count + 1.0));
+        count += 1.0;
+    }
+    count as usize + 2
+}
+
+/// X⁻¹ − 1 from X − 1, entry by entry: reciprocity makes X symplectic, X⁻¹ = Ω⁻¹ Xᵀ Ω, with the pairs (U, T), (V, S).
+fn inverse(transfer: &Matrix4<f64>) -> Matrix4<f64> {
+    let sign = |i: usize| if i < 2 { 1.0 } else { -1.0 };
+    Matrix4::from_fn(|i, j| sign(i) * sign(j) * transfer[(3 - j, 3 - i)])
+}
+
+/// Amplitudes = the state at mid-depth, or where the layer is softest: from there to stiffer places the terms of a
+/// transfer matrix do not cancel.
+fn thin(slices: &[Slice]) -> FaceStates {
+    let start = softest(slices);
+    // (1 + A)(1 + B) − 1
+    let after = |first: Matrix4<f64>, then: Matrix4<f64>| first + then + then * first;
+    let up = slices[..start].iter().rev().fold(Matrix4::zeros(), |sum, slice| after(sum, slice.transfer));
+    let down = slices[start..].iter().fold(Matrix4::zeros(), |sum, slice| after(sum, inverse(&slice.transfer)));
+    FaceStates::Finite {
+        top: Matrix4::identity() + up,
+        bottom: Matrix4::identity() + down,
+        uniform: [up.column(2).into_owned(), down.column(2).into_owned()],
+    }
+}
+
+/// The boundary between slices where the material is softest; the middle one if it is about the same everywhere.
+fn softest(slices: &[Slice]) -> usize {
+    let compliance = |i: usize| {
+        let neighbours = [i.checked_sub(1).and_then(|i| slices.get(i)), slices.get(i)];
+        neighbours.into_iter().flatten().map(|slice| slice.softness).fold(0.0, f64::max)
+    };
+    let stiffest = slices.iter().map(|slice| slice.softness).fold(f64::INFINITY, f64::min);
+    let thickness: f64 = slices.iter().map(|slice| slice.thickness).sum();
+    let (mut chosen, mut off_centre, mut depth) = (0, f64::INFINITY, 0.0);
+    let largest = (0..=slices.len()).map(compliance).fold(0.0, f64::max);
+    let mild = largest <= MILD * stiffest;
+    for i in 0..=slices.len() {
+        let distance = (depth - 0.5 * thickness).abs();
+        // equally soft places are told apart by their distance from the middle
+        let candidate = mild || compliance(i) >= largest;
+        if candidate && distance < off_centre {
+            (chosen, off_centre) = (i, distance);
+        }
+        depth += slices.get(i).map_or(0.0, |slice| slice.thickness);
+    }
+    chosen
+}
+
+/// A layer seen from one of its faces.
+struct Seen {
+    /// (λμ₀U, λμ₀V) at the face from (S, T) on it.
+    flexibility: Matrix2<f64>,
+    /// (S, T) on the far, clamped face from (S, T) on this one; `None` if there is no far face.
+    far: Option<Matrix2<f64>>,
+}
+
+impl Seen {
+    /// Nothing yet, next to the clamp.
+    fn clamped() -> Self {
+        Self { flexibility: Matrix2::zeros(), far: Some(Matrix2::identity()) }
+    }
+
+    /// The face moved through a slice, away from the far one.
+    fn through(self, transfer: &Matrix4<f64>) -> Self {
+        let block = |i: usize, j: usize| transfer.fixed_view::<2, 2>(i, j);
+        let displacement = self.flexibility + (block(0, 0) * self.flexibility + block(0, 2));
+        let stress = Matrix2::identity() + (block(2, 0) * self.flexibility + block(2, 2));
+        let back = stress.try_inverse().unwrap_or(Matrix2::repeat(f64::NAN));
+        Self { flexibility: displacement * back, far: self.far.map(|far| far * back) }
+    }
+
+    /// The states at the face for S = 1 and for T = 1 on it.
+    fn states(&self) -> Matrix4x2<f64> {
+        stacked(&self.flexibility, &Matrix2::identity())
+    }
+
+    /// The states at the far face for S = 1 and for T = 1 on this one.
+    fn far_states(&self) -> Matrix4x2<f64> {
+        stacked(&Matrix2::zeros(), &self.far.unwrap_or(Matrix2::zeros()))
+    }
+}
+
+/// Amplitudes = (S, T) on the top face above a clamped bottom, then (S, T) on the bottom face below a clamped top.
+fn thick(slices: &[Slice]) -> FaceStates {
+    let from_top = slices.iter().rev().fold(Seen::clamped(), |seen, slice| seen.through(&slice.transfer));
+    let from_bottom = slices.iter().fold(Seen::clamped(), |seen, slice| seen.through(&inverse(&slice.transfer)));
+    FaceStates::thick(
+        beside(&from_top.states(), &from_bottom.far_states()),
+        beside(&from_top.far_states(), &from_bottom.states()),
+    )
+}
+
+/// Faces that do not feel each other; the bottom is given as the top of the mirrored layer.
+fn deep(top: Matrix4x2<f64>, mut bottom: Matrix4x2<f64>) -> FaceStates {
+    // V and T change their signs
+    for i in [1, 3] {
+        bottom.row_mut(i).neg_mut();
+    }
+    FaceStates::thick(beside(&top, &Matrix4x2::zeros()), beside(&Matrix4x2::zeros(), &bottom))
+}
+
+fn stacked(upper: &Matrix2<f64>, lower: &Matrix2<f64>) -> Matrix4x2<f64> {
+    Matrix4x2::from_fn(|i, j| if i < 2 { upper[(i, j)] } else { lower[(i - 2, j)] })
+}
+
+fn beside(left: &Matrix4x2<f64>, right: &Matrix4x2<f64>) -> Matrix4<f64> {
+    Matrix4::from_fn(|i, j| if j < 2 { left[(i, j)] } else { right[(i, j - 2)] })
+}

@@ -1,0 +1,77 @@
+//! Large wavenumbers: a contact feels nothing but the grading at its own faces.
+use num_complex::Complex64;
+
+use crate::Error;
+use crate::numeric::chebyshev::{self, Series};
+
+use super::Chains;
+
+/// Points of the fit.
+const POINTS: usize = 17;
+/// The fit is good if its last coefficients are below this part of the kernel.
+const RESOLVED: f64 = 3e-15;
+
+/// The diagonal kernel of one contact for ζ ≥ `from`: a polynomial in from/ζ, constant next to homogeneous material,
+/// 1 + O(β/ζ) next to a graded face.
+#[derive(Clone, Debug)]
+pub(crate) struct Far {
+    /// Where it begins to hold.
+    pub(crate) from: f64,
+    /// The limit g∞ for ζ → ∞, which makes the Cauchy kernel.
+    pub(crate) limit: f64,
+    /// The kernel less its limit, in u = from/ζ; `None` if that is nothing.
+    excess: Option<Series>,
+}
+
+impl Far {
+    /// Fits the kernel of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
+    pub(super) fn fit(
+        chains: &Chains,
+        contact: usize,
+        from: f64,
+        samples: &mut usize,
+    ) -> Result<Option<Self>, Error> {
+        let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
+        let mut components = vec![0.0; 3 * chains.contacts() - 1];
+        let mut values = Vec::with_capacity(POINTS);
+        for u in chebyshev::points(0.0, 1.0, POINTS) {
+            // the point u = 0 is a wavenumber so large that nothing but the face itself is felt
+            chains.sample(from / u.max(1e-25), &wanted, &mut components)?;
+            values.push(components[contact]);
+        }
+        *samples += POINTS;
+        let series = Series::from_values_at_points(0.0, 1.0, &values);
+        if series.tail() > RESOLVED {
+            return Ok(None);
+        }
+        let limit = series.eval(0.0);
+        let spread = values.iter().map(|value| (value - limit).abs()).fold(0.0, f64::max);
+        let excess = if spread <= RESOLVED * limit {
+            None
+        } else {
+            let excess: Vec<f64> = values.iter().map(|value| value - limit).collect();
+            Some(Series::from_values_at_points(0.0, 1.0, &excess))
+        };
+        Ok(Some(Self { from, limit, excess }))
+    }
+
+    /// Whether the kernel equals its limit.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.excess.is_none()
+    }
+
+    /// A constant kernel that holds for all wavenumbers.
+    pub(super) fn starts_at_zero(&mut self) {
+        self.from = 0.0;
+    }
+
+    /// The kernel less its limit at ζ ≥ `from`.
+    pub(crate) fn excess(&self, zeta: f64) -> f64 {
+        self.excess.as_ref().map_or(0.0, |series| series.eval(self.from / zeta))
+    }
+
+    /// The same at a complex wavenumber, Re ζ ≥ `from`.
+    pub(crate) fn excess_complex(&self, zeta: Complex64) -> Complex64 {
+        self.excess.as_ref().map_or(Complex64::ZERO, |series| series.eval_complex(self.from / zeta))
+    }
+}

@@ -1,0 +1,202 @@
+//! Kernels: what the contact equations need to know of a stack, as functions of the wavenumber.
+//!
+//! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, flexibilities λμ₀C
+//! with μ₀ the shear modulus at the top face. Nothing depends on punch, load or contact lengths.
+mod far;
+mod panel;
+
+use std::sync::Arc;
+
+use recede_layers::{Flexibility, Layer, Plane, Wave};
+
+use crate::Error;
+use crate::stack::{self, Stack};
+use crate::system::{BaseChain, Foundation, FreeChain};
+
+pub(crate) use far::Far;
+pub(crate) use panel::Panel;
+
+/// Beyond this λh a face does not feel the other side of its layer: e^(−2·18.5) is below rounding.
+const UNFELT: f64 = 18.5;
+/// Panels double in width; more than 2^60 times the first is no stack that doubles can describe.
+const DOUBLINGS: u32 = 60;
+
+/// The kernels of one stack.
+///
+/// With contacts 0 (punch), 1, ... from the top down, contact i presses on laminate i below it and, for i > 0, on
+/// laminate i − 1 above it. Components, all λμ₀C:
+///
+/// * `diagonal` i: response of the gap of contact i to its own pressure, C_tt below minus C_bb above;
+/// * `unit` i: the same if the neighbouring contacts carry the same pressure, (C_tt + C_tb) − (C_bt + C_bb);
+/// * `coupling` i: response of contact i to the pressure of contact i + 1, C_tb of laminate i.
+#[derive(Clone, Debug)]
+pub(crate) struct Kernel {
+    chains: Chains,
+    panels: Vec<Panel>,
+    far: Vec<Far>,
+    samples: usize,
+}
+
+/// The chains of the block system, and the units in which they are evaluated.
+#[derive(Clone, Debug)]
+struct Chains {
+    laminates: Vec<FreeChain>,
+    base: BaseChain,
+    plane: Plane,
+    length: f64,
+    modulus: f64,
+}
+
+impl Chains {
+    fn new(stack: &Stack) -> Self {
+        let layers = |placed: &[stack::Placed]| -> Vec<Arc<dyn Layer>> {
+            placed.iter().map(|placed| placed.layer.clone()).collect()
+        };
+        let plane = stack.plane();
+        let laminates: Vec<FreeChain> =
+            stack.laminates().iter().map(|laminate| FreeChain::new(layers(laminate.layers()), plane)).collect();
+        let foundation = match stack.base().foundation() {
+            stack::Foundation::HalfPlane(placed) => Foundation::HalfPlane(placed.layer.clone()),
+            stack::Foundation::Rigid { .. } => Foundation::Rigid,
+        };
+        let base = BaseChain::new(layers(stack.base().layers()), foundation);
+        let top = laminates.first().map_or(base.layers(), FreeChain::layers).first();
+        let top = top.or(match base.foundation() {
+            Foundation::HalfPlane(layer) => Some(layer),
+            Foundation::Rigid => None,
+        });
+        let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
+        let total = stack.total_thickness();
+        let length = if total > 0.0 { total } else { 1.0 };
+        Self { laminates, base, plane, length, modulus }
+    }
+
+    fn contacts(&self) -> usize {
+        self.laminates.len() + 1
+    }
+
+    fn wave(&self, zeta: f64) -> Wave {
+        Wave { wavenumber: zeta / self.length, modulus: self.modulus, plane: self.plane }
+    }
+
+    /// All components at one wavenumber, `unit` and `coupling` behind `diagonal`, for the contacts that are `wanted`.
+    fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64]) -> Result<(), Error> {
+        let wave = self.wave(zeta);
+        let n = self.contacts();
+        let failed = || Error::Unresolved { wavenumber: wave.wavenumber };
+        components.fill(0.0);
+        for (i, laminate) in self.laminates.iter().enumerate() {
+            if !(wanted[i] || wanted[i + 1]) {
+                continue;
+            }
+            let c = laminate.flexibility(&wave).ok_or_else(failed)?;
+            components[i] += c.top;
+            components[n + i] += c.equal_top;
+            components[i + 1] -= c.bottom;
+            components[n + i + 1] -= c.equal_bottom;
+            components[2 * n + i] = c.coupling;
+        }
+        if wanted[n - 1] {
+            let c = self.base.flexibility(&wave).ok_or_else(failed)?;
+            components[n - 1] += c;
+            components[2 * n - 1] += c;
+        }
+        if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
+    }
+
+    /// Thickness of the thinnest layer next to contact i, in units of L; infinite next to a half-plane only.
+    fn thinnest_face(&self, contact: usize) -> f64 {
+        let above = contact.checked_sub(1).and_then(|i| self.laminates[i].layers().last());
+        let below = match self.laminates.get(contact) {
+            Some(laminate) => laminate.layers().first(),
+            None => self.base.layers().first(),
+        };
+        let thickness = |layer: &Arc<dyn Layer>| layer.thickness().unwrap_or(f64::INFINITY) / self.length;
+        above.into_iter().chain(below).map(thickness).fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl Kernel {
+    /// Samples the flexibilities of `stack` until every component is resolved to rounding.
+    pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
+        let chains = Chains::new(stack);
+        let n = chains.contacts();
+        let mut kernel = Self { panels: Vec::new(), far: Vec::new(), samples: 0, chains };
+        let mut far: Vec<Option<Far>> = vec![None; n];
+        let mut edge = 0.0;
+        for doubling in 0..DOUBLINGS {
+            for (i, far) in far.iter_mut().enumerate() {
+                let thickness = kernel.chains.thinnest_face(i);
+                // next to a half-plane the kernel may be constant from the start
+                let from = if thickness.is_finite() { edge } else { f64::max(edge, 1e-9) };
+                if far.is_none() && from * thickness >= UNFELT {
+                    *far = Far::fit(&kernel.chains, i, from, &mut kernel.samples)?
+                        .filter(|far| edge > 0.0 || far.is_constant());
+                    if let (Some(far), true) = (far, edge == 0.0) {
+                        far.starts_at_zero();
+                    }
+                }
+            }
+            let wanted: Vec<bool> = far.iter().map(Option::is_none).collect();
+            if !wanted.contains(&true) {
+                kernel.far = far.into_iter().flatten().collect();
+                return Ok(kernel);
+            }
+            let next = 2.0 * f64::from(2u32).powi(doubling as i32);
+            panel::resolve(&kernel.chains, edge, next, &wanted, &mut kernel.panels, &mut kernel.samples)?;
+            edge = next;
+        }
+        Err(Error::Unresolved { wavenumber: edge / kernel.chains.length })
+    }
+
+    /// Number of contacts: the punch and the receding interfaces.
+    pub(crate) fn contacts(&self) -> usize {
+        self.chains.contacts()
+    }
+
+    /// Length L that makes wavenumbers dimensionless.
+    pub(crate) fn length(&self) -> f64 {
+        self.chains.length
+    }
+
+    /// Modulus μ₀ that makes stresses dimensionless.
+    pub(crate) fn modulus(&self) -> f64 {
+        self.chains.modulus
+    }
+
+    /// Wavenumbers at which the stack was evaluated.
+    pub(crate) fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// Panels of the wavenumber axis, in order, without gaps from 0.
+    pub(crate) fn panels(&self) -> &[Panel] {
+        &self.panels
+    }
+
+    /// Large wavenumbers of the diagonal component of contact i.
+    pub(crate) fn far(&self, contact: usize) -> &Far {
+        &self.far[contact]
+    }
+
+    /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.
+    pub(crate) fn flexibilities(&self, zeta: f64) -> Result<(Vec<Flexibility>, f64), Error> {
+        let wave = self.chains.wave(zeta);
+        let failed = || Error::Unresolved { wavenumber: wave.wavenumber };
+        let laminates: Option<Vec<Flexibility>> =
+            self.chains.laminates.iter().map(|laminate| laminate.flexibility(&wave)).collect();
+        Ok((laminates.ok_or_else(failed)?, self.chains.base.flexibility(&wave).ok_or_else(failed)?))
+    }
+
+    /// Thickness in units of L and bending stiffness in units of μ₀L³ of the laminates, top down.
+    pub(crate) fn laminates(&self) -> Result<Vec<(f64, f64)>, Error> {
+        // long waves see a beam: λμ₀C = μ₀L³/(D ζ³)
+        const LONG: f64 = 1e-4;
+        let (flexibilities, _) = self.flexibilities(LONG)?;
+        let thickness = |chain: &FreeChain| {
+            chain.layers().iter().map(|layer| layer.thickness().unwrap_or(0.0)).sum::<f64>() / self.chains.length
+        };
+        let bending = |flexibility: &Flexibility| (flexibility.top * LONG.powi(3)).recip();
+        Ok(self.chains.laminates.iter().map(thickness).zip(flexibilities.iter().map(bending)).collect())
+    }
+}

@@ -1,0 +1,5 @@
+//! Tools of numerical analysis that know nothing of mechanics: Bessel functions, quadrature, interpolation.
+
+pub mod bessel;
+pub mod chebyshev;
+pub mod quadrature;
