@@ -373,7 +373,7 @@ impl Steep {
         } else {
             Flexibility {
                 top: stiff[1],
-                coupling: soft[1],
+                coupling: -stiff[0],
                 bottom: soft[0],
                 equal_top: equal[1],
                 equal_bottom: equal[0],

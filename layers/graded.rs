@@ -29,6 +29,8 @@ const MANY: usize = 10_000;
 const THIN: f64 = 2.0;
 /// Beyond this length, in decay lengths, nothing is felt: e^(−2·30) is below rounding, squared once more.
 const FELT: f64 = 30.0;
+/// Above this a layer counts as thick whatever its length, see [`Clamped::independence`].
+const INDEPENDENT: f64 = 0.1;
 /// A modulus that varies by less than this factor is no reason to leave mid-depth.
 const MILD: f64 = 3.0;
 
@@ -75,11 +77,9 @@ impl Profile<'_> {
             }
             slices = self.slices(wave, f64::INFINITY);
         }
-        if slices.list.iter().map(|slice| slice.length).sum::<f64>() <= THIN {
-            thin(&slices.list)
-        } else {
-            thick(&slices.list)
-        }
+        let thick = Clamped::new(&slices.list);
+        let length = slices.list.iter().map(|slice| slice.length).sum::<f64>();
+        if length > THIN || thick.independence() > INDEPENDENT { thick.face_states() } else { thin(&slices.list) }
     }
 
     /// ∫ f dy over the thickness for each of the functions of (material, depth), with the points that resolve the
@@ -369,8 +369,9 @@ fn thin(slices: &[Slice]) -> FaceStates {
 /// The boundary between slices where the material is softest; the middle one if it is about the same everywhere.
 fn softest(slices: &[Slice]) -> usize {
     let compliance = |i: usize| {
-        let neighbours = [i.checked_sub(1).and_then(|i| slices.get(i)), slices.get(i)];
-        neighbours.into_iter().flatten().map(|slice| slice.softness).fold(0.0, f64::max)
+        let slice = |i: usize| slices.get(i).map(|slice| slice.softness);
+        let (above, below) = (i.checked_sub(1).and_then(slice), slice(i));
+        0.5 * (above.or(below).unwrap_or(0.0) + below.or(above).unwrap_or(0.0))
     };
     let stiffest = slices.iter().map(|slice| slice.softness).fold(f64::INFINITY, f64::min);
     let thickness: f64 = slices.iter().map(|slice| slice.thickness).sum();
@@ -423,14 +424,34 @@ impl Seen {
     }
 }
 
-/// Amplitudes = (S, T) on the top face above a clamped bottom, then (S, T) on the bottom face below a clamped top.
-fn thick(slices: &[Slice]) -> FaceStates {
-    let from_top = slices.iter().rev().fold(Seen::clamped(), |seen, slice| seen.through(&slice.transfer));
-    let from_bottom = slices.iter().fold(Seen::clamped(), |seen, slice| seen.through(&inverse(&slice.transfer)));
-    FaceStates::thick(
-        beside(&from_top.states(), &from_bottom.far_states()),
-        beside(&from_top.far_states(), &from_bottom.states()),
-    )
+/// A layer of which one or the other face is clamped. Amplitudes = (S, T) on the top face above a clamped bottom, then
+/// (S, T) on the bottom face below a clamped top.
+struct Clamped {
+    from_top: Seen,
+    from_bottom: Seen,
+}
+
+impl Clamped {
+    fn new(slices: &[Slice]) -> Self {
+        Self {
+            from_top: slices.iter().rev().fold(Seen::clamped(), |seen, slice| seen.through(&slice.transfer)),
+            from_bottom: slices.iter().fold(Seen::clamped(), |seen, slice| seen.through(&inverse(&slice.transfer))),
+        }
+    }
+
+    /// 1 if the faces do not feel each other, 0 if stresses on one face are handed on to the other unchanged, as in a
+    /// layer that moves like a rigid body.
+    fn independence(&self) -> f64 {
+        let [down, up] = [&self.from_top, &self.from_bottom].map(|seen| seen.far.unwrap_or(Matrix2::zeros()));
+        (Matrix2::identity() - up * down).determinant()
+    }
+
+    fn face_states(&self) -> FaceStates {
+        FaceStates::thick(
+            beside(&self.from_top.states(), &self.from_bottom.far_states()),
+            beside(&self.from_top.far_states(), &self.from_bottom.states()),
+        )
+    }
 }
 
 /// Faces that do not feel each other; the bottom is given as the top of the mirrored layer.

@@ -22,7 +22,9 @@ pub trait Layer: Debug + Send + Sync + Any {
     fn material(&self, depth: f64, plane: Plane) -> Material;
 
     /// States at the faces as functions of the layer's amplitudes.
-    fn face_states(&self, wave: &Wave) -> FaceStates;
+    fn face_states(&self, wave: &Wave) -> FaceStates {
+        crate::graded::face_states(self, wave)
+    }
 
     /// Flexibility of the layer alone with shear-free faces; `None` for a half-plane, see [`Flexibility`].
     fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {

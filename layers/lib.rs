@@ -22,6 +22,7 @@
 //! [`State`] are stresses and do not depend on the units of length.
 #![deny(missing_docs)]
 
+pub mod conformance;
 mod error;
 mod exponential;
 mod flexibility;

@@ -1,9 +1,26 @@
 //! A converged answer counts only if no pressure pulls and no gap is overlapped.
-use crate::Error;
-use crate::kernel::Kernel;
+//!
+//! The equations for the half-lengths have other roots besides the physical one; the contact problem itself, a convex
+//! programme, has one solution only, and these two signs tell it.
+use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::Error;
+use crate::error::NoSolution;
+use crate::kernel::Kernel;
+use crate::solution::Interface;
+
+use super::basis::Basis;
+use super::galerkin::Equations;
+use super::layout::Layout;
 use super::newton::Level;
 use super::punch::Indentation;
+
+/// Pressures are looked at in this many places per mode.
+const PER_MODE: usize = 3;
+/// Gaps are looked at in this many places per contact.
+const GAPS: usize = 48;
+/// What is below zero by less than this part of the largest value is zero.
+const ZERO: f64 = 1e-7;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(super) struct Check {
@@ -11,6 +28,105 @@ pub(super) struct Check {
     pub(super) min_gap: f64,
 }
 
-pub(super) fn check(_kernel: &Kernel, _punch: &Indentation, _level: &Level) -> Result<Check, Error> {
-    Ok(Check { min_pressure: 0.0, min_gap: 0.0 })
+/// Smallest pressure inside and smallest gap outside the contacts.
+pub(super) fn check(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    level: &Level,
+) -> Result<Check, Error> {
+    let mut check = Check { min_pressure: 0.0, min_gap: 0.0 };
+    for (i, modes) in level.modes.iter().enumerate() {
+        let (x, pressure, largest) = smallest_pressure(modes);
+        if pressure < -ZERO * largest {
+            let x = x * level.half_lengths[i] * kernel.length();
+            return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
+        }
+        check.min_pressure = check.min_pressure.min(pressure);
+    }
+    for (i, gaps) in gaps(kernel, punch, level).into_iter().enumerate() {
+        let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
+        for (x, gap) in gaps {
+            if gap < -ZERO * largest {
+                let x = x * kernel.length();
+                return Err(NoSolution::Overlap { interface: interfaces[i], x }.into());
+            }
+            check.min_gap = check.min_gap.min(gap);
+        }
+    }
+    Ok(check)
+}
+
+/// Where the pressure is smallest (x/a), the pressure there, and the largest pressure.
+fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
+    let places = PER_MODE * modes.len();
+    let (mut smallest, mut largest) = ((0.0, f64::INFINITY), 0.0f64);
+    for k in 1..=places {
+        let phi = FRAC_PI_2 * k as f64 / places as f64;
+        // Σ c_j sin jφ with y_j = π j (−1)^((j−1)/2) c_j
+        let pressure: f64 = modes
+            .iter()
+            .enumerate()
+            .map(|(m, y)| {
+                let j = (2 * m + 1) as f64;
+                let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+                sign * y / (PI * j) * (j * phi).sin()
+            })
+            .sum();
+        largest = largest.max(pressure.abs());
+        // next to the edge every pressure vanishes: compare with the smallest that it may be there
+        if pressure < smallest.1 {
+            smallest = (phi.cos(), pressure);
+        }
+    }
+    (smallest.0, smallest.1, largest)
+}
+
+/// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
+fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Vec<Vec<(f64, f64)>> {
+    let n = level.half_lengths.len();
+    let longest = level.half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b));
+    let span = 3.0 * longest + 3.0;
+    let counts: Vec<usize> = level.modes.iter().map(Vec::len).collect();
+    let orders: Vec<usize> = counts.iter().map(|count| 2 * count).collect();
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, span);
+    let bases: Vec<Basis> =
+        (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], counts[i])).collect();
+    let slopes = punch.slopes(level.half_lengths[0], 1);
+    let transforms = Equations::new(&layout, &bases, &slopes, &level.solved).slope_transforms(&level.modes);
+    (0..n)
+        .map(|i| {
+            let (a, limit) = (level.half_lengths[i], layout.own[i].limit);
+            let mut end = span;
+            if let (0, Some(edge)) = (i, punch.max_half_length()) {
+                end = end.min(edge);
+            }
+            let farthest = (end / a).max(1.0).acosh();
+            (1..=GAPS)
+                .map(|k| {
+                    // dense next to the edge of the contact
+                    let t = farthest * (k as f64 / GAPS as f64).powi(2);
+                    let x = a * t.cosh();
+                    let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
+                    let cauchy: f64 =
+                        level.modes[i].iter().enumerate().map(|(m, y)| y * cauchy_deflection(m, t)).sum();
+                    let rest: f64 = transforms[i]
+                        .iter()
+                        .zip(&layout.zeta)
+                        .map(|(slope, zeta)| slope * ((zeta * a).cos() - (zeta * x).cos()) / zeta)
+                        .sum();
+                    (x, opened - (limit * a * cauchy + rest) / PI)
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// ∫ from a to x = a cosh t of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, j = 2m + 1.
+fn cauchy_deflection(m: usize, t: f64) -> f64 {
+    let j = (2 * m + 1) as f64;
+    let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+    let first = if m == 0 { t } else { -(-(j - 1.0) * t).exp_m1() / (j - 1.0) };
+    let second = -(-(j + 1.0) * t).exp_m1() / (j + 1.0);
+    sign * 0.5 * (first - second) / j
 }

@@ -11,6 +11,9 @@ use faer::{Accum, Mat, MatMut, MatRef, Par, Side};
 use super::basis::{Basis, Table};
 use super::layout::{Layout, Own};
 
+/// How often the iterated modes are computed: each time they feel what the last round added.
+const SWEEPS: usize = 3;
+
 /// Rows k = 1, 3, ... of the right-hand sides, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
     /// ± ∫ f'(as) T_k(s)/√(1 − s²) ds.
@@ -217,6 +220,19 @@ impl<'a> Equations<'a> {
         dot(&slopes.real, basis.real.slope(m)) + dot(&slopes.tail, basis.tail.slope(m))
     }
 
+    /// The slope transforms of all contacts at the real wavenumbers, weights included and g∞ left out, for given modes.
+    pub(super) fn slope_transforms(&self, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let n = self.contacts();
+        let mut slopes: Vec<Transform> = (0..n).map(|i| self.unit_slopes(i)).collect();
+        for (by, modes) in modes.iter().enumerate() {
+            let pressure = self.transform(by, &modes[1..], 1, false);
+            for (i, slopes) in slopes.iter_mut().enumerate() {
+                self.add_response(slopes, i, by, &pressure);
+            }
+        }
+        slopes.into_iter().map(|slopes| slopes.real).collect()
+    }
+
     /// The punch's part of a row.
     fn punch(&self, i: usize, m: usize) -> f64 {
         if i == 0 { self.slopes.value.get(m).copied().unwrap_or(0.0) } else { 0.0 }
@@ -274,24 +290,33 @@ impl<'a> Equations<'a> {
                 .collect()
         };
         let plain = residual_of(&slopes);
-        let mut beyond: Vec<Vec<f64>> = vec![Vec::new(); n];
-        if (0..n).any(|i| iterated[i] > self.modes[i]) {
-            for i in 0..n {
-                beyond[i] = (self.modes[i]..iterated[i])
-                    .map(|m| {
-                        (self.punch(i, m) - self.test(i, &slopes[i], m)) * 2.0 * order(m) / self.layout.own[i].limit
-                    })
-                    .collect();
-            }
-            let mut extra: Vec<Transform> = (0..n)
+        let nothing = || -> Vec<Transform> {
+            (0..n)
                 .map(|i| Transform {
                     real: vec![0.0; self.layout.own[i].reach],
                     tail: vec![0.0; self.bases[i].tail.rows()],
                 })
-                .collect();
-            add(&mut extra, &beyond, &|i| self.modes[i]);
+                .collect()
+        };
+        let mut beyond: Vec<Vec<f64>> = (0..n).map(|i| vec![0.0; iterated[i].saturating_sub(self.modes[i])]).collect();
+        let sweeps = if beyond.iter().all(Vec::is_empty) { 0 } else { SWEEPS };
+        for _ in 0..sweeps {
+            let mut news: Vec<Vec<f64>> = Vec::with_capacity(n);
+            for i in 0..n {
+                let row = |(k, old): (usize, &mut f64)| -> f64 {
+                    let m = self.modes[i] + k;
+                    let new = (self.punch(i, m) - self.test(i, &slopes[i], m)) * 2.0 * order(m)
+                        / self.layout.own[i].limit;
+                    let news = new - *old;
+                    *old = new;
+                    news
+                };
+                news.push(beyond[i].iter_mut().enumerate().map(row).collect());
+            }
+            let mut extra = nothing();
+            add(&mut extra, &news, &|i| self.modes[i]);
             let change = self.split(&factor.solve(&rows(&|i, m| -self.test(i, &extra[i], m))), 0);
-            add(&mut slopes, &beyond, &|i| self.modes[i]);
+            add(&mut slopes, &news, &|i| self.modes[i]);
             add(&mut slopes, &change, &|_| 1);
             for (modes, change) in higher.iter_mut().zip(&change) {
                 for (y, dy) in modes.iter_mut().zip(change) {
@@ -324,12 +349,7 @@ impl<'a> Equations<'a> {
                 row
             };
             let response = self.split(&factor.solve(&rows(&|i, m| -row(i, m))), 0);
-            let mut moved: Vec<Transform> = (0..n)
-                .map(|i| Transform {
-                    real: vec![0.0; self.layout.own[i].reach],
-                    tail: vec![0.0; self.bases[i].tail.rows()],
-                })
-                .collect();
+            let mut moved = nothing();
             add(&mut moved, &response, &|_| 1);
             for i in 0..n {
                 jacobian[(i, by)] = row(i, 0) + self.test(i, &moved[i], 0);

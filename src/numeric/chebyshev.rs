@@ -34,8 +34,8 @@ pub fn barycentric_weights(nodes: &[f64]) -> Vec<f64> {
     weights
 }
 
-/// The values at `x` of the polynomials that are 1 at one node and 0 at the others: their scalar product with the values
-/// of a function at the nodes interpolates the function. Exact at the nodes.
+/// The values at `x` of the polynomials that are 1 at one node and 0 at the others: their scalar product with the
+/// values of a function at the nodes interpolates the function. Exact at the nodes.
 ///
 /// ```
 /// use recede::numeric::chebyshev::{barycentric_weights, interpolation_row};
@@ -206,8 +206,8 @@ impl Series {
         )
     }
 
-    /// The sum at a complex `z`: the analytic continuation as long as `z` is within the ellipse of convergence. Rounding
-    /// errors of high coefficients grow there: [`truncate`](Self::truncate) first.
+    /// The sum at a complex `z`: the analytic continuation as long as `z` is within the ellipse of convergence.
+    /// Rounding errors of high coefficients grow there: [`truncate`](Self::truncate) first.
     pub fn eval_complex(&self, z: Complex64) -> Complex64 {
         clenshaw(
             &self.coefficients,

@@ -66,7 +66,7 @@ pub fn laguerre_rule(n: usize) -> &'static Rule {
 ///
 /// Works with the angle t = arccos x, in which neither the nodes nor the weights lose digits at the ends.
 ///
-/// Source: F. G. Tricomi (1950) for the start; G. Szegő, Orthogonal Polynomials, (3.4.7) and (4.2.1).
+/// Source: F. G. Tricomi (1950) for the start; G. Szegő, Orthogonal Polynomials, (4.2.1) and (15.3.1).
 pub fn gauss_legendre(n: usize) -> Rule {
     let half = n.div_ceil(2);
     let order = n as f64 + 0.5;
@@ -105,7 +105,7 @@ pub fn gauss_legendre(n: usize) -> Rule {
     rule
 }
 
-/// P_n(cos t) and sin t * dP_n(cos t)/d(cos t) * sin t = n (P_{n-1} - cos t P_n) for angles in (0, pi/2].
+/// P_n(x) and (1 - x^2) dP_n/dx = n (P_{n-1} - x P_n) at x = cos t, for angles t in (0, pi/2].
 ///
 /// The recurrence runs over differences, d_{k+1} = (k d_k - (2k + 1)(1 - cos t) P_k)/(k + 1), P_{k+1} = P_k + d_{k+1}:
 /// 1 - cos t = 2 sin^2(t/2) keeps its digits where cos t is close to 1.
