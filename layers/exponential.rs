@@ -444,8 +444,7 @@ impl Pair {
             // sinh(x)/x for |x| < 1/2
             let sinhc = 1.0
                 + square / 6.0
-                    * (1.0
-                        + square / 20.0 * (1.0 + square / 42.0 * (1.0 + square / 72.0 * (1.0 + square / 110.0))));
+                    * (1.0 + square / 20.0 * (1.0 + square / 42.0 * (1.0 + square / 72.0 * (1.0 + square / 110.0))));
             (decay * angle.cosh(), decay * t * sinhc)
         } else {
             let (slow, fast) = (((self.p - omega) * t).exp(), ((self.p + omega) * t).exp());
@@ -470,5 +469,48 @@ impl Exponential {
         let [c, d] = pair.solutions(-1.0, 0.0, [bottom, 1.0]);
         let bottom_states = Matrix4::from_columns(&[a, b, c, d]);
         FaceStates::thick(top_states, bottom_states)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_modulus_that_varies_too_much_is_refused() {
+        assert!(Exponential::new(2.0, 1.0, 0.25, 50.0).is_ok());
+        let error = Exponential::new(2.0, 1.0, 0.25, -50.1).expect_err("too steep");
+        assert_eq!(error, LayerError::TooSteep { found: -100.2, limit: STEEPEST });
+    }
+
+    #[test]
+    fn every_entry_of_a_steep_layer_with_a_stiff_top_keeps_its_digits() {
+        // multiple precision, from the exponential of the state matrix: βh = −30, ν = 1/4, λh = 0.9
+        let layer = Exponential::new(1.0, 1.0, 0.25, -30.0).expect("legal");
+        let wave = Wave { wavenumber: 0.9, modulus: 1.0, plane: Plane::Strain };
+        let found = layer.flexibility(&wave).expect("finite");
+        for (found, expected) in [
+            (found.top, 13963.819366565489),
+            (found.coupling, -12279.426290574647),
+            (found.bottom, -106864604011.04976),
+            (found.equal_top, 1684.3930759908427),
+            (found.equal_bottom, -106864591731.62347),
+        ] {
+            assert!((found / expected - 1.0).abs() < 1e-13, "{found} ≠ {expected}");
+        }
+    }
+
+    #[test]
+    fn roots_are_those_of_the_state_matrix() {
+        // s = p ± iω solves (s² − 1 − b²/4)² = −b² c, also where the pair is real (c < 0)
+        for c in [-0.8, 0.0, 1.0 / 3.0, 1.0] {
+            for b in [-3.0, 0.0, 1e-6, 0.5, 20.0] {
+                let pair = Pair::new(Local { c, d: 0.0, e: 1.0 }, b);
+                let [sum, product] = [pair.p * pair.p - pair.omega_squared, 2.0 * pair.p];
+                assert!((sum / (1.0 + 0.25 * b * b) - 1.0).abs() < 1e-14, "c = {c}, b = {b}");
+                let square = product * product * pair.omega_squared;
+                assert!((square - b * b * c).abs() < 1e-13 * (1.0 + b * b), "c = {c}, b = {b}");
+            }
+        }
     }
 }

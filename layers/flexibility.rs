@@ -47,3 +47,30 @@ impl Flexibility {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{HalfPlane, Homogeneous, Layer, Plane, Wave};
+
+    #[test]
+    fn a_half_plane_has_one_face_only() {
+        let wave = Wave { wavenumber: 1.0, modulus: 1.0, plane: Plane::Strain };
+        let ground = HalfPlane::new(1.0, 0.25).expect("legal");
+        assert_eq!(Flexibility::of_face_states(&ground.face_states(&wave)), None);
+    }
+
+    #[test]
+    fn amplitudes_are_the_layers_own_choice() {
+        let wave = Wave { wavenumber: 1.5, modulus: 1.0, plane: Plane::Strain };
+        let layer = Homogeneous::new(1.0, 1.0, 0.25).expect("legal");
+        let expected = layer.flexibility(&wave).expect("finite");
+        let FaceStates::Finite { top, bottom, .. } = layer.face_states(&wave) else { panic!("two faces") };
+        let mixed = Matrix4::from_fn(|i, j| 1.0 / (1.0 + (i + 2 * j) as f64) + if i == j { 1.0 } else { 0.0 });
+        let found = Flexibility::of_face_states(&FaceStates::thick(top * mixed, bottom * mixed)).expect("finite");
+        for (a, b) in [(found.top, expected.top), (found.coupling, expected.coupling), (found.bottom, expected.bottom)]
+        {
+            assert!((a / b - 1.0).abs() < 1e-12);
+        }
+    }
+}

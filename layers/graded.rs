@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 
 use nalgebra::{Matrix2, Matrix4, Matrix4x2, RowSVector, SMatrix, SVector};
 
-use crate::{FaceStates, Layer, Material, Plane, Wave};
+use crate::{FaceStates, Layer, Material, Plane, State, Wave};
 
 /// Gauss points per slice: collocation on them is exact to order 2·10 at the end of a slice.
 const NODES: usize = 10;
@@ -21,24 +21,32 @@ const LENGTH: f64 = 1.0;
 /// A material counts as resolved when the last Legendre coefficients on a slice are this small: their squares, which
 /// is what Gauss points leave, are below rounding.
 const RESOLVED: f64 = 1e-9;
+/// The polynomial through the Gauss points must also meet the material at the ends of a slice, as closely as this: a
+/// thin skin or a jump might hide there. The ends proper may belong to the neighbours.
+const MET: f64 = 1e-8;
+const ENDS: [f64; 2] = [1e-13, 1.0 - 1e-13];
 /// Slices around a jump of the material are halved down to this part of the thickness.
 const THINNEST: f64 = 1e-14;
 /// A material that is still not resolved after so many slices is taken as it is.
 const MANY: usize = 10_000;
+/// A slice that is too long all the same is not iterated forever.
+const MOST_SWEEPS: f64 = 100.0;
 /// Up to this length, in decay lengths of the material, a layer is thin: it bends and translates almost freely.
 const THIN: f64 = 2.0;
 /// Beyond this length, in decay lengths, nothing is felt: e^(−2·30) is below rounding, squared once more.
 const FELT: f64 = 30.0;
 /// Above this a layer counts as thick whatever its length, see [`Clamped::independence`].
-const INDEPENDENT: f64 = 0.1;
+const INDEPENDENT: f64 = 0.01;
 /// A modulus that varies by less than this factor is no reason to leave mid-depth.
 const MILD: f64 = 3.0;
 
 /// Face states of any layer, from [`Layer::thickness`] and [`Layer::material`]: the provided body of
 /// [`Layer::face_states`], and what an override is examined against.
 ///
-/// Relative accuracy of the flexibility for a smooth material: 1e-12, for any λh and a modulus that varies
-/// monotonically by up to e^±30. A jump of the material inside the layer costs about fifty slices; two layers are better.
+/// Relative accuracy of the flexibility: 1e-12 for any λh and a smooth modulus that varies by up to e^±30; of the
+/// response to equal loads 1e-10, or 1e-8 if the layer is as steep as that and incompressible. Jumps of the material
+/// are found, at the cost of some fifty slices each; two layers are better. A feature much thinner than 1/(100 λ) and
+/// than h/200 is found only where it meets a face.
 ///
 /// ```
 /// use recede_layers::{Exponential, Flexibility, Layer, Plane, Wave, graded};
@@ -79,7 +87,13 @@ impl Profile<'_> {
         }
         let thick = Clamped::new(&slices.list);
         let length = slices.list.iter().map(|slice| slice.length).sum::<f64>();
-        if length > THIN || thick.independence() > INDEPENDENT { thick.face_states() } else { thin(&slices.list) }
+        if length > THIN {
+            thick.face_states([-State::z(), -State::z()])
+        } else if thick.independence() > INDEPENDENT {
+            thick.face_states(uniform(&slices.list))
+        } else {
+            thin(&slices.list)
+        }
     }
 
     /// ∫ f dy over the thickness for each of the functions of (material, depth), with the points that resolve the
@@ -151,8 +165,8 @@ impl Profile<'_> {
 
 /// The flexibility of a homogeneous half-plane: (λμ₀U, λμ₀V) at its top face from (S, T) on it.
 ///
-/// With the roots s₁, s₂ of s⁴ − (em − 2c) s² + c² + ed = 0 (coefficients in units of μ₀) only s₁s₂ and s₁ + s₂ enter, so
-/// that coalescing or complex roots need no care.
+/// With the roots s₁, s₂ of s⁴ − (em − 2c) s² + c² + ed = 0 (coefficients in units of μ₀) only s₁s₂ and s₁ + s₂ enter,
+/// so that coalescing or complex roots need no care.
 pub(crate) fn surface_flexibility(material: &Material, modulus: f64) -> Matrix2<f64> {
     let Coefficients { m, c, d, e } = Coefficients::new(material, modulus);
     let product = (c * c + e * d).sqrt();
@@ -189,6 +203,8 @@ struct Rule {
     integral: SMatrix<f64, NODES, NODES>,
     /// The two highest Legendre coefficients of the interpolating polynomial.
     highest: SMatrix<f64, 2, NODES>,
+    /// Values of the interpolating polynomial at [`ENDS`].
+    ends: SMatrix<f64, 2, NODES>,
 }
 
 static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
@@ -218,7 +234,11 @@ impl Rule {
             (1..NODES).map(|k| coefficient(k, j) * (p[k + 1] - p[k - 1]) / (4 * k + 2) as f64).sum::<f64>() + constant
         });
         let highest = SMatrix::from_fn(|i, j| coefficient(NODES - 2 + i, j));
-        Self { nodes, weights, integral, highest }
+        let ends = SMatrix::from_fn(|i, j| {
+            let p = legendre(2.0 * ENDS[i] - 1.0);
+            (0..NODES).map(|k| coefficient(k, j) * p[k]).sum()
+        });
+        Self { nodes, weights, integral, highest, ends }
     }
 }
 
@@ -248,43 +268,42 @@ struct Slice {
     transfer: Matrix4<f64>,
 }
 
-/// The material at the Gauss points of a slice, from the bottom up.
+/// The material at the Gauss points of a slice, from the bottom up, in units of μ₀.
 struct Points {
     shear: SVector<f64, NODES>,
     coupling: SVector<f64, NODES>,
     normal: SVector<f64, NODES>,
     axial: SVector<f64, NODES>,
+    /// At the ends of the slice.
+    ends: [Coefficients; 2],
 }
 
 impl Points {
     fn new(profile: &Profile, wave: &Wave, depth: f64, thickness: f64) -> Self {
-        let mut points = Self {
-            shear: SVector::zeros(),
-            coupling: SVector::zeros(),
-            normal: SVector::zeros(),
-            axial: SVector::zeros(),
-        };
-        for (i, t) in RULE.nodes.iter().enumerate() {
-            let material = (profile.material)(depth + (1.0 - t) * thickness);
-            let Coefficients { m, c, d, e } = Coefficients::new(&material, wave.modulus);
-            points.shear[i] = m;
-            points.coupling[i] = c;
-            points.normal[i] = d;
-            points.axial[i] = e;
+        let at = |t: f64| Coefficients::new(&(profile.material)(depth + (1.0 - t) * thickness), wave.modulus);
+        let points = RULE.nodes.map(at);
+        let values = |pick: fn(&Coefficients) -> f64| SVector::from_iterator(points.iter().map(pick));
+        Self {
+            shear: values(|point| point.m),
+            coupling: values(|point| point.c),
+            normal: values(|point| point.d),
+            axial: values(|point| point.e),
+            ends: ENDS.map(at),
         }
-        points
     }
 
     /// Whether the slice is short enough for the wave and for the variation of the material.
     fn resolved(&self, zeta: f64) -> bool {
-        let smooth = |f: &SVector<f64, NODES>, floor: f64| {
-            (RULE.highest * f).amax() <= RESOLVED * f.amax().max(floor)
+        let smooth = |f: &SVector<f64, NODES>, ends: fn(&Coefficients) -> f64, floor: f64| {
+            let size = f.amax().max(floor);
+            let missed = RULE.ends * f - SVector::from(self.ends.each_ref().map(ends));
+            (RULE.highest * f).amax() <= RESOLVED * size && missed.amax() <= MET * size
         };
         zeta * self.fastest() <= LENGTH
-            && smooth(&self.shear, 0.0)
-            && smooth(&self.axial, 0.0)
-            && smooth(&self.coupling, 1.0)
-            && smooth(&self.normal, self.shear.amax())
+            && smooth(&self.shear, |end| end.m, 0.0)
+            && smooth(&self.axial, |end| end.e, 0.0)
+            && smooth(&self.coupling, |end| end.c, 1.0)
+            && smooth(&self.normal, |end| end.d, self.shear.amax())
     }
 
     /// How fast the fastest field varies with ζ = λy.
@@ -338,7 +357,7 @@ impl Points {
 /// Sweeps of Picard iteration through a slice of the given length: each adds two orders of the power series.
 fn sweeps(length: f64) -> usize {
     let (mut count, mut term) = (1.0, 1.0);
-    while term > 0.1 * f64::EPSILON {
+    while term > 0.1 * f64::EPSILON && count < MOST_SWEEPS {
         term *= length * length / (2.0 * count * (2.0 * count + 1.0));
         count += 1.0;
     }
@@ -351,38 +370,44 @@ fn inverse(transfer: &Matrix4<f64>) -> Matrix4<f64> {
     Matrix4::from_fn(|i, j| sign(i) * sign(j) * transfer[(3 - j, 3 - i)])
 }
 
-/// Amplitudes = the state at mid-depth, or where the layer is softest: from there to stiffer places the terms of a
-/// transfer matrix do not cancel.
-fn thin(slices: &[Slice]) -> FaceStates {
-    let start = softest(slices);
+/// The transfer matrices, less identity, from the boundary `start` up to the top and down to the bottom.
+fn outwards(slices: &[Slice], start: usize) -> [Matrix4<f64>; 2] {
     // (1 + A)(1 + B) − 1
     let after = |first: Matrix4<f64>, then: Matrix4<f64>| first + then + then * first;
     let up = slices[..start].iter().rev().fold(Matrix4::zeros(), |sum, slice| after(sum, slice.transfer));
     let down = slices[start..].iter().fold(Matrix4::zeros(), |sum, slice| after(sum, inverse(&slice.transfer)));
-    FaceStates::Finite {
-        top: Matrix4::identity() + up,
-        bottom: Matrix4::identity() + down,
-        uniform: [up.column(2).into_owned(), down.column(2).into_owned()],
-    }
+    [up, down]
 }
 
-/// The boundary between slices where the material is softest; the middle one if it is about the same everywhere.
-fn softest(slices: &[Slice]) -> usize {
+/// Amplitudes = the state at mid-depth, or where the layer is softest: from there to stiffer places the terms of a
+/// transfer matrix do not cancel.
+fn thin(slices: &[Slice]) -> FaceStates {
+    let [up, down] = outwards(slices, extreme(slices, f64::max));
+    FaceStates::Finite { top: Matrix4::identity() + up, bottom: Matrix4::identity() + down, uniform: uniform(slices) }
+}
+
+/// The field that starts from S = 1 at mid-depth, or where the layer is stiffest: from there to softer places stresses
+/// do not grow.
+fn uniform(slices: &[Slice]) -> [State; 2] {
+    outwards(slices, extreme(slices, f64::min)).map(|transfer| transfer.column(2).into_owned())
+}
+
+/// The boundary between slices where the compliance is extreme; the middle one if it is about the same everywhere.
+fn extreme(slices: &[Slice], more: fn(f64, f64) -> f64) -> usize {
     let compliance = |i: usize| {
         let slice = |i: usize| slices.get(i).map(|slice| slice.softness);
         let (above, below) = (i.checked_sub(1).and_then(slice), slice(i));
         0.5 * (above.or(below).unwrap_or(0.0) + below.or(above).unwrap_or(0.0))
     };
-    let stiffest = slices.iter().map(|slice| slice.softness).fold(f64::INFINITY, f64::min);
+    let among = |pick: fn(f64, f64) -> f64| (0..=slices.len()).map(compliance).reduce(pick).unwrap_or(0.0);
+    let mild = among(f64::max) <= MILD * among(f64::min);
+    let wanted = among(more);
     let thickness: f64 = slices.iter().map(|slice| slice.thickness).sum();
     let (mut chosen, mut off_centre, mut depth) = (0, f64::INFINITY, 0.0);
-    let largest = (0..=slices.len()).map(compliance).fold(0.0, f64::max);
-    let mild = largest <= MILD * stiffest;
     for i in 0..=slices.len() {
         let distance = (depth - 0.5 * thickness).abs();
-        // equally soft places are told apart by their distance from the middle
-        let candidate = mild || compliance(i) >= largest;
-        if candidate && distance < off_centre {
+        // equal places are told apart by their distance from the middle
+        if (mild || compliance(i) == wanted) && distance < off_centre {
             (chosen, off_centre) = (i, distance);
         }
         depth += slices.get(i).map_or(0.0, |slice| slice.thickness);
@@ -446,11 +471,12 @@ impl Clamped {
         (Matrix2::identity() - up * down).determinant()
     }
 
-    fn face_states(&self) -> FaceStates {
-        FaceStates::thick(
-            beside(&self.from_top.states(), &self.from_bottom.far_states()),
-            beside(&self.from_top.far_states(), &self.from_bottom.states()),
-        )
+    fn face_states(&self, uniform: [State; 2]) -> FaceStates {
+        FaceStates::Finite {
+            top: beside(&self.from_top.states(), &self.from_bottom.far_states()),
+            bottom: beside(&self.from_top.far_states(), &self.from_bottom.states()),
+            uniform,
+        }
     }
 }
 
@@ -469,4 +495,106 @@ fn stacked(upper: &Matrix2<f64>, lower: &Matrix2<f64>) -> Matrix4x2<f64> {
 
 fn beside(left: &Matrix4x2<f64>, right: &Matrix4x2<f64>) -> Matrix4<f64> {
     Matrix4::from_fn(|i, j| if j < 2 { left[(i, j)] } else { right[(i, j - 2)] })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Exponential, Flexibility, HalfPlane, Homogeneous, Isotropic};
+
+    fn wave(wavenumber: f64) -> Wave {
+        Wave { wavenumber, modulus: 1.0, plane: Plane::Strain }
+    }
+
+    fn isotropic(shear_modulus: f64) -> Material {
+        Isotropic { shear_modulus, poisson: 0.3 }.material(Plane::Strain)
+    }
+
+    #[test]
+    fn the_rule_integrates_polynomials_of_its_degree() {
+        for k in 0..NODES as i32 {
+            let powers = SVector::<f64, NODES>::from_fn(|i, _| RULE.nodes[i].powi(k));
+            let integrals = RULE.integral * powers;
+            for (t, integral) in RULE.nodes.iter().zip(integrals.iter()) {
+                assert!((integral - t.powi(k + 1) / f64::from(k + 1)).abs() < 1e-15, "degree {k} to {t}");
+            }
+            assert!(((RULE.weights * powers)[0] - 1.0 / f64::from(k + 1)).abs() < 1e-15, "degree {k}");
+        }
+    }
+
+    #[test]
+    fn a_slice_and_its_inverse_compose_to_nothing() {
+        let material = |depth: f64| isotropic((0.8 * depth).exp());
+        let profile = Profile { thickness: Some(1.0), material: &material };
+        let transfer = Points::new(&profile, &wave(0.5), 0.0, 1.0).transfer(0.5);
+        let back = inverse(&transfer);
+        assert!((transfer + back + back * transfer).amax() < 1e-15);
+    }
+
+    #[test]
+    fn the_surface_of_a_half_plane_is_a_closed_form() {
+        for poisson in [-0.9, 0.0, 0.25, 0.5] {
+            for plane in [Plane::Strain, Plane::Stress] {
+                let material = Isotropic { shear_modulus: 3.0, poisson };
+                let wave = Wave { wavenumber: 2.0, modulus: 5.0, plane };
+                let ground = HalfPlane::new(3.0, poisson).expect("legal");
+                let FaceStates::HalfPlane { top } = ground.face_states(&wave) else { panic!("one face") };
+                let predicted = surface_flexibility(&material.material(plane), wave.modulus) * top.fixed_rows::<2>(2);
+                assert!((predicted - top.fixed_rows::<2>(0)).amax() < 1e-14, "{poisson} {plane:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn slices_are_counted() {
+        // one slice for each half; βδ < 1 in a slice; thick: thirty decay lengths from a face, however thick the layer
+        let count = |beta: f64, wavenumber: f64| {
+            let layer = Exponential::new(1.0, 1.0, 0.25, beta).expect("legal");
+            let material = |depth| layer.material(depth, Plane::Strain);
+            let profile = Profile { thickness: Some(1.0), material: &material };
+            profile.slices(&wave(wavenumber), FELT).list.len()
+        };
+        assert_eq!([count(0.0, 1e-8), count(0.0, 1.0), count(30.0, 1e-8)], [2, 2, 33]);
+        assert!([1e3, 1e8, 1e150].map(|wavenumber| count(1.0, wavenumber)).iter().all(|n| (60..=61).contains(n)));
+    }
+
+    #[test]
+    fn a_jump_of_the_material_is_found() {
+        let jump = 0.3;
+        let material = |depth: f64| isotropic(if depth < jump { 1.0 } else { 10.0 });
+        let [stiffness] = Profile { thickness: Some(1.0), material: &material }.integrate(|m, _| [m.axial_stiffness]);
+        let expected = isotropic(jump + 10.0 * (1.0 - jump)).axial_stiffness;
+        assert!((stiffness / expected - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_material_without_any_order_ends() {
+        let material = |depth: f64| isotropic(1.5 + (1e9 * depth).sin());
+        let states = Profile { thickness: Some(1.0), material: &material }.face_states(&wave(1.0));
+        assert!(Flexibility::of_face_states(&states).is_some());
+    }
+
+    #[test]
+    fn a_half_plane_that_stiffens_is_a_layer_on_rigid_ground() {
+        // μ = e^(βd), so soft at the face that waves longer than 1/β feel nothing of it but its compression
+        let material = |depth: f64| isotropic((5.0 * depth).exp());
+        for wavenumber in [1e-8, 1e-3, 1.0, 10.0] {
+            let top = Profile { thickness: None, material: &material }.surface(&wave(wavenumber));
+            let rigid = Profile { thickness: Some(14.0), material: &material };
+            let seen = rigid
+                .slices(&wave(wavenumber), FELT)
+                .list
+                .iter()
+                .rev()
+                .fold(Seen::clamped(), |seen, slice| seen.through(&slice.transfer));
+            assert!((top - seen.states()).amax() < 1e-13 * top.amax(), "{wavenumber} {top} {}", seen.states());
+        }
+    }
+
+    #[test]
+    fn no_thickness_is_no_layer() {
+        let nothing = Homogeneous::new(0.0, 1.0, 0.25).expect("legal");
+        let FaceStates::Finite { top, bottom, .. } = face_states(&nothing, &wave(1.0)) else { panic!("two faces") };
+        assert_eq!(top, bottom);
+    }
 }

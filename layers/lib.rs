@@ -45,8 +45,8 @@ pub use homogeneous::Homogeneous;
 pub use layer::{Layer, Notation};
 pub use linear::solve_equilibrated;
 pub use material::{Isotropic, Material, Plane};
-pub use quantity::{Finite, Poisson, Positive, Thickness};
-pub use registry::{Entry, Registry};
+pub use quantity::{Finite, OutOfRange, Poisson, Positive, Thickness};
+pub use registry::{Entry, ReadError, ReadLayer, Registry, read_ron};
 pub use state::{FaceStates, State, Wave};
 
 /// Registers the layer types that ship with `recede`: the one list that feeds the RON reader, its error

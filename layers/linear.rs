@@ -29,3 +29,26 @@ where
     }
     loads.iter().all(|x| x.is_finite()).then_some(loads)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix2, Vector2};
+
+    use super::*;
+
+    #[test]
+    fn units_of_rows_and_columns_do_not_matter() {
+        let plain = Matrix2::new(2.0, 1.0, 1.0, 3.0);
+        let solution = Vector2::new(1.0, -1.0);
+        let (rows, columns) = (Matrix2::new(1e-200, 0.0, 0.0, 1e9), Matrix2::new(1e-12, 0.0, 0.0, 1e80));
+        let found = solve_equilibrated(rows * plain * columns, rows * plain * solution).expect("regular");
+        assert!((columns * found - solution).amax() < 1e-15);
+    }
+
+    #[test]
+    fn a_singular_matrix_has_no_solution() {
+        assert_eq!(solve_equilibrated(Matrix2::new(1.0, 2.0, 2.0, 4.0), Vector2::new(1.0, 0.0)), None);
+        assert_eq!(solve_equilibrated(Matrix2::new(0.0, 0.0, 2.0, 4.0), Vector2::new(1.0, 0.0)), None);
+        assert_eq!(solve_equilibrated(Matrix2::identity() * f64::NAN, Vector2::new(1.0, 0.0)), None);
+    }
+}

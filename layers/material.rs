@@ -85,3 +85,41 @@ impl Isotropic {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_are_those_of_kappa() {
+        for poisson in [-0.9, -0.5, 0.0, 0.25, 0.5] {
+            for plane in [Plane::Strain, Plane::Stress] {
+                let isotropic = Isotropic { shear_modulus: 2.0, poisson };
+                let (kappa, material) = (isotropic.kappa(plane), isotropic.material(plane));
+                for (found, expected) in [
+                    (material.shear_compliance, 0.5),
+                    (material.normal_compliance, (kappa - 1.0) / (kappa + 1.0) / 2.0),
+                    (material.coupling, (3.0 - kappa) / (kappa + 1.0)),
+                    (material.axial_stiffness, 16.0 / (kappa + 1.0)),
+                ] {
+                    assert!((found - expected).abs() < 1e-14, "ν = {poisson}, {plane:?}: {found} ≠ {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn plane_stress_is_plane_strain_of_another_material() {
+        let (strain, stress) = (0.3, 0.3 / 0.7);
+        let [a, b] = [(strain, Plane::Strain), (stress, Plane::Stress)]
+            .map(|(poisson, plane)| Isotropic { shear_modulus: 1.0, poisson }.material(plane));
+        assert!((a.axial_stiffness - b.axial_stiffness).abs() < 1e-15 && (a.coupling - b.coupling).abs() < 1e-15);
+    }
+
+    #[test]
+    fn impossible_materials_are_rejected() {
+        for (shear_modulus, poisson) in [(0.0, 0.3), (-1.0, 0.3), (f64::NAN, 0.3), (1.0, -1.0), (1.0, 0.51)] {
+            assert!(Isotropic::new(shear_modulus, poisson).is_err(), "{shear_modulus}, {poisson}");
+        }
+    }
+}

@@ -3,7 +3,7 @@ use serde::{Deserialize, Serialize};
 
 /// A number outside the range of its quantity.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("found {found}, allowed is {allowed}")]
+#[error("found {found:?}, allowed is {allowed}")]
 pub struct OutOfRange {
     /// The offending value.
     pub found: f64,

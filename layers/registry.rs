@@ -1,10 +1,14 @@
-//! Layer types by name: what a scene file may contain.
+//! Layer types by name: what a scene file may contain, and how it is read.
+use ron::error::SpannedError;
+use ron::extensions::Extensions;
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use serde_path_to_error::{Deserializer, Segment, Track};
 
 use crate::Layer;
 
-/// Reads one layer from its fields in a scene file.
-pub type ReadLayer = fn(&mut dyn erased_serde::Deserializer) -> Result<Box<dyn Layer>, erased_serde::Error>;
+/// Reads one layer from its fields as written in a scene file, `(thickness: 1.0, shear_modulus: ...)`.
+pub type ReadLayer = fn(&str) -> Result<Box<dyn Layer>, ReadError>;
 
 /// One layer type of a [`Registry`].
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +22,17 @@ pub struct Entry {
 }
 
 /// Layer types by name. [`Registry::default`] holds those that ship; [`Registry::register`] adds one's own.
+///
+/// ```
+/// use recede_layers::Registry;
+/// let registry = Registry::default();
+/// let entry = registry.get("Homogeneous").ok_or("not registered")?;
+/// let strip = (entry.read)("(thickness: 1.0, shear_modulus: 80e9, poisson: 0.3)")?;
+/// assert_eq!(strip.thickness(), Some(1.0));
+/// let error = (entry.read)("(thickness: -1.0, shear_modulus: 80e9, poisson: 0.3)").unwrap_err();
+/// assert_eq!(error.field.as_deref(), Some("thickness"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Registry {
     entries: Vec<Entry>,
@@ -35,7 +50,7 @@ impl Registry {
     /// Adds a layer type under `name`; a type registered before under the same name is replaced.
     pub fn register<L: Layer + DeserializeOwned>(&mut self, name: &'static str, summary: &'static str) {
         self.entries.retain(|entry| entry.name != name);
-        let read: ReadLayer = |fields| Ok(Box::new(erased_serde::deserialize::<L>(fields)?));
+        let read: ReadLayer = |fields| Ok(Box::new(read_ron::<L>(fields)?));
         self.entries.push(Entry { name, summary, read });
     }
 
@@ -47,5 +62,45 @@ impl Registry {
     /// The entry called `name`.
     pub fn get(&self, name: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.name == name)
+    }
+}
+
+/// Why a text could not be read, and at which field of it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{cause}")]
+pub struct ReadError {
+    /// The field being read, e.g. `poisson` or `units.length`; `None` outside any field.
+    pub field: Option<String>,
+    /// What the reader says, and where in the text.
+    #[source]
+    pub cause: Box<SpannedError>,
+}
+
+/// Reads a value from RON as scenes are written: `Homogeneous(thickness: 1.0)` without a second pair of parentheses,
+/// optional fields without `Some`.
+///
+/// # Errors
+/// [`ReadError`] if the text is no RON, or not that of a `T`.
+pub fn read_ron<'de, T: Deserialize<'de>>(text: &'de str) -> Result<T, ReadError> {
+    let options = ron::Options::default()
+        .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
+    let failed = |field, cause| ReadError { field, cause: Box::new(cause) };
+    let mut reader =
+        ron::Deserializer::from_str_with_options(text, &options).map_err(|cause| failed(None, cause))?;
+    let mut track = Track::new();
+    let read = T::deserialize(Deserializer::new(&mut reader, &mut track));
+    match read.and_then(|value| reader.end().map(|()| value)) {
+        Ok(value) => Ok(value),
+        Err(code) => {
+            let path = track.path();
+            let fields: Vec<&str> = path
+                .iter()
+                .filter_map(|segment| match segment {
+                    Segment::Map { key } => Some(key.as_str()),
+                    _ => None,
+                })
+                .collect();
+            Err(failed((!fields.is_empty()).then(|| fields.join(".")), reader.span_error(code)))
+        }
     }
 }

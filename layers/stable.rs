@@ -78,7 +78,8 @@ pub fn coupling_ratio(z: f64) -> f64 {
     } else {
         let decay = (-z).exp();
         let square = decay * decay;
-        let sinh2 = (1.0 - square) * (1.0 - square) - 4.0 * z * z * square;
+        // z e^(−z) is formed first: z² alone may overflow
+        let sinh2 = (1.0 - square) * (1.0 - square) - 4.0 * (z * decay) * (z * decay);
         2.0 * decay * ((1.0 - square) + z * (1.0 + square)) / sinh2
     }
 }
@@ -90,7 +91,8 @@ mod tests {
     #[test]
     fn the_two_branches_meet() {
         let (below, above) = (SERIES_BELOW * (1.0 - f64::EPSILON), SERIES_BELOW);
-        for f in [sinh_minus_argument, argument_cosh_minus_sinh, equal_load_ratio, opposite_load_ratio, coupling_ratio] {
+        for f in [sinh_minus_argument, argument_cosh_minus_sinh, equal_load_ratio, opposite_load_ratio, coupling_ratio]
+        {
             let (a, b) = (f(below), f(above));
             assert!((a - b).abs() < 1e-14 * a.abs(), "{a} {b}");
         }
@@ -98,7 +100,7 @@ mod tests {
 
     #[test]
     fn small_arguments_keep_all_digits() {
-        for z in [1e-150, 1e-100, 1e-8, 1e-3] {
+        for z in [1e-100, 1e-50, 1e-8, 1e-3] {
             assert!((sinh_minus_argument(z) / (z * z * z / 6.0) - 1.0).abs() < 0.06 * z * z + 1e-15);
             assert!((argument_cosh_minus_sinh(z) / (z * z * z / 3.0) - 1.0).abs() < 0.11 * z * z + 1e-15);
         }

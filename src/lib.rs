@@ -1,0 +1,23 @@
+//! Receding and advancing contact of layered elastic stacks.
+#![deny(missing_docs)]
+
+mod contact;
+mod error;
+pub mod exact;
+mod kernel;
+mod model;
+#[doc(hidden)]
+pub mod numeric;
+pub mod report;
+mod scene;
+mod solution;
+mod stack;
+mod system;
+
+pub use error::{Error, NoSolution};
+pub use model::{Model, Options, solve};
+pub use recede_layers::{Exponential, HalfPlane, Homogeneous, Layer, LayerError, Plane, Registry};
+pub use scene::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units};
+pub use solution::{Contact, Interface, Solution};
+pub use stack::{Base, Foundation, Laminate, Placed, Stack, StackBuilder, StackError, StackProblem};
+pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

@@ -1,1 +1,98 @@
 //! A stack made ready to be pressed: kernels computed once, used for any punch and load.
+use crate::contact;
+use crate::error::Error;
+use crate::kernel::Kernel;
+use crate::scene::{Punch, Scene};
+use crate::solution::{Interface, Solution};
+use crate::stack::Stack;
+
+/// What a solution has to fulfil.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Relative error allowed in half-lengths and in the pressures at x = 0, dimensionless, 1e-13 ..= 1e-2.
+    pub tolerance: f64,
+}
+
+impl Default for Options {
+    /// Ten digits.
+    fn default() -> Self {
+        Self { tolerance: 1e-10 }
+    }
+}
+
+/// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
+///
+/// Nothing in it depends on punch, load or contact length, so one model serves any number of them.
+///
+/// ```
+/// use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+/// let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+/// let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
+/// let model = Model::new(stack)?;
+/// for force in [0.001, 0.002] {
+///     let solution = model.press(&Punch::cylinder(500.0)?, force)?;
+///     let [punch, receding] = solution.contacts() else { unreachable!() };
+///     assert!(punch.half_length < receding.half_length);
+/// }
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Model {
+    stack: Stack,
+    interfaces: Vec<Interface>,
+    kernel: Kernel,
+}
+
+impl Model {
+    /// Evaluates the stack's flexibilities.
+    ///
+    /// # Errors
+    /// [`Error::Unresolved`] if a layer's fields are not finite at some wavenumber, or vary too fast with it.
+    pub fn new(stack: Stack) -> Result<Self, Error> {
+        let kernel = Kernel::new(&stack)?;
+        Ok(Self { interfaces: stack.contacts(), stack, kernel })
+    }
+
+    /// The stack.
+    pub fn stack(&self) -> &Stack {
+        &self.stack
+    }
+
+    /// Presses a punch with a force (per unit length out of plane) on the stack, to ten digits.
+    ///
+    /// # Errors
+    /// As [`Self::press_with`].
+    pub fn press(&self, punch: &Punch, force: f64) -> Result<Solution, Error> {
+        self.press_with(punch, force, &Options::default())
+    }
+
+    /// Presses a punch with a force (per unit length out of plane) on the stack.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] or [`Error::Tolerance`] if a number is not legal; [`Error::NoSolution`] if no contact
+    /// lengths were found for which all pressures push and nothing overlaps.
+    pub fn press_with(&self, punch: &Punch, force: f64, options: &Options) -> Result<Solution, Error> {
+        let force = Error::checked::<recede_layers::Positive>("force", force)?.get();
+        if !(1e-13..=1e-2).contains(&options.tolerance) {
+            return Err(Error::Tolerance { found: options.tolerance });
+        }
+        contact::press(&self.kernel, &self.interfaces, punch, force, options)
+    }
+}
+
+/// Solves a scene to ten digits.
+///
+/// ```
+/// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
+/// let solution = recede::solve(&recede::Scene::from_ron(text)?)?;
+/// let hertz = (500.0 * 0.002 * 3.0 / (2.0 * std::f64::consts::PI)).sqrt();
+/// assert!((solution.contacts()[0].half_length / hertz - 1.0).abs() < 1e-12);
+/// # Ok::<(), recede::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`Scene::stack`], [`Model::new`] and [`Model::press`].
+pub fn solve(scene: &Scene) -> Result<Solution, Error> {
+    Model::new(scene.stack()?).and_then(|model| model.press(&scene.punch, scene.force)).map_err(|e| scene.locate(e))
+}

@@ -38,11 +38,16 @@ pub(super) fn check(
     let mut check = Check { min_pressure: 0.0, min_gap: 0.0 };
     for (i, modes) in level.modes.iter().enumerate() {
         let (x, pressure, largest) = smallest_pressure(modes);
+        if std::env::var("RECEDE_GAPS").is_ok() { eprintln!("pressure {i} {:?}", smallest_pressure(modes)); }
         if pressure < -ZERO * largest {
             let x = x * level.half_lengths[i] * kernel.length();
             return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
         }
         check.min_pressure = check.min_pressure.min(pressure);
+    }
+    if std::env::var("RECEDE_GAPS").is_ok() {
+        for (i, modes) in level.modes.iter().enumerate() { eprintln!("pressure {i} {:?}", smallest_pressure(modes)); }
+        for (i, gaps) in gaps(kernel, punch, level).into_iter().enumerate() { for g in gaps { eprintln!("{i} {:?}", g); } }
     }
     for (i, gaps) in gaps(kernel, punch, level).into_iter().enumerate() {
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));

@@ -9,7 +9,7 @@ use faer::reborrow::ReborrowMut;
 use faer::{Accum, Mat, MatMut, MatRef, Par, Side};
 
 use super::basis::{Basis, Table};
-use super::layout::{Layout, Own};
+use super::layout::Layout;
 
 /// How often the iterated modes are computed: each time they feel what the last round added.
 const SWEEPS: usize = 3;

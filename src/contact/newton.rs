@@ -26,8 +26,19 @@ const LONGEST_STEP: f64 = 0.5;
 const LAYOUT_SERVES: f64 = 0.1;
 /// What rounding leaves, relative.
 const ROUNDING: f64 = 1e-14;
-/// Steps per level.
-const STEPS: usize = 60;
+/// Steps per level; the first steps may take three times as many.
+const STEPS: usize = 12;
+/// A level that converges slowly (for want of modes) is left with the last step shorter than this.
+const ROUGHLY: f64 = 1e-2;
+/// Farther from the start, in the logarithm of a half-length, Newton's method is lost.
+const FARTHEST: f64 = 4.0;
+/// Receding contacts start from these multiples of what the formulas say, one after the other, until a root is admissible.
+const STARTS: [f64; 5] = [1.0, 0.4, 2.0, 0.15, 5.0];
+/// Modes to begin with per half-length in units of the thickness next to it, and at most.
+const PER_THICKNESS: f64 = 2.0;
+const MOST_COARSE: usize = 64;
+/// More wavenumbers than this no admissible scene was seen to need.
+const MOST_WAVENUMBERS: usize = 8_000;
 
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {
@@ -52,26 +63,51 @@ pub(crate) fn press(
     options: &Options,
 ) -> Result<Solution, Error> {
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
+    let starts = start::half_lengths(kernel, &indentation)?;
     let mut steps = 0;
-    let mut half_lengths = start::half_lengths(kernel, &indentation)?;
-    let mut modes = vec![COARSEST; kernel.contacts()];
+    let mut first_failure = None;
+    for factor in STARTS {
+        let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
+        let found = refine(kernel, &indentation, half_lengths, options, &mut steps).and_then(|(level, warnings)| {
+            let check = admissible::check(kernel, interfaces, &indentation, &level)?;
+            Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
+        });
+        match found {
+            Err(Error::NoSolution(failure)) if kernel.contacts() > 1 => first_failure.get_or_insert(failure),
+            decided => return decided,
+        };
+    }
+    Err(Error::NoSolution(first_failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts })))
+}
+
+/// Solves with more and more modes until the tolerance is met.
+fn refine(
+    kernel: &Kernel,
+    punch: &Indentation,
+    mut half_lengths: Vec<f64>,
+    options: &Options,
+    steps: &mut usize,
+) -> Result<(Level, Vec<String>), Error> {
+    let mut modes = coarsest(kernel, &half_lengths)?;
     let mut warnings = Vec::new();
-    let level = loop {
-        let level = solve_level(kernel, &indentation, half_lengths, &modes, &mut steps)?;
+    half_lengths = converge(kernel, punch, half_lengths, &modes, &modes, 1e-3, steps)?.0;
+    loop {
+        let iterated: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
+        let (found, galerkin, shift, missing) = converge(kernel, punch, half_lengths, &modes, &iterated, 1e-7, steps)?;
+        let level = Level::new(found, &modes, galerkin, &shift, missing);
         let worst = level.errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error));
         if std::env::var("RECEDE_TRACE").is_ok() {
-            eprintln!("{modes:?} {:?} {:?} p0 {:?} tail {:?} steps {steps}", level.half_lengths, level.errors, level.modes.iter().map(|m| peak(m)).collect::<Vec<_>>(), level.modes.iter().map(|m| m[m.len()-4..].iter().enumerate().map(|(k,y)| y/(2*(k+m.len()-4)+1) as f64/3.14).collect::<Vec<_>>()).collect::<Vec<_>>());
+            eprintln!("{modes:?} {:?} {:?} steps {steps}", level.half_lengths, level.errors);
         }
         if worst <= options.tolerance {
-            break level;
+            return Ok((level, warnings));
         }
-        let finest = modes.iter().max().is_none_or(|modes| *modes >= FINEST);
-        if finest {
+        if modes.iter().any(|modes| *modes >= FINEST) {
             warnings.push(format!(
                 "the tolerance {:e} is not met with {FINEST} modes; the error estimates tell what was reached",
                 options.tolerance
             ));
-            break level;
+            return Ok((level, warnings));
         }
         for (modes, tail) in modes.iter_mut().zip(&level.tails) {
             if *tail > 0.01 * options.tolerance {
@@ -79,8 +115,31 @@ pub(crate) fn press(
             }
         }
         half_lengths = level.half_lengths;
+    }
+}
+
+/// Modes to begin with: enough for pressures that vary on the scale of the laminates next to a contact.
+fn coarsest(kernel: &Kernel, half_lengths: &[f64]) -> Result<Vec<usize>, Error> {
+    let laminates = kernel.laminates()?;
+    let modes = |(i, a): (usize, &f64)| {
+        let next = laminates[i.saturating_sub(1)..(i + 1).min(laminates.len())].iter();
+        let thinnest = next.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
+        let wanted = (PER_THICKNESS * a / thinnest).clamp(COARSEST as f64, MOST_COARSE as f64);
+        (wanted as usize).next_power_of_two()
     };
-    let check = admissible::check(kernel, interfaces, &indentation, &level)?;
+    Ok(half_lengths.iter().enumerate().map(modes).collect())
+}
+
+/// The answer in the units of the scene.
+fn solution(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    indentation: &Indentation,
+    level: Level,
+    check: admissible::Check,
+    newton_steps: usize,
+    warnings: Vec<String>,
+) -> Solution {
     let pressure_unit = kernel.modulus() * indentation.force;
     let contacts = interfaces
         .iter()
@@ -101,15 +160,15 @@ pub(crate) fn press(
             }
         })
         .collect();
-    Ok(Solution {
+    Solution {
         contacts,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
-        modes: modes.into_iter().max().unwrap_or(0),
+        modes: level.solved.into_iter().max().unwrap_or(0),
         wavenumbers: kernel.samples(),
-        newton_steps: steps,
+        newton_steps,
         warnings,
-    })
+    }
 }
 
 /// p(0) per unit of μ₀P', Σ y_j/(πj). Next to a graded face the terms fall like ± j⁻⁴, alternating, since the pressure
@@ -134,69 +193,82 @@ fn coefficients(modes: &[f64], unit: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Newton's method with the given numbers of modes.
-fn solve_level(
+/// Newton's method with given numbers of modes, until steps are shorter than `enough`: half-lengths, pressures, the
+/// shift of ln a due to iterated modes, and the length of the last step if that was not enough.
+fn converge(
     kernel: &Kernel,
     punch: &Indentation,
     mut half_lengths: Vec<f64>,
     modes: &[usize],
+    iterated: &[usize],
+    enough: f64,
     steps: &mut usize,
-) -> Result<Level, Error> {
-    let iterated: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
+) -> Result<(Vec<f64>, Galerkin, Vec<f64>, f64), Error> {
+    let failed = |at: &[f64]| -> Error {
+        NoSolution::NotConverged { half_lengths: at.iter().map(|a| a * kernel.length()).collect() }.into()
+    };
     let orders: Vec<usize> = iterated.iter().map(|modes| 2 * modes).collect();
+    let start = half_lengths.clone();
     let mut layout: Option<(Layout, Vec<f64>)> = None;
-    for _ in 0..STEPS {
-        let served = |about: &[f64]| {
-            half_lengths.iter().zip(about).all(|(a, about)| (a / about).ln().abs() <= LAYOUT_SERVES)
-        };
+    for count in 1.. {
+        let near = |about: &[f64], by: f64| half_lengths.iter().zip(about).all(|(a, b)| (a / b).ln().abs() <= by);
+        if !near(&start, FARTHEST) {
+            break;
+        }
         let (layout, _) = match layout.take() {
-            Some((kept, about)) if served(&about) => layout.insert((kept, about)),
+            Some((kept, about)) if near(&about, LAYOUT_SERVES) => layout.insert((kept, about)),
             _ => layout.insert((Layout::new(kernel, &half_lengths, &orders, 0.0), half_lengths.clone())),
         };
+        if layout.zeta.len() > MOST_WAVENUMBERS {
+            break;
+        }
         let bases: Vec<Basis> = (0..half_lengths.len())
             .map(|i| Basis::new(layout, &layout.own[i], half_lengths[i], iterated[i]))
             .collect();
         let slopes = punch.slopes(half_lengths[0], iterated[0]);
-        let mut galerkin = Equations::new(layout, &bases, &slopes, modes).solve(&iterated);
+        let mut galerkin = Equations::new(layout, &bases, &slopes, modes).solve(iterated);
         *steps += 1;
         let factor = galerkin.jacobian.partial_piv_lu();
-        let column = |values: &[f64]| Mat::from_fn(values.len(), 1, |i, _| -values[i]);
-        let step = factor.solve(&column(&galerkin.residual));
-        let longest = (0..half_lengths.len()).fold(0.0, |longest: f64, i| longest.max(step[(i, 0)].abs()));
-        if !longest.is_finite() {
-            return Err(NoSolution::NotConverged { half_lengths: physical(kernel, &half_lengths) }.into());
+        let newton = |values: &[f64]| -> Vec<f64> {
+            let right = Mat::from_fn(values.len(), 1, |i, _| -values[i]);
+            factor.solve(&right).col(0).iter().copied().collect()
+        };
+        let step = newton(&galerkin.residual);
+        if step.iter().any(|step| !step.is_finite()) {
+            break;
         }
+        let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
         let shorten = (LONGEST_STEP / longest).min(1.0);
-        for (i, a) in half_lengths.iter_mut().enumerate() {
-            *a *= (shorten * step[(i, 0)]).exp();
+        for (a, step) in half_lengths.iter_mut().zip(&step) {
+            *a *= (shorten * step).exp();
         }
         if let Some(limit) = punch.max_half_length()
             && half_lengths[0] >= limit
         {
             half_lengths[0] = 0.5 * (limit + bases[0].half_length);
         }
-        if longest < 1e-7 {
-            for (by, sensitivity) in galerkin.sensitivity.iter().enumerate() {
+        if longest < enough || count >= STEPS && longest < ROUGHLY {
+            for (step, sensitivity) in step.iter().zip(&galerkin.sensitivity) {
                 for (modes, sensitivity) in galerkin.modes.iter_mut().zip(sensitivity) {
                     for (y, dy) in modes.iter_mut().zip(sensitivity) {
-                        *y += step[(by, 0)] * dy;
+                        *y += step * dy;
                     }
                 }
             }
-            let shift = factor.solve(&column(&galerkin.correction));
-            return Ok(Level::new(half_lengths, modes, galerkin, |i| shift[(i, 0)]));
+            let shift = newton(&galerkin.correction);
+            let missing = if longest < enough { 0.0 } else { longest };
+            return Ok((half_lengths, galerkin, shift, missing));
+        }
+        if count >= 3 * STEPS {
+            break;
         }
     }
-    Err(NoSolution::NotConverged { half_lengths: physical(kernel, &half_lengths) }.into())
-}
-
-fn physical(kernel: &Kernel, half_lengths: &[f64]) -> Vec<f64> {
-    half_lengths.iter().map(|a| a * kernel.length()).collect()
+    Err(failed(&half_lengths))
 }
 
 impl Level {
     /// Errors are judged by what the iterated modes changed, and by how fast they fall.
-    fn new(half_lengths: Vec<f64>, modes: &[usize], galerkin: Galerkin, shift: impl Fn(usize) -> f64) -> Self {
+    fn new(half_lengths: Vec<f64>, modes: &[usize], galerkin: Galerkin, shift: &[f64], missing: f64) -> Self {
         let mut errors = Vec::new();
         let mut tails = Vec::new();
         for (i, y) in galerkin.modes.iter().enumerate() {
@@ -205,7 +277,7 @@ impl Level {
             };
             let (solved, all) = (modes[i], y.len());
             let falls = size((solved + all) / 2..all) / size(solved..all).max(f64::MIN_POSITIVE);
-            let length = shift(i).abs() * falls + ROUNDING;
+            let length = shift[i].abs() * falls + missing + ROUNDING;
             let fewer = peak(&y[..(3 * all).div_ceil(4)]);
             errors.push([length, (fewer / peak(y) - 1.0).abs() + 3.0 * length]);
             tails.push(size(solved..all) / peak(y));

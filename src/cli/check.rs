@@ -1,0 +1,22 @@
+//! `recede check`: reads a scene and draws its stack.
+use std::io::Write;
+
+use super::{Failure, SceneFile};
+
+/// Check a scene and draw its stack
+#[derive(Debug, clap::Args)]
+pub struct Check {
+    #[command(flatten)]
+    file: SceneFile,
+}
+
+impl Check {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let scene = self.file.read()?;
+        let stack = scene.stack()?;
+        let (punch, radius, force) = (scene.punch.name(), scene.punch.radius(), scene.force);
+        let label = format!("{punch}(radius: {radius:?}), force {force:?}");
+        writeln!(out, "{}", stack.drawing(Some(&label)))?;
+        Ok(())
+    }
+}

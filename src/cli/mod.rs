@@ -1,0 +1,104 @@
+//! The command line: one file for each subcommand.
+mod check;
+mod show;
+mod solve;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Parser, Subcommand};
+use recede::{Error, Registry, Scene};
+
+/// Receding and advancing contact of layered elastic stacks.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100, after_help = EXAMPLES)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  recede check scene.ron                     draw the stack, solve nothing
+  recede solve scene.ron                     contact half-lengths and pressures
+  recede solve scene.ron --format json       the same for a script
+  recede solve - < scene.ron                 read the scene from standard input
+  recede show scene.ron --latex              the block matrix, ready to be typeset
+
+Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Solve(solve::Solve),
+    Check(check::Check),
+    Show(show::Show),
+}
+
+/// Why a command did not end well.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The scene, or its solution.
+    #[error(transparent)]
+    Scene(#[from] Error),
+    /// Output that could not be written.
+    #[error("cannot write the output: {0}")]
+    Output(#[from] io::Error),
+}
+
+impl Arguments {
+    /// Does what is asked for; data go to standard output.
+    pub fn run(&self) -> Result<(), Failure> {
+        let mut out = io::BufWriter::new(io::stdout().lock());
+        let done = match &self.command {
+            Command::Solve(command) => command.run(&mut out),
+            Command::Check(command) => command.run(&mut out),
+            Command::Show(command) => command.run(&mut out),
+        };
+        match done.and_then(|()| Ok(out.flush()?)) {
+            // whoever reads has read enough
+            Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            other => other,
+        }
+    }
+}
+
+/// The scene file of a subcommand.
+#[derive(Debug, clap::Args)]
+struct SceneFile {
+    /// Scene in RON; `-` reads standard input
+    #[arg(value_name = "SCENE.ron")]
+    scene: PathBuf,
+}
+
+impl SceneFile {
+    fn read(&self) -> Result<Scene, Error> {
+        if self.scene == Path::new("-") {
+            Scene::from_reader("stdin", io::stdin().lock(), &Registry::default())
+        } else {
+            Scene::read(&self.scene)
+        }
+    }
+}
+
+/// Tells on standard error what went wrong, where, and what to do.
+pub fn explain(failure: &Failure) {
+    const ERROR: anstyle::Style = anstyle::AnsiColor::Red.on_default().bold();
+    const HINT: anstyle::Style = anstyle::AnsiColor::Cyan.on_default().bold();
+    let mut text = format!("{ERROR}error{ERROR:#}: {failure}\n");
+    if let Failure::Scene(Error::Scene(error)) = failure {
+        for line in error.excerpt().iter().flat_map(|excerpt| excerpt.lines()) {
+            text += &format!("  {line}\n");
+        }
+    }
+    if let Failure::Scene(error) = failure {
+        if let Some(hint) = error.hint() {
+            text += &format!("{HINT}hint{HINT:#}: {hint}\n");
+        }
+    }
+    tell(&text);
+}
+
+/// Writes to standard error, in colour on a terminal only. That it cannot be written is nothing to fail for.
+fn tell(text: &str) {
+    let _ = anstream::stderr().write_all(text.as_bytes());
+}

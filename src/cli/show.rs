@@ -1,0 +1,28 @@
+//! `recede show`: the symbolic block matrix.
+use std::io::Write;
+
+use recede::BlockSystem;
+
+use super::{Failure, SceneFile};
+
+/// Show the block matrix of a scene's stack: rows named by condition, columns by layer
+#[derive(Debug, clap::Args)]
+pub struct Show {
+    #[command(flatten)]
+    file: SceneFile,
+    /// Write LaTeX
+    #[arg(long)]
+    latex: bool,
+}
+
+impl Show {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let system = BlockSystem::new(&self.file.read()?.stack()?);
+        if self.latex {
+            write!(out, "{}", system.to_latex())?;
+        } else {
+            write!(out, "{system}")?;
+        }
+        Ok(())
+    }
+}

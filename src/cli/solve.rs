@@ -1,0 +1,68 @@
+//! `recede solve`: contact half-lengths and pressures.
+use std::io::Write;
+use std::time::Instant;
+
+use clap::ValueEnum;
+use recede::report::{self, Report};
+use recede::{Model, Options};
+
+use super::{Failure, SceneFile, tell};
+
+/// Find the contact half-lengths and pressures of a scene
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede solve scene.ron
+  recede solve scene.ron --format json --tolerance 1e-12
+  recede solve - --format csv < scene.ron")]
+pub struct Solve {
+    #[command(flatten)]
+    file: SceneFile,
+    /// How to write the result
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+    /// Relative error to aim at, from 1e-13 to 1e-2
+    #[arg(long, default_value = "1e-10")]
+    tolerance: f64,
+    /// Discretisation of the contact equations
+    #[arg(long, value_enum, default_value_t = Method::Galerkin)]
+    method: Method,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    /// A table to be read
+    Table,
+    /// One JSON object, all digits
+    Json,
+    /// One line for each contact, all digits
+    Csv,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Method {
+    /// Sine series, tested with Chebyshev polynomials
+    Galerkin,
+}
+
+impl Solve {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let scene = self.file.read()?;
+        let Method::Galerkin = self.method;
+        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let start = Instant::now();
+        let solution = Model::new(scene.stack()?)
+            .and_then(|model| model.press_with(&scene.punch, scene.force, &options))
+            .map_err(|error| scene.locate(error))?;
+        let seconds = start.elapsed().as_secs_f64();
+        for warning in solution.warnings() {
+            tell(&format!("warning: {warning}\n"));
+        }
+        let format = match self.format {
+            Format::Table => report::Format::Table,
+            Format::Json => report::Format::Json,
+            Format::Csv => report::Format::Csv,
+        };
+        Ok(Report { scene: &scene, solution: &solution, seconds }.write(format, out)?)
+    }
+}

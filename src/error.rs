@@ -1,0 +1,121 @@
+//! Everything that can go wrong, in one type.
+use recede_layers::{LayerError, OutOfRange};
+
+use crate::scene::SceneError;
+use crate::solution::Interface;
+use crate::stack::StackError;
+
+/// Why a scene could not be read or solved.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum Error {
+    /// The text of a scene is wrong at some place.
+    #[error(transparent)]
+    Scene(Box<SceneError>),
+    /// The items of a stack do not fit together.
+    #[error(transparent)]
+    Stack(#[from] StackError),
+    /// A layer cannot be made of these numbers.
+    #[error(transparent)]
+    Layer(#[from] LayerError),
+    /// A number is outside its range.
+    #[error("{quantity}: {reason}")]
+    OutOfRange {
+        /// What the number is, as in a scene.
+        quantity: &'static str,
+        /// What was found and what is allowed.
+        #[source]
+        reason: OutOfRange,
+    },
+    /// A relative tolerance that double precision cannot reach, or that says nothing.
+    #[error("tolerance: found {found:?}, allowed is 1e-13 <= tolerance <= 1e-2")]
+    Tolerance {
+        /// The tolerance asked for.
+        found: f64,
+    },
+    /// The layers' fields cannot be computed.
+    #[error("the fields of the layers cannot be computed at wavenumber {wavenumber:e}")]
+    Unresolved {
+        /// The wavenumber in question, in 1/length.
+        wavenumber: f64,
+    },
+    /// The scene is well posed, but no admissible contact was found.
+    #[error(transparent)]
+    NoSolution(#[from] NoSolution),
+}
+
+/// Why no admissible contact was found.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoSolution {
+    /// The contact would reach past the edge of the punch.
+    #[error("the punch of radius {radius:?} cannot carry the force: {reason}")]
+    PunchTooSmall {
+        /// The radius of the punch, in length.
+        radius: f64,
+        /// How that shows.
+        reason: String,
+    },
+    /// The half-lengths of the contacts did not settle.
+    #[error("the half-lengths of the contacts did not converge; the last were {half_lengths:?}")]
+    NotConverged {
+        /// The last half-lengths tried, from the top down, in length.
+        half_lengths: Vec<f64>,
+    },
+    /// A contact would have to pull.
+    #[error("the contact at {} would have to pull at x = {x:e}: no pressure there may be negative", place(.interface))]
+    Tension {
+        /// The contact.
+        interface: Interface,
+        /// Where, in length.
+        x: f64,
+    },
+    /// Two bodies would overlap.
+    #[error("the bodies at {} would overlap at x = {x:e}: no gap outside the contact may be negative", place(.interface))]
+    Overlap {
+        /// The contact outside which they overlap.
+        interface: Interface,
+        /// Where, in length.
+        x: f64,
+    },
+}
+
+fn place(interface: &Interface) -> String {
+    match interface {
+        Interface::Punch => "the punch".to_owned(),
+        between => format!("the interface {between}"),
+    }
+}
+
+impl Error {
+    /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
+    ///
+    /// ```
+    /// assert!(recede::Punch::cylinder(-1.0).unwrap_err().is_input());
+    /// ```
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
+            Self::Unresolved { .. } => false,
+            Self::NoSolution(cause) => matches!(cause, NoSolution::PunchTooSmall { .. }),
+        }
+    }
+
+    /// What to do about it, if that can be said.
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::Scene(error) => error.hint().map(str::to_owned),
+            Self::Stack(error) => error.hint(),
+            _ => None,
+        }
+    }
+
+    /// Checks the number given for `quantity`.
+    pub(crate) fn checked<Q: TryFrom<f64, Error = OutOfRange>>(quantity: &'static str, value: f64) -> Result<Q, Self> {
+        Q::try_from(value).map_err(|reason| Self::OutOfRange { quantity, reason })
+    }
+}
+
+impl From<SceneError> for Error {
+    fn from(error: SceneError) -> Self {
+        Self::Scene(Box::new(error))
+    }
+}

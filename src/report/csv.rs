@@ -1,0 +1,22 @@
+//! Comma-separated values: one line for each contact.
+use std::io;
+
+use super::Report;
+
+pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(out, "interface,half_length,half_length_error,peak_pressure,peak_pressure_error,resultant")?;
+    for contact in report.solution.contacts() {
+        // neither names nor numbers need quotes; `{:?}` prints as many digits as tell the number from all others
+        writeln!(
+            out,
+            "{},{:?},{:?},{:?},{:?},{:?}",
+            contact.interface,
+            contact.half_length,
+            contact.half_length_error,
+            contact.peak_pressure,
+            contact.peak_pressure_error,
+            contact.resultant
+        )?;
+    }
+    Ok(())
+}

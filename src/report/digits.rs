@@ -1,0 +1,69 @@
+//! Numbers with as many digits as their errors justify.
+
+/// Most digits that tell one double from another.
+const ALL: i32 = 17;
+
+/// A value and its absolute error, e.g. `0.7370 ± 2e-4`; all digits and no error if the error is not positive.
+pub(super) fn with_error(value: f64, error: f64) -> String {
+    if !(error > 0.0 && error.is_finite() && value.is_finite()) {
+        return plain(value);
+    }
+    // the last digit shown is that of the error's first
+    let last = exponent(error);
+    let first = exponent(value);
+    let digits = (first - last).clamp(0, ALL - 1);
+    format!("{} ± {error:.0e}", fixed_or_scientific(value, first, digits as usize))
+}
+
+/// A value with all its digits.
+pub(super) fn plain(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) || !value.is_finite() {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// `digits` after the first one.
+fn fixed_or_scientific(value: f64, first: i32, digits: usize) -> String {
+    let decimals = digits as i32 - first;
+    if (-3..6).contains(&first) && decimals >= 0 {
+        format!("{value:.0$}", decimals as usize)
+    } else {
+        format!("{value:.digits$e}")
+    }
+}
+
+/// Power of ten of the first digit as it is printed with one digit.
+fn exponent(value: f64) -> i32 {
+    // rounding may carry: 9.7e-5 has one digit 1e-4
+    let printed = format!("{value:.0e}");
+    printed.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_says_how_many_digits_are_shown() {
+        assert_eq!(with_error(0.737_012_345_6, 2.3e-4), "0.7370 ± 2e-4");
+        assert_eq!(with_error(2.448_123_456_789_012, 1e-11), "2.44812345679 ± 1e-11");
+        assert_eq!(with_error(0.1, 9.7e-5), "0.1000 ± 1e-4");
+        assert_eq!(with_error(1.71e-9, 2e-12), "1.710e-9 ± 2e-12");
+        assert_eq!(with_error(123_456.7, 20.0), "1.2346e5 ± 2e1");
+        assert_eq!(with_error(1.5, 1e-30), "1.5000000000000000 ± 1e-30");
+        assert_eq!(with_error(1e-3, 5.0), "0.001 ± 5e0");
+        assert_eq!(with_error(0.5, 0.0), "0.5");
+        assert_eq!(with_error(f64::NAN, 1.0), "NaN");
+        assert_eq!(with_error(1.0, f64::INFINITY), "1");
+    }
+
+    #[test]
+    fn numbers_far_from_one_are_written_with_exponent() {
+        assert_eq!(plain(0.002), "0.002");
+        assert_eq!(plain(1e-9), "1e-9");
+        assert_eq!(plain(-2.5e300), "-2.5e300");
+        assert_eq!(plain(0.0), "0");
+    }
+}

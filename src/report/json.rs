@@ -1,0 +1,54 @@
+//! One JSON object; its keys are stable, more may be added.
+use std::io;
+
+use serde::Serialize;
+
+use super::Report;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    scene: &'a str,
+    contacts: Vec<Contact>,
+    min_pressure: f64,
+    min_gap: f64,
+    modes: usize,
+    wavenumbers: usize,
+    newton_steps: usize,
+    seconds: f64,
+    warnings: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Contact {
+    interface: String,
+    half_length: f64,
+    half_length_error: f64,
+    peak_pressure: f64,
+    peak_pressure_error: f64,
+    resultant: f64,
+}
+
+pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
+    let solution = report.solution;
+    let contacts = solution.contacts().iter().map(|contact| Contact {
+        interface: contact.interface.to_string(),
+        half_length: contact.half_length,
+        half_length_error: contact.half_length_error,
+        peak_pressure: contact.peak_pressure,
+        peak_pressure_error: contact.peak_pressure_error,
+        resultant: contact.resultant,
+    });
+    let document = Document {
+        scene: report.scene.title(),
+        contacts: contacts.collect(),
+        min_pressure: solution.min_pressure(),
+        min_gap: solution.min_gap(),
+        modes: solution.modes(),
+        wavenumbers: solution.wavenumbers(),
+        newton_steps: solution.newton_steps(),
+        seconds: report.seconds,
+        warnings: solution.warnings(),
+    };
+    serde_json::to_writer_pretty(&mut *out, &document)?;
+    writeln!(out)
+}

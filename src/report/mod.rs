@@ -1,0 +1,56 @@
+//! Reports on a solved scene: the same numbers in several formats. Nothing is computed here.
+mod csv;
+mod digits;
+mod json;
+mod table;
+
+use std::io;
+
+use crate::scene::Scene;
+use crate::solution::Solution;
+
+/// How a report is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// A table to be read, with the digits that the error estimates justify.
+    #[default]
+    Table,
+    /// One JSON object with all digits.
+    Json,
+    /// Comma-separated values: a header, then one line for each contact, with all digits.
+    Csv,
+}
+
+/// What is reported on a solved scene.
+///
+/// ```no_run
+/// use recede::{Scene, report::{Format, Report}};
+/// let scene = Scene::read("examples/scenes/hertz.ron")?;
+/// let solution = recede::solve(&scene)?;
+/// let report = Report { scene: &scene, solution: &solution, seconds: 0.0 };
+/// report.write(Format::Csv, &mut std::io::stdout())?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Report<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its solution.
+    pub solution: &'a Solution,
+    /// Time it took, in seconds.
+    pub seconds: f64,
+}
+
+impl Report<'_> {
+    /// Writes the report.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+        match format {
+            Format::Table => table::write(self, out),
+            Format::Json => json::write(self, out),
+            Format::Csv => csv::write(self, out),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! A table to be read.
+use std::io;
+
+use comfy_table::{Table, presets};
+
+use super::Report;
+use super::digits::{plain, with_error};
+
+pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
+    let Report { scene, solution, seconds } = report;
+    let units = scene.units.as_ref();
+    let unit =
+        |label: &dyn Fn(&str, &str) -> String| units.map_or(String::new(), |units| label(&units.length, &units.force));
+    let length = unit(&|length, _| format!(" {length}"));
+    let line_load = unit(&|length, force| format!(" {force}/{length}"));
+    let header = |name: &str, label: String| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
+
+    let (punch, radius, force) = (scene.punch.name(), plain(scene.punch.radius()), plain(scene.force));
+    writeln!(out, "{}", printable(scene.title()))?;
+    if let Some(description) = &scene.description {
+        writeln!(out, "{}", printable(description))?;
+    }
+    writeln!(out, "{punch} of radius {radius}{length}, force {force}{line_load}",)?;
+
+    let mut table = Table::new();
+    table.load_style(presets::UTF8_HORIZONTAL_ONLY);
+    table.set_header([
+        "contact".to_owned(),
+        header("half-length", length.clone()),
+        header("pressure at x = 0", unit(&|length, force| format!(" {force}/{length}²"))),
+        header("resultant", line_load.clone()),
+    ]);
+    for contact in solution.contacts() {
+        table.add_row([
+            contact.interface.to_string(),
+            with_error(contact.half_length, contact.half_length_error),
+            with_error(contact.peak_pressure, contact.peak_pressure_error),
+            plain(contact.resultant),
+        ]);
+    }
+    writeln!(out, "{table}")?;
+    writeln!(
+        out,
+        "{} modes, {} wavenumbers, {} Newton steps, {}",
+        solution.modes(),
+        solution.wavenumbers(),
+        solution.newton_steps(),
+        duration(*seconds)
+    )
+}
+
+/// Text from a scene as one line that does not disturb a terminal.
+fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+fn duration(seconds: f64) -> String {
+    if seconds < 1.0 { format!("{:.1} ms", 1e3 * seconds) } else { format!("{seconds:.1} s") }
+}

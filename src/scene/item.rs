@@ -1,0 +1,50 @@
+//! The items of a stack as written: layers, and the interfaces between them.
+use std::sync::Arc;
+
+use recede_layers::{Layer, Registry};
+
+/// One line of the stack in a scene.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// An elastic layer, or the half-plane at the bottom.
+    Layer(Arc<dyn Layer>),
+    /// Interface that transmits everything: u, v, σ_yy and σ_xy are continuous.
+    Bonded,
+    /// Interface without friction or adhesion, free to open: where it is closed it transmits pressure only.
+    Receding,
+    /// Rigid base at the bottom.
+    Rigid,
+}
+
+impl Item {
+    /// A layer as an item.
+    pub fn layer(layer: impl Layer) -> Self {
+        Self::Layer(Arc::new(layer))
+    }
+
+    /// The name by which the item is written, e.g. `Homogeneous`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Layer(layer) => layer.notation().kind,
+            Self::Bonded => "Bonded",
+            Self::Receding => "Receding",
+            Self::Rigid => "Rigid",
+        }
+    }
+
+    /// The item written by a name alone, if there is one of that name.
+    pub(super) fn plain(name: &str) -> Option<Self> {
+        [Self::Bonded, Self::Receding, Self::Rigid].into_iter().find(|item| item.name() == name)
+    }
+
+    /// All names that may stand in a stack.
+    pub(super) fn names(registry: &Registry) -> Vec<&'static str> {
+        let plain = [Self::Bonded, Self::Receding, Self::Rigid].map(|item| item.name());
+        registry.iter().map(|entry| entry.name).chain(plain).collect()
+    }
+}
+
+/// `` `a`, `b`, `c` ``.
+pub(crate) fn quoted_list(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,112 @@
+//! A scene: what is pressed by what, as read from a text.
+mod explain;
+mod item;
+mod origin;
+mod punch;
+mod read;
+
+use std::sync::Arc;
+
+use recede_layers::Plane;
+use serde::Deserialize;
+
+pub use item::Item;
+pub use origin::SceneError;
+pub use punch::Punch;
+
+pub(crate) use item::quoted_list;
+
+use origin::Origin;
+
+use crate::error::{Error, NoSolution};
+
+/// Largest scene text that is read, in bytes.
+pub const MAX_BYTES: usize = 1 << 20;
+/// Largest number of items, layers and interfaces together, in a stack.
+pub const MAX_ITEMS: usize = 100_000;
+
+/// A scene as written: a punch pressed onto a stack of layers by a force. Any consistent units; nothing is converted.
+///
+/// ```
+/// use recede::Scene;
+/// let scene = Scene::from_ron(
+///     "Scene(
+///         plane: Strain,
+///         punch: Cylinder(radius: 500.0),
+///         force: 0.002,
+///         stack: [
+///             Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+///             Receding,
+///             HalfPlane(shear_modulus: 1.0, poisson: 0.25),
+///         ],
+///     )",
+/// )?;
+/// assert_eq!(scene.stack.len(), 3);
+/// assert_eq!(scene.stack()?.laminates().len(), 1);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// A name for reports.
+    pub name: Option<String>,
+    /// What the scene shows.
+    pub description: Option<String>,
+    /// Labels of the units, for reports only.
+    pub units: Option<Units>,
+    /// Plane strain or plane stress.
+    pub plane: Plane,
+    /// The rigid punch on top.
+    pub punch: Punch,
+    /// Line load P > 0 pressing the punch down: force per unit length out of plane.
+    pub force: f64,
+    /// Layers and the interfaces between them from the top down, ending in a base.
+    pub stack: Vec<Item>,
+    origin: Option<Arc<Origin>>,
+}
+
+/// Labels of the units in which a scene is written; nothing is converted.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Units {
+    /// Label of the unit of length, e.g. `mm`.
+    pub length: String,
+    /// Label of the unit of force, e.g. `N`.
+    pub force: String,
+}
+
+impl Scene {
+    /// A scene without name and units. Nothing is checked here: [`Scene::stack`] checks the stack and
+    /// [`Model::press_with`](crate::Model::press_with) the force.
+    pub fn new(plane: Plane, punch: Punch, force: f64, stack: Vec<Item>) -> Self {
+        Self { name: None, description: None, units: None, plane, punch, force, stack, origin: None }
+    }
+
+    /// What to call the scene in a report: its name, or else that of its file without folder and ending.
+    pub fn title(&self) -> &str {
+        match (&self.name, &self.origin) {
+            (Some(name), _) => name,
+            (None, Some(origin)) => origin.stem(),
+            (None, None) => "scene",
+        }
+    }
+
+    /// Adds to an error the place in the scene's text that it is about: the stack's offending item, or the punch
+    /// where it cannot carry the force. Other errors, and those of a scene not read from a text, are left as they are.
+    pub fn locate(&self, error: Error) -> Error {
+        let Some(origin) = &self.origin else { return error };
+        match error {
+            Error::Stack(cause) => {
+                // items may have been added or taken away since the text was read
+                let known = self.stack.len() == origin.places.items.len();
+                let item = cause.item().filter(|_| known).and_then(|item| origin.places.items.get(item));
+                let (message, hint) = (cause.to_string(), cause.hint());
+                origin.error(Some(*item.unwrap_or(&origin.places.stack)), message, hint).because(cause).into()
+            }
+            Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
+                let hint = Some("a larger radius or a smaller force keeps the contact within the punch".into());
+                origin.error(Some(origin.places.punch), cause.to_string(), hint).because(cause).into()
+            }
+            other => other,
+        }
+    }
+}

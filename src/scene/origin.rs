@@ -1,0 +1,174 @@
+//! Where a scene came from, and errors that name a place in its text.
+use std::fmt;
+use std::sync::Arc;
+
+/// Widest excerpt of a line that is shown, in characters.
+const EXCERPT: usize = 100;
+
+type Cause = Arc<dyn std::error::Error + Send + Sync>;
+
+/// The text of a scene and the places of its parts.
+#[derive(Debug, Default)]
+pub(super) struct Origin {
+    pub(super) file: String,
+    pub(super) text: String,
+    pub(super) places: Places,
+}
+
+/// Places in the text of a scene, as byte offsets.
+#[derive(Debug, Default)]
+pub(super) struct Places {
+    pub(super) punch: usize,
+    pub(super) stack: usize,
+    pub(super) items: Vec<usize>,
+}
+
+impl Origin {
+    /// The file's name without folder and ending.
+    pub(super) fn stem(&self) -> &str {
+        std::path::Path::new(&self.file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
+    }
+
+    /// An error at a byte offset of the text, or about the file as a whole.
+    pub(super) fn error(&self, at: Option<usize>, message: String, hint: Option<String>) -> SceneError {
+        SceneError {
+            file: self.file.clone(),
+            place: at.map(|offset| Place::new(&self.text, offset)),
+            message,
+            hint,
+            cause: None,
+        }
+    }
+}
+
+/// A line and column, with the line as it reads.
+#[derive(Clone, Debug)]
+struct Place {
+    line: usize,
+    column: usize,
+    excerpt: String,
+    /// Position of the column in the excerpt, in characters from 0.
+    caret: usize,
+}
+
+impl Place {
+    fn new(text: &str, offset: usize) -> Self {
+        let (before, after) = text.split_at_checked(offset).unwrap_or((text, ""));
+        let offset = before.len();
+        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let column = text[start..offset].chars().count();
+        let rest = after.find('\n').map_or(after, |end| &after[..end]);
+        let visible = |c: char| if c.is_control() { ' ' } else { c };
+        let line = text[start..offset + rest.len()].trim_end();
+        // a window of a long line
+        let skipped = if line.chars().count() > EXCERPT { column.saturating_sub(EXCERPT / 2) } else { 0 };
+        Self {
+            line: before.matches('\n').count() + 1,
+            column: column + 1,
+            excerpt: line.chars().skip(skipped).take(EXCERPT).map(visible).collect(),
+            caret: column - skipped,
+        }
+    }
+}
+
+/// What is wrong with a scene, and where in its text: prints as `file:line:column: message`.
+///
+/// ```
+/// use recede::{Error, Scene};
+/// let Err(Error::Scene(error)) = Scene::from_ron("Scene(\n    plane: Strian,\n)") else { panic!("no such plane") };
+/// assert_eq!((error.line(), error.column()), (Some(2), Some(12)));
+/// assert_eq!(error.message(), "`plane` of the scene is `Strian`; allowed are `Strain`, `Stress`");
+/// assert_eq!(error.hint(), Some("did you mean `Strain`?"));
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneError {
+    file: String,
+    place: Option<Place>,
+    message: String,
+    hint: Option<String>,
+    cause: Option<Cause>,
+}
+
+impl SceneError {
+    pub(super) fn because(mut self, cause: impl std::error::Error + Send + Sync + 'static) -> Self {
+        self.cause = Some(Arc::new(cause));
+        self
+    }
+
+    /// Name of the file, or what stands for it.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Line in the text, from 1; `None` if the text could not be read at all.
+    pub fn line(&self) -> Option<usize> {
+        self.place.as_ref().map(|place| place.line)
+    }
+
+    /// Column in the line, in characters from 1.
+    pub fn column(&self) -> Option<usize> {
+        self.place.as_ref().map(|place| place.column)
+    }
+
+    /// What was found, and what is allowed.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// What to do about it.
+    pub fn hint(&self) -> Option<&str> {
+        self.hint.as_deref()
+    }
+
+    /// The line in question with a caret below the column; long lines are cut.
+    pub fn excerpt(&self) -> Option<String> {
+        let Place { line, excerpt, caret, .. } = self.place.as_ref()?;
+        let number = line.to_string();
+        let margin = " ".repeat(number.len());
+        Some(format!("{number} | {excerpt}\n{margin} | {}^", " ".repeat(*caret)))
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Some(place) => write!(f, "{}:{}:{}: {}", self.file, place.line, place.column, self.message),
+            None => write!(f, "{}: {}", self.file, self.message),
+        }
+    }
+}
+
+impl std::error::Error for SceneError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.cause.as_deref().map(|cause| cause as _)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters() {
+        let text = "one\nµ = 7\n";
+        let place = Place::new(text, text.find('7').unwrap());
+        assert_eq!((place.line, place.column, place.caret), (2, 5, 4));
+        assert_eq!(place.excerpt, "µ = 7");
+    }
+
+    #[test]
+    fn long_lines_are_cut_around_the_column() {
+        let text = format!("{}!{}", "a".repeat(5000), "b".repeat(5000));
+        let place = Place::new(&text, 5000);
+        assert_eq!(place.column, 5001);
+        assert_eq!(place.excerpt.chars().count(), EXCERPT);
+        assert_eq!(place.excerpt.chars().nth(place.caret), Some('!'));
+    }
+
+    #[test]
+    fn the_end_of_the_text_is_a_place() {
+        let place = Place::new("a\r\n", 3);
+        assert_eq!((place.line, place.column), (2, 1));
+        assert_eq!(Place::new("", 7).line, 1);
+    }
+}

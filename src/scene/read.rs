@@ -1,0 +1,236 @@
+//! Reading a scene from RON: every error names its line and column.
+//!
+//! The scene is read in two steps. The first finds the text of the punch and of every item of the stack; the second
+//! reads each of them on its own, a layer through the [`Registry`]. So each has a place in the text from the start.
+use std::fmt;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
+use ron::error::Position;
+use ron::value::RawValue;
+use serde::de::Visitor;
+use serde::{Deserialize, Deserializer};
+
+use super::explain::{At, Subject, did_you_mean, explain, place, token};
+use super::origin::{Origin, Places};
+use super::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units, quoted_list};
+use crate::error::Error;
+
+/// The scene with punch and stack still unread.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename = "Scene")]
+struct Draft<'a> {
+    #[serde(default)]
+    name: Option<String>,
+    #[serde(default)]
+    description: Option<String>,
+    #[serde(default)]
+    units: Option<Units>,
+    plane: Plane,
+    #[serde(borrow)]
+    punch: &'a RawValue,
+    force: Positive,
+    #[serde(borrow)]
+    stack: &'a RawValue,
+}
+
+impl Scene {
+    /// Reads a scene from RON with the layer types that ship.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] with line and column: unknown, missing or repeated fields, wrong types, numbers out of range,
+    /// unknown layers. Whether the items of the stack fit together is checked by [`Scene::stack`].
+    pub fn from_ron(text: &str) -> Result<Self, Error> {
+        Self::from_ron_with(text, &Registry::default())
+    }
+
+    /// Reads a scene from RON with the layer types of `registry`.
+    ///
+    /// # Errors
+    /// As [`Scene::from_ron`].
+    pub fn from_ron_with(text: &str, registry: &Registry) -> Result<Self, Error> {
+        Self::from_reader("scene", text.as_bytes(), registry)
+    }
+
+    /// Reads a scene from a file with the layer types that ship.
+    ///
+    /// # Errors
+    /// As [`Scene::from_ron`], and if the file cannot be read or is larger than [`MAX_BYTES`].
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let file = path.display().to_string();
+        match File::open(path) {
+            Ok(reader) => Self::from_reader(&file, reader, &Registry::default()),
+            Err(cause) => Err(unreadable(&Origin { file, ..Origin::default() }, cause)),
+        }
+    }
+
+    /// Reads a scene from anything that yields bytes; `file` is what it is called in messages.
+    ///
+    /// # Errors
+    /// As [`Scene::read`].
+    pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, Error> {
+        let mut bytes = Vec::new();
+        let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
+        match reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes) {
+            Err(cause) => return Err(unreadable(&origin, cause)),
+            Ok(length) if length > MAX_BYTES => {
+                let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
+                return Err(origin.error(None, message, Some("is this a scene file?".into())).into());
+            }
+            Ok(_) => {}
+        }
+        origin.text = decoded(&origin, bytes)?;
+        let (scene, places) = parse(&origin, registry)?;
+        origin.places = places;
+        Ok(Self { origin: Some(Arc::new(origin)), ..scene })
+    }
+}
+
+fn unreadable(origin: &Origin, cause: std::io::Error) -> Error {
+    origin.error(None, format!("cannot be read: {cause}"), None).because(cause).into()
+}
+
+/// The bytes as text, without the mark that some editors put first.
+fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, Error> {
+    let text = String::from_utf8(bytes).map_err(|cause| {
+        let valid = cause.utf8_error().valid_up_to();
+        let found = cause.as_bytes().get(valid).copied().unwrap_or_default();
+        let text = String::from_utf8_lossy(&cause.as_bytes()[..valid]).into_owned();
+        let origin = Origin { file: origin.file.clone(), text, ..Origin::default() };
+        let hint = Some("a scene is a text file in UTF-8".into());
+        origin.error(Some(valid), format!("the byte 0x{found:02X} is no UTF-8 text"), hint).because(cause)
+    })?;
+    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+}
+
+/// A part of the scene's text that is read on its own, and what it is called.
+struct Part<'a> {
+    text: &'a str,
+    /// Where it begins in the scene's text.
+    offset: usize,
+    /// Where its name stands in the scene's text.
+    name_at: usize,
+    owner: String,
+}
+
+impl Part<'_> {
+    fn error(&self, origin: &Origin, error: ReadError) -> SceneError {
+        let subject = Subject { owner: &self.owner, field: error.field.as_deref() };
+        let span = &error.cause.span;
+        let at = match place(&error.cause.code, &subject) {
+            At::Token => self.offset + offset_of(self.text, span.start),
+            At::Next => self.offset + offset_of(self.text, span.end),
+            At::Owner => self.name_at,
+        };
+        let (message, hint) = explain(&error.cause.code, &subject, &origin.text[at..]);
+        origin.error(Some(at), message, hint).because(error)
+    }
+}
+
+/// Byte offset of a line and column, both counted from 1.
+fn offset_of(text: &str, position: Position) -> usize {
+    let lines: usize = text.split_inclusive('\n').take(position.line.saturating_sub(1)).map(str::len).sum();
+    let column = text[lines..].char_indices().nth(position.col.saturating_sub(1));
+    column.map_or(text.len(), |(bytes, _)| lines + bytes)
+}
+
+/// Reads the text of `origin`, whose places are not yet known.
+fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), SceneError> {
+    let text = &origin.text[..];
+    if text.trim().is_empty() {
+        let hint = "a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`";
+        return Err(origin.error(None, "the text is empty".into(), Some(hint.into())));
+    }
+    let start = text.len() - without_comments(text).len();
+    let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
+    let draft: Draft = read_ron(text).map_err(|mut error| {
+        // punch and stack are only skipped here: what is wrong within them is wrong with the text
+        error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "stack"));
+        whole.error(origin, error)
+    })?;
+    let punch = Part { owner: "the punch".into(), ..part(text, draft.punch.get_ron()) };
+    let list = Part { owner: "the stack".into(), ..part(text, draft.stack.get_ron()) };
+    let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
+    if items.len() > MAX_ITEMS {
+        let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
+        return Err(origin.error(Some(list.name_at), message, None));
+    }
+    let items: Vec<Part> = items.into_iter().map(|item| part(text, item.get_ron())).collect();
+    let places =
+        Places { punch: punch.name_at, stack: list.name_at, items: items.iter().map(|item| item.name_at).collect() };
+
+    let punch = read_ron::<Punch>(punch.text).map_err(|error| punch.error(origin, error))?;
+    let mut stack = Vec::with_capacity(items.len());
+    let mut layers = 0;
+    for item in items {
+        let item = read_item(item, layers + 1, origin, registry)?;
+        layers += usize::from(!matches!(item, Item::Bonded | Item::Receding));
+        stack.push(item);
+    }
+    let Draft { name, description, units, plane, force, .. } = draft;
+    Ok((Scene { name, description, units, ..Scene::new(plane, punch, force.get(), stack) }, places))
+}
+
+/// A part of the scene's text; `within` must be a slice of `text`.
+fn part<'a>(text: &'a str, within: &'a str) -> Part<'a> {
+    let offset = (within.as_ptr() as usize).saturating_sub(text.as_ptr() as usize);
+    // comments before the name belong to the part as it was cut out
+    let name_at = offset + within.len() - without_comments(within).len();
+    Part { text: within, offset, name_at, owner: String::new() }
+}
+
+/// The name with which a text begins, if it does, and what follows it.
+fn name_and_rest(text: &str) -> Option<(&str, &str)> {
+    struct Name;
+    impl<'de> Visitor<'de> for Name {
+        type Value = &'de str;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a name")
+        }
+
+        fn visit_borrowed_str<E>(self, name: &'de str) -> Result<&'de str, E> {
+            Ok(name)
+        }
+    }
+    let mut reader = ron::Deserializer::from_str(text).ok()?;
+    let name = reader.deserialize_identifier(Name).ok()?;
+    Some((name, reader.remainder()))
+}
+
+/// A text without the white space and comments with which it begins.
+fn without_comments(text: &str) -> &str {
+    ron::Deserializer::from_str(text).map_or(text, |reader| reader.remainder())
+}
+
+/// Reads the item that is, or would be, layer `number`.
+fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, SceneError> {
+    let names = || Item::names(registry);
+    let Some((name, fields)) = name_and_rest(item.text) else {
+        let message = format!("a layer or an interface is expected, found {}", token(&origin.text[item.name_at..]));
+        return Err(origin.error(Some(item.name_at), message, Some(format!("allowed are {}", quoted_list(&names())))));
+    };
+    if let Some(plain) = Item::plain(name) {
+        let fields = without_comments(fields);
+        if fields.is_empty() {
+            return Ok(plain);
+        }
+        let at = item.offset + item.text.len() - fields.len();
+        let message = format!("`{name}` has no fields, found {}", token(fields));
+        return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))));
+    }
+    let Some(entry) = registry.get(name) else {
+        let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
+        return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())));
+    };
+    let offset = item.offset + item.text.len() - fields.len();
+    let fields = Part { text: fields, offset, name_at: item.name_at, owner: format!("layer {number} ({name})") };
+    match (entry.read)(fields.text) {
+        Ok(layer) => Ok(Item::Layer(Arc::from(layer))),
+        Err(error) => Err(fields.error(origin, error)),
+    }
+}

@@ -1,0 +1,224 @@
+//! From items as written to laminates and base.
+use std::sync::Arc;
+
+use recede_layers::Plane;
+
+use super::{Base, Foundation, Laminate, Placed, Stack, StackError, StackProblem};
+use crate::scene::Item;
+
+/// How two neighbouring layers are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Joint {
+    Bonded,
+    Receding,
+}
+
+/// A group of bonded layers and the joint below it.
+#[derive(Debug, Default)]
+struct Groups {
+    finished: Vec<Laminate>,
+    open: Vec<Placed>,
+    /// Joint below the last layer of `open`, while nothing is known to lie on its other side.
+    joint: Option<Joint>,
+    dropped: Vec<Placed>,
+}
+
+impl Groups {
+    fn interface(&mut self, joint: Joint) {
+        // of the interfaces around layers that are not there, a receding one prevails; above the first layer
+        // there is none
+        if !self.open.is_empty() && self.joint != Some(Joint::Receding) {
+            self.joint = Some(joint);
+        }
+    }
+
+    /// Closes the open group if what follows is not bonded to it.
+    fn begin_next(&mut self) {
+        if self.joint.take() == Some(Joint::Receding) {
+            self.finished.push(Laminate { layers: std::mem::take(&mut self.open) });
+        }
+    }
+
+    fn layer(&mut self, placed: Placed) {
+        if placed.layer.thickness() == Some(0.0) {
+            self.dropped.push(placed);
+        } else {
+            self.begin_next();
+            self.open.push(placed);
+        }
+    }
+}
+
+pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError> {
+    check_order(items)?;
+    let mut groups = Groups::default();
+    let mut foundation = None;
+    let mut number = 0;
+    for (index, item) in items.iter().enumerate() {
+        match item {
+            Item::Bonded => groups.interface(Joint::Bonded),
+            Item::Receding => groups.interface(Joint::Receding),
+            Item::Rigid => {
+                number += 1;
+                foundation = Some(Foundation::Rigid { number });
+            }
+            Item::Layer(layer) => {
+                number += 1;
+                let placed = Placed { number, layer: Arc::clone(layer) };
+                match layer.thickness() {
+                    None => foundation = Some(Foundation::HalfPlane(placed)),
+                    Some(found) if !(found >= 0.0 && found.is_finite()) => {
+                        return Err(at(index, StackProblem::Thickness { layer: placed.name(), found }));
+                    }
+                    Some(_) => groups.layer(placed),
+                }
+            }
+        }
+    }
+    groups.begin_next();
+    let Groups { finished: laminates, open: layers, dropped, .. } = groups;
+    let Some(foundation) = foundation else {
+        // `check_order` has found a base
+        return Err(StackError { item: None, problem: StackProblem::Empty });
+    };
+    if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
+        return Err(at(items.len() - 1, StackProblem::NothingElastic));
+    }
+    let stack = Stack { plane, laminates, base: Base { layers, foundation }, dropped };
+    if stack.total_thickness().is_finite() {
+        Ok(stack)
+    } else {
+        Err(StackError { item: None, problem: StackProblem::TooThick })
+    }
+}
+
+fn at(item: usize, problem: StackProblem) -> StackError {
+    StackError { item: Some(item), problem }
+}
+
+/// Layers and interfaces alternate, from a layer to a base, which is the only one.
+fn check_order(items: &[Item]) -> Result<(), StackError> {
+    let (Some(first), Some(last)) = (items.first(), items.last()) else {
+        return Err(StackError { item: None, problem: StackProblem::Empty });
+    };
+    if is_interface(first) {
+        return Err(at(0, StackProblem::BeginsWithInterface { interface: first.name() }));
+    }
+    let mut number = 1;
+    for (index, pair) in items.windows(2).enumerate() {
+        let [above, below] = pair else { continue };
+        match (is_interface(above), is_interface(below)) {
+            (true, true) => {
+                let problem = StackProblem::TwoInterfaces { first: above.name(), second: below.name() };
+                return Err(at(index + 1, problem));
+            }
+            (false, _) if is_base(above) => {
+                return Err(at(index, StackProblem::BaseNotLast { base: called(above, number) }));
+            }
+            (false, false) => {
+                let (above, below) = (called(above, number), called(below, number + 1));
+                return Err(at(index + 1, StackProblem::NoInterface { above, below }));
+            }
+            (false, true) => number += 1,
+            (true, false) => {}
+        }
+    }
+    let end = items.len() - 1;
+    if is_interface(last) {
+        Err(at(end, StackProblem::EndsWithInterface { interface: last.name() }))
+    } else if is_base(last) {
+        Ok(())
+    } else {
+        Err(at(end, StackProblem::NoBase { last: called(last, number) }))
+    }
+}
+
+fn is_interface(item: &Item) -> bool {
+    matches!(item, Item::Bonded | Item::Receding)
+}
+
+fn is_base(item: &Item) -> bool {
+    match item {
+        Item::Layer(layer) => layer.thickness().is_none(),
+        Item::Rigid => true,
+        Item::Bonded | Item::Receding => false,
+    }
+}
+
+fn called(item: &Item, number: usize) -> String {
+    match item {
+        Item::Rigid => "the rigid base".to_owned(),
+        other => format!("layer {number} ({})", other.name()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{HalfPlane, Homogeneous};
+
+    use super::*;
+    use crate::stack::StackBuilder;
+
+    fn strip(thickness: f64) -> Item {
+        Item::layer(Homogeneous::new(thickness, 1.0, 0.25).unwrap())
+    }
+
+    fn ground() -> Item {
+        Item::layer(HalfPlane::new(1.0, 0.25).unwrap())
+    }
+
+    /// Numbers of the layers of every laminate and of the base.
+    fn groups(items: &[Item]) -> (Vec<Vec<usize>>, Vec<usize>) {
+        let stack = assemble(Plane::Strain, items).unwrap();
+        let numbers = |layers: &[Placed]| layers.iter().map(|layer| layer.number).collect::<Vec<_>>();
+        (stack.laminates().iter().map(|laminate| numbers(laminate.layers())).collect(), numbers(stack.base().layers()))
+    }
+
+    #[test]
+    fn receding_interfaces_divide_the_stack() {
+        use Item::{Bonded, Receding, Rigid};
+        let one = || strip(1.0);
+        assert_eq!(groups(&[ground()]), (vec![], vec![]));
+        assert_eq!(groups(&[one(), Bonded, ground()]), (vec![], vec![1]));
+        assert_eq!(groups(&[one(), Receding, Rigid]), (vec![vec![1]], vec![]));
+        assert_eq!(
+            groups(&[one(), Bonded, one(), Receding, one(), Receding, one(), Bonded, one(), Bonded, Rigid]),
+            (vec![vec![1, 2], vec![3]], vec![4, 5])
+        );
+    }
+
+    #[test]
+    fn layers_of_no_thickness_leave_one_interface() {
+        use Item::{Bonded, Receding, Rigid};
+        let (one, none) = (|| strip(1.0), || strip(0.0));
+        // a receding interface prevails
+        assert_eq!(groups(&[one(), Bonded, none(), Receding, ground()]), (vec![vec![1]], vec![]));
+        assert_eq!(groups(&[one(), Receding, none(), Bonded, ground()]), (vec![vec![1]], vec![]));
+        assert_eq!(groups(&[one(), Bonded, none(), Bonded, one(), Receding, Rigid]), (vec![vec![1, 3]], vec![]));
+        assert_eq!(groups(&[one(), Receding, none(), Bonded, none(), Bonded, one(), Bonded, Rigid]), {
+            (vec![vec![1]], vec![4])
+        });
+        // the first layer takes its lower interface with it
+        assert_eq!(groups(&[none(), Receding, one(), Bonded, ground()]), (vec![], vec![2]));
+        assert_eq!(groups(&[none(), Receding, none(), Receding, ground()]), (vec![], vec![]));
+    }
+
+    #[test]
+    fn contacts_are_named_by_the_layers_that_are_there() {
+        let items = [strip(1.0), Item::Bonded, strip(0.0), Item::Receding, ground()];
+        let stack = assemble(Plane::Strain, &items).unwrap();
+        let names: Vec<String> = stack.contacts().iter().map(ToString::to_string).collect();
+        assert_eq!(names, ["punch", "1|3"]);
+        assert_eq!(stack.dropped()[0].number, 2);
+    }
+
+    #[test]
+    fn nothing_elastic_is_refused() {
+        let builder = || StackBuilder::new(Plane::Strain);
+        assert_eq!(builder().rigid().build().unwrap_err().problem(), &StackProblem::NothingElastic);
+        let empty = builder().item(strip(0.0)).bonded().rigid().build();
+        assert_eq!(empty.unwrap_err().item(), Some(2));
+        let thick = builder().item(strip(1e308)).bonded().item(strip(1e308)).bonded().rigid().build();
+        assert_eq!(thick.unwrap_err().problem(), &StackProblem::TooThick);
+    }
+}

@@ -1,0 +1,63 @@
+//! Stacks described in code, from the top down.
+use recede_layers::{Layer, Plane};
+
+use super::{Stack, StackError};
+use crate::scene::Item;
+
+/// A stack being described from the top down; see [`Stack::builder`]. Nothing is checked before
+/// [`build`](StackBuilder::build).
+#[derive(Clone, Debug)]
+#[must_use = "a builder does nothing until `build`"]
+pub struct StackBuilder {
+    plane: Plane,
+    items: Vec<Item>,
+}
+
+impl StackBuilder {
+    pub(super) fn new(plane: Plane) -> Self {
+        Self { plane, items: Vec::new() }
+    }
+
+    /// Adds an item as it would be written in a scene.
+    pub fn item(mut self, item: Item) -> Self {
+        self.items.push(item);
+        self
+    }
+
+    /// Adds a layer, or the half-plane at the bottom.
+    pub fn layer(self, layer: impl Layer) -> Self {
+        self.item(Item::layer(layer))
+    }
+
+    /// Adds an interface that transmits everything.
+    pub fn bonded(self) -> Self {
+        self.item(Item::Bonded)
+    }
+
+    /// Adds an interface without friction or adhesion, free to open.
+    pub fn receding(self) -> Self {
+        self.item(Item::Receding)
+    }
+
+    /// Adds the rigid base at the bottom.
+    pub fn rigid(self) -> Self {
+        self.item(Item::Rigid)
+    }
+
+    /// Checks the stack.
+    ///
+    /// # Errors
+    /// As [`Stack::from_items`].
+    ///
+    /// ```
+    /// use recede::{Homogeneous, Plane, Stack};
+    /// let strip = || Homogeneous::new(1.0, 1.0, 0.25);
+    /// assert!(Stack::builder(Plane::Strain).layer(strip()?).receding().rigid().build().is_ok());
+    /// let error = Stack::builder(Plane::Strain).layer(strip()?).rigid().build().unwrap_err();
+    /// assert_eq!(error.to_string(), "no interface between layer 1 (Homogeneous) and the rigid base");
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn build(self) -> Result<Stack, StackError> {
+        Stack::from_items(self.plane, &self.items)
+    }
+}

@@ -1,0 +1,95 @@
+//! The small drawing of a stack.
+use std::fmt;
+
+use super::{Foundation, Placed, Stack};
+
+/// Columns between the borders, at least.
+const NARROWEST: usize = 50;
+/// Columns between the borders, at most.
+const WIDEST: usize = 500;
+
+impl fmt::Display for Stack {
+    /// Draws the stack without a punch.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.drawing(None))
+    }
+}
+
+impl Stack {
+    /// Draws the stack from the top down, one box for each group of bonded layers; above it the punch with what is
+    /// written on it, if anything.
+    ///
+    /// ```text
+    ///           ╲    Cylinder(radius: 500.0), force 0.002    ╱
+    ///            ╰──────────────────────────────────────────╯
+    /// ┌──────────────────────────────────────────────────────────────┐
+    /// │ 1 Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25) │
+    /// └──────────────────────────────────────────────────────────────┘
+    ///                          receding 1|2
+    /// ┌──────────────────────────────────────────────────────────────┐
+    /// │ 2 HalfPlane(shear_modulus: 1, poisson: 0.25)                 │
+    /// │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
+    /// ```
+    pub fn drawing(&self, punch: Option<&str>) -> String {
+        let half_plane = match &self.base.foundation {
+            Foundation::HalfPlane(placed) => Some(placed),
+            Foundation::Rigid { .. } => None,
+        };
+        let mut groups: Vec<Vec<String>> =
+            self.laminates.iter().map(|laminate| laminate.layers.iter().map(label).collect()).collect();
+        groups.push(self.base.layers.iter().chain(half_plane).map(label).collect());
+        let widths = groups.iter().flatten().map(|text| text.chars().count());
+        let width = widths.chain([NARROWEST]).max().unwrap_or(NARROWEST).min(WIDEST);
+
+        let mut lines = Vec::new();
+        if let Some(text) = punch {
+            lines.push(centred(&format!("╲    {text}    ╱"), width));
+            lines.push(centred(&format!("╰{}╯", "─".repeat(text.chars().count() + 6)), width));
+        }
+        let contacts = self.contacts();
+        for (i, texts) in groups.iter().enumerate() {
+            if i > 0 {
+                lines.push(format!("└{}┘", "─".repeat(width)));
+                lines.push(centred(&format!("receding {}", contacts[i]), width));
+            }
+            lines.push(format!("┌{}┐", "─".repeat(width)));
+            for (j, text) in texts.iter().enumerate() {
+                if j > 0 {
+                    lines.push(bonded(width));
+                }
+                lines.push(format!("│{text:width$}│"));
+            }
+        }
+        if let Foundation::Rigid { number } = self.base.foundation {
+            if !self.base.layers.is_empty() {
+                lines.push(bonded(width));
+            }
+            lines.push(format!("│{:width$}│", format!(" {number} Rigid")));
+        }
+        lines.push(format!("│{}│", "╱".repeat(width)));
+        lines.extend(self.left_out());
+        lines.join("\n")
+    }
+
+    /// A line on the layers that are not there.
+    fn left_out(&self) -> Option<String> {
+        const SHOWN: usize = 5;
+        let names: Vec<String> = self.dropped.iter().take(SHOWN).map(Placed::name).collect();
+        let more = self.dropped.len().checked_sub(SHOWN + 1).map_or(String::new(), |n| format!(" and {} more", n + 1));
+        (!names.is_empty()).then(|| format!("not there, because of thickness 0: {}{more}", names.join(", ")))
+    }
+}
+
+fn bonded(width: usize) -> String {
+    format!("├{:─^width$}┤", " bonded ")
+}
+
+fn centred(text: &str, width: usize) -> String {
+    format!("{text:^0$}", width + 2).trim_end().to_owned()
+}
+
+/// What is written in the box of a layer.
+fn label(placed: &Placed) -> String {
+    let notation = placed.layer.notation();
+    format!(" {} {}({}) ", placed.number, notation.kind, notation.parameters)
+}

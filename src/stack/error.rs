@@ -1,0 +1,104 @@
+//! What can be wrong with the structure of a stack.
+
+/// Items that do not make a stack.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{problem}")]
+pub struct StackError {
+    pub(super) item: Option<usize>,
+    pub(super) problem: StackProblem,
+}
+
+impl StackError {
+    /// Index of the offending item among the items, layers and interfaces, from 0; `None` if it is the whole stack.
+    pub fn item(&self) -> Option<usize> {
+        self.item
+    }
+
+    /// What is wrong.
+    pub fn problem(&self) -> &StackProblem {
+        &self.problem
+    }
+
+    /// What to do about it.
+    pub fn hint(&self) -> Option<String> {
+        self.problem.hint().map(str::to_owned)
+    }
+}
+
+/// What is wrong with a stack. Layers are named like `layer 1 (Homogeneous)`.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StackProblem {
+    /// No items at all.
+    #[error("the stack is empty")]
+    Empty,
+    /// Two layers follow each other.
+    #[error("no interface between {above} and {below}")]
+    NoInterface {
+        /// The upper layer.
+        above: String,
+        /// The lower layer.
+        below: String,
+    },
+    /// Two interfaces follow each other.
+    #[error("two interfaces in a row: `{second}` follows `{first}`")]
+    TwoInterfaces {
+        /// The upper interface.
+        first: &'static str,
+        /// The lower interface.
+        second: &'static str,
+    },
+    /// The first item is an interface.
+    #[error("the stack begins with the interface `{interface}`; allowed is a layer")]
+    BeginsWithInterface {
+        /// The interface.
+        interface: &'static str,
+    },
+    /// The last item is an interface.
+    #[error("the stack ends with the interface `{interface}`: nothing lies below it")]
+    EndsWithInterface {
+        /// The interface.
+        interface: &'static str,
+    },
+    /// The last item is neither a half-plane nor rigid.
+    #[error("the stack ends with {last}, which is no base; allowed are `HalfPlane` and `Rigid`")]
+    NoBase {
+        /// The last layer.
+        last: String,
+    },
+    /// A half-plane or a rigid body with something below it.
+    #[error("{base} is not at the bottom of the stack")]
+    BaseNotLast {
+        /// The base.
+        base: String,
+    },
+    /// Nothing between the punch and the rigid base.
+    #[error("nothing can deform between the punch and the rigid base")]
+    NothingElastic,
+    /// A thickness that is negative or not finite, reported by a layer type of one's own.
+    #[error("{layer} has thickness {found:?}; allowed is a finite number >= 0")]
+    Thickness {
+        /// The layer.
+        layer: String,
+        /// Its thickness, in length.
+        found: f64,
+    },
+    /// All thicknesses together are not finite.
+    #[error("the layers together are thicker than the largest number, about 1.8e308")]
+    TooThick,
+}
+
+impl StackProblem {
+    fn hint(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
+            Self::NoInterface { .. } => "write `Bonded` or `Receding` between them",
+            Self::TwoInterfaces { .. } => "remove one of them, or write the layer between them",
+            Self::BeginsWithInterface { .. } => "the punch acts on the first layer without an interface",
+            Self::EndsWithInterface { .. } => "end the stack with `HalfPlane(...)` or `Rigid`",
+            Self::NoBase { .. } => "add an interface and `HalfPlane(...)` or `Rigid` below it",
+            Self::BaseNotLast { .. } => "end the stack here, or put a layer with a thickness in its place",
+            Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
+            Self::Thickness { .. } | Self::TooThick => return None,
+        })
+    }
+}

@@ -1,0 +1,190 @@
+//! A stack: the checked structure of a scene's layers and interfaces.
+mod assemble;
+mod builder;
+mod drawing;
+mod error;
+
+use std::sync::Arc;
+
+use recede_layers::{Layer, Plane};
+
+pub use builder::StackBuilder;
+pub use error::{StackError, StackProblem};
+
+use crate::error::Error;
+use crate::scene::{Item, Scene};
+use crate::solution::Interface;
+
+/// Layers in order, grouped by what is bonded to what.
+///
+/// Receding interfaces divide a stack into free *laminates* and the *base*; a receding interface lies between
+/// consecutive laminates, and between the last laminate and the base. Layers of thickness zero are not there.
+///
+/// ```
+/// use recede::{Exponential, HalfPlane, Homogeneous, Plane, Stack};
+/// let stack = Stack::builder(Plane::Strain)
+///     .layer(Homogeneous::new(1.0, 1.0, 0.25)?)
+///     .bonded()
+///     .layer(Exponential::new(1.0, 1.0, 0.25, -1.0)?)
+///     .receding()
+///     .layer(HalfPlane::new(1.0, 0.25)?)
+///     .build()?;
+/// assert_eq!(stack.laminates().len(), 1);
+/// assert_eq!(stack.laminates()[0].layers().len(), 2);
+/// assert_eq!(stack.total_thickness(), 2.0);
+/// let contacts: Vec<String> = stack.contacts().iter().map(ToString::to_string).collect();
+/// assert_eq!(contacts, ["punch", "2|3"]);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Stack {
+    plane: Plane,
+    laminates: Vec<Laminate>,
+    base: Base,
+    dropped: Vec<Placed>,
+}
+
+/// A layer and its number.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    /// Number from the top as written in the scene, starting at 1; layers of thickness zero count.
+    pub number: usize,
+    /// The layer.
+    pub layer: Arc<dyn Layer>,
+}
+
+impl Placed {
+    /// How the layer is called in messages, e.g. `layer 1 (Homogeneous)`.
+    pub fn name(&self) -> String {
+        format!("layer {} ({})", self.number, self.layer.notation().kind)
+    }
+
+    fn thickness(&self) -> f64 {
+        self.layer.thickness().unwrap_or(0.0)
+    }
+}
+
+/// A free group of at least one layer, bonded to each other.
+#[derive(Clone, Debug)]
+pub struct Laminate {
+    layers: Vec<Placed>,
+}
+
+impl Laminate {
+    /// The layers from the top down.
+    pub fn layers(&self) -> &[Placed] {
+        &self.layers
+    }
+
+    /// Thickness of the laminate, in length.
+    pub fn thickness(&self) -> f64 {
+        self.layers.iter().map(Placed::thickness).sum()
+    }
+}
+
+/// The foundation, and the layers bonded to it.
+#[derive(Clone, Debug)]
+pub struct Base {
+    layers: Vec<Placed>,
+    foundation: Foundation,
+}
+
+impl Base {
+    /// The layers bonded to the foundation from the top down, without the foundation itself.
+    pub fn layers(&self) -> &[Placed] {
+        &self.layers
+    }
+
+    /// What everything rests on.
+    pub fn foundation(&self) -> &Foundation {
+        &self.foundation
+    }
+
+    /// Number of the topmost layer of the base.
+    fn top_number(&self) -> usize {
+        self.layers.first().map_or(self.foundation.number(), |layer| layer.number)
+    }
+}
+
+/// What everything rests on.
+#[derive(Clone, Debug)]
+pub enum Foundation {
+    /// An elastic layer that fills everything below.
+    HalfPlane(Placed),
+    /// A rigid body.
+    Rigid {
+        /// Its number, counted with the layers.
+        number: usize,
+    },
+}
+
+impl Foundation {
+    /// The foundation's number, counted with the layers.
+    pub fn number(&self) -> usize {
+        match self {
+            Self::HalfPlane(placed) => placed.number,
+            Self::Rigid { number } => *number,
+        }
+    }
+}
+
+impl Stack {
+    /// Begins a stack, to be described from the top down.
+    pub fn builder(plane: Plane) -> StackBuilder {
+        StackBuilder::new(plane)
+    }
+
+    /// Builds a stack from items as they are written in a scene.
+    ///
+    /// # Errors
+    /// [`StackError`] if the items do not alternate between layers and interfaces, do not end in a base, or have a
+    /// base elsewhere; if nothing in the stack can deform.
+    pub fn from_items(plane: Plane, items: &[Item]) -> Result<Self, StackError> {
+        assemble::assemble(plane, items)
+    }
+
+    /// Plane strain or plane stress.
+    pub fn plane(&self) -> Plane {
+        self.plane
+    }
+
+    /// The free laminates from the top down; none if everything is bonded to the foundation.
+    pub fn laminates(&self) -> &[Laminate] {
+        &self.laminates
+    }
+
+    /// The base below the laminates.
+    pub fn base(&self) -> &Base {
+        &self.base
+    }
+
+    /// Layers left out because their thickness is zero.
+    pub fn dropped(&self) -> &[Placed] {
+        &self.dropped
+    }
+
+    /// The contacts from the top down: the punch, then every receding interface.
+    pub fn contacts(&self) -> Vec<Interface> {
+        let tops = self.laminates.iter().skip(1).filter_map(|below| below.layers.first()).map(|layer| layer.number);
+        let tops = tops.chain([self.base.top_number()]);
+        let bottoms = self.laminates.iter().filter_map(|above| above.layers.last()).map(|layer| layer.number);
+        let receding = bottoms.zip(tops).map(|(above, below)| Interface::Between { above, below });
+        [Interface::Punch].into_iter().chain(receding).collect()
+    }
+
+    /// Thickness of all layers without the half-plane, in length; 0 for a half-plane alone.
+    pub fn total_thickness(&self) -> f64 {
+        let base: f64 = self.base.layers.iter().map(Placed::thickness).sum();
+        base + self.laminates.iter().map(Laminate::thickness).sum::<f64>()
+    }
+}
+
+impl Scene {
+    /// The checked structure of the scene's stack.
+    ///
+    /// # Errors
+    /// As [`Stack::from_items`], with line and column if the scene was read from a text.
+    pub fn stack(&self) -> Result<Stack, Error> {
+        Stack::from_items(self.plane, &self.stack).map_err(|error| self.locate(error.into()))
+    }
+}

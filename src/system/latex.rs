@@ -1,0 +1,147 @@
+//! The block matrix in LaTeX: an array, or a list of equations where an array would be too wide.
+use std::fmt::Write;
+
+use super::text::MAX_COLUMNS;
+use super::{Block, BlockSystem, Condition, Face, Place, Row, Side};
+
+impl BlockSystem {
+    /// The block matrix in LaTeX, to stand in a document that uses `amsmath`.
+    ///
+    /// 𝐜ᵢ is the column of amplitudes of layer i, 𝐒ᵢ with t or b the row by which S at its top or bottom face follows
+    /// from them, and p̂ₖ the transformed pressure of contact k.
+    ///
+    /// ```
+    /// use recede::{BlockSystem, HalfPlane, Plane, Stack};
+    /// let stack = Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// assert!(BlockSystem::new(&stack).to_latex().contains(r"\mathbf{S}_{1}^{t}"));
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn to_latex(&self) -> String {
+        let mut out = String::new();
+        for column in self.columns() {
+            let (layer, amplitudes) = (column.layer(), column.amplitudes());
+            let (kind, number) = (layer.layer.notation().kind, layer.number);
+            let (first, last) = (amplitudes.start(), amplitudes.end());
+            line(&mut out, format_args!("% c_{number} = (C_{first}, ..., C_{last}): {kind}"));
+        }
+        if self.columns().len() > MAX_COLUMNS {
+            self.equations(&mut out);
+        } else {
+            self.array(&mut out);
+        }
+        out
+    }
+
+    fn array(&self, out: &mut String) {
+        let columns = self.columns();
+        line(out, r"\[");
+        line(out, format_args!(r"\begin{{array}}{{l|{}|l}}", "c".repeat(columns.len())));
+        let header: Vec<String> =
+            columns.iter().map(|column| format!(r"\mathbf{{c}}_{{{}}}", column.layer().number)).collect();
+        line(out, format_args!(r"  & {} & \\ \hline", header.join(" & ")));
+        for row in self.rows() {
+            let entry = |column| row.blocks.iter().find(|block| block.column == column);
+            let entries: Vec<String> =
+                (0..columns.len()).map(|column| entry(column).map_or(String::new(), signed)).collect();
+            line(out, format_args!(r"  {} & {} & {} \\", row.latex_name(), entries.join(" & "), row.latex_right()));
+        }
+        line(out, r"\end{array}");
+        line(out, r"\]");
+    }
+
+    fn equations(&self, out: &mut String) {
+        line(out, r"\begin{align*}");
+        for row in self.rows() {
+            let blocks: String = row
+                .blocks
+                .iter()
+                .map(|block| format!(r"{}\,\mathbf{{c}}_{{{}}}", signed(block), block.layer))
+                .collect();
+            line(out, format_args!(r"  & {}: && {blocks} {} \\", row.latex_name(), row.latex_right()));
+        }
+        line(out, r"\end{align*}");
+    }
+}
+
+fn line(out: &mut String, text: impl std::fmt::Display) {
+    // writing to a string does not fail
+    let _ = writeln!(out, "{text}");
+}
+
+fn signed(block: &Block) -> String {
+    let sign = if block.negative { '-' } else { '+' };
+    let face = match block.face {
+        Face::Top => 't',
+        Face::Bottom => 'b',
+    };
+    format!(r"{sign}\mathbf{{{}}}_{{{}}}^{{{face}}}", block.quantity, block.layer)
+}
+
+impl Row {
+    fn latex_name(&self) -> String {
+        let place = match self.place {
+            Place::Punch => r"\text{punch}".to_owned(),
+            Place::Between { above, below } => format!(r"{above}\,|\,{below}"),
+        };
+        let side = |side| match (self.place, side) {
+            (Place::Punch, _) => "",
+            (_, Side::Above) => r"\ \text{above}",
+            (_, Side::Below) => r"\ \text{below}",
+        };
+        match self.condition {
+            Condition::Continuous(quantity) => format!(r"{place}:\ {quantity}\ \text{{continuous}}"),
+            Condition::Zero(quantity, at) => format!(r"{place}:\ {quantity}{}", side(at)),
+            Condition::Pressed(at) => format!(r"{place}:\ S{}", side(at)),
+        }
+    }
+
+    fn latex_right(&self) -> String {
+        self.pressure.map_or("= 0".into(), |pressure| format!(r"= -\hat{{p}}_{{{}}}", pressure.contact))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, HalfPlane, Plane};
+
+    use super::*;
+    use crate::stack::Stack;
+
+    #[test]
+    fn a_graded_layer_on_a_half_plane() {
+        let stack = Stack::builder(Plane::Strain)
+            .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
+            .receding()
+            .layer(HalfPlane::new(1.0, 0.25).unwrap())
+            .build()
+            .unwrap();
+        insta::assert_snapshot!(BlockSystem::new(&stack).to_latex(), @r#"
+        % c_1 = (C_1, ..., C_4): Exponential
+        % c_2 = (C_5, ..., C_6): HalfPlane
+        \[
+        \begin{array}{l|cc|l}
+          & \mathbf{c}_{1} & \mathbf{c}_{2} & \\ \hline
+          \text{punch}:\ S & +\mathbf{S}_{1}^{t} &  & = -\hat{p}_{0} \\
+          \text{punch}:\ T & +\mathbf{T}_{1}^{t} &  & = 0 \\
+          1\,|\,2:\ S\ \text{above} & +\mathbf{S}_{1}^{b} &  & = -\hat{p}_{1} \\
+          1\,|\,2:\ T\ \text{above} & +\mathbf{T}_{1}^{b} &  & = 0 \\
+          1\,|\,2:\ S\ \text{below} &  & +\mathbf{S}_{2}^{t} & = -\hat{p}_{1} \\
+          1\,|\,2:\ T\ \text{below} &  & +\mathbf{T}_{2}^{t} & = 0 \\
+        \end{array}
+        \]
+        "#);
+    }
+
+    #[test]
+    fn many_layers_are_written_as_equations() {
+        let mut stack = Stack::builder(Plane::Strain);
+        for _ in 0..=MAX_COLUMNS {
+            stack = stack.layer(Exponential::new(1.0, 1.0, 0.25, 0.0).unwrap()).bonded();
+        }
+        let latex = BlockSystem::new(&stack.rigid().build().unwrap()).to_latex();
+        assert!(
+            latex.contains(r"+\mathbf{U}_{1}^{b}\,\mathbf{c}_{1}-\mathbf{U}_{2}^{t}\,\mathbf{c}_{2} = 0"),
+            "{latex}"
+        );
+    }
+}

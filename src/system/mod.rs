@@ -1,0 +1,21 @@
+//! The block system of a stack: which conditions its interfaces impose on which layers' amplitudes.
+//!
+//! A layer of finite thickness has four amplitudes, a half-plane two. Every interface contributes conditions, each of
+//! them a row that involves a face quantity of one or two neighbouring layers:
+//!
+//! | interface            | conditions                                        |
+//! |----------------------|---------------------------------------------------|
+//! | loaded top face      | S = −p, T = 0                                     |
+//! | bonded               | U, V, S, T continuous                             |
+//! | receding             | S = −p and T = 0, above and below                 |
+//! | bonded to rigid      | U = V = 0                                         |
+//! | receding on rigid    | S = −p, T = 0 above                               |
+//!
+//! Any legal stack gives as many conditions as amplitudes.
+mod block;
+mod evaluate;
+mod latex;
+mod text;
+
+pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+pub use evaluate::{BaseChain, Foundation, FreeChain};

@@ -1,0 +1,186 @@
+//! The block matrix as text: a table, or a list of conditions where a table would be too wide.
+use std::fmt;
+
+use comfy_table::{CellAlignment, Table, presets};
+
+use super::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+
+/// Most columns of a table.
+pub(super) const MAX_COLUMNS: usize = 12;
+
+impl fmt::Display for BlockSystem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (rows, unknowns) = (self.rows().len(), self.unknowns());
+        writeln!(f, "{rows} conditions for {unknowns} amplitudes")?;
+        if self.columns().len() > MAX_COLUMNS {
+            for row in self.rows() {
+                writeln!(f, "{row}")?;
+            }
+            return Ok(());
+        }
+        let mut table = Table::new();
+        table.load_style(presets::UTF8_FULL_CONDENSED);
+        let header = self.columns().iter().map(Column::to_string);
+        table.set_header([String::new()].into_iter().chain(header).chain([String::new()]));
+        for row in self.rows() {
+            let entry = |column| row.blocks.iter().find(|block| block.column == column);
+            let entries = (0..self.columns().len()).map(|column| entry(column).map_or(String::new(), entry_text));
+            table.add_row([row.name()].into_iter().chain(entries).chain([row.right_hand_side()]));
+        }
+        for column in table.column_iter_mut().skip(1) {
+            column.set_cell_alignment(CellAlignment::Center);
+        }
+        writeln!(f, "{table}")
+    }
+}
+
+/// A block within its column, e.g. `+S(bottom)`.
+fn entry_text(block: &Block) -> String {
+    let sign = if block.negative { '-' } else { '+' };
+    format!("{sign}{}({})", block.quantity, block.face)
+}
+
+impl fmt::Display for Column {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (layer, amplitudes) = (self.layer(), self.amplitudes());
+        let kind = layer.layer.notation().kind;
+        write!(f, "{} {kind}\nC{}..C{}", layer.number, amplitudes.start(), amplitudes.end())
+    }
+}
+
+impl Row {
+    /// Place and condition, e.g. `1|2 U continuous`.
+    pub fn name(&self) -> String {
+        match (self.place, self.condition) {
+            (Place::Punch, Condition::Zero(quantity, _)) => format!("punch {quantity}"),
+            (Place::Punch, Condition::Pressed(_)) => "punch S".into(),
+            (place, condition) => format!("{place} {condition}"),
+        }
+    }
+
+    fn right_hand_side(&self) -> String {
+        self.pressure.map_or("= 0".into(), |pressure| format!("= {pressure}"))
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.name())?;
+        for block in &self.blocks {
+            let sign = if block.negative { '-' } else { '+' };
+            write!(f, " {sign}{}({} of {})", block.quantity, block.face, block.layer)?;
+        }
+        write!(f, " {}", self.right_hand_side())
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Continuous(quantity) => write!(f, "{quantity} continuous"),
+            Self::Zero(quantity, side) => write!(f, "{quantity} {side}"),
+            Self::Pressed(side) => write!(f, "S {side}"),
+        }
+    }
+}
+
+impl fmt::Display for Pressure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "-p{}", self.contact)
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Punch => f.write_str("punch"),
+            Self::Between { above, below } => write!(f, "{above}|{below}"),
+        }
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::U => "U",
+            Self::V => "V",
+            Self::S => "S",
+            Self::T => "T",
+        })
+    }
+}
+
+impl fmt::Display for Face {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Top => "top",
+            Self::Bottom => "bottom",
+        })
+    }
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Above => "above",
+            Self::Below => "below",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+
+    use super::*;
+    use crate::stack::Stack;
+
+    #[test]
+    fn rows_are_named_by_condition_and_columns_by_layer() {
+        let stack = Stack::builder(Plane::Strain)
+            .layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap())
+            .bonded()
+            .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
+            .receding()
+            .layer(HalfPlane::new(1.0, 0.25).unwrap())
+            .build()
+            .unwrap();
+        insta::assert_snapshot!(BlockSystem::new(&stack), @r#"
+        10 conditions for 10 amplitudes
+        ┌──────────────────┬───────────────┬───────────────┬─────────────┬───────┐
+        │                  ┆ 1 Homogeneous ┆ 2 Exponential ┆ 3 HalfPlane ┆       │
+        │                  ┆     C1..C4    ┆     C5..C8    ┆   C9..C10   ┆       │
+        ╞══════════════════╪═══════════════╪═══════════════╪═════════════╪═══════╡
+        │ punch S          ┆    +S(top)    ┆               ┆             ┆ = -p0 │
+        │ punch T          ┆    +T(top)    ┆               ┆             ┆  = 0  │
+        │ 1|2 U continuous ┆   +U(bottom)  ┆    -U(top)    ┆             ┆  = 0  │
+        │ 1|2 V continuous ┆   +V(bottom)  ┆    -V(top)    ┆             ┆  = 0  │
+        │ 1|2 S continuous ┆   +S(bottom)  ┆    -S(top)    ┆             ┆  = 0  │
+        │ 1|2 T continuous ┆   +T(bottom)  ┆    -T(top)    ┆             ┆  = 0  │
+        │ 2|3 S above      ┆               ┆   +S(bottom)  ┆             ┆ = -p1 │
+        │ 2|3 T above      ┆               ┆   +T(bottom)  ┆             ┆  = 0  │
+        │ 2|3 S below      ┆               ┆               ┆   +S(top)   ┆ = -p1 │
+        │ 2|3 T below      ┆               ┆               ┆   +T(top)   ┆  = 0  │
+        └──────────────────┴───────────────┴───────────────┴─────────────┴───────┘
+        "#);
+    }
+
+    #[test]
+    fn a_rigid_base_holds_or_carries_the_lowest_layer() {
+        let strip = || Stack::builder(Plane::Strain).layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap());
+        let bonded = BlockSystem::new(&strip().bonded().rigid().build().unwrap());
+        assert_eq!(bonded.rows()[3].to_string(), "1|2 V above: +V(bottom of 1) = 0");
+        let receding = BlockSystem::new(&strip().receding().rigid().build().unwrap());
+        assert_eq!(receding.rows()[2].to_string(), "1|2 S above: +S(bottom of 1) = -p1");
+    }
+
+    #[test]
+    fn many_layers_are_listed() {
+        let mut stack = Stack::builder(Plane::Strain);
+        for _ in 0..=MAX_COLUMNS {
+            stack = stack.layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap()).bonded();
+        }
+        let text = BlockSystem::new(&stack.rigid().build().unwrap()).to_string();
+        assert!(text.contains("\n1|2 U continuous: +U(bottom of 1) -U(top of 2) = 0\n"), "{text}");
+    }
+}

@@ -1,0 +1,229 @@
+//! The command as scripts and people use it: what it prints where, and its exit status.
+mod support;
+
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+use support::{Run, recede};
+
+const PAPER: &str = "examples/scenes/strip_fgm_half_plane.ron";
+
+fn succeeds(arguments: &[&str]) -> String {
+    let Run { status, stdout, stderr } = recede(arguments, b"");
+    assert_eq!((status, &stderr[..]), (Some(0), ""), "{arguments:?}");
+    stdout
+}
+
+fn refused(arguments: &[&str]) -> String {
+    let Run { status, stdout, stderr } = recede(arguments, b"");
+    assert_eq!((status, &stdout[..]), (Some(2), ""), "{arguments:?}: {stderr}");
+    stderr
+}
+
+#[test]
+fn check_draws_the_stack() {
+    insta::assert_snapshot!(succeeds(&["check", PAPER]), @r#"
+                  ╲    Cylinder(radius: 500.0), force 0.002    ╱
+                   ╰──────────────────────────────────────────╯
+    ┌────────────────────────────────────────────────────────────────────────┐
+    │ 1 Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25)           │
+    ├──────────────────────────────── bonded ────────────────────────────────┤
+    │ 2 Exponential(thickness: 1, shear_modulus: 1, poisson: 0.25, beta: -1) │
+    └────────────────────────────────────────────────────────────────────────┘
+                                   receding 2|3
+    ┌────────────────────────────────────────────────────────────────────────┐
+    │ 3 HalfPlane(shear_modulus: 1, poisson: 0.25)                           │
+    │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
+    "#);
+    insta::assert_snapshot!(succeeds(&["check", "examples/scenes/table2_graded_half_plane.ron"]), @r#"
+                  ╲    Cylinder(radius: 500.0), force 0.01    ╱
+                   ╰─────────────────────────────────────────╯
+    ┌────────────────────────────────────────────────────────────────────────┐
+    │ 2 Exponential(thickness: 1, shear_modulus: 1, poisson: 0.25, beta: -1) │
+    └────────────────────────────────────────────────────────────────────────┘
+                                   receding 2|3
+    ┌────────────────────────────────────────────────────────────────────────┐
+    │ 3 HalfPlane(shear_modulus: 1, poisson: 0.25)                           │
+    │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
+    not there, because of thickness 0: layer 1 (Homogeneous)
+    "#);
+    insta::assert_snapshot!(succeeds(&["check", "examples/scenes/bonded_to_rigid.ron"]), @r#"
+               ╲    Cylinder(radius: 50.0), force 1.0    ╱
+                ╰───────────────────────────────────────╯
+    ┌───────────────────────────────────────────────────────────────┐
+    │ 1 Homogeneous(thickness: 2, shear_modulus: 0.8, poisson: 0.5) │
+    ├─────────────────────────── bonded ────────────────────────────┤
+    │ 2 Rigid                                                       │
+    │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
+    "#);
+    insta::assert_snapshot!(succeeds(&["check", "examples/scenes/strip_on_rigid.ron"]), @r#"
+             ╲    Cylinder(radius: 500.0), force 0.002    ╱
+              ╰──────────────────────────────────────────╯
+    ┌──────────────────────────────────────────────────────────────┐
+    │ 1 Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25) │
+    └──────────────────────────────────────────────────────────────┘
+                              receding 1|2
+    ┌──────────────────────────────────────────────────────────────┐
+    │ 2 Rigid                                                      │
+    │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
+    "#);
+}
+
+#[test]
+fn show_prints_the_block_matrix() {
+    insta::assert_snapshot!(succeeds(&["show", PAPER]), @r#"
+    10 conditions for 10 amplitudes
+    ┌──────────────────┬───────────────┬───────────────┬─────────────┬───────┐
+    │                  ┆ 1 Homogeneous ┆ 2 Exponential ┆ 3 HalfPlane ┆       │
+    │                  ┆     C1..C4    ┆     C5..C8    ┆   C9..C10   ┆       │
+    ╞══════════════════╪═══════════════╪═══════════════╪═════════════╪═══════╡
+    │ punch S          ┆    +S(top)    ┆               ┆             ┆ = -p0 │
+    │ punch T          ┆    +T(top)    ┆               ┆             ┆  = 0  │
+    │ 1|2 U continuous ┆   +U(bottom)  ┆    -U(top)    ┆             ┆  = 0  │
+    │ 1|2 V continuous ┆   +V(bottom)  ┆    -V(top)    ┆             ┆  = 0  │
+    │ 1|2 S continuous ┆   +S(bottom)  ┆    -S(top)    ┆             ┆  = 0  │
+    │ 1|2 T continuous ┆   +T(bottom)  ┆    -T(top)    ┆             ┆  = 0  │
+    │ 2|3 S above      ┆               ┆   +S(bottom)  ┆             ┆ = -p1 │
+    │ 2|3 T above      ┆               ┆   +T(bottom)  ┆             ┆  = 0  │
+    │ 2|3 S below      ┆               ┆               ┆   +S(top)   ┆ = -p1 │
+    │ 2|3 T below      ┆               ┆               ┆   +T(top)   ┆  = 0  │
+    └──────────────────┴───────────────┴───────────────┴─────────────┴───────┘
+    "#);
+    insta::assert_snapshot!(succeeds(&["show", "examples/scenes/table1_strip_half_plane.ron"]), @r#"
+    6 conditions for 6 amplitudes
+    ┌─────────────┬───────────────┬─────────────┬───────┐
+    │             ┆ 1 Homogeneous ┆ 3 HalfPlane ┆       │
+    │             ┆     C1..C4    ┆    C5..C6   ┆       │
+    ╞═════════════╪═══════════════╪═════════════╪═══════╡
+    │ punch S     ┆    +S(top)    ┆             ┆ = -p0 │
+    │ punch T     ┆    +T(top)    ┆             ┆  = 0  │
+    │ 1|3 S above ┆   +S(bottom)  ┆             ┆ = -p1 │
+    │ 1|3 T above ┆   +T(bottom)  ┆             ┆  = 0  │
+    │ 1|3 S below ┆               ┆   +S(top)   ┆ = -p1 │
+    │ 1|3 T below ┆               ┆   +T(top)   ┆  = 0  │
+    └─────────────┴───────────────┴─────────────┴───────┘
+    "#);
+    insta::assert_snapshot!(succeeds(&["show", "examples/scenes/strip_on_rigid.ron", "--latex"]), @r#"
+    % c_1 = (C_1, ..., C_4): Homogeneous
+    \[
+    \begin{array}{l|c|l}
+      & \mathbf{c}_{1} & \\ \hline
+      \text{punch}:\ S & +\mathbf{S}_{1}^{t} & = -\hat{p}_{0} \\
+      \text{punch}:\ T & +\mathbf{T}_{1}^{t} & = 0 \\
+      1\,|\,2:\ S\ \text{above} & +\mathbf{S}_{1}^{b} & = -\hat{p}_{1} \\
+      1\,|\,2:\ T\ \text{above} & +\mathbf{T}_{1}^{b} & = 0 \\
+    \end{array}
+    \]
+    "#);
+}
+
+#[test]
+fn json_has_the_pinned_keys_and_all_digits() {
+    let json: Value = serde_json::from_str(&succeeds(&["solve", PAPER, "--format", "json"])).unwrap();
+    assert_eq!(json["scene"], "strip_fgm_half_plane");
+    assert_eq!(json["contacts"][0]["interface"], "punch");
+    assert_eq!(json["contacts"][1]["interface"], "2|3");
+    for contact in json["contacts"].as_array().unwrap() {
+        for key in ["half_length", "half_length_error", "peak_pressure", "peak_pressure_error", "resultant"] {
+            assert!(contact[key].is_number(), "{key}");
+        }
+    }
+    for key in ["min_pressure", "min_gap", "modes", "wavenumbers", "newton_steps", "seconds"] {
+        assert!(json[key].is_number(), "{key}");
+    }
+    assert!(json["warnings"].is_array());
+}
+
+#[test]
+fn csv_has_one_line_for_each_contact_with_the_same_numbers_as_json() {
+    let csv = succeeds(&["solve", PAPER, "--format", "csv"]);
+    let json: Value = serde_json::from_str(&succeeds(&["solve", PAPER, "--format=json"])).unwrap();
+    let mut lines = csv.lines();
+    let keys: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(keys[..2], ["interface", "half_length"]);
+    for (line, contact) in lines.zip(json["contacts"].as_array().unwrap()) {
+        for (key, value) in keys.iter().zip(line.split(',')).skip(1) {
+            assert_eq!(value.parse::<f64>().unwrap(), contact[*key].as_f64().unwrap(), "{key}");
+        }
+    }
+    assert_eq!(csv.lines().count(), 3);
+}
+
+#[test]
+fn the_table_names_scene_units_and_contacts() {
+    let table = succeeds(&["solve", "examples/scenes/bonded_to_rigid.ron"]);
+    for part in ["rubber on steel\n", "force 1 N/mm", "half-length, mm", "N/mm²", " punch ", " ± ", "Newton steps"] {
+        assert!(table.contains(part), "{part}: {table}");
+    }
+    assert!(!table.contains('\u{1b}'), "colours belong on a terminal");
+}
+
+#[test]
+fn a_hyphen_reads_standard_input() {
+    let text = std::fs::read(PAPER).unwrap();
+    let run = recede(&["solve", "-", "--format", "json"], &text);
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    assert_eq!(serde_json::from_str::<Value>(&run.stdout).unwrap()["scene"], "stdin");
+}
+
+#[test]
+fn bad_arguments_are_bad_input() {
+    refused(&[]);
+    refused(&["dance", PAPER]);
+    refused(&["solve"]);
+    refused(&["solve", PAPER, "--format", "xml"]);
+    refused(&["solve", PAPER, "--method", "guess"]);
+    refused(&["solve", PAPER, "--tolerance", "small"]);
+    for tolerance in ["1e-14", "0.1", "0", "-1", "NaN", "inf"] {
+        let message = refused(&["solve", PAPER, &format!("--tolerance={tolerance}")]);
+        assert!(message.contains("allowed is 1e-13 <= tolerance <= 1e-2"), "{message}");
+    }
+}
+
+#[test]
+fn a_punch_too_small_for_its_force_is_named_with_its_place() {
+    let text = "Scene(\n    plane: Strain,\n    punch: Cylinder(radius: 1.0),\n    force: 100.0,\n    \
+                stack: [HalfPlane(shear_modulus: 1.0, poisson: 0.25)],\n)\n";
+    let run = recede(&["solve", "-"], text.as_bytes());
+    assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
+    assert!(
+        run.stderr.starts_with("error: stdin:3:12: the punch of radius 1.0 cannot carry the force"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn help_tells_examples_and_exit_statuses() {
+    let help = succeeds(&["--help"]);
+    assert!(help.contains("recede solve scene.ron") && help.contains("Exit status"), "{help}");
+    for command in ["solve", "check", "show"] {
+        assert!(succeeds(&[command, "--help"]).contains("SCENE.ron"));
+    }
+    assert!(succeeds(&["--version"]).starts_with("recede "));
+}
+
+#[test]
+fn a_reader_that_stops_early_is_no_error() {
+    // more text than a pipe holds
+    let strip = "Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Bonded,\n";
+    let text =
+        format!("(plane: Strain, punch: Parabola(radius: 1.0), force: 1.0, stack: [{} Rigid])", strip.repeat(5000));
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("many_layers.ron");
+    std::fs::write(&path, text).unwrap();
+    for arguments in [&["check"][..], &["show"], &["show", "--latex"]] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_recede"))
+            .args(arguments)
+            .arg(&path)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(output.stderr.is_empty());
+    }
+}

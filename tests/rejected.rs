@@ -1,0 +1,676 @@
+//! What is wrong with a scene is told by line and column, with what is allowed and what to do; exit status 2.
+mod support;
+
+use std::fmt::Write;
+
+use support::recede;
+
+const SCENE: &str = "\
+Scene(
+    plane: Strain,
+    punch: Cylinder(radius: 500.0),
+    force: 0.002,
+    stack: [
+        Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+        Bonded,
+        Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: -1.0),
+        Receding,
+        HalfPlane(shear_modulus: 4.0, poisson: 0.4),
+    ],
+)
+";
+
+/// What `recede check` says to a text that must be refused.
+fn refusal(text: impl AsRef<[u8]>) -> String {
+    let run = recede(&["check", "-"], text.as_ref());
+    assert_eq!(run.status, Some(2), "{}{}", run.stdout, run.stderr);
+    assert_eq!(run.stdout, "");
+    run.stderr
+}
+
+/// The scene above with `from` replaced by `to`.
+fn with(from: &str, to: &str) -> String {
+    assert_eq!(SCENE.matches(from).count(), 1, "{from}");
+    SCENE.replace(from, to)
+}
+
+/// What is said to each of these replacements.
+fn refusals(changes: &[(&str, &str)]) -> String {
+    let mut all = String::new();
+    for (from, to) in changes {
+        writeln!(all, "{}", refusal(with(from, to))).unwrap();
+    }
+    all
+}
+
+/// The stack in place of that of the scene above, one item a line, from line 6 on.
+fn stack(items: &[&str]) -> String {
+    let (start, end) = (SCENE.find("Homogeneous").unwrap(), SCENE.find("\n    ],").unwrap());
+    format!("{}{}{}", &SCENE[..start], items.join("\n        "), &SCENE[end..])
+}
+
+const STRIP: &str = "Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),";
+const NOTHING: &str = "Homogeneous(thickness: 0.0, shear_modulus: 1.0, poisson: 0.25),";
+const GROUND: &str = "HalfPlane(shear_modulus: 1.0, poisson: 0.25),";
+
+#[test]
+fn the_scene_itself_is_legal() {
+    assert_eq!(recede(&["check", "-"], SCENE.as_bytes()).status, Some(0));
+}
+
+#[test]
+fn numbers_out_of_range() {
+    insta::assert_snapshot!(refusals(&[
+        ("poisson: 0.25", "poisson: 0.7"),
+        ("poisson: 0.3", "poisson: -1"),
+        ("poisson: 0.4", "poisson: 0.5000000000000001"),
+        ("poisson: 0.4", "poisson: NaN"),
+        ("thickness: 1.0", "thickness: -1.0"),
+        ("thickness: 2.0", "thickness: inf"),
+        ("thickness: 2.0", "thickness: 1e999"),
+        ("shear_modulus: 4.0", "shear_modulus: 0"),
+        ("shear_modulus: 1.0", "shear_modulus: -2"),
+        ("beta: -1.0", "beta: -inf"),
+        ("beta: -1.0", "beta: 1e3"),
+        ("radius: 500.0", "radius: 0.0"),
+        ("radius: 500.0", "radius: NaN"),
+        ("force: 0.002", "force: -0.002"),
+        ("force: 0.002", "force: 0"),
+        ("force: 0.002", "force: 1e-400"),
+    ]), @r#"
+    error: stdin:6:66: `poisson` of layer 1 (Homogeneous): found 0.7, allowed is -1 < poisson <= 0.5
+      6 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.7),
+        |                                                                  ^
+
+    error: stdin:8:66: `poisson` of layer 2 (Exponential): found -1.0, allowed is -1 < poisson <= 0.5
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: -1, beta: -1.0),
+        |                                                                  ^
+
+    error: stdin:10:48: `poisson` of layer 3 (HalfPlane): found 0.5000000000000001, allowed is -1 < poisson <= 0.5
+      10 |         HalfPlane(shear_modulus: 4.0, poisson: 0.5000000000000001),
+         |                                                ^
+
+    error: stdin:10:48: `poisson` of layer 3 (HalfPlane): found NaN, allowed is -1 < poisson <= 0.5
+      10 |         HalfPlane(shear_modulus: 4.0, poisson: NaN),
+         |                                                ^
+
+    error: stdin:6:32: `thickness` of layer 1 (Homogeneous): found -1.0, allowed is a finite number >= 0 (0 means: not there)
+      6 |         Homogeneous(thickness: -1.0, shear_modulus: 1.0, poisson: 0.25),
+        |                                ^
+
+    error: stdin:8:32: `thickness` of layer 2 (Exponential): found inf, allowed is a finite number >= 0 (0 means: not there)
+      8 |         Exponential(thickness: inf, shear_modulus: 3.0, poisson: 0.3, beta: -1.0),
+        |                                ^
+
+    error: stdin:8:32: `thickness` of layer 2 (Exponential): found inf, allowed is a finite number >= 0 (0 means: not there)
+      8 |         Exponential(thickness: 1e999, shear_modulus: 3.0, poisson: 0.3, beta: -1.0),
+        |                                ^
+    hint: `1e999` is beyond the largest number, about 1.8e308
+
+    error: stdin:10:34: `shear_modulus` of layer 3 (HalfPlane): found 0.0, allowed is a finite number > 0
+      10 |         HalfPlane(shear_modulus: 0, poisson: 0.4),
+         |                                  ^
+
+    error: stdin:6:52: `shear_modulus` of layer 1 (Homogeneous): found -2.0, allowed is a finite number > 0
+      6 |         Homogeneous(thickness: 1.0, shear_modulus: -2, poisson: 0.25),
+        |                                                    ^
+
+    error: stdin:8:77: `beta` of layer 2 (Exponential): found -inf, allowed is a finite number
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: -inf),
+        |                                                                             ^
+
+    error: stdin:8:9: layer 2 (Exponential): beta * thickness is 2000; allowed is |beta * thickness| <= 100
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: 1e3),
+        |         ^
+
+    error: stdin:3:29: `radius` of the punch: found 0.0, allowed is a finite number > 0
+      3 |     punch: Cylinder(radius: 0.0),
+        |                             ^
+
+    error: stdin:3:29: `radius` of the punch: found NaN, allowed is a finite number > 0
+      3 |     punch: Cylinder(radius: NaN),
+        |                             ^
+
+    error: stdin:4:12: `force` of the scene: found -0.002, allowed is a finite number > 0
+      4 |     force: -0.002,
+        |            ^
+
+    error: stdin:4:12: `force` of the scene: found 0.0, allowed is a finite number > 0
+      4 |     force: 0,
+        |            ^
+
+    error: stdin:4:12: `force` of the scene: found 0.0, allowed is a finite number > 0
+      4 |     force: 1e-400,
+        |            ^
+    hint: `1e-400` is below the smallest number, about 5e-324
+    "#);
+}
+
+#[test]
+fn unknown_names() {
+    insta::assert_snapshot!(refusals(&[
+        ("Homogeneous(", "Homogenous("),
+        ("Receding", "Recede"),
+        ("HalfPlane(", "Sphere("),
+        ("thickness: 1.0", "tickness: 1.0"),
+        ("beta: -1.0", "beta: -1.0, gamma: 2.0"),
+        ("poisson: 0.4", "poisson: 0.4, thickness: 1.0"),
+        ("Cylinder(", "Cilinder("),
+        ("Cylinder(radius: 500.0)", "Cylinder(diameter: 500.0)"),
+        ("plane: Strain", "plane: strain"),
+        ("force: 0.002", "load: 0.002"),
+        ("force: 0.002", "force: 0.002, units: (lenght: \"mm\", force: \"N\")"),
+        ("Scene(", "Scenery("),
+    ]), @r#"
+    error: stdin:6:9: no layer or interface is called `Homogenous`; allowed are `Homogeneous`, `Exponential`, `HalfPlane`, `Bonded`, `Receding`, `Rigid`
+      6 |         Homogenous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+        |         ^
+    hint: did you mean `Homogeneous`?
+
+    error: stdin:9:9: no layer or interface is called `Recede`; allowed are `Homogeneous`, `Exponential`, `HalfPlane`, `Bonded`, `Receding`, `Rigid`
+      9 |         Recede,
+        |         ^
+    hint: did you mean `Receding`?
+
+    error: stdin:10:9: no layer or interface is called `Sphere`; allowed are `Homogeneous`, `Exponential`, `HalfPlane`, `Bonded`, `Receding`, `Rigid`
+      10 |         Sphere(shear_modulus: 4.0, poisson: 0.4),
+         |         ^
+
+    error: stdin:6:21: layer 1 (Homogeneous) has no field `tickness`; allowed are `thickness`, `shear_modulus`, `poisson`
+      6 |         Homogeneous(tickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+        |                     ^
+    hint: did you mean `thickness`?
+
+    error: stdin:8:83: layer 2 (Exponential) has no field `gamma`; allowed are `thickness`, `shear_modulus`, `poisson`, `beta`
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: -1.0, gamma: 2.0),
+        |                                                                                   ^
+
+    error: stdin:10:53: layer 3 (HalfPlane) has no field `thickness`; allowed are `shear_modulus`, `poisson`
+      10 |         HalfPlane(shear_modulus: 4.0, poisson: 0.4, thickness: 1.0),
+         |                                                     ^
+
+    error: stdin:3:12: the punch is `Cilinder`; allowed are `Cylinder`, `Parabola`
+      3 |     punch: Cilinder(radius: 500.0),
+        |            ^
+    hint: did you mean `Cylinder`?
+
+    error: stdin:3:21: the punch has no field `diameter`; allowed is `radius`
+      3 |     punch: Cylinder(diameter: 500.0),
+        |                     ^
+
+    error: stdin:2:12: `plane` of the scene is `strain`; allowed are `Strain`, `Stress`
+      2 |     plane: strain,
+        |            ^
+    hint: did you mean `Strain`?
+
+    error: stdin:4:5: the scene has no field `load`; allowed are `name`, `description`, `units`, `plane`, `punch`, `force`, `stack`
+      4 |     load: 0.002,
+        |     ^
+
+    error: stdin:4:27: `units` of the scene has no field `lenght`; allowed are `length`, `force`
+      4 |     force: 0.002, units: (lenght: "mm", force: "N"),
+        |                           ^
+    hint: did you mean `length`?
+
+    error: stdin:1:1: the scene begins with `Scene(`, found `Scenery`
+      1 | Scenery(
+        | ^
+    hint: did you mean `Scene`?
+    "#);
+}
+
+#[test]
+fn missing_and_repeated_fields() {
+    insta::assert_snapshot!(refusals(&[
+        ("    plane: Strain,\n", ""),
+        ("    force: 0.002,\n", ""),
+        ("thickness: 1.0, ", ""),
+        (", beta: -1.0", ""),
+        ("radius: 500.0", ""),
+        ("HalfPlane(shear_modulus: 4.0, poisson: 0.4)", "HalfPlane"),
+        ("HalfPlane(shear_modulus: 4.0, poisson: 0.4)", "HalfPlane()"),
+        ("force: 0.002", "force: 0.002, units: (length: \"mm\")"),
+        ("force: 0.002", "force: 0.002, force: 0.004"),
+        ("beta: -1.0", "beta: -1.0, beta: -2.0"),
+    ]), @r#"
+    error: stdin:1:1: `plane` is missing in the scene
+      1 | Scene(
+        | ^
+    hint: add `plane: ...` between its parentheses
+
+    error: stdin:1:1: `force` is missing in the scene
+      1 | Scene(
+        | ^
+    hint: add `force: ...` between its parentheses
+
+    error: stdin:6:9: `thickness` is missing in layer 1 (Homogeneous)
+      6 |         Homogeneous(shear_modulus: 1.0, poisson: 0.25),
+        |         ^
+    hint: add `thickness: ...` between its parentheses
+
+    error: stdin:8:9: `beta` is missing in layer 2 (Exponential)
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3),
+        |         ^
+    hint: add `beta: ...` between its parentheses
+
+    error: stdin:3:12: `radius` is missing in the punch
+      3 |     punch: Cylinder(),
+        |            ^
+    hint: add `radius: ...` between its parentheses
+
+    error: stdin:10:18: layer 3 (HalfPlane): `(` is expected, found `,`
+      10 |         HalfPlane,
+         |                  ^
+    hint: fields are written in parentheses: `name(field: value, ...)`
+
+    error: stdin:10:9: `shear_modulus` is missing in layer 3 (HalfPlane)
+      10 |         HalfPlane(),
+         |         ^
+    hint: add `shear_modulus: ...` between its parentheses
+
+    error: stdin:4:39: `force` is missing in `units` of the scene
+      4 |     force: 0.002, units: (length: "mm"),
+        |                                       ^
+    hint: add `force: ...` between its parentheses
+
+    error: stdin:4:19: the scene has `force` twice
+      4 |     force: 0.002, force: 0.004,
+        |                   ^
+    hint: remove one of them
+
+    error: stdin:8:83: layer 2 (Exponential) has `beta` twice
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: -1.0, beta: -2.0),
+        |                                                                                   ^
+    hint: remove one of them
+    "#);
+}
+
+#[test]
+fn wrong_types() {
+    insta::assert_snapshot!(refusals(&[
+        ("force: 0.002", "force: \"0.002\""),
+        ("force: 0.002", "force: 0.0.2"),
+        ("force: 0.002", "force: 2 N"),
+        ("thickness: 1.0", "thickness: thin"),
+        ("thickness: 1.0", "thickness: Some(1.0)"),
+        ("plane: Strain", "plane: \"Strain\""),
+        ("punch: Cylinder(radius: 500.0)", "punch: 500.0"),
+        ("punch: Cylinder(radius: 500.0)", "punch: Cylinder(500.0)"),
+        ("punch: Cylinder(radius: 500.0)", "punch: Cylinder"),
+        ("force: 0.002", "force: 0.002, name: 7"),
+        ("force: 0.002", "force: 0.002, name: scene"),
+        ("Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25)", "Homogeneous(1.0, 1.0, 0.25)"),
+        ("Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25)", "(thickness: 1.0)"),
+        ("Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25)", "1.0"),
+        ("Bonded", "Bonded(friction: 0.3)"),
+        ("Bonded", "\"Bonded\""),
+    ]), @r#"
+    error: stdin:4:12: `force` of the scene: a number is expected, found `"0.002"`
+      4 |     force: "0.002",
+        |            ^
+
+    error: stdin:4:12: `force` of the scene: a number is expected, found `0.0.2`
+      4 |     force: 0.0.2,
+        |            ^
+
+    error: stdin:4:14: a comma is missing before `N`
+      4 |     force: 2 N,
+        |              ^
+
+    error: stdin:6:32: `thickness` of layer 1 (Homogeneous): a number is expected, found `thin`
+      6 |         Homogeneous(thickness: thin, shear_modulus: 1.0, poisson: 0.25),
+        |                                ^
+
+    error: stdin:6:32: `thickness` of layer 1 (Homogeneous): a number is expected, found `Some`
+      6 |         Homogeneous(thickness: Some(1.0), shear_modulus: 1.0, poisson: 0.25),
+        |                                ^
+
+    error: stdin:2:12: `plane` of the scene: a name is expected, found `"Strain"`
+      2 |     plane: "Strain",
+        |            ^
+    hint: names are written without quotes, fields with their names: `field: value`
+
+    error: stdin:3:12: the punch: a name is expected, found `500.0`
+      3 |     punch: 500.0,
+        |            ^
+    hint: names are written without quotes, fields with their names: `field: value`
+
+    error: stdin:3:21: the punch: a name is expected, found `500.0`
+      3 |     punch: Cylinder(500.0),
+        |                     ^
+    hint: names are written without quotes, fields with their names: `field: value`
+
+    error: stdin:3:20: the punch: `(` is expected, found `,`
+      3 |     punch: Cylinder,
+        |                    ^
+    hint: fields are written in parentheses: `name(field: value, ...)`
+
+    error: stdin:4:25: `name` of the scene: a text in double quotes is expected, found `7`
+      4 |     force: 0.002, name: 7,
+        |                         ^
+
+    error: stdin:4:25: `name` of the scene: a text in double quotes is expected, found `scene`
+      4 |     force: 0.002, name: scene,
+        |                         ^
+
+    error: stdin:6:21: layer 1 (Homogeneous): a name is expected, found `1.0`
+      6 |         Homogeneous(1.0, 1.0, 0.25),
+        |                     ^
+    hint: names are written without quotes, fields with their names: `field: value`
+
+    error: stdin:6:9: a layer or an interface is expected, found `(`
+      6 |         (thickness: 1.0),
+        |         ^
+    hint: allowed are `Homogeneous`, `Exponential`, `HalfPlane`, `Bonded`, `Receding`, `Rigid`
+
+    error: stdin:6:9: a layer or an interface is expected, found `1.0`
+      6 |         1.0,
+        |         ^
+    hint: allowed are `Homogeneous`, `Exponential`, `HalfPlane`, `Bonded`, `Receding`, `Rigid`
+
+    error: stdin:7:15: `Bonded` has no fields, found `(`
+      7 |         Bonded(friction: 0.3),
+        |               ^
+    hint: write `Bonded` alone
+
+    error: stdin:7:9: a layer or an interface is expected, found `"Bonded"`
+      7 |         "Bonded",
+        |         ^
+    hint: allowed are `Homogeneous`, `Exponential`, `HalfPlane`, `Bonded`, `Receding`, `Rigid`
+    "#);
+    insta::assert_snapshot!(refusal("Scene(plane: Strain, punch: Parabola(radius: 1), force: 1, stack: Rigid)"), @r#"
+    error: stdin:1:67: the stack: a list in `[` and `]` is expected, found `Rigid`
+      1 | Scene(plane: Strain, punch: Parabola(radius: 1), force: 1, stack: Rigid)
+        |                                                                   ^
+    "#);
+    insta::assert_snapshot!(refusal("[1, 2, 3]"), @r#"
+    error: stdin:1:1: the scene: `(` is expected, found `[`
+      1 | [1, 2, 3]
+        | ^
+    hint: fields are written in parentheses: `name(field: value, ...)`
+    "#);
+    insta::assert_snapshot!(refusal("{\"plane\": \"Strain\"}"), @r#"
+    error: stdin:1:1: the scene: `(` is expected, found `{`
+      1 | {"plane": "Strain"}
+        | ^
+    hint: fields are written in parentheses: `name(field: value, ...)`
+    "#);
+}
+
+#[test]
+fn stacks_that_are_none() {
+    insta::assert_snapshot!(refusal(stack(&[])), @r#"
+    error: stdin:5:12: the stack is empty
+      5 |     stack: [
+        |            ^
+    hint: write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[STRIP, STRIP, "Bonded,", GROUND])), @r#"
+    error: stdin:7:9: no interface between layer 1 (Homogeneous) and layer 2 (Homogeneous)
+      7 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+        |         ^
+    hint: write `Bonded` or `Receding` between them
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", "// loose", STRIP, GROUND])), @r#"
+    error: stdin:10:9: no interface between layer 2 (Homogeneous) and layer 3 (HalfPlane)
+      10 |         HalfPlane(shear_modulus: 1.0, poisson: 0.25),
+         |         ^
+    hint: write `Bonded` or `Receding` between them
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", "Receding,", GROUND])), @r#"
+    error: stdin:8:9: two interfaces in a row: `Receding` follows `Bonded`
+      8 |         Receding,
+        |         ^
+    hint: remove one of them, or write the layer between them
+    "#);
+    insta::assert_snapshot!(refusal(stack(&["Bonded,", STRIP, "Bonded,", GROUND])), @r#"
+    error: stdin:6:9: the stack begins with the interface `Bonded`; allowed is a layer
+      6 |         Bonded,
+        |         ^
+    hint: the punch acts on the first layer without an interface
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", STRIP, "Receding,"])), @r#"
+    error: stdin:9:9: the stack ends with the interface `Receding`: nothing lies below it
+      9 |         Receding,
+        |         ^
+    hint: end the stack with `HalfPlane(...)` or `Rigid`
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", STRIP])), @r#"
+    error: stdin:8:9: the stack ends with layer 2 (Homogeneous), which is no base; allowed are `HalfPlane` and `Rigid`
+      8 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+        |         ^
+    hint: add an interface and `HalfPlane(...)` or `Rigid` below it
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[GROUND, "Bonded,", STRIP, "Bonded,", GROUND])), @r#"
+    error: stdin:6:9: layer 1 (HalfPlane) is not at the bottom of the stack
+      6 |         HalfPlane(shear_modulus: 1.0, poisson: 0.25),
+        |         ^
+    hint: end the stack here, or put a layer with a thickness in its place
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[STRIP, "Receding,", "Rigid,", "Receding,", GROUND])), @r#"
+    error: stdin:8:9: the rigid base is not at the bottom of the stack
+      8 |         Rigid,
+        |         ^
+    hint: end the stack here, or put a layer with a thickness in its place
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[GROUND, "Rigid,"])), @r#"
+    error: stdin:6:9: layer 1 (HalfPlane) is not at the bottom of the stack
+      6 |         HalfPlane(shear_modulus: 1.0, poisson: 0.25),
+        |         ^
+    hint: end the stack here, or put a layer with a thickness in its place
+    "#);
+    insta::assert_snapshot!(refusal(stack(&["Rigid,"])), @r#"
+    error: stdin:6:9: nothing can deform between the punch and the rigid base
+      6 |         Rigid,
+        |         ^
+    hint: write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`
+    "#);
+    insta::assert_snapshot!(refusal(stack(&[NOTHING, "Bonded,", NOTHING, "Receding,", "Rigid,"])), @r#"
+    error: stdin:10:9: nothing can deform between the punch and the rigid base
+      10 |         Rigid,
+         |         ^
+    hint: write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`
+    "#);
+    insta::assert_snapshot!(refusal(stack(&["Receding,"])), @r#"
+    error: stdin:6:9: the stack begins with the interface `Receding`; allowed is a layer
+      6 |         Receding,
+        |         ^
+    hint: the punch acts on the first layer without an interface
+    "#);
+    let thick = STRIP.replace("1.0, s", "1e308, s");
+    insta::assert_snapshot!(refusal(stack(&[&thick, "Bonded,", &thick, "Bonded,", "Rigid,"])), @r#"
+    error: stdin:5:12: the layers together are thicker than the largest number, about 1.8e308
+      5 |     stack: [
+        |            ^
+    "#);
+}
+
+#[test]
+fn punctuation() {
+    insta::assert_snapshot!(refusals(&[
+        ("force: 0.002,", "force: 0.002"),
+        ("force: 0.002", "force = 0.002"),
+        ("force: 0.002", "force: ,"),
+        ("Bonded,", "Bonded"),
+        ("Bonded,", "Bonded,,"),
+        ("poisson: 0.25)", "poisson: 0.25"),
+        ("poisson: 0.25)", "poisson: 0.25))"),
+        ("poisson: 0.25)", "poisson: 0.25]"),
+        ("poisson: 0.3,", "poisson: 0,3,"),
+        ("plane: Strain,", "/* plane: Strain,"),
+        ("plane: Strain,", "plane: Strain, name: \"open,"),
+        ("    ],\n)\n", "    ],\n))\n"),
+        ("Scene(", "#![enable(everything)]\nScene("),
+    ]), @r#"
+    error: stdin:5:5: a comma is missing before `stack`
+      5 |     stack: [
+        |     ^
+
+    error: stdin:4:11: a colon is missing before `=`
+      4 |     force = 0.002,
+        |           ^
+    hint: fields are written with their names, `field: value`; is a `)` missing before?
+
+    error: stdin:4:12: `force` of the scene: a number is expected, found `,`
+      4 |     force: ,,
+        |            ^
+
+    error: stdin:8:9: a comma is missing before `Exponential`
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: -1.0),
+        |         ^
+
+    error: stdin:7:16: `,` makes no sense here
+      7 |         Bonded,,
+        |                ^
+
+    error: stdin:7:15: a colon is missing before `,`
+      7 |         Bonded,
+        |               ^
+    hint: fields are written with their names, `field: value`; is a `)` missing before?
+
+    error: stdin:6:71: `)` makes no sense here
+      6 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25)),
+        |                                                                       ^
+    hint: is it one too many, or is another bracket not closed?
+
+    error: stdin:6:70: `]` makes no sense here
+      6 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25],
+        |                                                                      ^
+    hint: is it one too many, or is another bracket not closed?
+
+    error: stdin:8:68: the scene: a name is expected, found `3`
+      8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0,3, beta: -1.0),
+        |                                                                    ^
+    hint: names are written without quotes, fields with their names: `field: value`
+
+    error: stdin:13:1: the text ends too early
+      13 | 
+         | ^
+    hint: is a closing `)`, `]` or `"` missing?
+
+    error: stdin:2:27: a closing `"` is missing
+      2 |     plane: Strain, name: "open,
+        |                           ^
+
+    error: stdin:12:2: `)` follows the end of the scene
+      12 | ))
+         |  ^
+    hint: is there a `)` or `]` too many before it?
+
+    error: stdin:1:21: the scene: No RON extension named `everything`
+      1 | #![enable(everything)]
+        |                     ^
+    "#);
+}
+
+#[test]
+fn texts_cut_off_anywhere() {
+    for end in 0..SCENE.trim_end().len() {
+        let text = refusal(&SCENE[..end]);
+        assert!(text.starts_with("error: stdin:"), "{text}");
+    }
+    insta::assert_snapshot!(refusal(&SCENE[..SCENE.find("0.25").unwrap() + 3]), @r#"
+    error: stdin:6:69: the text ends too early
+      6 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.2
+        |                                                                     ^
+    hint: is a closing `)`, `]` or `"` missing?
+    "#);
+}
+
+#[test]
+fn what_is_no_text() {
+    insta::assert_snapshot!(refusal(""), @r#"
+    error: stdin: the text is empty
+    hint: a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`
+    "#);
+    insta::assert_snapshot!(refusal(" \n\t\r\n"), @r#"
+    error: stdin: the text is empty
+    hint: a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`
+    "#);
+    insta::assert_snapshot!(refusal("// only a comment\n"), @r#"
+    error: stdin:2:1: the text ends too early
+      2 | 
+        | ^
+    hint: is a closing `)`, `]` or `"` missing?
+    "#);
+    insta::assert_snapshot!(refusal(b"\x7fELF\x02\x01\x01\0\0\0"), @r#"
+    error: stdin:1:1: the scene: `(` is expected, found `�ELF������`
+      1 |  ELF      
+        | ^
+    hint: fields are written in parentheses: `name(field: value, ...)`
+    "#);
+    insta::assert_snapshot!(refusal(b"Scene(\n    name: \"\xff\xfe\""), @r#"
+    error: stdin:2:12: the byte 0xFF is no UTF-8 text
+      2 |     name: "
+        |            ^
+    hint: a scene is a text file in UTF-8
+    "#);
+    insta::assert_snapshot!(refusal("\u{1b}[31mScene("), @r#"
+    error: stdin:1:1: the scene: `(` is expected, found `�`
+      1 |  [31mScene(
+        | ^
+    hint: fields are written in parentheses: `name(field: value, ...)`
+    "#);
+    insta::assert_snapshot!(refusal(vec![b' '; (1 << 20) + 1]), @r#"
+    error: stdin: the text is larger than 1048576 bytes, the most that is read
+    hint: is this a scene file?
+    "#);
+}
+
+#[test]
+fn endless_nesting_and_endless_stacks() {
+    for bracket in ["[", "(", "{", "Some(", "Cylinder(radius: ", "a(", "/*", "#![", "((((,"] {
+        let nested = bracket.repeat((1 << 20) / bracket.len() - 100);
+        refusal(&nested);
+        for (from, to) in [("0.002", nested.as_str()), ("Cylinder(", &nested), ("Bonded", &nested), ("4.0", &nested)] {
+            refusal(with(from, to));
+        }
+    }
+    insta::assert_snapshot!(refusal(with("Bonded", &"[".repeat(1000))), @r#"
+    error: stdin:7:72: brackets are nested too deeply
+      7 | [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[
+        |                                                   ^
+    hint: a scene needs no more than four levels of brackets
+    "#);
+    insta::assert_snapshot!(refusal(stack(&["Rigid,".repeat(100_001).as_str()])), @r#"
+    error: stdin:5:12: the stack has 100001 items; allowed are at most 100000
+      5 |     stack: [
+        |            ^
+    "#);
+}
+
+#[test]
+fn files_that_cannot_be_read() {
+    let run = recede(&["solve", "no/such/scene.ron"], b"");
+    assert_eq!(run.status, Some(2));
+    assert!(run.stderr.starts_with("error: no/such/scene.ron: cannot be read: "), "{}", run.stderr);
+    let run = recede(&["check", "examples"], b"");
+    assert_eq!(run.status, Some(2));
+    assert!(run.stderr.starts_with("error: examples: cannot be read: "), "{}", run.stderr);
+}
+
+#[test]
+fn what_may_be_written_in_a_scene() {
+    for (from, to) in [
+        ("poisson: 0.25", "poisson: 0.5"),
+        ("poisson: 0.25", "poisson: -0.9999999999999999"),
+        ("thickness: 1.0", "thickness: 0"),
+        ("thickness: 1.0", "thickness: 1"),
+        ("thickness: 1.0", "thickness: 1e-300"),
+        ("beta: -1.0", "beta: 0"),
+        ("beta: -1.0", "beta: 1e-300"),
+        ("beta: -1.0)", "beta: -1.0,)"),
+        ("Bonded,", "// glued\n Bonded /* always */ , // really"),
+        ("Cylinder(radius: 500.0)", "/* a roller */ Parabola( radius : 5e2 , )"),
+        ("Scene(", "("),
+        ("Scene(", "\u{feff}// with a mark\r\nScene("),
+        (
+            "force: 0.002",
+            "force: 0.002, name: \"µ\", description: \"two\nlines\", units: (length: \"mm\", force: \"N\")",
+        ),
+        ("force: 0.002", "force: 0.002, name: Some(\"a\")"),
+    ] {
+        let run = recede(&["check", "-"], with(from, to).as_bytes());
+        assert_eq!(run.status, Some(0), "{to}: {}", run.stderr);
+    }
+}
