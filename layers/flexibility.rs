@@ -24,6 +24,13 @@ pub struct Flexibility {
 }
 
 impl Flexibility {
+    /// λμ₀C_tb from both load cases: the stiffer face hardly moves under a load on the softer one, so it is the softer
+    /// face whose displacement tells. Arguments: V of the top face under a load on the top and on the bottom face, then
+    /// V of the bottom face likewise.
+    pub fn coupling(top_by_top: f64, top_by_bottom: f64, bottom_by_top: f64, bottom_by_bottom: f64) -> f64 {
+        if bottom_by_bottom.abs() > top_by_top.abs() { -bottom_by_top } else { top_by_bottom }
+    }
+
     /// The flexibility that follows from the states at a layer's faces; `None` for a half-plane, which has one face
     /// only, or if the layer's amplitudes do not determine its state.
     pub fn of_face_states(states: &FaceStates) -> Option<Self> {
@@ -40,7 +47,7 @@ impl Flexibility {
         let at = |face: &Matrix4<f64>, case: usize| (face.row(1) * amplitudes.column(case))[0];
         Some(Self {
             top: at(top, 0),
-            coupling: at(top, 1),
+            coupling: Self::coupling(at(top, 0), at(top, 1), at(bottom, 0), at(bottom, 1)),
             bottom: at(bottom, 1),
             equal_top: at(top, 2) + at_top[1],
             equal_bottom: at(bottom, 2) + at_bottom[1],

@@ -16,8 +16,11 @@ mod system;
 
 pub use error::{Error, NoSolution};
 pub use model::{Model, Options, solve};
-pub use recede_layers::{Exponential, HalfPlane, Homogeneous, Layer, LayerError, Plane, Registry};
+pub use recede_layers::{
+    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Layer, LayerError, Plane, Registry, Wave,
+};
 pub use scene::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units};
 pub use solution::{Contact, Interface, Solution};
 pub use stack::{Base, Foundation, Laminate, Placed, Stack, StackBuilder, StackError, StackProblem};
+pub use system::{BaseChain, FreeChain};
 pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

@@ -90,10 +90,10 @@ pub fn explain(failure: &Failure) {
             text += &format!("  {line}\n");
         }
     }
-    if let Failure::Scene(error) = failure {
-        if let Some(hint) = error.hint() {
-            text += &format!("{HINT}hint{HINT:#}: {hint}\n");
-        }
+    if let Failure::Scene(error) = failure
+        && let Some(hint) = error.hint()
+    {
+        text += &format!("{HINT}hint{HINT:#}: {hint}\n");
     }
     tell(&text);
 }

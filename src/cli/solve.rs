@@ -49,7 +49,7 @@ impl Solve {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
         let Method::Galerkin = self.method;
-        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let options = Options { tolerance: self.tolerance };
         let start = Instant::now();
         let solution = Model::new(scene.stack()?)
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options))

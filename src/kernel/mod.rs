@@ -10,8 +10,8 @@ use std::sync::Arc;
 use recede_layers::{Flexibility, Layer, Plane, Wave};
 
 use crate::Error;
-use crate::stack::{self, Stack};
-use crate::system::{BaseChain, Foundation, FreeChain};
+use crate::stack::{Foundation, Stack};
+use crate::system::{BaseChain, FreeChain};
 
 pub(crate) use far::Far;
 pub(crate) use panel::Panel;
@@ -49,21 +49,14 @@ struct Chains {
 
 impl Chains {
     fn new(stack: &Stack) -> Self {
-        let layers = |placed: &[stack::Placed]| -> Vec<Arc<dyn Layer>> {
-            placed.iter().map(|placed| placed.layer.clone()).collect()
-        };
         let plane = stack.plane();
         let laminates: Vec<FreeChain> =
-            stack.laminates().iter().map(|laminate| FreeChain::new(layers(laminate.layers()), plane)).collect();
-        let foundation = match stack.base().foundation() {
-            stack::Foundation::HalfPlane(placed) => Foundation::HalfPlane(placed.layer.clone()),
-            stack::Foundation::Rigid { .. } => Foundation::Rigid,
-        };
-        let base = BaseChain::new(layers(stack.base().layers()), foundation);
+            stack.laminates().iter().map(|laminate| FreeChain::new(laminate, plane)).collect();
+        let base = BaseChain::new(stack.base());
         let top = laminates.first().map_or(base.layers(), FreeChain::layers).first();
         let top = top.or(match base.foundation() {
-            Foundation::HalfPlane(layer) => Some(layer),
-            Foundation::Rigid => None,
+            Foundation::HalfPlane(placed) => Some(&placed.layer),
+            Foundation::Rigid { .. } => None,
         });
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
         let total = stack.total_thickness();

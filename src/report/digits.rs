@@ -24,6 +24,11 @@ pub(super) fn plain(value: f64) -> String {
     }
 }
 
+/// A value to twelve digits: what differs from round numbers by rounding only looks round.
+pub(super) fn rounded(value: f64) -> String {
+    format!("{value:.11e}").parse().map_or_else(|_| plain(value), plain)
+}
+
 /// `digits` after the first one.
 fn fixed_or_scientific(value: f64, first: i32, digits: usize) -> String {
     let decimals = digits as i32 - first;
@@ -65,5 +70,7 @@ mod tests {
         assert_eq!(plain(1e-9), "1e-9");
         assert_eq!(plain(-2.5e300), "-2.5e300");
         assert_eq!(plain(0.0), "0");
+        assert_eq!(rounded(0.0019999999999999996), "0.002");
+        assert_eq!(rounded(f64::INFINITY), "inf");
     }
 }

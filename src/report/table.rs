@@ -1,10 +1,13 @@
 //! A table to be read.
 use std::io;
 
-use comfy_table::{Table, presets};
+use comfy_table::{LineStyle, Table, TableStyle};
 
 use super::Report;
-use super::digits::{plain, with_error};
+use super::digits::{plain, rounded, with_error};
+
+const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
+const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, seconds } = report;
@@ -23,7 +26,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     writeln!(out, "{punch} of radius {radius}{length}, force {force}{line_load}",)?;
 
     let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY);
+    table.load_style(RULES);
     table.set_header([
         "contact".to_owned(),
         header("half-length", length.clone()),
@@ -35,7 +38,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
             contact.interface.to_string(),
             with_error(contact.half_length, contact.half_length_error),
             with_error(contact.peak_pressure, contact.peak_pressure_error),
-            plain(contact.resultant),
+            rounded(contact.resultant),
         ]);
     }
     writeln!(out, "{table}")?;

@@ -16,7 +16,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
 use super::origin::{Origin, Places};
-use super::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units, quoted_list};
+use super::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
 use crate::error::Error;
 
 /// The scene with punch and stack still unread.
@@ -118,7 +118,7 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    fn error(&self, origin: &Origin, error: ReadError) -> SceneError {
+    fn error(&self, origin: &Origin, error: ReadError) -> Error {
         let subject = Subject { owner: &self.owner, field: error.field.as_deref() };
         let span = &error.cause.span;
         let at = match place(&error.cause.code, &subject) {
@@ -127,7 +127,7 @@ impl Part<'_> {
             At::Owner => self.name_at,
         };
         let (message, hint) = explain(&error.cause.code, &subject, &origin.text[at..]);
-        origin.error(Some(at), message, hint).because(error)
+        origin.error(Some(at), message, hint).because(error).into()
     }
 }
 
@@ -139,11 +139,11 @@ fn offset_of(text: &str, position: Position) -> usize {
 }
 
 /// Reads the text of `origin`, whose places are not yet known.
-fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), SceneError> {
+fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), Error> {
     let text = &origin.text[..];
     if text.trim().is_empty() {
         let hint = "a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`";
-        return Err(origin.error(None, "the text is empty".into(), Some(hint.into())));
+        return Err(origin.error(None, "the text is empty".into(), Some(hint.into())).into());
     }
     let start = text.len() - without_comments(text).len();
     let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
@@ -157,7 +157,7 @@ fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), SceneE
     let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
     if items.len() > MAX_ITEMS {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
-        return Err(origin.error(Some(list.name_at), message, None));
+        return Err(origin.error(Some(list.name_at), message, None).into());
     }
     let items: Vec<Part> = items.into_iter().map(|item| part(text, item.get_ron())).collect();
     let places =
@@ -208,11 +208,13 @@ fn without_comments(text: &str) -> &str {
 }
 
 /// Reads the item that is, or would be, layer `number`.
-fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, SceneError> {
+fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, Error> {
     let names = || Item::names(registry);
     let Some((name, fields)) = name_and_rest(item.text) else {
         let message = format!("a layer or an interface is expected, found {}", token(&origin.text[item.name_at..]));
-        return Err(origin.error(Some(item.name_at), message, Some(format!("allowed are {}", quoted_list(&names())))));
+        return Err(origin
+            .error(Some(item.name_at), message, Some(format!("allowed are {}", quoted_list(&names()))))
+            .into());
     };
     if let Some(plain) = Item::plain(name) {
         let fields = without_comments(fields);
@@ -221,11 +223,11 @@ fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) ->
         }
         let at = item.offset + item.text.len() - fields.len();
         let message = format!("`{name}` has no fields, found {}", token(fields));
-        return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))));
+        return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))).into());
     }
     let Some(entry) = registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
-        return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())));
+        return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())).into());
     };
     let offset = item.offset + item.text.len() - fields.len();
     let fields = Part { text: fields, offset, name_at: item.name_at, owner: format!("layer {number} ({name})") };

@@ -6,19 +6,12 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, RowVector2, Vector2};
-use recede_layers::{FaceStates, Flexibility, Layer, State, Wave, solve_equilibrated};
+use recede_layers::{FaceStates, Flexibility, Layer, Plane, State, Wave, solve_equilibrated};
+
+use crate::stack::{Base, Foundation, Laminate, Placed};
 
 /// Fields decay like e^(−λd): beyond this λd nothing is felt, since even squared it is below rounding.
 const FELT: f64 = 40.0;
-
-/// What the lowest layer of a base is bonded to.
-#[derive(Clone, Debug)]
-pub enum Foundation {
-    /// A layer that fills everything below.
-    HalfPlane(Arc<dyn Layer>),
-    /// A rigid body: U = V = 0.
-    Rigid,
-}
 
 /// Layers bonded to each other, top down, with shear-free faces above and below.
 #[derive(Clone, Debug)]
@@ -37,8 +30,9 @@ pub struct BaseChain {
 }
 
 impl FreeChain {
-    /// The chain of a laminate; `plane` and the layers' stiffness decide where elimination from both faces meets.
-    pub fn new(layers: Vec<Arc<dyn Layer>>, plane: recede_layers::Plane) -> Self {
+    /// The chain of a laminate; the layers' stiffness decides where elimination from both faces meets.
+    pub fn new(laminate: &Laminate, plane: Plane) -> Self {
+        let layers = shared(laminate.layers());
         // three points tell where a layer is stiff, also if it is graded
         let mut depth = 0.0;
         let (mut stiffness, mut moment) = (0.0, 0.0);
@@ -87,15 +81,15 @@ impl FreeChain {
 
 impl BaseChain {
     /// The chain of a base.
-    pub fn new(layers: Vec<Arc<dyn Layer>>, foundation: Foundation) -> Self {
-        Self { layers, foundation }
+    pub fn new(base: &Base) -> Self {
+        Self { layers: shared(base.layers()), foundation: base.foundation().clone() }
     }
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` as for a laminate.
     pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
         let felt = felt(self.layers.iter(), wave);
         let mut flexibility = match &self.foundation {
-            Foundation::HalfPlane(layer) if felt == self.layers.len() => match layer.face_states(wave) {
+            Foundation::HalfPlane(placed) if felt == self.layers.len() => match placed.layer.face_states(wave) {
                 FaceStates::HalfPlane { top } => {
                     let stress: Matrix2<f64> = top.fixed_rows::<2>(2).into_owned();
                     top.fixed_rows::<2>(0) * solve_equilibrated(stress, Matrix2::identity())?
@@ -126,6 +120,10 @@ impl BaseChain {
     pub fn foundation(&self) -> &Foundation {
         &self.foundation
     }
+}
+
+fn shared(placed: &[Placed]) -> Vec<Arc<dyn Layer>> {
+    placed.iter().map(|placed| placed.layer.clone()).collect()
 }
 
 /// How many of the layers, counted from a face, the face can feel.
@@ -170,10 +168,11 @@ fn flexibility(layers: &[Arc<dyn Layer>], meeting: usize, wave: &Wave) -> Option
     let w = solve_equilibrated(above.stiffness - below.stiffness, loads)?;
     let top = above.face * w;
     let bottom = below.face * w;
+    let (top_by_top, bottom_by_bottom) = (top[0] + above.face_by_load, bottom[1] + below.face_by_load);
     Some(Flexibility {
-        top: top[0] + above.face_by_load,
-        coupling: top[1],
-        bottom: bottom[1] + below.face_by_load,
+        top: top_by_top,
+        coupling: Flexibility::coupling(top_by_top, top[1], bottom[0], bottom_by_bottom),
+        bottom: bottom_by_bottom,
         equal_top: top[2] + above.face_by_equal,
         equal_bottom: bottom[2] + below.face_by_equal,
     })

@@ -18,4 +18,4 @@ mod latex;
 mod text;
 
 pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
-pub use evaluate::{BaseChain, Foundation, FreeChain};
+pub use evaluate::{BaseChain, FreeChain};
