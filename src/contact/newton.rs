@@ -65,24 +65,29 @@ pub(crate) fn press(
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
     let starts = start::half_lengths(kernel, &indentation)?;
     let mut steps = 0;
-    let mut first_failure = None;
+    let mut failure: Option<NoSolution> = None;
     for factor in STARTS {
         let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
-        let found = refine(kernel, &indentation, half_lengths, options, &mut steps).and_then(|(level, warnings)| {
+        let found = refine(kernel, interfaces, &indentation, half_lengths, options, &mut steps).and_then(|(level, warnings)| {
             let check = admissible::check(kernel, interfaces, &indentation, &level)?;
             Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
         });
         match found {
-            Err(Error::NoSolution(failure)) if kernel.contacts() > 1 => first_failure.get_or_insert(failure),
+            // a root that is not admissible says more than none
+            Err(Error::NoSolution(found)) if kernel.contacts() > 1 => match failure {
+                Some(NoSolution::NotConverged { .. }) | None => failure = Some(found),
+                Some(_) => {}
+            },
             decided => return decided,
-        };
+        }
     }
-    Err(Error::NoSolution(first_failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts })))
+    Err(Error::NoSolution(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts })))
 }
 
 /// Solves with more and more modes until the tolerance is met.
 fn refine(
     kernel: &Kernel,
+    interfaces: &[Interface],
     punch: &Indentation,
     mut half_lengths: Vec<f64>,
     options: &Options,
@@ -90,15 +95,18 @@ fn refine(
 ) -> Result<(Level, Vec<String>), Error> {
     let mut modes = coarsest(kernel, &half_lengths)?;
     let mut warnings = Vec::new();
+    let mut slow = 0;
     half_lengths = converge(kernel, punch, half_lengths, &modes, &modes, 1e-3, steps)?.0;
     loop {
         let iterated: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
         let (found, galerkin, shift, missing) = converge(kernel, punch, half_lengths, &modes, &iterated, 1e-7, steps)?;
         let level = Level::new(found, &modes, galerkin, &shift, missing);
-        let worst = level.errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error));
-        if std::env::var("RECEDE_TRACE").is_ok() {
-            eprintln!("{modes:?} {:?} {:?} steps {steps}", level.half_lengths, level.errors);
+        admissible::pushes(kernel, interfaces, &level, ROUGHLY)?;
+        slow = if missing > 0.0 { slow + 1 } else { 0 };
+        if slow > 2 {
+            return Err(not_converged(kernel, punch, &level.half_lengths));
         }
+        let worst = level.errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error));
         if worst <= options.tolerance {
             return Ok((level, warnings));
         }
@@ -204,9 +212,6 @@ fn converge(
     enough: f64,
     steps: &mut usize,
 ) -> Result<(Vec<f64>, Galerkin, Vec<f64>, f64), Error> {
-    let failed = |at: &[f64]| -> Error {
-        NoSolution::NotConverged { half_lengths: at.iter().map(|a| a * kernel.length()).collect() }.into()
-    };
     let orders: Vec<usize> = iterated.iter().map(|modes| 2 * modes).collect();
     let start = half_lengths.clone();
     let mut layout: Option<(Layout, Vec<f64>)> = None;
@@ -263,7 +268,15 @@ fn converge(
             break;
         }
     }
-    Err(failed(&half_lengths))
+    Err(not_converged(kernel, punch, &half_lengths))
+}
+
+/// The error of a lost Newton iteration: at the edge of the punch, the punch is to blame.
+fn not_converged(kernel: &Kernel, punch: &Indentation, half_lengths: &[f64]) -> Error {
+    if let Some(error) = punch.too_small(half_lengths[0]) {
+        return error;
+    }
+    NoSolution::NotConverged { half_lengths: half_lengths.iter().map(|a| a * kernel.length()).collect() }.into()
 }
 
 impl Level {
@@ -277,7 +290,7 @@ impl Level {
             };
             let (solved, all) = (modes[i], y.len());
             let falls = size((solved + all) / 2..all) / size(solved..all).max(f64::MIN_POSITIVE);
-            let length = shift[i].abs() * falls + missing + ROUNDING;
+            let length = shift[i].abs() * falls * falls + missing + ROUNDING;
             let fewer = peak(&y[..(3 * all).div_ceil(4)]);
             errors.push([length, (fewer / peak(y) - 1.0).abs() + 3.0 * length]);
             tails.push(size(solved..all) / peak(y));

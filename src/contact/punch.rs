@@ -1,7 +1,12 @@
 //! The punch as the contact equations see it: tests of its slope, per unit of P'.
+use crate::error::{Error, NoSolution};
 use crate::scene::Punch;
 
 use super::galerkin::Slopes;
+
+/// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
+/// circle is infinite.
+const NEARLY: f64 = 0.999;
 
 /// A punch pressed with a force, in the units of the kernel.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +26,15 @@ impl<'a> Indentation<'a> {
     /// Half-length at which the punch ends, in units of L.
     pub(super) fn max_half_length(&self) -> Option<f64> {
         self.punch.max_half_length().map(|limit| limit / self.length)
+    }
+
+    /// The error to report if a contact has grown to `half_length` and that is the edge of the punch.
+    pub(super) fn too_small(&self, half_length: f64) -> Option<Error> {
+        let limit = self.max_half_length()?;
+        (half_length > NEARLY * limit).then(|| {
+            let reason = "the contact would reach the edge of the circle";
+            NoSolution::PunchTooSmall { radius: self.punch.radius(), reason: reason.to_owned() }.into()
+        })
     }
 
     /// Height above the tip at x (both in units of L), per unit of P'.

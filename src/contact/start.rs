@@ -17,13 +17,16 @@ pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f
     // punch: Hertz, on the compliance that the whole stack has for waves as long as the contact
     let (mut low, mut high): (f64, f64) = (1e-12, 1e6);
     if let Some(limit) = punch.max_half_length() {
-        high = limit * (1.0 - 1e-6);
+        high = limit;
         low = low.min(0.5 * high);
     }
-    while high / low > 1.01 {
+    while high / low > 1.0 + 1e-4 {
         let a = (low * high).sqrt();
         let compliance = compliances(kernel, TYPICAL / a)?[0];
         if punch.first_row(a) < compliance / a { low = a } else { high = a }
+    }
+    if let Some(error) = punch.too_small(low) {
+        return Err(error);
     }
     let mut half_lengths = vec![(low * high).sqrt()];
     for (laminate, (thickness, rigidity)) in kernel.laminates()?.into_iter().enumerate() {
