@@ -2,7 +2,9 @@
 use nalgebra::Matrix4x2;
 use serde::Deserialize;
 
-use crate::{FaceStates, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, Wave, homogeneous};
+use crate::{
+    FaceStates, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, Wave, homogeneous,
+};
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
 ///

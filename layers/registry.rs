@@ -82,11 +82,10 @@ pub struct ReadError {
 /// # Errors
 /// [`ReadError`] if the text is no RON, or not that of a `T`.
 pub fn read_ron<'de, T: Deserialize<'de>>(text: &'de str) -> Result<T, ReadError> {
-    let options = ron::Options::default()
-        .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
+    let options =
+        ron::Options::default().with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
     let failed = |field, cause| ReadError { field, cause: Box::new(cause) };
-    let mut reader =
-        ron::Deserializer::from_str_with_options(text, &options).map_err(|cause| failed(None, cause))?;
+    let mut reader = ron::Deserializer::from_str_with_options(text, &options).map_err(|cause| failed(None, cause))?;
     let mut track = Track::new();
     let read = T::deserialize(Deserializer::new(&mut reader, &mut track));
     match read.and_then(|value| reader.end().map(|()| value)) {

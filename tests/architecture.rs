@@ -25,7 +25,8 @@ const MAY_IMPORT: [(&str, &[&str]); 10] = [
 const SHARED: [&str; 2] = ["error", "solution"];
 
 /// One error type holds those of all stages, so it names them, and nothing else of these modules.
-const NAMED_BY_ERROR: [&str; 3] = ["crate::scene::SceneError", "crate::solution::Interface", "crate::stack::StackError"];
+const NAMED_BY_ERROR: [&str; 3] =
+    ["crate::scene::SceneError", "crate::solution::Interface", "crate::stack::StackError"];
 
 /// Words that end a program, and a phrase of the one line that may contain them: a macro that makes tests.
 const ABRUPT: [&str; 6] = [".unwrap()", ".expect(", "panic!(", "unreachable!(", "todo!(", "unimplemented!("];

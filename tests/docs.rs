@@ -104,7 +104,8 @@ fn what_is_pointed_to_exists() {
                 file => document.parent().expect("a folder").join(file),
             };
             assert!(path.exists(), "{}: {target}", document.display());
-            let headings = || read(&path).lines().filter(|line| line.starts_with('#')).map(anchor_of).collect::<Vec<_>>();
+            let headings =
+                || read(&path).lines().filter(|line| line.starts_with('#')).map(anchor_of).collect::<Vec<_>>();
             assert!(anchor.is_empty() || headings().iter().any(|a| a == anchor), "{}: {target}", document.display());
         }
         // names of files in backticks
@@ -124,10 +125,11 @@ fn equations_are_numbered_in_order_and_cited_ones_exist() {
     let number = |text: &str| text.split('}').next().and_then(|number| number.parse::<usize>().ok());
     let numbers: Vec<usize> = theory.split("\\tag{").skip(1).filter_map(number).collect();
     assert_eq!(numbers, (1..=numbers.len()).collect::<Vec<_>>());
-    for document in documents() {
-        for cited in read(&document).split("eq. (").skip(1) {
+    let sources = ["src", "layers"].into_iter().flat_map(|folder| files(&root().join(folder), "rs"));
+    for file in documents().into_iter().chain(sources) {
+        for cited in read(&file).split("eq. (").skip(1) {
             let cited: usize = cited.split(')').next().and_then(|n| n.parse().ok()).expect("a number");
-            assert!(numbers.contains(&cited), "{}: eq. ({cited})", document.display());
+            assert!(numbers.contains(&cited), "{}: eq. ({cited})", file.display());
         }
     }
 }
@@ -149,11 +151,23 @@ fn read(path: &Path) -> String {
 
 /// All Markdown files at the top and in docs/.
 fn documents() -> Vec<PathBuf> {
-    let files = [root(), root().join("docs")].into_iter().flat_map(|folder| fs::read_dir(folder).into_iter().flatten());
-    let paths = files.map(|entry| entry.expect("a readable folder").path());
-    let mut documents: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|end| end == "md")).collect();
+    let top = fs::read_dir(root()).expect("a readable folder").map(|entry| entry.expect("a readable folder").path());
+    let top = top.filter(|path| path.extension().is_some_and(|found| found == "md"));
+    let mut documents: Vec<PathBuf> = top.chain(files(&root().join("docs"), "md")).collect();
     documents.sort();
     documents
+}
+
+/// All files below a folder with this ending.
+fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let paths = entries.map(|entry| entry.expect("a readable folder").path());
+    paths
+        .flat_map(|path| match path.is_dir() {
+            true => files(&path, ending),
+            false => Vec::from_iter(path.extension().is_some_and(|found| found == ending).then_some(path)),
+        })
+        .collect()
 }
 
 fn blocks(document: &Path) -> Vec<Block> {

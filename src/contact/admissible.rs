@@ -12,7 +12,7 @@ use crate::solution::Interface;
 use super::basis::Basis;
 use super::galerkin::Equations;
 use super::layout::Layout;
-use super::newton::Level;
+use super::level::Level;
 use super::punch::Indentation;
 
 /// Pressures are looked at in this many places per mode.
@@ -21,6 +21,9 @@ const PER_MODE: usize = 3;
 const GAPS: usize = 24;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-7;
+
+/// So many times the part of its highest modes a pressure may be wrong anywhere.
+const UNRESOLVED: f64 = 10.0;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(super) struct Check {
@@ -35,7 +38,7 @@ pub(super) fn check(
     punch: &Indentation,
     level: &Level,
 ) -> Result<Check, Error> {
-    let mut check = Check { min_pressure: pushes(kernel, interfaces, level, ZERO)?, min_gap: 0.0 };
+    let mut check = Check { min_pressure: pushes(kernel, interfaces, level)?, min_gap: 0.0 };
     for (i, gaps) in gaps(kernel, punch, level).into_iter().enumerate() {
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
         for (x, gap) in gaps {
@@ -49,12 +52,12 @@ pub(super) fn check(
     Ok(check)
 }
 
-/// Smallest pressure inside the contacts; an error if one pulls by more than this part of its largest pressure.
-pub(super) fn pushes(kernel: &Kernel, interfaces: &[Interface], level: &Level, zero: f64) -> Result<f64, Error> {
+/// Smallest pressure inside the contacts; an error if one pulls by more than its highest modes may feign.
+pub(super) fn pushes(kernel: &Kernel, interfaces: &[Interface], level: &Level) -> Result<f64, Error> {
     let mut min_pressure = 0.0f64;
     for (i, modes) in level.modes.iter().enumerate() {
         let (x, pressure, largest) = smallest_pressure(modes);
-        if pressure < -zero * largest {
+        if pressure < -(ZERO + UNRESOLVED * level.tails[i]) * largest {
             let x = x * level.half_lengths[i] * kernel.length();
             return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
         }
@@ -114,8 +117,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Vec<Vec<(f64, f6
                     let t = farthest * (k as f64 / GAPS as f64).powi(2);
                     let x = a * t.cosh();
                     let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
-                    let cauchy: f64 =
-                        level.modes[i].iter().enumerate().map(|(m, y)| y * cauchy_deflection(m, t)).sum();
+                    let cauchy: f64 = level.modes[i].iter().enumerate().map(|(m, y)| y * cauchy_deflection(m, t)).sum();
                     let rest: f64 = transforms[i]
                         .iter()
                         .zip(&layout.zeta)

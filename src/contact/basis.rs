@@ -99,9 +99,8 @@ impl Basis {
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
         let mut h = vec![Complex64::ZERO; orders * turned];
         bessel::hankel_table(orders, &paths, &mut h);
-        let factors: Vec<Complex64> = (0..turned)
-            .map(|i| (Complex64::I * paths[i] + tail.lift[i]).exp() * tail.turned_roots[i])
-            .collect();
+        let factors: Vec<Complex64> =
+            (0..turned).map(|i| (Complex64::I * paths[i] + tail.lift[i]).exp() * tail.turned_roots[i]).collect();
         for m in 0..modes {
             let start = m * table.rows;
             let (value, slope) = (&mut table.value[start..], &mut table.slope[start..]);

@@ -129,9 +129,8 @@ impl Layout {
         let own: Vec<bool> = reaches.iter().map(|&reach| to <= reach).collect();
         let panel = kernel.panels().get(panel);
         let gapless = |nodes: &Vec<f64>| nodes.len() == self.zeta.len();
-        let coupled: Vec<bool> = (0..n - 1)
-            .map(|i| panel.is_some_and(|panel| panel.coupled[i]) && gapless(&self.coupling[i]))
-            .collect();
+        let coupled: Vec<bool> =
+            (0..n - 1).map(|i| panel.is_some_and(|panel| panel.coupled[i]) && gapless(&self.coupling[i])).collect();
         let mut frequency: f64 = 0.0;
         for i in 0..n {
             if own[i] {

@@ -3,8 +3,106 @@ mod admissible;
 mod basis;
 mod galerkin;
 mod layout;
+mod level;
 mod newton;
+mod pressures;
 mod punch;
+mod refine;
 mod start;
 
-pub(crate) use newton::press;
+use crate::error::{Error, NoSolution};
+use crate::kernel::Kernel;
+use crate::model::Options;
+use crate::scene::Punch;
+use crate::solution::{Contact, Interface, Solution};
+
+use level::{Level, peak};
+use punch::Indentation;
+use refine::refine;
+
+/// What is tried one after the other until a root is admissible: receding contacts from multiples of what the formulas
+/// say, then pressures that are resolved better from the outset, as next to thin, stiff coatings.
+const ATTEMPTS: [(f64, usize); 7] = [(1.0, 1), (0.4, 1), (2.0, 1), (0.15, 1), (5.0, 1), (1.0, 8), (1.0, 32)];
+
+/// Presses a punch with a force on a stack: the answer in the units of the scene.
+pub(crate) fn press(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Punch,
+    force: f64,
+    options: &Options,
+) -> Result<Solution, Error> {
+    let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
+    let starts = start::half_lengths(kernel, &indentation)?;
+    let mut steps = 0;
+    let mut failure: Option<NoSolution> = None;
+    for (factor, finer) in ATTEMPTS {
+        // a single contact has no receding ones to start differently
+        if kernel.contacts() == 1 && factor != 1.0 {
+            continue;
+        }
+        let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
+        let found = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps).and_then(
+            |(level, warnings)| {
+                let check = admissible::check(kernel, interfaces, &indentation, &level)?;
+                Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
+            },
+        );
+        match found {
+            // a root that is not admissible says more than none
+            Err(Error::NoSolution(found)) if !matches!(found, NoSolution::PunchTooSmall { .. }) => match failure {
+                Some(NoSolution::NotConverged { .. }) | None => failure = Some(found),
+                Some(_) => {}
+            },
+            decided => return decided,
+        }
+    }
+    Err(Error::NoSolution(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts })))
+}
+
+/// The answer in the units of the scene.
+fn solution(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    indentation: &Indentation,
+    level: Level,
+    check: admissible::Check,
+    newton_steps: usize,
+    warnings: Vec<String>,
+) -> Solution {
+    let pressure_unit = kernel.modulus() * indentation.force;
+    let contacts = interfaces
+        .iter()
+        .enumerate()
+        .map(|(i, interface)| {
+            let half_length = level.half_lengths[i] * kernel.length();
+            let coefficients = coefficients(&level.modes[i], pressure_unit);
+            let peak_pressure = peak(&level.modes[i]) * pressure_unit;
+            let [length_error, pressure_error] = level.errors[i];
+            Contact {
+                interface: *interface,
+                half_length,
+                half_length_error: length_error * half_length,
+                peak_pressure,
+                peak_pressure_error: pressure_error * peak_pressure,
+                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                coefficients,
+            }
+        })
+        .collect();
+    Solution {
+        contacts,
+        min_pressure: check.min_pressure * pressure_unit,
+        min_gap: check.min_gap * indentation.force * kernel.length(),
+        modes: level.solved.into_iter().max().unwrap_or(0),
+        wavenumbers: kernel.samples(),
+        newton_steps,
+        warnings,
+    }
+}
+
+/// c_j of p = Σ c_j sin jφ, x = a cos φ, from y_j = π j (−1)^((j−1)/2) c_j.
+fn coefficients(modes: &[f64], unit: f64) -> Vec<f64> {
+    let sign = |m: usize| if m % 2 == 0 { 1.0 } else { -1.0 };
+    modes.iter().enumerate().map(|(m, y)| sign(m) * unit * y / ((2 * m + 1) as f64 * std::f64::consts::PI)).collect()
+}

@@ -64,12 +64,7 @@ enum Profile {
 /// ```
 pub fn parabola(material: Elastic, radius: f64, force: f64) -> Contact {
     let half_length = (2.0 * material.flexibility() * radius * force / PI).sqrt();
-    Contact {
-        profile: Profile::Parabola,
-        material,
-        radius,
-        half_length,
-    }
+    Contact { profile: Profile::Parabola, material, radius, half_length }
 }
 
 /// The circular cylinder of the given radius, pressed on the half-plane by a force.
@@ -103,12 +98,7 @@ pub fn cylinder(material: Elastic, radius: f64, force: f64) -> Option<Contact> {
     let (modulus, complement) = (w.tanh(), 1.0 / w.cosh());
     let first_kind = Elliptic::new(modulus, complement).first;
     let half_length = radius * modulus;
-    Some(Contact {
-        profile: Profile::Cylinder { first_kind, complement },
-        material,
-        radius,
-        half_length,
-    })
+    Some(Contact { profile: Profile::Cylinder { first_kind, complement }, material, radius, half_length })
 }
 
 /// The force that presses a circular cylinder down to a given half-length of contact; `None` unless 0 < a < R.
@@ -225,10 +215,7 @@ impl Elliptic {
             weight *= 2.0;
         }
         let first = FRAC_PI_2 / a;
-        Self {
-            first,
-            difference: first * sum,
-        }
+        Self { first, difference: first * sum }
     }
 
     fn second(&self) -> f64 {
@@ -240,33 +227,18 @@ impl Elliptic {
 mod tests {
     use super::*;
 
-    const MATERIAL: Elastic = Elastic {
-        shear_modulus: 0.7,
-        kappa: 1.8,
-    };
+    const MATERIAL: Elastic = Elastic { shear_modulus: 0.7, kappa: 1.8 };
 
     fn close(a: f64, b: f64, tolerance: f64) {
-        assert!(
-            (a - b).abs() <= tolerance * b.abs(),
-            "{a:e} is not {b:e}: off by {:e} of it",
-            a / b - 1.0
-        );
+        assert!((a - b).abs() <= tolerance * b.abs(), "{a:e} is not {b:e}: off by {:e} of it", a / b - 1.0);
     }
 
     #[test]
     fn parabola_carries_its_force() {
         let contact = parabola(MATERIAL, 12.0, 0.3);
         close(contact.force(), 0.3, 1e-15);
-        close(
-            contact.central_pressure(),
-            2.0 * 0.3 / (PI * contact.half_length()),
-            1e-15,
-        );
-        close(
-            contact.half_length().powi(2),
-            4.0 * 0.3 * 12.0 / (PI * MATERIAL.plane_modulus()),
-            1e-15,
-        );
+        close(contact.central_pressure(), 2.0 * 0.3 / (PI * contact.half_length()), 1e-15);
+        close(contact.half_length().powi(2), 4.0 * 0.3 * 12.0 / (PI * MATERIAL.plane_modulus()), 1e-15);
     }
 
     /// k = a/R, K - E, and g p at x = 0, a/2, 15a/16, from a multiple-precision quadrature of the formulae above.
@@ -306,18 +278,11 @@ mod tests {
         assert!(a > 1.5);
         let angle = |i: usize| PI * i as f64 / n as f64;
         let pressures: Vec<f64> = (1..n).map(|i| contact.pressure(a * angle(i).cos())).collect();
-        let c = |j: usize| {
-            2.0 / n as f64
-                * (1..n)
-                    .map(|i| pressures[i - 1] * (j as f64 * angle(i)).sin())
-                    .sum::<f64>()
-        };
+        let c = |j: usize| 2.0 / n as f64 * (1..n).map(|i| pressures[i - 1] * (j as f64 * angle(i)).sin()).sum::<f64>();
         let coefficients: Vec<f64> = (0..120).map(c).collect();
         close(FRAC_PI_2 * a * coefficients[1], 3.0, 1e-13);
         for s in [0.1f64, 0.5, 0.8, 0.99, 1.0] {
-            let slope: f64 = (1..120)
-                .map(|j| g * coefficients[j] * (j as f64 * s.acos()).cos())
-                .sum();
+            let slope: f64 = (1..120).map(|j| g * coefficients[j] * (j as f64 * s.acos()).cos()).sum();
             close(slope, a * s / (4.0 - (a * s).powi(2)).sqrt(), 1e-12);
         }
     }

@@ -67,10 +67,7 @@ mod tests {
     /// q = 2 J_1(z)/z + π Σ σ_j j c_j J_j(z)/z with z = λb, σ_j = (-1)^((j-1)/2), j = 3, 5, ... The rows are the scalar
     /// products with T_m, m = 1, 3, ...; they turn the sine into J_m(z).
     fn left_over(k: f64, b: f64, modes: usize) -> f64 {
-        let free = Elastic {
-            shear_modulus: 1.0,
-            kappa: 3.0,
-        };
+        let free = Elastic { shear_modulus: 1.0, kappa: 3.0 };
         let (mut wavenumbers, mut weights) = (Vec::new(), Vec::new());
         let (mut lo, mut hi) = (0.0, 1.0 / b.max(1.0));
         while lo < 60.0 {
@@ -85,10 +82,7 @@ mod tests {
         bessel::table(2 * modes, &z, &mut table);
         let bessel_of = |order: usize| &table[order * z.len()..][..z.len()];
         let integral = |f: &dyn Fn(usize) -> f64| -> f64 { (0..z.len()).map(|i| weights[i] * f(i)).sum() };
-        let own: Vec<f64> = wavenumbers
-            .iter()
-            .map(|&l| strip::own_face(free, 1.0, l) - 1.0)
-            .collect();
+        let own: Vec<f64> = wavenumbers.iter().map(|&l| strip::own_face(free, 1.0, l) - 1.0).collect();
         let load: Vec<f64> = (0..z.len())
             .map(|i| own[i] * bessel::jinc_deficit(z[i]) + strip::equal_loads(free, 1.0, wavenumbers[i]) - 1.0)
             .collect();
@@ -119,10 +113,7 @@ mod tests {
 
     fn solved(k: f64, modes: usize) -> f64 {
         let (mut old, mut new) = (0.99, 1.01);
-        (old, new) = (
-            old * approximate_half_length(1.0, k),
-            new * approximate_half_length(1.0, k),
-        );
+        (old, new) = (old * approximate_half_length(1.0, k), new * approximate_half_length(1.0, k));
         let mut old_rest = left_over(k, old, modes);
         for _ in 0..20 {
             let rest = left_over(k, new, modes);

@@ -33,18 +33,12 @@ pub struct Elastic {
 impl Elastic {
     /// κ = 3 - 4ν: no strain out of the plane.
     pub fn plane_strain(shear_modulus: f64, poisson: f64) -> Self {
-        Self {
-            shear_modulus,
-            kappa: 3.0 - 4.0 * poisson,
-        }
+        Self { shear_modulus, kappa: 3.0 - 4.0 * poisson }
     }
 
     /// κ = (3 - ν)/(1 + ν): no stress out of the plane.
     pub fn plane_stress(shear_modulus: f64, poisson: f64) -> Self {
-        Self {
-            shear_modulus,
-            kappa: (3.0 - poisson) / (1.0 + poisson),
-        }
+        Self { shear_modulus, kappa: (3.0 - poisson) / (1.0 + poisson) }
     }
 
     /// E* = 8μ/(κ + 1), in plane strain 2μ/(1 - ν) = E/(1 - ν²): the only constant that frictionless contact feels.

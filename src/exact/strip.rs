@@ -90,9 +90,7 @@ fn decaying_denominator(z: f64) -> f64 {
         return 1.0 - (-2.0 * z).exp() - 2.0 * z * (-z).exp();
     }
     // sinh z - z = z³/6 (1 + z²/(4·5) (1 + z²/(6·7) (...)))
-    let series = (2..=13)
-        .rev()
-        .fold(1.0, |s, k| 1.0 + s * z * z / f64::from(2 * k * (2 * k + 1)));
+    let series = (2..=13).rev().fold(1.0, |s, k| 1.0 + s * z * z / f64::from(2 * k * (2 * k + 1)));
     (-z).exp() * z.powi(3) / 3.0 * series
 }
 
@@ -115,11 +113,9 @@ mod tests {
     #[test]
     fn ratios_are_accurate_for_long_and_short_waves() {
         for (z, equal, opposite, coupling) in RATIOS {
-            for (value, known) in [
-                (equal_ratio(z), equal),
-                (opposite_ratio(z), opposite),
-                (coupling_ratio(z), coupling),
-            ] {
+            for (value, known) in
+                [(equal_ratio(z), equal), (opposite_ratio(z), opposite), (coupling_ratio(z), coupling)]
+            {
                 assert!((value / known - 1.0).abs() < 2e-15, "at {z}: {value:e}, not {known:e}");
             }
         }

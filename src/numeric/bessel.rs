@@ -44,11 +44,7 @@ const DEEPEST: f64 = 690.0;
 /// assert!((j[3] - 0.440_050_585_744_933_5).abs() < 1e-15); // J1(1)
 /// ```
 pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
-    assert_eq!(
-        out.len(),
-        orders * arguments.len(),
-        "a Bessel table holds one value per order and argument"
-    );
+    assert_eq!(out.len(), orders * arguments.len(), "a Bessel table holds one value per order and argument");
     if out.is_empty() {
         return;
     }
@@ -58,12 +54,7 @@ pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
         let block = &arguments[first..arguments.len().min(first + LANES)];
         let mut z = [0.0; LANES];
         z[..block.len()].copy_from_slice(block);
-        let mut window = Window {
-            first,
-            width: block.len(),
-            columns: arguments.len(),
-            out,
-        };
+        let mut window = Window { first, width: block.len(), columns: arguments.len(), out };
         let far = z.map(|z| z >= upward_from);
         match far[..block.len()].iter().filter(|&&far| far).count() {
             0 => {
@@ -264,12 +255,7 @@ impl StartReal {
         let (sin, cos) = z.sin_cos();
         let amplitude = (FRAC_2_PI * w).sqrt() * FRAC_1_SQRT_2;
         let (c, s) = (amplitude * (sin + cos), amplitude * (sin - cos));
-        Self {
-            j0: p0 * c - q0 * s,
-            j1: p1 * s + q1 * c,
-            y0: p0 * s + q0 * c,
-            y1: q1 * s - p1 * c,
-        }
+        Self { j0: p0 * c - q0 * s, j1: p1 * s + q1 * c, y0: p0 * s + q0 * c, y1: q1 * s - p1 * c }
     }
 }
 
@@ -281,11 +267,7 @@ impl StartReal {
 /// If `j` or `y` is not `orders` times as long as `arguments`.
 pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) {
     let length = arguments.len();
-    assert_eq!(
-        (j.len(), y.len()),
-        (orders * length, orders * length),
-        "one value per order and argument"
-    );
+    assert_eq!((j.len(), y.len()), (orders * length, orders * length), "one value per order and argument");
     let two_over_z: Vec<f64> = arguments.iter().map(|z| 2.0 / z).collect();
     for (i, &z) in arguments.iter().enumerate() {
         let s = StartReal::at(z);

@@ -16,9 +16,7 @@ const TAIL: usize = 3;
 ///
 /// Source: J.-P. Berrut and L. N. Trefethen, Barycentric Lagrange interpolation, SIAM Review 46 (2004), (3.2).
 pub fn barycentric_weights(nodes: &[f64]) -> Vec<f64> {
-    let (lo, hi) = nodes
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(lo, hi), &x| (x.min(lo), x.max(hi)));
+    let (lo, hi) = nodes.iter().fold((f64::MAX, f64::MIN), |(lo, hi), &x| (x.min(lo), x.max(hi)));
     // Distances in quarters of the span: their products neither overflow nor underflow.
     let scale = 4.0 / (hi - lo);
     let mut weights: Vec<f64> = nodes
@@ -161,11 +159,7 @@ impl Series {
     pub fn from_values_at_points(lo: f64, hi: f64, values: &[f64]) -> Self {
         let last = values.len().saturating_sub(1);
         if last == 0 {
-            return Self {
-                lo,
-                hi,
-                coefficients: values.to_vec(),
-            };
+            return Self { lo, hi, coefficients: values.to_vec() };
         }
         let cosines: Vec<f64> = (0..2 * last).map(|k| cos_pi(k, last)).collect();
         let ends = |k: usize| if k == 0 || k == last { 0.5 } else { 1.0 };
@@ -174,11 +168,7 @@ impl Series {
             let sum: f64 = terms.map(|(k, v)| ends(k) * v * cosines[j * k % (2 * last)]).sum();
             2.0 / last as f64 * ends(j) * sum
         };
-        Self {
-            lo,
-            hi,
-            coefficients: (0..=last).map(coefficient).collect(),
-        }
+        Self { lo, hi, coefficients: (0..=last).map(coefficient).collect() }
     }
 
     /// The polynomial through `n` values of a function.
@@ -199,21 +189,13 @@ impl Series {
 
     /// The sum at `x`. Outside the interval this is an extrapolation.
     pub fn eval(&self, x: f64) -> f64 {
-        clenshaw(
-            &self.coefficients,
-            ((x - self.lo) + (x - self.hi)) / (self.hi - self.lo),
-            0.0,
-        )
+        clenshaw(&self.coefficients, ((x - self.lo) + (x - self.hi)) / (self.hi - self.lo), 0.0)
     }
 
     /// The sum at a complex `z`: the analytic continuation as long as `z` is within the ellipse of convergence.
     /// Rounding errors of high coefficients grow there: [`truncate`](Self::truncate) first.
     pub fn eval_complex(&self, z: Complex64) -> Complex64 {
-        clenshaw(
-            &self.coefficients,
-            ((z - self.lo) + (z - self.hi)) / (self.hi - self.lo),
-            Complex64::ZERO,
-        )
+        clenshaw(&self.coefficients, ((z - self.lo) + (z - self.hi)) / (self.hi - self.lo), Complex64::ZERO)
     }
 
     /// The size of the last coefficients relative to the largest: an estimate of the relative error.
@@ -224,11 +206,7 @@ impl Series {
     /// Drops the last coefficients as long as they are at most `eps` times the largest.
     pub fn truncate(&mut self, eps: f64) {
         let limit = eps * largest(&self.coefficients);
-        let keep = self
-            .coefficients
-            .iter()
-            .rposition(|c| c.abs() > limit)
-            .map_or(1, |last| last + 1);
+        let keep = self.coefficients.iter().rposition(|c| c.abs() > limit).map_or(1, |last| last + 1);
         self.coefficients.truncate(keep);
     }
 }
@@ -271,17 +249,7 @@ mod tests {
             interpolation_row(nodes, &weights, x, &mut row);
             assert!(row.iter().enumerate().all(|(j, &r)| r == f64::from(u8::from(i == j))));
         }
-        for x in [
-            -1.0,
-            -0.99,
-            0.0,
-            1e-320,
-            0.3,
-            0.9999,
-            1.0,
-            nodes[3].next_up(),
-            nodes[9].next_down(),
-        ] {
+        for x in [-1.0, -0.99, 0.0, 1e-320, 0.3, 0.9999, 1.0, nodes[3].next_up(), nodes[9].next_down()] {
             interpolation_row(nodes, &weights, x, &mut row);
             for degree in [0, 1, 7, 15] {
                 let value = row.iter().zip(nodes).map(|(r, t)| r * t.powi(degree)).sum();
@@ -294,10 +262,7 @@ mod tests {
     fn weights_do_not_depend_on_the_length_unit() {
         let nodes = points(-1.0, 1.0, 200);
         let scaled: Vec<f64> = nodes.iter().map(|x| 1e-200 * x).collect();
-        for (a, b) in barycentric_weights(&nodes)
-            .into_iter()
-            .zip(barycentric_weights(&scaled))
-        {
+        for (a, b) in barycentric_weights(&nodes).into_iter().zip(barycentric_weights(&scaled)) {
             close(a, b, 1e-12);
         }
         assert_eq!(barycentric_weights(&[2.0]), [1.0]);
@@ -358,10 +323,7 @@ mod tests {
         close(series.coefficients()[3], 1.0, 1e-15);
         let mut nothing = Series::from_values_at_points(0.0, 1.0, &[0.0; 5]);
         nothing.truncate(0.0);
-        assert_eq!(
-            (nothing.coefficients().len(), nothing.eval(0.5), nothing.tail()),
-            (1, 0.0, 0.0)
-        );
+        assert_eq!((nothing.coefficients().len(), nothing.eval(0.5), nothing.tail()), (1, 0.0, 0.0));
         assert_eq!(Series::from_values_at_points(0.0, 1.0, &[]).eval(0.5), 0.0);
         assert_eq!(Series::from_values_at_points(0.0, 1.0, &[7.0]).eval(0.5), 7.0);
     }

@@ -21,17 +21,12 @@ impl Rule {
     /// ```
     pub fn on(&self, lo: f64, hi: f64) -> impl Iterator<Item = (f64, f64)> {
         let (centre, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        self.nodes
-            .iter()
-            .zip(&self.weights)
-            .map(move |(x, w)| (centre + half * x, half * w))
+        self.nodes.iter().zip(&self.weights).map(move |(x, w)| (centre + half * x, half * w))
     }
 }
 
 /// The sizes of the Gauss-Legendre rules that are kept.
-pub const SIZES: [usize; 18] = [
-    8, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 768, 1024,
-];
+pub const SIZES: [usize; 18] = [8, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 768, 1024];
 
 /// The position in [`SIZES`] of the smallest rule with at least `n` nodes; the largest if there is none.
 pub(super) fn position(n: usize) -> usize {
@@ -91,10 +86,7 @@ pub fn gauss_legendre(n: usize) -> Rule {
             *t += step;
         }
     }
-    let mut rule = Rule {
-        nodes: vec![0.0; n],
-        weights: vec![0.0; n],
-    };
+    let mut rule = Rule { nodes: vec![0.0; n], weights: vec![0.0; n] };
     for (i, (&t, slope)) in angles.iter().zip(slopes).enumerate() {
         let mirrored = n - 1 - i;
         let x = if i == mirrored { 0.0 } else { t.cos() };
@@ -121,12 +113,7 @@ fn legendre(n: usize, angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
         }
     }
     // P_{n-1} - cos t P_n = (1 - cos t) P_n - d_n
-    let descent = value
-        .iter()
-        .zip(&difference)
-        .zip(&sag)
-        .map(|((p, d), s)| n as f64 * (s * p - d))
-        .collect();
+    let descent = value.iter().zip(&difference).zip(&sag).map(|((p, d), s)| n as f64 * (s * p - d)).collect();
     (value, descent)
 }
 
@@ -180,11 +167,7 @@ fn laguerre(n: usize, x: f64) -> Laguerre {
         value += difference;
         zeros_below += usize::from(value.is_sign_negative() != before.is_sign_negative());
     }
-    Laguerre {
-        value,
-        difference,
-        zeros_below,
-    }
+    Laguerre { value, difference, zeros_below }
 }
 
 #[cfg(test)]
@@ -200,18 +183,9 @@ mod tests {
             assert!(rule.weights.iter().all(|&w| w > 0.0));
             assert!((0..n).all(|i| rule.nodes[i] == -rule.nodes[n - 1 - i]));
             for degree in [0, 2, 8, 14, n as i32 & !1, 2 * n as i32 - 2] {
-                let sum: f64 = rule
-                    .nodes
-                    .iter()
-                    .zip(&rule.weights)
-                    .map(|(x, w)| w * x.powi(degree))
-                    .sum();
+                let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree)).sum();
                 let exact = 2.0 / f64::from(degree + 1);
-                assert!(
-                    (sum / exact - 1.0).abs() < 5e-14,
-                    "{n} nodes, degree {degree}: {:e}",
-                    sum / exact - 1.0
-                );
+                assert!((sum / exact - 1.0).abs() < 5e-14, "{n} nodes, degree {degree}: {:e}", sum / exact - 1.0);
             }
         }
     }
@@ -230,11 +204,7 @@ mod tests {
         for (n, node, weight) in known {
             let rule = gauss_legendre(n);
             assert!((rule.nodes[0] - node).abs() < 2.3e-16, "{n}");
-            assert!(
-                (rule.weights[0] / weight - 1.0).abs() < 2e-14,
-                "{n}: {:e}",
-                rule.weights[0] / weight - 1.0
-            );
+            assert!((rule.weights[0] / weight - 1.0).abs() < 2e-14, "{n}: {:e}", rule.weights[0] / weight - 1.0);
         }
         let odd = gauss_legendre(3);
         assert_eq!(odd.nodes[1], 0.0);
@@ -244,10 +214,7 @@ mod tests {
 
     #[test]
     fn rules_are_kept_and_clamped() {
-        assert_eq!(
-            [0, 8, 9, 17, 1000, 100_000].map(|n| rule(n).nodes.len()),
-            [8, 8, 12, 20, 1024, 1024]
-        );
+        assert_eq!([0, 8, 9, 17, 1000, 100_000].map(|n| rule(n).nodes.len()), [8, 8, 12, 20, 1024, 1024]);
         assert!(std::ptr::eq(rule(33), rule(40)));
         assert!(std::ptr::eq(laguerre_rule(25), laguerre_rule(100)));
     }
@@ -258,12 +225,7 @@ mod tests {
             let rule = gauss_laguerre(n);
             let mut factorial = 1.0;
             for degree in 0..2 * n {
-                let sum: f64 = rule
-                    .nodes
-                    .iter()
-                    .zip(&rule.weights)
-                    .map(|(s, w)| w * s.powi(degree as i32))
-                    .sum();
+                let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(s, w)| w * s.powi(degree as i32)).sum();
                 assert!(
                     (sum / factorial - 1.0).abs() < 2e-14,
                     "{n} nodes, degree {degree}: {:e}",

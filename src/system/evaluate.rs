@@ -160,11 +160,8 @@ fn flexibility(layers: &[Arc<dyn Layer>], meeting: usize, wave: &Wave) -> Option
     }
     // stresses are continuous: K_above w + ... = K_below w + ..., for a load on top, on the bottom, on both
     let zero = Vector2::zeros();
-    let loads = nalgebra::Matrix2x3::from_columns(&[
-        zero - above.by_load,
-        below.by_load,
-        below.by_equal - above.by_equal,
-    ]);
+    let loads =
+        nalgebra::Matrix2x3::from_columns(&[zero - above.by_load, below.by_load, below.by_equal - above.by_equal]);
     let w = solve_equilibrated(above.stiffness - below.stiffness, loads)?;
     let top = above.face * w;
     let bottom = below.face * w;
@@ -207,8 +204,8 @@ impl Half {
     fn through(&self, near: (&Matrix4<f64>, &State), far: (&Matrix4<f64>, &State)) -> Option<Self> {
         let [(near, near_uniform), (far, far_uniform)] = [near, far];
         let condition = stress(near) - self.stiffness * displacement(near);
-        let uniform_condition = self.by_equal
-            - (near_uniform.fixed_rows::<2>(2) - self.stiffness * near_uniform.fixed_rows::<2>(0));
+        let uniform_condition =
+            self.by_equal - (near_uniform.fixed_rows::<2>(2) - self.stiffness * near_uniform.fixed_rows::<2>(0));
         let mut loads = Matrix4::zeros();
         loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
         loads.fixed_view_mut::<2, 1>(0, 2).copy_from(&self.by_load);

@@ -80,10 +80,7 @@ fn known_values() {
         table(n + 1, &[z], &mut own);
         for value in [own[n], all[n * arguments.len() + i]] {
             let tolerance = if n as f64 > z { 1e-13 * exact.abs() } else { 2e-15 };
-            assert!(
-                (value - exact).abs() <= tolerance,
-                "J_{n}({z}) = {value:e}, not {exact:e}"
-            );
+            assert!((value - exact).abs() <= tolerance, "J_{n}({z}) = {value:e}, not {exact:e}");
         }
     }
 }
@@ -182,10 +179,7 @@ fn known_values_of_the_second_kind() {
     for (n, z, exact_j, exact_y) in JY {
         let (mut j, mut y) = (vec![f64::NAN; n + 1], vec![f64::NAN; n + 1]);
         jy_table(n + 1, &[z], &mut j, &mut y);
-        assert!(
-            (j[n] - exact_j).hypot(y[n] - exact_y) < 1e-14 * exact_j.hypot(exact_y),
-            "order {n} at {z}"
-        );
+        assert!((j[n] - exact_j).hypot(y[n] - exact_y) < 1e-14 * exact_j.hypot(exact_y), "order {n} at {z}");
     }
     for (n, x, y, re, im) in H {
         let mut h = vec![Complex64::ZERO; n + 1];
