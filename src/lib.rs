@@ -8,6 +8,7 @@ mod kernel;
 mod model;
 #[doc(hidden)]
 pub mod numeric;
+mod options;
 pub mod report;
 mod scene;
 mod solution;
@@ -15,7 +16,8 @@ mod stack;
 mod system;
 
 pub use error::{Error, NoSolution};
-pub use model::{Model, Options, solve};
+pub use model::{Model, solve};
+pub use options::Options;
 pub use recede_layers::{
     Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Layer, LayerError, Plane, Registry, Wave,
 };

@@ -48,8 +48,8 @@ impl Contact {
     /// Contact pressure at `x` (compression positive); zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
         let s = x / self.half_length;
-        // `!(<)` so that NaN gives no pressure rather than a NaN
-        if !(s.abs() < 1.0) {
+        // NaN is outside, too
+        if s.is_nan() || s.abs() >= 1.0 {
             return 0.0;
         }
         let phi = s.acos();

@@ -10,15 +10,15 @@ use crate::kernel::Kernel;
 use crate::solution::Interface;
 
 use super::basis::Basis;
-use super::galerkin::Equations;
+use super::galerkin::{Equations, alternating, order};
 use super::layout::Layout;
-use super::level::Level;
+use super::level::{Level, coefficients};
 use super::punch::Indentation;
 
 /// Pressures are looked at in this many places per mode.
 const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places per contact.
-const GAPS: usize = 24;
+const GAPS: usize = 16;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-7;
 
@@ -68,22 +68,13 @@ pub(super) fn pushes(kernel: &Kernel, interfaces: &[Interface], level: &Level) -
 
 /// Where the pressure is smallest (x/a), the pressure there, and the largest pressure.
 fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
+    let coefficients = coefficients(modes);
     let places = PER_MODE * modes.len();
     let (mut smallest, mut largest) = ((0.0, f64::INFINITY), 0.0f64);
     for k in 1..=places {
         let phi = FRAC_PI_2 * k as f64 / places as f64;
-        // Σ c_j sin jφ with y_j = π j (−1)^((j−1)/2) c_j
-        let pressure: f64 = modes
-            .iter()
-            .enumerate()
-            .map(|(m, y)| {
-                let j = (2 * m + 1) as f64;
-                let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
-                sign * y / (PI * j) * (j * phi).sin()
-            })
-            .sum();
+        let pressure: f64 = coefficients.iter().enumerate().map(|(m, c)| c * (order(m) * phi).sin()).sum();
         largest = largest.max(pressure.abs());
-        // next to the edge every pressure vanishes: compare with the smallest that it may be there
         if pressure < smallest.1 {
             smallest = (phi.cos(), pressure);
         }
@@ -95,7 +86,7 @@ fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
 fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Vec<Vec<(f64, f64)>> {
     let n = level.half_lengths.len();
     let longest = level.half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b));
-    let span = 3.0 * longest + 3.0;
+    let span = 2.0 * longest + 2.0;
     let counts: Vec<usize> = level.modes.iter().map(Vec::len).collect();
     let orders: Vec<usize> = counts.iter().map(|count| 2 * count).collect();
     let layout = Layout::new(kernel, &level.half_lengths, &orders, span);
@@ -132,9 +123,8 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Vec<Vec<(f64, f6
 
 /// ∫ from a to x = a cosh t of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, j = 2m + 1.
 fn cauchy_deflection(m: usize, t: f64) -> f64 {
-    let j = (2 * m + 1) as f64;
-    let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+    let j = order(m);
     let first = if m == 0 { t } else { -(-(j - 1.0) * t).exp_m1() / (j - 1.0) };
     let second = -(-(j + 1.0) * t).exp_m1() / (j + 1.0);
-    sign * 0.5 * (first - second) / j
+    alternating(m) * 0.5 * (first - second) / j
 }

@@ -223,6 +223,11 @@ impl<'a> Equations<'a> {
     }
 }
 
+/// (−1)^m, the sign of the test functions and modes of order 2m + 1.
+pub(super) fn alternating(m: usize) -> f64 {
+    if m.is_multiple_of(2) { 1.0 } else { -1.0 }
+}
+
 /// Order j of mode m.
 pub(super) fn order(m: usize) -> f64 {
     (2 * m + 1) as f64

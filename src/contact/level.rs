@@ -1,4 +1,5 @@
 //! One level of refinement: half-lengths, pressures, and how far they may be from the truth.
+use super::galerkin::{alternating, order};
 use super::newton::Converged;
 
 /// What rounding leaves, relative.
@@ -27,7 +28,7 @@ impl Level {
         let mut tails = Vec::new();
         for (i, y) in pressures.modes.iter().enumerate() {
             let size = |range: std::ops::Range<usize>| -> f64 {
-                range.map(|m| (y[m] / (2 * m + 1) as f64).abs()).sum::<f64>() / std::f64::consts::PI
+                range.map(|m| (y[m] / order(m)).abs()).sum::<f64>() / std::f64::consts::PI
             };
             let (solved, all, peak) = (modes[i], y.len(), peak(y));
             let tail = size(solved..all) / peak;
@@ -62,7 +63,13 @@ pub(super) fn peak(modes: &[f64]) -> f64 {
     let last = modes.len().saturating_sub(AVERAGED.len());
     let terms = modes.iter().enumerate().map(|(m, y)| {
         let weight = m.checked_sub(last).map_or(1.0, |k| AVERAGED[k]);
-        weight * y / (2 * m + 1) as f64
+        weight * y / order(m)
     });
     terms.sum::<f64>() / std::f64::consts::PI
+}
+
+/// c_j of p = Σ c_j sin jφ with x = a cos φ, per unit of μ₀P', from y_j = π j (−1)^((j−1)/2) c_j.
+pub(super) fn coefficients(modes: &[f64]) -> Vec<f64> {
+    let coefficient = |(m, y): (usize, &f64)| alternating(m) * y / (order(m) * std::f64::consts::PI);
+    modes.iter().enumerate().map(coefficient).collect()
 }

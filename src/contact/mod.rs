@@ -12,11 +12,11 @@ mod start;
 
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
-use crate::model::Options;
+use crate::options::Options;
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 
-use level::{Level, peak};
+use level::{Level, coefficients, peak};
 use punch::Indentation;
 use refine::refine;
 
@@ -76,7 +76,8 @@ fn solution(
         .enumerate()
         .map(|(i, interface)| {
             let half_length = level.half_lengths[i] * kernel.length();
-            let coefficients = coefficients(&level.modes[i], pressure_unit);
+            let mut coefficients = coefficients(&level.modes[i]);
+            coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
             let peak_pressure = peak(&level.modes[i]) * pressure_unit;
             let [length_error, pressure_error] = level.errors[i];
             Contact {
@@ -99,10 +100,4 @@ fn solution(
         newton_steps,
         warnings,
     }
-}
-
-/// c_j of p = Σ c_j sin jφ, x = a cos φ, from y_j = π j (−1)^((j−1)/2) c_j.
-fn coefficients(modes: &[f64], unit: f64) -> Vec<f64> {
-    let sign = |m: usize| if m % 2 == 0 { 1.0 } else { -1.0 };
-    modes.iter().enumerate().map(|(m, y)| sign(m) * unit * y / ((2 * m + 1) as f64 * std::f64::consts::PI)).collect()
 }

@@ -2,7 +2,7 @@
 use crate::error::{Error, NoSolution};
 use crate::scene::Punch;
 
-use super::galerkin::Slopes;
+use super::galerkin::{Slopes, alternating, order};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
@@ -65,7 +65,7 @@ impl<'a> Indentation<'a> {
             let weight = std::f64::consts::PI / (points as f64 * self.force);
             let (value, slope) = (weight * self.punch.slope(x), weight * x * self.punch.curvature(x));
             for m in 0..rows {
-                let test = ((2 * m + 1) as f64 * theta).cos() * if m % 2 == 0 { 1.0 } else { -1.0 };
+                let test = (order(m) * theta).cos() * alternating(m);
                 slopes.value[m] += value * test;
                 slopes.slope[m] += slope * test;
             }

@@ -1,7 +1,7 @@
 //! More and more modes, until the tolerance is met.
 use crate::error::Error;
 use crate::kernel::Kernel;
-use crate::model::Options;
+use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;

@@ -23,7 +23,7 @@ pub(crate) struct Panel {
     /// Upper end.
     pub(crate) to: f64,
     /// Component by component, `POINTS` values each, multiplied by the power of ζ that makes them smooth at ζ = 0.
-    values: Vec<f64>,
+    values: Vec<[f64; POINTS]>,
     /// Which couplings are felt on this panel.
     pub(crate) coupled: Vec<bool>,
     contacts: usize,
@@ -63,13 +63,13 @@ impl Panel {
     fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool]) -> Result<Self, Error> {
         let contacts = chains.contacts();
         let components = 3 * contacts - 1;
-        let mut values = vec![0.0; components * POINTS];
+        let mut values = vec![[0.0; POINTS]; components];
         let mut sample = vec![0.0; components];
         for (k, x) in quadrature::rule(POINTS).nodes.iter().enumerate() {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
             chains.sample(zeta, wanted, &mut sample)?;
             for (c, value) in sample.iter().enumerate() {
-                values[c * POINTS + k] = value * zeta.powi(powers(contacts, c));
+                values[c][k] = value * zeta.powi(powers(contacts, c));
             }
         }
         let mut panel = Self { from, to, values, coupled: Vec::new(), contacts };
@@ -82,12 +82,8 @@ impl Panel {
         Ok(panel)
     }
 
-    fn component(&self, c: usize) -> &[f64] {
-        &self.values[c * POINTS..(c + 1) * POINTS]
-    }
-
     fn size(&self, c: usize) -> f64 {
-        self.component(c).iter().fold(0.0, |size, value| size.max(value.abs()))
+        self.values[c].iter().fold(0.0, |size, value| size.max(value.abs()))
     }
 
     fn is_resolved(&self) -> bool {
@@ -96,7 +92,7 @@ impl Panel {
             let size = self.size(c);
             // a coupling need be known only as well as what it couples
             let scale = if c < 2 * n { size } else { self.size(c - 2 * n).max(self.size(c - 2 * n + 1)) };
-            size == 0.0 || chebyshev::legendre_tail(self.component(c)) * size <= RESOLVED * scale
+            size == 0.0 || chebyshev::legendre_tail(&self.values[c]) * size <= RESOLVED * scale
         })
     }
 
@@ -108,7 +104,7 @@ impl Panel {
         let mut row = [0.0; POINTS];
         chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, &mut row);
         for (c, component) in components.iter_mut().enumerate() {
-            let value: f64 = self.component(c).iter().zip(row.iter()).map(|(v, r)| v * r).sum();
+            let value: f64 = self.values[c].iter().zip(row.iter()).map(|(v, r)| v * r).sum();
             *component = value / zeta.powi(powers(self.contacts, c));
         }
     }

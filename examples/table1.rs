@@ -1,0 +1,11 @@
+//! The paper's Table 1, a strip on a half-plane: its values, those computed here, and the differences.
+//!
+//! `cargo run --release --example table1`
+mod paper;
+
+fn main() -> Result<(), recede::Error> {
+    let table = paper::table("table1")?;
+    println!("{table}");
+    assert!(table.wrong().is_empty(), "further off than the paper's method explains: {:#?}", table.wrong());
+    Ok(())
+}

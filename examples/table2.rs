@@ -1,0 +1,11 @@
+//! The paper's Table 2, a graded layer on a half-plane: its values, those computed here, and the differences.
+//!
+//! `cargo run --release --example table2`
+mod paper;
+
+fn main() -> Result<(), recede::Error> {
+    let table = paper::table("table2")?;
+    println!("{table}");
+    assert!(table.wrong().is_empty(), "further off than the paper's method explains: {:#?}", table.wrong());
+    Ok(())
+}

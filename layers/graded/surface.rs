@@ -1,0 +1,36 @@
+//! The surface of a half-plane, and the coefficients of the state equations.
+use nalgebra::Matrix2;
+
+use crate::Material;
+
+/// The flexibility of a homogeneous half-plane: (λμ₀U, λμ₀V) at its top face from (S, T) on it.
+///
+/// With the roots s₁, s₂ of s⁴ − (em − 2c) s² + c² + ed = 0 (coefficients in units of μ₀) only s₁s₂ and s₁ + s₂ enter,
+/// so that coalescing or complex roots need no care.
+pub(crate) fn surface_flexibility(material: &Material, modulus: f64) -> Matrix2<f64> {
+    let Coefficients { m, c, d, e } = Coefficients::new(material, modulus);
+    let product = (c * c + e * d).sqrt();
+    let sum = (e * m - 2.0 * c + 2.0 * product).sqrt();
+    let cross = if c > 0.0 { d / (product + c) } else { (product - c) / e };
+    Matrix2::new(cross, sum / e, product * sum / e, cross)
+}
+
+/// The coefficients of the state equations for (λμ₀U, λμ₀V, S, T).
+#[derive(Clone, Copy)]
+pub(super) struct Coefficients {
+    pub m: f64,
+    pub c: f64,
+    pub d: f64,
+    pub e: f64,
+}
+
+impl Coefficients {
+    pub fn new(material: &Material, modulus: f64) -> Self {
+        Self {
+            m: material.shear_compliance * modulus,
+            c: material.coupling,
+            d: material.normal_compliance * modulus,
+            e: material.axial_stiffness / modulus,
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! The printed block matrix is the one that is computed.
+//!
+//! Goal: the symbolic matrix of a stack, filled with the layers' face states at one wavenumber and solved as a dense
+//! system, moves the faces as the elimination along chains does, to nine digits.
+//!
+//! ```text
+//!   row:    punch S     +S(top)                          = -p0
+//!           punch T     +T(top)                          =  0       A x = b, one column b for each contact
+//!           1|2 U       +U(bottom)   -U(top)             =  0
+//!           ...            ↑ 1×4        ↑ 1×4
+//!           2|3 S above              +S(bottom)          = -p1      V at a face = row V of its states · x
+//!   column:             layer 1      layer 2      half-plane
+//! ```
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, RowDVector};
+use proptest::prelude::*;
+use recede::{
+    BaseChain, BlockSystem, Exponential, Face, FaceStates, Foundation, FreeChain, HalfPlane, Homogeneous, Item, Layer,
+    Plane, Quantity, Stack, Wave,
+};
+
+/// Relative error allowed: the dense system is solved without any care for digits.
+const SAME: f64 = 1e-9;
+
+/// A quantity at a face as a linear function of the layer's amplitudes.
+fn row(layer: &Arc<dyn Layer>, face: Face, quantity: Quantity, wave: &Wave) -> RowDVector<f64> {
+    let index = match quantity {
+        Quantity::U => 0,
+        Quantity::V => 1,
+        Quantity::S => 2,
+        Quantity::T => 3,
+    };
+    match (layer.face_states(wave), face) {
+        (FaceStates::Finite { top, .. }, Face::Top) => RowDVector::from_iterator(4, top.row(index).iter().copied()),
+        (FaceStates::Finite { bottom, .. }, Face::Bottom) => {
+            RowDVector::from_iterator(4, bottom.row(index).iter().copied())
+        }
+        (FaceStates::HalfPlane { top }, Face::Top) => RowDVector::from_iterator(2, top.row(index).iter().copied()),
+        (FaceStates::HalfPlane { .. }, Face::Bottom) => panic!("a half-plane has no bottom"),
+    }
+}
+
+/// The block system at one wavenumber, solved for a unit pressure at each contact.
+struct Dense<'a> {
+    system: &'a BlockSystem,
+    wave: Wave,
+    solutions: Vec<DVector<f64>>,
+}
+
+impl<'a> Dense<'a> {
+    fn new(system: &'a BlockSystem, contacts: usize, wave: Wave) -> Self {
+        let n = system.unknowns();
+        let mut matrix = DMatrix::<f64>::zeros(n, n);
+        let mut loads = DMatrix::zeros(n, contacts);
+        for (i, row_) in system.rows().iter().enumerate() {
+            for block in &row_.blocks {
+                let column = &system.columns()[block.column];
+                assert_eq!(column.layer().number, block.layer);
+                let states = row(&column.layer().layer, block.face, block.quantity, &wave);
+                let sign = if block.negative { -1.0 } else { 1.0 };
+                for (amplitude, state) in column.amplitudes().zip(states.iter()) {
+                    matrix[(i, amplitude - 1)] += sign * state;
+                }
+            }
+            if let Some(pressure) = row_.pressure {
+                loads[(i, pressure.contact)] = -1.0;
+            }
+        }
+        // amplitudes differ in size from layer to layer
+        let scales: Vec<f64> = matrix.column_iter().map(|column| column.norm().recip()).collect();
+        for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
+            column *= *scale;
+        }
+        let scaled = matrix.full_piv_lu().solve(&loads).expect("a regular block matrix");
+        let unscaled = |column: usize| DVector::from_fn(n, |i, _| scales[i] * scaled[(i, column)]);
+        Self { system, wave, solutions: (0..contacts).map(unscaled).collect() }
+    }
+
+    /// λμ₀V at a face of a layer under a unit pressure at a contact.
+    fn deflection(&self, number: usize, face: Face, contact: usize) -> f64 {
+        let column = self.system.columns().iter().find(|column| column.layer().number == number).expect("a layer");
+        let first = column.amplitudes().start() - 1;
+        let states = row(&column.layer().layer, face, Quantity::V, &self.wave);
+        states.iter().enumerate().map(|(i, state)| state * self.solutions[contact][first + i]).sum()
+    }
+}
+
+/// Compares all faces that a contact can move.
+fn examine(stack: &Stack, wavenumber: f64) -> Result<(), String> {
+    let wave = Wave { wavenumber, modulus: 1.7, plane: stack.plane() };
+    let system = BlockSystem::new(stack);
+    let contacts = stack.contacts().len();
+    let dense = Dense::new(&system, contacts, wave);
+    let same = |what: &str, found: f64, expected: f64, scale: f64| {
+        let error = (found - expected).abs();
+        let legal = error <= SAME * scale;
+        legal.then_some(()).ok_or(format!("λ = {wavenumber}: {what}: {found:e} is not {expected:e}\n{system}"))
+    };
+    for (i, laminate) in stack.laminates().iter().enumerate() {
+        let chain = FreeChain::new(laminate, stack.plane()).flexibility(&wave).expect("finite");
+        let (first, last) = (laminate.layers()[0].number, laminate.layers().last().expect("a layer").number);
+        // pressure p = 1 is S = −1
+        let c_tt = -dense.deflection(first, Face::Top, i);
+        let c_tb = -dense.deflection(first, Face::Top, i + 1);
+        let c_bt = -dense.deflection(last, Face::Bottom, i);
+        let c_bb = -dense.deflection(last, Face::Bottom, i + 1);
+        let scale = (c_tt * c_bb).abs().sqrt();
+        same("top", c_tt, chain.top, chain.top)?;
+        same("bottom", c_bb, chain.bottom, chain.bottom.abs())?;
+        same("top under a load on the bottom", c_tb, chain.coupling, scale)?;
+        same("bottom under a load on the top", c_bt, -chain.coupling, scale)?;
+        same("top under equal loads", c_tt + c_tb, chain.equal_top, chain.top)?;
+        same("bottom under equal loads", c_bt + c_bb, chain.equal_bottom, chain.bottom.abs())?;
+    }
+    let base = stack.base();
+    let expected = BaseChain::new(base).flexibility(&wave).expect("finite");
+    let top = match (base.layers().first(), base.foundation()) {
+        (Some(layer), _) => layer.number,
+        (None, Foundation::HalfPlane(ground)) => ground.number,
+        // nothing there that could move
+        (None, Foundation::Rigid { .. }) => return same("rigid base", 0.0, expected, 0.0),
+    };
+    same("base", -dense.deflection(top, Face::Top, contacts - 1), expected, expected)
+}
+
+fn layer() -> impl Strategy<Value = Item> {
+    let steepness = prop_oneof![Just(0.0), Just(1e-12), -3.0..3.0];
+    (0.1..3.0f64, 0.05..20.0f64, 0.0..=0.5f64, steepness).prop_map(|(thickness, modulus, poisson, steepness)| {
+        if steepness == 0.0 {
+            Item::layer(Homogeneous::new(thickness, modulus, poisson).unwrap())
+        } else {
+            Item::layer(Exponential::new(thickness, modulus, poisson, steepness / thickness).unwrap())
+        }
+    })
+}
+
+fn interface() -> impl Strategy<Value = Item> {
+    prop_oneof![2 => Just(Item::Bonded), 1 => Just(Item::Receding)]
+}
+
+fn base() -> impl Strategy<Value = Item> {
+    let ground = |(modulus, poisson)| Item::layer(HalfPlane::new(modulus, poisson).unwrap());
+    prop_oneof![Just(Item::Rigid), (0.05..20.0f64, 0.0..=0.5f64).prop_map(ground)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn chains_solve_the_printed_matrix(
+        above in prop::collection::vec((layer(), interface()), 1..7),
+        base in base(),
+        plane in prop_oneof![Just(Plane::Strain), Just(Plane::Stress)],
+        reach in (0.3f64.ln()..20f64.ln()).prop_map(f64::exp),
+    ) {
+        let mut stack = Stack::builder(plane);
+        for (layer, interface) in above {
+            stack = stack.item(layer).item(interface);
+        }
+        let stack = stack.item(base).build().unwrap();
+        let examined = examine(&stack, reach / stack.total_thickness());
+        prop_assert!(examined.is_ok(), "{}", examined.unwrap_err());
+    }
+}
+
+#[test]
+fn the_stack_of_the_paper() {
+    let stack = Stack::builder(Plane::Strain)
+        .layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap())
+        .bonded()
+        .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
+        .receding()
+        .layer(HalfPlane::new(1.0, 0.25).unwrap())
+        .build()
+        .unwrap();
+    for wavenumber in [0.15, 0.5, 1.0, 2.0, 5.0, 10.0] {
+        examine(&stack, wavenumber).unwrap();
+    }
+}
+
+#[test]
+fn twenty_layers() {
+    let mut stack = Stack::builder(Plane::Strain);
+    for i in 0..20 {
+        let modulus = [0.3, 1.0, 4.0][i % 3];
+        stack = stack.layer(Homogeneous::new(0.05, modulus, 0.3).unwrap());
+        stack = if i == 9 { stack.receding() } else { stack.bonded() };
+    }
+    let stack = stack.layer(HalfPlane::new(2.0, 0.3).unwrap()).build().unwrap();
+    for wavenumber in [0.3, 1.0, 3.0, 20.0] {
+        examine(&stack, wavenumber).unwrap();
+    }
+}
