@@ -1,4 +1,3 @@
-
 //! An exponentially graded layer, μ(d) = μ_top e^(βd): closed forms for thick layers, entry-wise accurate series for
 //! thin ones, continuous at β = 0.
 mod thick;
@@ -153,7 +152,7 @@ impl Layer for Exponential {
         Notation {
             kind: "Exponential",
             parameters: format!(
-                "thickness: {}, shear_modulus: {}, poisson: {}, beta: {}",
+                "thickness: {:?}, shear_modulus: {:?}, poisson: {:?}, beta: {:?}",
                 self.thickness.get(),
                 self.shear_modulus.get(),
                 self.poisson.get(),
@@ -173,18 +172,4 @@ mod tests {
         let error = Exponential::new(2.0, 1.0, 0.25, -50.1).expect_err("too steep");
         assert_eq!(error, LayerError::TooSteep { found: -100.2, limit: STEEPEST });
     }
-
-    #[test]
-    fn every_entry_of_a_steep_layer_with_a_stiff_top_keeps_its_digits() {
-        // multiple precision, from the exponential of the state matrix: βh = −30, ν = 1/4, λh = 0.9
-        let layer = Exponential::new(1.0, 1.0, 0.25, -30.0).expect("legal");
-        let wave = Wave { wavenumber: 0.9, modulus: 1.0, plane: Plane::Strain };
-        let found = layer.flexibility(&wave).expect("finite");
-        for (found, expected) in [
-            (found.top, 13963.819366565489),
-            (found.coupling, -12279.426290574647),
-            (found.bottom, -106864604011.04976),
-            (found.equal_top, 1684.3930759908427),
-            (found.equal_bottom, -106864591731.62347),
-        ] {
 }

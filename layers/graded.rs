@@ -17,8 +17,10 @@ mod thin;
 
 use nalgebra::Matrix4x2;
 
-use self::clamped::{Clamped, Seen, deep};
+pub(crate) use self::clamped::Clamped;
+use self::clamped::{Seen, deep};
 use self::rule::RULE;
+pub(crate) use self::slices::inverse;
 pub(crate) use self::surface::surface_flexibility;
 use crate::{FaceStates, Layer, Material, Plane, State, Wave};
 
@@ -27,7 +29,7 @@ const THIN: f64 = 2.0;
 /// Beyond this length, in decay lengths, nothing is felt: e^(−2·30) is below rounding, squared once more.
 const FELT: f64 = 30.0;
 /// Above this a layer counts as thick whatever its length, see [`Clamped::independence`].
-const INDEPENDENT: f64 = 0.01;
+pub(crate) const INDEPENDENT: f64 = 0.01;
 
 /// Face states of any layer, from [`Layer::thickness`] and [`Layer::material`]: the provided body of
 /// [`Layer::face_states`], and what an override is examined against.
@@ -74,7 +76,7 @@ impl Profile<'_> {
             }
             slices = self.slices(wave, f64::INFINITY);
         }
-        let thick = Clamped::new(&slices.list);
+        let thick = Clamped::new(slices.list.iter().map(|slice| &slice.transfer));
         let length = slices.list.iter().map(|slice| slice.length).sum::<f64>();
         if length > THIN {
             thick.face_states([-State::z(), -State::z()])
@@ -104,11 +106,6 @@ impl Profile<'_> {
         sums
     }
 
-    /// Slices from the top face down to the bottom or to where `felt` decay lengths are passed; in a half-plane also
-    /// to where the material is so stiff that it does not move.
-    fn slices(&self, wave: &Wave, felt: f64) -> Slices {
-    }
-
     /// Two columns (λμ₀U, λμ₀V, S, T) at the top face of a layer whose bottom is not felt, for S = 1 and for T = 1.
     fn surface(&self, wave: &Wave) -> Matrix4x2<f64> {
         let slices = self.slices(wave, FELT);
@@ -121,4 +118,56 @@ impl Profile<'_> {
     }
 }
 
-TESTS
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Flexibility, Homogeneous, Isotropic};
+
+    fn wave(wavenumber: f64) -> Wave {
+        Wave { wavenumber, modulus: 1.0, plane: Plane::Strain }
+    }
+
+    fn isotropic(shear_modulus: f64) -> Material {
+        Isotropic { shear_modulus, poisson: 0.3 }.material(Plane::Strain)
+    }
+
+    #[test]
+    fn a_jump_of_the_material_is_found() {
+        let jump = 0.3;
+        let material = |depth: f64| isotropic(if depth < jump { 1.0 } else { 10.0 });
+        let [stiffness] = Profile { thickness: Some(1.0), material: &material }.integrate(|m, _| [m.axial_stiffness]);
+        let expected = isotropic(jump + 10.0 * (1.0 - jump)).axial_stiffness;
+        assert!((stiffness / expected - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_material_without_any_order_ends() {
+        let material = |depth: f64| isotropic(1.5 + (1e9 * depth).sin());
+        let states = Profile { thickness: Some(1.0), material: &material }.face_states(&wave(1.0));
+        assert!(Flexibility::of_face_states(&states).is_some());
+    }
+
+    #[test]
+    fn a_half_plane_that_stiffens_is_a_layer_on_rigid_ground() {
+        // μ = e^(βd), so soft at the face that waves longer than 1/β feel nothing of it but its compression
+        let material = |depth: f64| isotropic((5.0 * depth).exp());
+        for wavenumber in [1e-8, 1e-3, 1.0, 10.0] {
+            let top = Profile { thickness: None, material: &material }.surface(&wave(wavenumber));
+            let rigid = Profile { thickness: Some(14.0), material: &material };
+            let seen = rigid
+                .slices(&wave(wavenumber), FELT)
+                .list
+                .iter()
+                .rev()
+                .fold(Seen::clamped(), |seen, slice| seen.through(&slice.transfer));
+            assert!((top - seen.states()).amax() < 1e-13 * top.amax(), "{wavenumber} {top} {}", seen.states());
+        }
+    }
+
+    #[test]
+    fn no_thickness_is_no_layer() {
+        let nothing = Homogeneous::new(0.0, 1.0, 0.25).expect("legal");
+        let FaceStates::Finite { top, bottom, .. } = face_states(&nothing, &wave(1.0)) else { panic!("two faces") };
+        assert_eq!(top, bottom);
+    }
+}

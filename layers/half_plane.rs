@@ -55,7 +55,7 @@ impl Layer for HalfPlane {
     fn notation(&self) -> Notation {
         Notation {
             kind: "HalfPlane",
-            parameters: format!("shear_modulus: {}, poisson: {}", self.shear_modulus.get(), self.poisson.get()),
+            parameters: format!("shear_modulus: {:?}, poisson: {:?}", self.shear_modulus.get(), self.poisson.get()),
         }
     }
 }

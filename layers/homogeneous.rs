@@ -79,7 +79,7 @@ impl Layer for Homogeneous {
         Notation {
             kind: "Homogeneous",
             parameters: format!(
-                "thickness: {}, shear_modulus: {}, poisson: {}",
+                "thickness: {:?}, shear_modulus: {:?}, poisson: {:?}",
                 self.thickness.get(),
                 self.shear_modulus.get(),
                 self.poisson.get()

@@ -9,7 +9,7 @@ use crate::{FaceStates, Flexibility, Material, Plane, Wave, graded};
 pub struct Notation {
     /// Name of the layer type, e.g. `Homogeneous`.
     pub kind: &'static str,
-    /// The parameters with their values, as in the scene file, e.g. `thickness: 1, shear_modulus: 1, poisson: 0.25`.
+    /// The parameters with their values, as in the scene file, e.g. `thickness: 1.0, shear_modulus: 1.0, poisson: 0.25`.
     pub parameters: String,
 }
 
@@ -73,7 +73,7 @@ pub struct Notation {
 ///
 ///     fn notation(&self) -> Notation {
 ///         let Self { thickness, face_modulus, exponent } = self;
-///         let parameters = format!("thickness: {thickness}, face_modulus: {face_modulus}, exponent: {exponent}");
+///         let parameters = format!("thickness: {thickness:?}, face_modulus: {face_modulus:?}, exponent: {exponent:?}");
 ///         Notation { kind: "PowerLaw", parameters }
 ///     }
 /// }

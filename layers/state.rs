@@ -20,6 +20,7 @@ pub type State = Vector4<f64>;
 /// States at the faces of a layer as linear functions of the layer's amplitudes: column j is the state that
 /// amplitude j = 1 produces. The choice of the amplitudes is the layer's own; no column overflows at any wavenumber.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "copied, not stored: a box would cost more")]
 pub enum FaceStates {
     /// A layer of finite thickness: four amplitudes, two faces.
     Finite {

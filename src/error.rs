@@ -104,6 +104,16 @@ impl Error {
         match self {
             Self::Scene(error) => error.hint().map(str::to_owned),
             Self::Stack(error) => error.hint(),
+            Self::NoSolution(NoSolution::NotConverged { .. }) => Some(
+                "contacts hundreds of times longer than a layer next to them is thick need more modes than there are: \
+                 try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"
+                    .to_owned(),
+            ),
+            Self::NoSolution(NoSolution::Tension { .. } | NoSolution::Overlap { .. }) => Some(
+                "the contact seems to be more than one interval (open in the middle, touching again farther out), which \
+                 is not supported"
+                    .to_owned(),
+            ),
             _ => None,
         }
     }

@@ -1,4 +1,53 @@
 //! Receding and advancing contact of layered elastic stacks.
+//!
+//! A stack of elastic layers lies on a half-plane or a rigid base. Neighbours are bonded, or merely rest on each other:
+//! there the contact *recedes* under load to an unknown length. A rigid punch presses on top over another unknown length.
+//! `recede` finds these lengths and the pressures, with error estimates.
+//!
+//! ```
+//! use recede::{Exponential, HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+//!
+//! // a strip, bonded to a graded layer, which rests on a half-plane
+//! let stack = Stack::builder(Plane::Strain)
+//!     .layer(Homogeneous::new(1.0, 1.0, 0.25)?)
+//!     .bonded()
+//!     .layer(Exponential::new(1.0, 1.0, 0.25, -1.0)?)
+//!     .receding()
+//!     .layer(HalfPlane::new(1.0, 0.25)?)
+//!     .build()?;
+//! let model = Model::new(stack)?; // serves any punch and load
+//! let solution = model.press(&Punch::cylinder(500.0)?, 0.002)?;
+//! for contact in solution.contacts() {
+//!     println!("{}: {} ± {:e}", contact.interface, contact.half_length, contact.half_length_error);
+//! }
+//! let receding = &solution.contacts()[1];
+//! assert!((receding.half_length - 2.448_610_297_658).abs() < 1e-9);
+//! assert!(receding.pressure(1.0) < receding.peak_pressure);
+//! assert!((receding.resultant - 0.002).abs() < 1e-15);
+//! # Ok::<(), recede::Error>(())
+//! ```
+//!
+//! The same from a text file is [`Scene::read`] and [`solve`].
+//!
+//! # The way through
+//!
+//! | step | what it is |
+//! |---|---|
+//! | [`Scene`] | a text in RON: punch, force, layers and interfaces from the top down |
+//! | [`Stack`] | its checked structure: free laminates and the base below them |
+//! | [`BlockSystem`] | the boundary conditions as a symbolic block matrix |
+//! | [`FreeChain`], [`BaseChain`] | its numbers: flexibilities at a wavenumber, eliminated layer by layer |
+//! | [`Model`] | flexibilities at all wavenumbers that matter, ready to be pressed |
+//! | [`Solution`] | half-lengths, pressures, error estimates |
+//! | [`report`] | tables, JSON and CSV |
+//!
+//! Layer types live in a crate of their own, [`layers`], with the laws they obey; anyone may add to them through a
+//! [`Registry`]. Published closed forms for comparison are in [`exact`].
+//!
+//! # Conventions
+//!
+//! Any consistent units. x along the layers, depths downwards; pressures are positive in compression, forces are per unit
+//! length out of plane.
 #![deny(missing_docs)]
 
 mod contact;
@@ -18,8 +67,11 @@ mod system;
 pub use error::{Error, NoSolution};
 pub use model::{Model, solve};
 pub use options::Options;
+/// The layers' own crate: for layer types of one's own, and the laws they have to obey.
+pub use recede_layers as layers;
 pub use recede_layers::{
-    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Layer, LayerError, Plane, Registry, Wave,
+    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Isotropic, Layer, LayerError, Material, Notation,
+    Plane, Registry, Wave,
 };
 pub use scene::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units};
 pub use solution::{Contact, Interface, Solution};

@@ -98,9 +98,6 @@ impl Exponential {
 mod tests {
     use super::*;
 
-        }
-    }
-
     #[test]
     fn roots_are_those_of_the_state_matrix() {
         // s = p ± iω solves (s² − 1 − b²/4)² = −b² c, also where the pair is real (c < 0)

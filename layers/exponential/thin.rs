@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Matrix4, Matrix4x3, Vector2, Vector4};
 
 use super::Exponential;
 use crate::linear::solve_equilibrated;
+use crate::graded::{Clamped, INDEPENDENT, inverse};
 use crate::{FaceStates, Flexibility, State, Wave};
 
 /// A thin, mildly graded layer: in components symmetrised by √μ its state matrix is constant, and the even and odd
@@ -183,12 +184,27 @@ impl Steep {
     pub(super) fn face_states(&self, soft_on_top: bool) -> FaceStates {
         let (soft, stiff) = (self.scale(0), self.scale(1));
         let stiff_states = stiff * (Matrix4::identity() + self.growth);
-        let deviation = [State::zeros(), stiff * self.growth.column(2)];
-        if soft_on_top {
-            FaceStates::Finite { top: soft, bottom: stiff_states, uniform: deviation }
-        } else {
-            FaceStates::Finite { top: stiff_states, bottom: soft, uniform: [deviation[1], deviation[0]] }
+        let deviation = self.uniform();
+        let uniform = if soft_on_top { [deviation, State::zeros()] } else { [State::zeros(), deviation] };
+        let transfer = stiff * (Matrix4::identity() + self.growth) * Matrix4::from_diagonal(&soft.diagonal().map(f64::recip)) - Matrix4::identity();
+        let transfer = if soft_on_top { inverse(&transfer) } else { transfer };
+        let clamped = Clamped::new(std::iter::once(&transfer));
+        if clamped.independence() > INDEPENDENT {
+            return clamped.face_states(uniform);
         }
+        if soft_on_top {
+            FaceStates::Finite { top: soft, bottom: stiff_states, uniform: [deviation, State::zeros()] }
+        } else {
+            FaceStates::Finite { top: stiff_states, bottom: soft, uniform: [State::zeros(), deviation] }
+        }
+    }
+
+    /// The field that starts from S = 1 at the stiff face, less uniform pressure, at the soft face: a column of the
+    /// inverse transfer matrix. From stiffer to softer places stresses do not grow.
+    fn uniform(&self) -> State {
+        let [at_soft, at_stiff] = self.displacement;
+        let v = self.growth.row(1) * at_stiff;
+        State::new(-v[3], -v[2], self.lift, v[0] / at_soft)
     }
 
     /// With no shear on the soft face, its two displacements follow from S and T = 0 at the stiff face. Under equal
@@ -225,5 +241,56 @@ impl Steep {
                 equal_bottom: equal[0],
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Layer, Plane};
+
+    #[test]
+    fn every_entry_of_a_steep_layer_with_a_stiff_top_keeps_its_digits() {
+        // multiple precision, from the exponential of the state matrix: βh = −30, ν = 1/4, λh = 0.9
+        let layer = Exponential::new(1.0, 1.0, 0.25, -30.0).expect("legal");
+        let wave = Wave { wavenumber: 0.9, modulus: 1.0, plane: Plane::Strain };
+        let found = layer.flexibility(&wave).expect("finite");
+        for (found, expected) in [
+            (found.top, 13963.819366565489),
+            (found.coupling, -12279.426290574647),
+            (found.bottom, -106864604011.04976),
+            (found.equal_top, 1684.3930759908427),
+            (found.equal_bottom, -106864591731.62347),
+        ] {
+            assert!((found / expected - 1.0).abs() < 1e-13, "{found} ≠ {expected}");
+        }
+    }
+
+    #[test]
+    fn equal_loads_keep_their_digits_in_the_face_states() {
+        for poisson in [-0.9, 0.0, 0.25, 0.5] {
+            for steepness in [1.1, 4.0, 8.0, 30.0, 100.0, -1.1, -4.0, -8.0, -30.0, -100.0] {
+                let layer = Exponential::new(1.0, 1.0, poisson, steepness).expect("legal");
+                let mut line = String::new();
+                for wavenumber in [1e-8, 1e-4, 1e-2, 0.1, 0.5, 1.0] {
+                    let wave = Wave { wavenumber, modulus: 1.0, plane: Plane::Strain };
+                    let expected = layer.flexibility(&wave).expect("finite");
+                    let found = Flexibility::of_face_states(&layer.face_states(&wave)).expect("finite");
+                    let soft_top = steepness > 0.0;
+                    let (fs, es, ft, et) = if soft_top {
+                        (found.equal_top, expected.equal_top, found.equal_bottom, expected.equal_bottom)
+                    } else {
+                        (found.equal_bottom, expected.equal_bottom, found.equal_top, expected.equal_top)
+                    };
+                    line += &format!(
+                        "  {:.0e}/{:.0e}/{:.0e}",
+                        (fs / es - 1.0).abs(),
+                        (ft / et - 1.0).abs(),
+                        (ft - et).abs() / es.abs()
+                    );
+                }
+                println!("{poisson} {steepness}: {line}");
+            }
+        }
     }
 }

@@ -82,5 +82,4 @@ mod tests {
             assert!(((RULE.weights * powers)[0] - 1.0 / f64::from(k + 1)).abs() < 1e-15, "degree {k}");
         }
     }
-
 }

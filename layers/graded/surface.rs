@@ -34,3 +34,23 @@ impl Coefficients {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{FaceStates, HalfPlane, Isotropic, Layer, Plane, Wave};
+
+    #[test]
+    fn the_surface_of_a_half_plane_is_a_closed_form() {
+        for poisson in [-0.9, 0.0, 0.25, 0.5] {
+            for plane in [Plane::Strain, Plane::Stress] {
+                let material = Isotropic { shear_modulus: 3.0, poisson };
+                let wave = Wave { wavenumber: 2.0, modulus: 5.0, plane };
+                let ground = HalfPlane::new(3.0, poisson).expect("legal");
+                let FaceStates::HalfPlane { top } = ground.face_states(&wave) else { panic!("one face") };
+                let predicted = surface_flexibility(&material.material(plane), wave.modulus) * top.fixed_rows::<2>(2);
+                assert!((predicted - top.fixed_rows::<2>(0)).amax() < 1e-14, "{poisson} {plane:?}");
+            }
+        }
+    }
+}

@@ -2,8 +2,10 @@
 use super::galerkin::{alternating, order};
 use super::newton::Converged;
 
-/// What rounding leaves, relative.
-const ROUNDING: f64 = 1e-14;
+/// What rounding leaves of a half-length, relative: kernels are resolved to 1e-13 of themselves.
+const ROUNDING: f64 = 1e-13;
+/// No level is judged better than this.
+pub(super) const BEST: f64 = 5.0 * ROUNDING;
 
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {

@@ -37,8 +37,9 @@ pub(crate) fn press(
     let mut steps = 0;
     let mut failure: Option<NoSolution> = None;
     for (factor, finer) in ATTEMPTS {
-        // a single contact has no receding ones to start differently
-        if kernel.contacts() == 1 && factor != 1.0 {
+        // a single contact has no receding ones to start differently, and a root that was found needs no finer start
+        let found = !matches!(failure, None | Some(NoSolution::NotConverged { .. }));
+        if kernel.contacts() == 1 && factor != 1.0 || found && finer > 1 {
             continue;
         }
         let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();

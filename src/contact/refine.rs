@@ -5,7 +5,7 @@ use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;
-use super::level::Level;
+use super::level::{BEST, Level};
 use super::newton::{converge, not_converged};
 use super::punch::Indentation;
 
@@ -36,13 +36,22 @@ pub(super) fn refine(
     loop {
         let iterated: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
         let found = converge(kernel, punch, half_lengths, &modes, &iterated, 1e-7, steps)?;
-        slow = if found.missing > 0.0 { slow + 1 } else { 0 };
+        let settled = found.missing == 0.0;
+        slow = if settled { 0 } else { slow + 1 };
         let level = Level::new(found, &modes, before.as_ref());
-        admissible::pushes(kernel, interfaces, &level)?;
+        if settled {
+            admissible::pushes(kernel, interfaces, &level)?;
+        }
         if slow > 2 {
             return Err(not_converged(kernel, punch, &level.half_lengths));
         }
-        if level.worst_error() <= options.tolerance {
+        if level.worst_error() <= options.tolerance.max(BEST) {
+            if options.tolerance < BEST {
+                warnings.push(format!(
+                    "a tolerance of {:e} is beyond double precision; the error estimates tell what was reached",
+                    options.tolerance
+                ));
+            }
             return Ok((level, warnings));
         }
         if modes.iter().any(|modes| *modes >= FINEST) {

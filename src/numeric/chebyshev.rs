@@ -275,8 +275,7 @@ mod tests {
 
     #[test]
     fn tails_tell_resolved_from_unresolved() {
-        let tail_of =
-            |f: &dyn Fn(f64) -> f64| legendre_tail(&std::array::from_fn(|i| f(rule(PANEL).nodes[i])));
+        let tail_of = |f: &dyn Fn(f64) -> f64| legendre_tail(&std::array::from_fn(|i| f(rule(PANEL).nodes[i])));
         assert_eq!(tail_of(&|_| 0.0), 0.0);
         assert_eq!(tail_of(&|_| f64::NAN), f64::INFINITY);
         assert!(tail_of(&|x| x.cos()) < 1e-12);

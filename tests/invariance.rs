@@ -1,0 +1,216 @@
+//! What must not change an answer, for random stacks.
+//!
+//! Goal: answers depend on the bodies, not on how they are written: not on units, on slices, on layers of no thickness,
+//! on which of two equal materials is named; and every answer is admissible.
+//!
+//! ```text
+//!    P (_) R                 P (_) R
+//!   ██████████ h            ██████████ h/3      1 to 3 layers, h 0.2 to 5, μ 0.2 to 5, ν 0 to 1/2, βh -3 to 3,
+//!   ██████████       =      ----------          bonded or loose, on a half-plane or on a rigid base,
+//!   ██████████              ██████████ 2h/3     a/H about 0.01 to 1
+//!   ══╤════╤══              ══╤════╤══
+//! ```
+use std::f64::consts::PI;
+
+use proptest::prelude::*;
+use recede::exact::{Elastic, hertz};
+use recede::{Interface, Item, Plane, Stack};
+
+#[path = "support/scenario.rs"]
+mod scenario;
+
+use scenario::{Layer, Scenario, difference, homogeneous, scenario, solve};
+
+/// Differences of the order of rounding, amplified by the conditioning of the half-lengths.
+const SAME: f64 = 1e-10;
+
+fn config() -> ProptestConfig {
+    ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// Fails unless two scenarios have the same answer.
+fn same(found: &Scenario, expected: &Scenario) -> Result<(), TestCaseError> {
+    let difference = difference(&found.solve()?, 1.0, 1.0, &expected.solve()?);
+    prop_assert!(difference < SAME, "differ by {difference:e}");
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn units(scenario in scenario(), length in -300.0..300.0f64, modulus in -300.0..300.0f64, binary in any::<bool>()) {
+        // powers of two change no digit, others do
+        let factor = |exponent: f64| if binary { exponent.round().exp2() } else { (exponent / 10.0).exp() };
+        let (length, modulus) = (factor(length / 5.0), factor(modulus / 5.0));
+        let mut other = scenario.clone();
+        other.radius *= length;
+        other.force *= length * modulus;
+        for layer in &mut other.layers {
+            layer.thickness *= length;
+            layer.modulus *= modulus;
+        }
+        other.base = other.base.map(|(shear_modulus, poisson)| (shear_modulus * modulus, poisson));
+        let difference = difference(&other.solve()?, length.recip(), modulus.recip(), &scenario.solve()?);
+        prop_assert!(difference < SAME, "differ by {difference:e}");
+    }
+
+    #[test]
+    fn a_parabola_is_known_by_force_times_radius(scenario in scenario(), factor in 0.01..100.0f64) {
+        let scenario = Scenario { cylinder: false, ..scenario };
+        let other = Scenario { radius: scenario.radius * factor, force: scenario.force / factor, ..scenario.clone() };
+        let difference = difference(&other.solve()?, 1.0, factor, &scenario.solve()?);
+        prop_assert!(difference < SAME, "differ by {difference:e}");
+    }
+
+    #[test]
+    fn cutting_a_layer_in_two(scenario in scenario(), which in any::<prop::sample::Index>(), share in 0.01..0.99f64) {
+        let mut other = scenario.clone();
+        let which = which.index(other.layers.len());
+        let parts = other.layers[which].cut(share);
+        other.layers.splice(which..=which, parts);
+        same(&other, &scenario)?;
+    }
+
+    #[test]
+    fn equal_slices(scenario in homogeneous(), slices in 2..20usize) {
+        let mut other = scenario.clone();
+        let whole = other.layers.remove(0);
+        let slice = Layer { thickness: whole.thickness / slices as f64, receding: false, ..whole.clone() };
+        let lowest = Layer { receding: whole.receding, ..slice.clone() };
+        other.layers.splice(0..0, std::iter::repeat_n(slice, slices - 1).chain([lowest]));
+        same(&other, &scenario)?;
+    }
+
+    #[test]
+    fn layers_of_no_thickness(
+        scenario in scenario(),
+        nothing in scenario(),
+        which in any::<prop::sample::Index>(),
+        receding in any::<bool>(),
+    ) {
+        // an interface divided by a layer that is not there: it is receding if either part is
+        let mut other = scenario.clone();
+        let which = which.index(other.layers.len());
+        let mut nothing = Layer { thickness: 0.0, ..nothing.layers[0].clone() };
+        let above = &mut other.layers[which];
+        if above.receding {
+            (above.receding, nothing.receding) = [(true, receding), (receding, true)][usize::from(nothing.receding)];
+        } else {
+            nothing.receding = false;
+        }
+        other.layers.insert(which + 1, nothing.clone());
+        // and one on top, below which nothing can open
+        other.layers.insert(0, nothing);
+        let (found, expected) = (other.solve()?, scenario.solve()?);
+        prop_assert_eq!(difference(&found, 1.0, 1.0, &expected), 0.0);
+    }
+
+    #[test]
+    fn grading_that_vanishes(scenario in homogeneous(), positive in any::<bool>()) {
+        for (steepness, allowed) in [(0.0, SAME), (1e-300, SAME), (1e-12, SAME), (1e-6, 1e-5)] {
+            let mut other = scenario.clone();
+            let steepness = if positive { steepness } else { -steepness };
+            other.layers.iter_mut().for_each(|layer| layer.steepness = Some(steepness));
+            let difference = difference(&other.solve()?, 1.0, 1.0, &scenario.solve()?);
+            prop_assert!(difference < allowed, "for βh = {steepness:e} differ by {difference:e}");
+        }
+    }
+
+    #[test]
+    fn loose_layers_are_known_by_their_plane_modulus(scenario in homogeneous(), poisson in prop::array::uniform4(0.0..=0.5)) {
+        let loose = |mut scenario: Scenario| {
+            scenario.plane = Plane::Strain;
+            scenario.layers.iter_mut().for_each(|layer| layer.receding = true);
+            scenario
+        };
+        let scenario = loose(scenario);
+        let mut other = scenario.clone();
+        for (layer, poisson) in other.layers.iter_mut().zip(poisson) {
+            layer.modulus *= (1.0 - poisson) / (1.0 - layer.poisson);
+            layer.poisson = poisson;
+        }
+        other.base = other.base.map(|(modulus, old)| (modulus * (1.0 - poisson[3]) / (1.0 - old), poisson[3]));
+        same(&other, &scenario)?;
+    }
+
+    #[test]
+    fn plane_stress_is_plane_strain_with_another_poisson_ratio(scenario in scenario()) {
+        let stress = Scenario { plane: Plane::Stress, ..scenario };
+        let mut strain = Scenario { plane: Plane::Strain, ..stress.clone() };
+        let other = |poisson: f64| poisson / (1.0 + poisson);
+        strain.layers.iter_mut().for_each(|layer| layer.poisson = other(layer.poisson));
+        strain.base = strain.base.map(|(modulus, poisson)| (modulus, other(poisson)));
+        same(&strain, &stress)?;
+    }
+
+    #[test]
+    fn one_material_bonded_to_itself_is_a_half_plane(scenario in homogeneous()) {
+        let mut scenario = scenario;
+        let (modulus, poisson) = (scenario.layers[0].modulus, scenario.layers[0].poisson);
+        for layer in &mut scenario.layers {
+            *layer = Layer { modulus, poisson, receding: false, ..layer.clone() };
+        }
+        scenario.base = Some((modulus, poisson));
+        let material = match scenario.plane {
+            Plane::Strain => Elastic::plane_strain(modulus, poisson),
+            Plane::Stress => Elastic::plane_stress(modulus, poisson),
+        };
+        let exact = match scenario.cylinder {
+            true => hertz::cylinder(material, scenario.radius, scenario.force).unwrap(),
+            false => hertz::parabola(material, scenario.radius, scenario.force),
+        };
+        let solution = scenario.solve()?;
+        let [contact] = solution.contacts() else { panic!("one contact") };
+        prop_assert!((contact.half_length / exact.half_length() - 1.0).abs() < SAME);
+        prop_assert!((contact.peak_pressure / exact.central_pressure() - 1.0).abs() < SAME);
+    }
+
+    #[test]
+    fn more_force_makes_a_longer_contact(scenario in scenario(), more in 1.001..2.0f64) {
+        let pressed = Scenario { force: more * scenario.force, ..scenario.clone() };
+        let [less, more] = [scenario.solve()?, pressed.solve()?];
+        prop_assert!(less.contacts()[0].half_length < more.contacts()[0].half_length);
+    }
+
+    #[test]
+    fn every_answer_is_admissible(scenario in scenario()) {
+        let solution = scenario.solve()?;
+        let stack = Stack::from_items(scenario.plane, &scenario.items()).unwrap();
+        let labels: Vec<Interface> = solution.contacts().iter().map(|contact| contact.interface).collect();
+        prop_assert_eq!(labels, stack.contacts());
+        let largest = solution.contacts().iter().fold(0.0, |p: f64, contact| p.max(contact.peak_pressure));
+        for contact in solution.contacts() {
+            let a = contact.half_length;
+            // p(a cos φ) sin φ is smooth and periodic: equidistant places integrate it
+            let places = 1200;
+            let angle = |k: usize| PI * (k as f64 + 0.5) / f64::from(places);
+            let pressures: Vec<f64> = (0..places as usize).map(|k| contact.pressure(a * angle(k).cos())).collect();
+            let weighted = pressures.iter().enumerate().map(|(k, p)| p * angle(k).sin());
+            let resultant = weighted.sum::<f64>() * a * PI / f64::from(places);
+            prop_assert!((resultant / scenario.force - 1.0).abs() < 1e-11, "{resultant} is not {}", scenario.force);
+            prop_assert!((contact.resultant / scenario.force - 1.0).abs() < 1e-12);
+            prop_assert!(pressures.iter().all(|p| *p > -1e-7 * largest));
+            prop_assert_eq!(contact.pressure(1.001 * a), 0.0);
+        }
+        prop_assert!(solution.min_pressure() > -1e-7 * largest);
+        prop_assert!(solution.min_gap() > -1e-7 * scenario.thickness());
+    }
+}
+
+#[test]
+fn contacts_are_numbered_as_written() {
+    let layer = |thickness, receding| Layer { thickness, modulus: 1.0, poisson: 0.25, steepness: None, receding };
+    let scenario = Scenario {
+        plane: Plane::Strain,
+        layers: vec![layer(1.0, false), layer(0.0, false), layer(1.0, true), layer(1.0, true)],
+        base: Some((1.0, 0.25)),
+        cylinder: true,
+        radius: 500.0,
+        force: 0.002,
+    };
+    let items: Vec<Item> = scenario.items();
+    let solution = solve(scenario.plane, &items, &scenario.punch(), scenario.force).unwrap();
+    let labels: Vec<String> = solution.contacts().iter().map(|contact| contact.interface.to_string()).collect();
+    assert_eq!(labels, ["punch", "3|4", "4|5"]);
+}
