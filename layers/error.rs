@@ -13,7 +13,7 @@ pub enum LayerError {
         reason: crate::quantity::OutOfRange,
     },
     /// A graded layer whose modulus varies by more than double precision can carry.
-    #[error("beta * thickness is {found}; allowed is |beta * thickness| <= {limit}")]
+    #[error("beta * thickness is {found:?}; allowed is |beta * thickness| <= {limit:?}")]
     TooSteep {
         /// The product of the grading exponent and the thickness, dimensionless.
         found: f64,

@@ -28,8 +28,6 @@ use crate::{FaceStates, Layer, Material, Plane, State, Wave};
 const THIN: f64 = 2.0;
 /// Beyond this length, in decay lengths, nothing is felt: e^(−2·30) is below rounding, squared once more.
 const FELT: f64 = 30.0;
-/// Above this a layer counts as thick whatever its length, see [`Clamped::independence`].
-pub(crate) const INDEPENDENT: f64 = 0.01;
 
 /// Face states of any layer, from [`Layer::thickness`] and [`Layer::material`]: the provided body of
 /// [`Layer::face_states`], and what an override is examined against.
@@ -80,7 +78,7 @@ impl Profile<'_> {
         let length = slices.list.iter().map(|slice| slice.length).sum::<f64>();
         if length > THIN {
             thick.face_states([-State::z(), -State::z()])
-        } else if thick.independence() > INDEPENDENT {
+        } else if thick.is_independent() {
             thick.face_states(thin::uniform(&slices.list))
         } else {
             thin::face_states(&slices.list)

@@ -4,6 +4,9 @@ use nalgebra::{Matrix2, Matrix4, Matrix4x2};
 use super::slices::inverse;
 use crate::{FaceStates, State};
 
+/// Above this a layer counts as thick whatever its length, see [`Clamped::independence`].
+const INDEPENDENT: f64 = 0.01;
+
 /// A layer seen from one of its faces.
 pub(super) struct Seen {
     /// (λμ₀U, λμ₀V) at the face from (S, T) on it.
@@ -56,9 +59,14 @@ impl Clamped {
 
     /// 1 if the faces do not feel each other, 0 if stresses on one face are handed on to the other unchanged, as in a
     /// layer that moves like a rigid body.
-    pub fn independence(&self) -> f64 {
+    fn independence(&self) -> f64 {
         let [down, up] = [&self.from_top, &self.from_bottom].map(|seen| seen.far.unwrap_or(Matrix2::zeros()));
         (Matrix2::identity() - up * down).determinant()
+    }
+
+    /// Whether the faces feel each other so little that the amplitudes are well chosen.
+    pub fn is_independent(&self) -> bool {
+        self.independence() > INDEPENDENT
     }
 
     pub fn face_states(&self, uniform: [State; 2]) -> FaceStates {

@@ -13,6 +13,7 @@ use super::basis::Basis;
 use super::galerkin::{Equations, alternating, order};
 use super::layout::Layout;
 use super::level::{Level, coefficients};
+use super::newton::not_converged;
 use super::punch::Indentation;
 
 /// Pressures are looked at in this many places per mode.
@@ -39,7 +40,7 @@ pub(super) fn check(
     level: &Level,
 ) -> Result<Check, Error> {
     let mut check = Check { min_pressure: pushes(kernel, interfaces, level)?, min_gap: 0.0 };
-    for (i, gaps) in gaps(kernel, punch, level).into_iter().enumerate() {
+    for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
         for (x, gap) in gaps {
             if gap < -ZERO * largest {
@@ -83,18 +84,19 @@ fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
 }
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
-fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Vec<Vec<(f64, f64)>> {
+fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Error> {
     let n = level.half_lengths.len();
     let longest = level.half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b));
     let span = 2.0 * longest + 2.0;
     let counts: Vec<usize> = level.modes.iter().map(Vec::len).collect();
     let orders: Vec<usize> = counts.iter().map(|count| 2 * count).collect();
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, span);
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, span)
+        .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
     let bases: Vec<Basis> =
         (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], counts[i])).collect();
     let slopes = punch.slopes(level.half_lengths[0], 1);
     let transforms = Equations::new(&layout, &bases, &slopes, &level.solved).slope_transforms(&level.modes);
-    (0..n)
+    Ok((0..n)
         .map(|i| {
             let (a, limit) = (level.half_lengths[i], layout.own[i].limit);
             let mut end = span;
@@ -118,7 +120,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Vec<Vec<(f64, f6
                 })
                 .collect()
         })
-        .collect()
+        .collect())
 }
 
 /// ∫ from a to x = a cosh t of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, j = 2m + 1.

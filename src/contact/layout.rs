@@ -13,6 +13,10 @@ use crate::numeric::quadrature::{laguerre_rule, rule};
 
 /// Longest stretch, in Gauss points, before it is cut in two.
 const LONGEST: usize = 512;
+/// More wavenumbers than this no admissible scene was seen to need.
+const MOST_WAVENUMBERS: usize = 8_000;
+/// Stretches with more such parts are left out of fields.
+const MOST_PARTS: usize = 8;
 /// Points on the path into the complex plane.
 const TURNED_POINTS: usize = 32;
 
@@ -68,8 +72,8 @@ fn turning(orders: usize) -> f64 {
 
 impl Layout {
     /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, able to resolve
-    /// the fields out to |x| = `span` besides.
-    pub(super) fn new(kernel: &Kernel, half_lengths: &[f64], orders: &[usize], span: f64) -> Self {
+    /// the fields out to |x| = `span` besides; `None` if that takes too many wavenumbers.
+    pub(super) fn new(kernel: &Kernel, half_lengths: &[f64], orders: &[usize], span: f64) -> Option<Self> {
         let n = kernel.contacts();
         let reaches: Vec<f64> = (0..n)
             .map(|i| {
@@ -96,6 +100,9 @@ impl Layout {
             if edge >= last {
                 break;
             }
+            if layout.zeta.len() > MOST_WAVENUMBERS {
+                return None;
+            }
             let next = kernel.panels().get(panel).map_or(2.0 * edge, |panel| panel.to);
             let mut cuts = vec![edge];
             cuts.extend(reaches.iter().copied().filter(|&r| edge < r && r < next));
@@ -110,7 +117,7 @@ impl Layout {
             let couplings = layout.coupling[i.saturating_sub(1)..(i + 1).min(n - 1)].iter().map(Vec::len);
             layout.own[i].reach = couplings.fold(layout.own[i].diagonal.len(), usize::max);
         }
-        layout
+        Some(layout)
     }
 
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
@@ -126,11 +133,11 @@ impl Layout {
         span: f64,
     ) {
         let n = kernel.contacts();
-        let own: Vec<bool> = reaches.iter().map(|&reach| to <= reach).collect();
         let panel = kernel.panels().get(panel);
         let gapless = |nodes: &Vec<f64>| nodes.len() == self.zeta.len();
         let coupled: Vec<bool> =
             (0..n - 1).map(|i| panel.is_some_and(|panel| panel.coupled[i]) && gapless(&self.coupling[i])).collect();
+        let own: Vec<bool> = (0..n).map(|i| to <= reaches[i] && gapless(&self.own[i].diagonal)).collect();
         let mut frequency: f64 = 0.0;
         for i in 0..n {
             if own[i] {
@@ -146,10 +153,17 @@ impl Layout {
         // a Gauss rule resolves a wave once it has two points per wavelength and some to spare
         let phase = frequency * (to - from);
         let needed = (13.0 + 0.25 * phase + 3.0 * (0.5 * phase).cbrt()).ceil() as usize;
-        let parts = needed.div_ceil(LONGEST);
-        let points = rule(needed.div_ceil(parts).max(16));
+        let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS);
+        if span > 0.0 && parts > MOST_PARTS {
+            // far from a contact, waves so much shorter than the distance do not matter
+            return;
+        }
+        let points = rule(needed.div_ceil(parts).clamp(16, LONGEST));
         let mut components = vec![0.0; 3 * n - 1];
         for part in 0..parts {
+            if self.zeta.len() > MOST_WAVENUMBERS {
+                return;
+            }
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             for (zeta, weight) in points.on(at(part), at(part + 1)) {
                 let weight = weight / zeta;

@@ -21,8 +21,6 @@ const STEPS: usize = 12;
 const ROUGHLY: f64 = 1e-2;
 /// Farther from the start, in the logarithm of a half-length, Newton's method is lost.
 const FARTHEST: f64 = 4.0;
-/// More wavenumbers than this no admissible scene was seen to need.
-const MOST_WAVENUMBERS: usize = 8_000;
 
 /// Where Newton's method has come to.
 pub(super) struct Converged {
@@ -56,13 +54,10 @@ pub(super) fn converge(
         if !near(&start, FARTHEST) {
             break;
         }
-        let (layout, _) = match layout.take() {
-            Some((kept, about)) if near(&about, LAYOUT_SERVES) => layout.insert((kept, about)),
-            _ => layout.insert((Layout::new(kernel, &half_lengths, &orders, 0.0), half_lengths.clone())),
-        };
-        if layout.zeta.len() > MOST_WAVENUMBERS {
-            break;
+        if !layout.as_ref().is_some_and(|(_, about)| near(about, LAYOUT_SERVES)) {
+            layout = Layout::new(kernel, &half_lengths, &orders, 0.0).map(|new| (new, half_lengths.clone()));
         }
+        let Some((layout, _)) = &layout else { break };
         let bases: Vec<Basis> =
             (0..half_lengths.len()).map(|i| Basis::new(layout, &layout.own[i], half_lengths[i], iterated[i])).collect();
         let slopes = punch.slopes(half_lengths[0], iterated[0]);

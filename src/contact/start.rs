@@ -15,7 +15,7 @@ const TYPICAL: f64 = 1.2;
 /// Half-lengths in units of L, from the top down.
 pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
     // punch: Hertz, on the compliance that the whole stack has for waves as long as the contact
-    let (mut low, mut high): (f64, f64) = (1e-12, 1e6);
+    let (mut low, mut high): (f64, f64) = (1e-100, 1e6);
     if let Some(limit) = punch.max_half_length() {
         high = limit;
         low = low.min(0.5 * high);

@@ -23,7 +23,7 @@ pub fn known() -> BTreeMap<String, Known> {
 
 /// The file of a scene.
 pub fn scene_file(name: &str) -> PathBuf {
-    data().join("scenes").join(name).with_added_extension("ron")
+    data().join("scenes").join(format!("{name}.ron"))
 }
 
 fn data() -> PathBuf {

@@ -4,6 +4,11 @@ use std::f64::consts::FRAC_PI_2;
 use proptest::prelude::*;
 use recede::{Error, Exponential, HalfPlane, Homogeneous, Item, Model, Plane, Punch, Solution, Stack};
 
+/// A layer is looked at in so many depths.
+const PARTS: usize = 100;
+/// Laminates that bend more than this by themselves are left out.
+const STRAIGHT: f64 = 0.05;
+
 /// A layer, and the interface below it.
 #[derive(Clone, Debug)]
 pub struct Layer {
@@ -89,6 +94,35 @@ impl Scenario {
         self.layers.iter().map(|layer| layer.thickness).sum()
     }
 
+    /// How much a free laminate bends as a whole where both its faces are pressed, compared with how far a line load
+    /// spreads in it; positive where its ends go down.
+    ///
+    /// Pressure makes a layer longer. If this bends the ends down more than the spreading load bends them up, a laminate
+    /// does not lift off from what it lies on, or touches it again further out.
+    fn bending_under_equal_loads(&self) -> f64 {
+        let laminates = self.layers.split_inclusive(|layer| layer.receding);
+        let bending =
+            laminates.filter(|laminate| laminate.last().is_some_and(|layer| layer.receding)).map(|laminate| {
+                let (mut height, mut stiffness, mut stiffness_moment, mut push, mut push_moment) =
+                    (0.0, 0.0, 0.0, 0.0, 0.0);
+                for layer in laminate {
+                    let Item::Layer(body) = layer.item() else { continue };
+                    for part in 0..PARTS {
+                        let depth = layer.thickness * (part as f64 + 0.5) / PARTS as f64;
+                        let material = body.material(depth, self.plane);
+                        let (share, y) = (layer.thickness / PARTS as f64, -height - depth);
+                        stiffness += share * material.axial_stiffness;
+                        stiffness_moment += share * material.axial_stiffness * y;
+                        push += share * material.coupling;
+                        push_moment += share * material.coupling * y;
+                    }
+                    height += layer.thickness;
+                }
+                (push_moment - push * stiffness_moment / stiffness) / height.powi(2)
+            });
+        bending.fold(0.0, |largest: f64, one| if one.abs() > largest.abs() { one } else { largest })
+    }
+
     /// Solves it.
     ///
     /// # Errors
@@ -113,8 +147,13 @@ fn layer() -> impl Strategy<Value = Layer> {
     )
 }
 
-/// One to three layers on a half-plane or a rigid base, pressed so that a/H is about 0.01 to 1.
+/// One to three layers on a half-plane or a rigid base, pressed so that a/H is about 0.01 to 1; none that bends so much
+/// by itself that its contact has more than one part, or no end.
 pub fn scenario() -> impl Strategy<Value = Scenario> {
+    any_scenario().prop_filter("bends by itself", |scenario| scenario.bending_under_equal_loads().abs() < STRAIGHT)
+}
+
+fn any_scenario() -> impl Strategy<Value = Scenario> {
     let base = prop_oneof![2 => (0.2..5.0f64, 0.0..=0.5f64).prop_map(Some), 1 => Just(None)];
     let plane = prop_oneof![Just(Plane::Strain), Just(Plane::Stress)];
     let wide = (0.01f64.ln()..0.0).prop_map(f64::exp);
