@@ -3,7 +3,7 @@
 //! `cargo run --release --example table1`
 mod paper;
 
-fn main() -> Result<(), recede::Error> {
+pub fn main() -> Result<(), recede::Error> {
     let table = paper::table("table1")?;
     println!("{table}");
     assert!(table.wrong().is_empty(), "further off than the paper's method explains: {:#?}", table.wrong());

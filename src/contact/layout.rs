@@ -95,12 +95,14 @@ impl Layout {
         }));
         let coupled = kernel.panels().iter().filter(|panel| panel.coupled.contains(&true));
         let last = coupled.map(|panel| panel.to).chain(reaches.iter().copied()).fold(0.0, f64::max);
+        // fields far away take more
+        let most = if span > 0.0 { 8 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {
                 break;
             }
-            if layout.zeta.len() > MOST_WAVENUMBERS {
+            if layout.zeta.len() > most {
                 return None;
             }
             let next = kernel.panels().get(panel).map_or(2.0 * edge, |panel| panel.to);
@@ -153,7 +155,7 @@ impl Layout {
         // a Gauss rule resolves a wave once it has two points per wavelength and some to spare
         let phase = frequency * (to - from);
         let needed = (13.0 + 0.25 * phase + 3.0 * (0.5 * phase).cbrt()).ceil() as usize;
-        let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS);
+        let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
         if span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
             return;
@@ -161,9 +163,6 @@ impl Layout {
         let points = rule(needed.div_ceil(parts).clamp(16, LONGEST));
         let mut components = vec![0.0; 3 * n - 1];
         for part in 0..parts {
-            if self.zeta.len() > MOST_WAVENUMBERS {
-                return;
-            }
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             for (zeta, weight) in points.on(at(part), at(part + 1)) {
                 let weight = weight / zeta;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 /// What is known of one scene: its contacts from the top down.
 #[derive(Debug, serde::Deserialize)]
+#[allow(dead_code, reason = "who compares half-lengths only need not read the rest")]
 pub struct Known {
     /// Half-lengths.
     pub half_length: Vec<f64>,

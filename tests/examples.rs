@@ -1,0 +1,74 @@
+//! Everything in examples/ does what it says.
+//!
+//! Goal: every scene is read and solved, says in its first line what it shows, and is unlike the others; every program
+//! runs and asserts its own answer.
+#![allow(clippy::duplicate_mod, reason = "both tables bring along what they share")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use recede::Scene;
+
+#[path = "../examples/full_model.rs"]
+mod full_model;
+#[path = "../examples/library.rs"]
+mod library;
+#[path = "../examples/table1.rs"]
+mod table1;
+#[path = "../examples/table2.rs"]
+mod table2;
+
+fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<PathBuf> =
+        entries.filter(|file| file.extension().is_some_and(|found| found == ending)).collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn scenes_are_solved() {
+    let scenes = files("examples/scenes", "ron");
+    assert!(scenes.len() >= 8, "{scenes:?}");
+    for file in scenes {
+        let scene = Scene::read(&file).unwrap_or_else(|error| panic!("{error}"));
+        let solution = recede::solve(&scene).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        assert_eq!(solution.warnings(), [""; 0], "{}", file.display());
+        for contact in solution.contacts() {
+            assert!(contact.half_length_error <= 1e-10 * contact.half_length, "{}: {contact:?}", file.display());
+            assert!((contact.resultant / scene.force - 1.0).abs() < 1e-12, "{}: {contact:?}", file.display());
+        }
+    }
+}
+
+#[test]
+fn scenes_say_what_they_show() {
+    let mut shown = BTreeMap::new();
+    for file in files("examples/scenes", "ron") {
+        let text = fs::read_to_string(&file).unwrap();
+        let first = text.lines().next().unwrap_or_default().to_owned();
+        let sentence = first.strip_prefix("// ").unwrap_or_else(|| panic!("{}: no comment first", file.display()));
+        assert!(sentence.len() > 20 && sentence.ends_with('.'), "{}: {sentence}", file.display());
+        if let Some(other) = shown.insert(sentence.to_owned(), file.clone()) {
+            panic!("{} shows what {} does", file.display(), other.display());
+        }
+    }
+}
+
+#[test]
+fn programs_assert_their_answers() {
+    let programs: [(&str, fn() -> Result<(), recede::Error>); 4] = [
+        ("full_model", full_model::main),
+        ("library", library::main),
+        ("table1", table1::main),
+        ("table2", table2::main),
+    ];
+    let names = files("examples", "rs");
+    let names: Vec<&str> = names.iter().map(|file| file.file_stem().unwrap().to_str().unwrap()).collect();
+    assert_eq!(names, programs.map(|(name, _)| name), "a program that is not run here");
+    for (name, main) in programs {
+        main().unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
