@@ -21,7 +21,7 @@ const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places per contact.
 const GAPS: usize = 16;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
-const GAP_MODES: usize = 256;
+const GAP_MODES: usize = 128;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-7;
 

@@ -96,7 +96,7 @@ impl Layout {
         let coupled = kernel.panels().iter().filter(|panel| panel.coupled.contains(&true));
         let last = coupled.map(|panel| panel.to).chain(reaches.iter().copied()).fold(0.0, f64::max);
         // fields far away take more
-        let most = if span > 0.0 { 8 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
+        let most = if span > 0.0 { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {
