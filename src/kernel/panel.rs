@@ -10,8 +10,10 @@ use super::Chains;
 pub(crate) const POINTS: usize = chebyshev::PANEL;
 /// A panel is resolved if the last Legendre coefficients are below this, relative to the kernel's size on the panel.
 const RESOLVED: f64 = 1e-13;
-/// Narrower than 2⁻³⁰ of the first panel no stack needs.
-const NARROWEST: f64 = 1e-9;
+/// Kernels vary on the scale of the wavenumber itself: what is not resolved on a panel as narrow as this part of it, or
+/// below this wavenumber, is rounding.
+const NARROWEST: f64 = 1.0 / 16.0;
+const LOWEST: f64 = 1e-9;
 /// A coupling below this part of the kernels it couples is nothing.
 const NOTHING: f64 = 1e-18;
 
@@ -50,7 +52,7 @@ pub(super) fn resolve(
 ) -> Result<(), Error> {
     let panel = Panel::new(chains, from, to, wanted)?;
     *samples += POINTS;
-    if panel.is_resolved() || to - from < NARROWEST {
+    if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
         panels.push(panel);
         return Ok(());
     }
@@ -90,8 +92,13 @@ impl Panel {
         let n = self.contacts;
         (0..3 * n - 1).all(|c| {
             let size = self.size(c);
-            // a coupling need be known only as well as what it couples
-            let scale = if c < 2 * n { size } else { self.size(c - 2 * n).max(self.size(c - 2 * n + 1)) };
+            let scale = match c / n {
+                0 => size,
+                // equal loads on a long wave leave what bending, ζ² larger, loses to rounding
+                1 => size.max(self.size(c - n) / (1.0 + self.to * self.to)),
+                // a coupling need be known only as well as what it couples
+                _ => self.size(c - 2 * n).max(self.size(c - 2 * n + 1)),
+            };
             size == 0.0 || chebyshev::legendre_tail(&self.values[c]) * size <= RESOLVED * scale
         })
     }
