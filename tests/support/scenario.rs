@@ -2,7 +2,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use proptest::prelude::*;
-use recede::{Error, Exponential, HalfPlane, Homogeneous, Item, Model, Plane, Punch, Solution, Stack};
+use recede::{Error, Exponential, HalfPlane, Homogeneous, Item, Model, NoSolution, Plane, Punch, Solution, Stack};
 
 /// A layer is looked at in so many depths.
 const PARTS: usize = 100;
@@ -99,7 +99,7 @@ impl Scenario {
     ///
     /// Pressure makes a layer longer. If this bends the ends down more than the spreading load bends them up, a laminate
     /// does not lift off from what it lies on, or touches it again further out.
-    fn bending_under_equal_loads(&self) -> f64 {
+    pub fn bending_under_equal_loads(&self) -> f64 {
         let laminates = self.layers.split_inclusive(|layer| layer.receding);
         let bending =
             laminates.filter(|laminate| laminate.last().is_some_and(|layer| layer.receding)).map(|laminate| {
@@ -130,6 +130,19 @@ impl Scenario {
     pub fn solve(&self) -> Result<Solution, Error> {
         solve(self.plane, &self.items(), &self.punch(), self.force)
     }
+
+    /// Solves it, or looks for another one if a contact has more than one part.
+    ///
+    /// # Errors
+    /// Those of the solver.
+    pub fn solve_if_in_one_part(&self) -> Result<Solution, TestCaseError> {
+        self.solve().map_err(|error| match error {
+            Error::NoSolution(NoSolution::Tension { .. } | NoSolution::Overlap { .. }) => {
+                TestCaseError::reject("a contact has more than one part")
+            }
+            _ => TestCaseError::fail(error.to_string()),
+        })
+    }
 }
 
 /// Solves a stack of items.
@@ -153,7 +166,8 @@ pub fn scenario() -> impl Strategy<Value = Scenario> {
     any_scenario().prop_filter("bends by itself", |scenario| scenario.bending_under_equal_loads().abs() < STRAIGHT)
 }
 
-fn any_scenario() -> impl Strategy<Value = Scenario> {
+/// The same, however the layers bend.
+pub fn any_scenario() -> impl Strategy<Value = Scenario> {
     let base = prop_oneof![2 => (0.2..5.0f64, 0.0..=0.5f64).prop_map(Some), 1 => Just(None)];
     let plane = prop_oneof![Just(Plane::Strain), Just(Plane::Stress)];
     let wide = (0.01f64.ln()..0.0).prop_map(f64::exp);
@@ -186,7 +200,9 @@ pub fn difference(found: &Solution, length: f64, pressure: f64, expected: &Solut
             let found = found.pressure(s * found.half_length) * pressure;
             (found - expected.pressure(s * expected.half_length)).abs() / expected.peak_pressure
         };
-        [0.0, 0.3, 0.6, 0.9].map(at).into_iter().fold(half_lengths, f64::max)
+        // the tolerance is one on half-lengths and on the pressure at x = 0: elsewhere the highest modes are felt
+        let elsewhere = [0.3, 0.6, 0.9].map(|s| 1e-3 * at(s));
+        elsewhere.into_iter().fold(half_lengths.max(at(0.0)), f64::max)
     });
     one.fold(0.0, f64::max)
 }
