@@ -130,7 +130,10 @@ impl Kernel {
                     }
                 }
             }
-            let wanted: Vec<bool> = far.iter().map(Option::is_none).collect();
+            // a contact feels its neighbours twice as far as the other side of its own laminate
+            let felt = |i: usize| kernel.panels.last().is_none_or(|panel| panel.coupled[i]);
+            let wanted: Vec<bool> =
+                (0..n).map(|i| far[i].is_none() || i > 0 && felt(i - 1) || i + 1 < n && felt(i)).collect();
             if !wanted.contains(&true) {
                 kernel.far = far.into_iter().flatten().collect();
                 return Ok(kernel);

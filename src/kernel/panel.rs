@@ -15,7 +15,7 @@ const RESOLVED: f64 = 1e-13;
 const NARROWEST: f64 = 1.0 / 16.0;
 const LOWEST: f64 = 1e-9;
 /// A coupling below this part of the kernels it couples is nothing.
-const NOTHING: f64 = 1e-18;
+const NOTHING: f64 = 1e-17;
 
 /// Kernel values at the Gauss points of one panel.
 #[derive(Clone, Debug)]
