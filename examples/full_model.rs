@@ -11,6 +11,7 @@ use recede::{Error, Exponential, Item, Model, Punch, Scene, Stack};
 const RADII: [f64; 3] = [250.0, 500.0, 1000.0];
 const STEEPNESS: [f64; 10] = [-3.0, -2.5, -2.0, -1.5, -1.0, -0.5, 0.001, 0.25, 0.5, 1.0];
 
+/// Prints the table and checks it.
 pub fn main() -> Result<(), Error> {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/strip_fgm_half_plane.ron");
     let scene = Scene::read(file)?;

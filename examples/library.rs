@@ -3,6 +3,7 @@
 //! `cargo run --release --example library`
 use recede::{Exponential, HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
 
+/// Solves a stack and prints what was found.
 pub fn main() -> Result<(), recede::Error> {
     let stack = Stack::builder(Plane::Strain)
         .layer(Homogeneous::new(1.0, 1.0, 0.25)?)

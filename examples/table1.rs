@@ -3,6 +3,7 @@
 //! `cargo run --release --example table1`
 mod paper;
 
+/// Prints the table and checks it.
 pub fn main() -> Result<(), recede::Error> {
     let table = paper::table("table1")?;
     println!("{table}");

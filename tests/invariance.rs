@@ -13,17 +13,18 @@
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{RngSeed, TestRunner};
 use recede::exact::{Elastic, hertz};
-use recede::{Interface, Item, Plane, Stack};
+use recede::{Error, Interface, Item, NoSolution, Plane, Stack};
 
 #[path = "support/scenario.rs"]
 mod scenario;
 
-use scenario::{Layer, Scenario, difference, homogeneous, scenario, solve};
+use scenario::{Layer, Scenario, curved_scenario, difference, homogeneous, scenario, solve};
 
-/// Differences of the order of rounding, amplified by the conditioning of the half-lengths.
-const SAME: f64 = 1e-10;
+/// Two answers, each within the tolerance of 1e-10 that it was asked for.
+const SAME: f64 = 5e-10;
 
 fn config() -> ProptestConfig {
     let rng_seed = RngSeed::Fixed(20_211);
@@ -203,6 +204,22 @@ proptest! {
         prop_assert!(solution.min_pressure() > -1e-7 * largest);
         prop_assert!(solution.min_gap() > -1e-7 * scenario.thickness());
     }
+}
+
+#[test]
+fn hardly_any_contact_has_more_than_one_part() {
+    let mut runner = TestRunner::new(config());
+    let (mut solved, all) = (0, 300);
+    for _ in 0..all {
+        let scenario = curved_scenario().new_tree(&mut runner).unwrap().current();
+        match scenario.solve() {
+            Ok(_) => solved += 1,
+            Err(Error::NoSolution(NoSolution::Tension { .. } | NoSolution::Overlap { .. })) => {}
+            Err(error) => panic!("{error}: {scenario:#?}"),
+        }
+    }
+    println!("{solved} of {all} random stacks are solved");
+    assert!(solved >= all * 98 / 100, "{solved} of {all}");
 }
 
 #[test]

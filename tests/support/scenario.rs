@@ -8,6 +8,8 @@ use recede::{Error, Exponential, HalfPlane, Homogeneous, Item, Model, NoSolution
 const PARTS: usize = 100;
 /// Laminates that bend more than this by themselves are left out.
 const STRAIGHT: f64 = 0.05;
+/// Laminates that bend down more than about 0.1 need not lift off from a rigid base at all.
+const LIFTS_OFF: f64 = 0.08;
 
 /// A layer, and the interface below it.
 #[derive(Clone, Debug)]
@@ -99,7 +101,7 @@ impl Scenario {
     ///
     /// Pressure makes a layer longer. If this bends the ends down more than the spreading load bends them up, a laminate
     /// does not lift off from what it lies on, or touches it again further out.
-    pub fn bending_under_equal_loads(&self) -> f64 {
+    fn bending_under_equal_loads(&self) -> f64 {
         let laminates = self.layers.split_inclusive(|layer| layer.receding);
         let bending =
             laminates.filter(|laminate| laminate.last().is_some_and(|layer| layer.receding)).map(|laminate| {
@@ -166,8 +168,12 @@ pub fn scenario() -> impl Strategy<Value = Scenario> {
     any_scenario().prop_filter("bends by itself", |scenario| scenario.bending_under_equal_loads().abs() < STRAIGHT)
 }
 
-/// The same, however the layers bend.
-pub fn any_scenario() -> impl Strategy<Value = Scenario> {
+/// The same, with layers that may bend so much that a contact has more than one part.
+pub fn curved_scenario() -> impl Strategy<Value = Scenario> {
+    any_scenario().prop_filter("does not lift off", |scenario| scenario.bending_under_equal_loads() < LIFTS_OFF)
+}
+
+fn any_scenario() -> impl Strategy<Value = Scenario> {
     let base = prop_oneof![2 => (0.2..5.0f64, 0.0..=0.5f64).prop_map(Some), 1 => Just(None)];
     let plane = prop_oneof![Just(Plane::Strain), Just(Plane::Stress)];
     let wide = (0.01f64.ln()..0.0).prop_map(f64::exp);
