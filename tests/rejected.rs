@@ -72,7 +72,7 @@ fn numbers_out_of_range() {
       8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: -inf),
         |                                                                             ^
 
-    error: stdin:8:9: layer 2 (Exponential): beta * thickness is 2000; allowed is |beta * thickness| <= 100
+    error: stdin:8:9: layer 2 (Exponential): beta * thickness is 2000.0; allowed is |beta * thickness| <= 100.0
       8 |         Exponential(thickness: 2.0, shear_modulus: 3.0, poisson: 0.3, beta: 1e3),
         |         ^
 
