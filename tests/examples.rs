@@ -28,6 +28,9 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     files
 }
 
+/// The main function of an example.
+type Program = fn() -> Result<(), recede::Error>;
+
 #[test]
 fn scenes_are_solved() {
     let scenes = files("examples/scenes", "ron");
@@ -59,7 +62,7 @@ fn scenes_say_what_they_show() {
 
 #[test]
 fn programs_assert_their_answers() {
-    let programs: [(&str, fn() -> Result<(), recede::Error>); 4] = [
+    let programs: [(&str, Program); 4] = [
         ("full_model", full_model::main),
         ("library", library::main),
         ("table1", table1::main),
