@@ -62,6 +62,7 @@ pub mod report;
 mod scene;
 mod solution;
 mod stack;
+pub mod stress;
 mod system;
 
 pub use error::{Error, NoSolution};

@@ -12,6 +12,7 @@ fn main() -> ExitCode {
     cli::explain(&failure);
     match failure {
         cli::Failure::Scene(error) if !error.is_input() => ExitCode::from(1),
+        cli::Failure::Wrong(_) => ExitCode::from(1),
         _ => ExitCode::from(2),
     }
 }

@@ -8,7 +8,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 11] = [
+const MAY_IMPORT: [(&str, &[&str]); 12] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("options", &[]),
@@ -20,6 +20,7 @@ const MAY_IMPORT: [(&str, &[&str]); 11] = [
     ("contact", &["kernel", "numeric", "scene"]),
     ("model", &["contact", "kernel", "scene", "stack"]),
     ("report", &["scene"]),
+    ("stress", &["model", "numeric", "scene", "stack", "system"]),
 ];
 
 /// Leaves: what goes wrong, what is asked for, and what comes out. Anything but `numeric` and `exact` may import them.

@@ -2,6 +2,7 @@
 mod check;
 mod show;
 mod solve;
+mod stress;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -32,6 +33,7 @@ enum Command {
     Solve(solve::Solve),
     Check(check::Check),
     Show(show::Show),
+    Stress(stress::Stress),
 }
 
 /// Why a command did not end well.
@@ -43,6 +45,12 @@ pub enum Failure {
     /// Output that could not be written.
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
+    /// Threads that could not be started.
+    #[error("cannot start the threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// Random scenes with answers that cannot be right.
+    #[error("{0} scenes ended with a panic or a wrong answer")]
+    Wrong(usize),
 }
 
 impl Arguments {
@@ -53,6 +61,7 @@ impl Arguments {
             Command::Solve(command) => command.run(&mut out),
             Command::Check(command) => command.run(&mut out),
             Command::Show(command) => command.run(&mut out),
+            Command::Stress(command) => command.run(&mut out),
         };
         match done.and_then(|()| Ok(out.flush()?)) {
             // whoever reads has read enough

@@ -4,6 +4,7 @@ mod item;
 mod origin;
 mod punch;
 mod read;
+mod write;
 
 use std::sync::Arc;
 

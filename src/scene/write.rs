@@ -1,0 +1,88 @@
+//! A scene as text, to be read again.
+use std::fmt::Write;
+
+use super::{Item, Scene};
+
+impl Scene {
+    /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
+    ///
+    /// A layer is written as its [`notation`](crate::Layer::notation) says, so a layer type of one's own is read again
+    /// if its notation names the fields that it is read from, as those of the layers that ship do.
+    ///
+    /// ```
+    /// use recede::{HalfPlane, Item, Plane, Punch, Scene};
+    /// let ground = Item::layer(HalfPlane::new(1.0, 0.25)?);
+    /// let scene = Scene::new(Plane::Strain, Punch::parabola(500.0)?, 0.002, vec![ground]);
+    /// let text = scene.to_ron();
+    /// assert!(text.contains("        HalfPlane(shear_modulus: 1.0, poisson: 0.25),\n"));
+    /// assert_eq!(Scene::from_ron(&text)?.to_ron(), text);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn to_ron(&self) -> String {
+        let mut text = "Scene(\n".to_owned();
+        let mut field = |name: &str, value: String| {
+            // a String takes whatever is written to it
+            let _ = writeln!(text, "    {name}: {value},");
+        };
+        if let Some(name) = &self.name {
+            field("name", quoted(name));
+        }
+        if let Some(description) = &self.description {
+            field("description", quoted(description));
+        }
+        if let Some(units) = &self.units {
+            field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
+        }
+        field("plane", format!("{:?}", self.plane));
+        field("punch", format!("{}(radius: {:?})", self.punch.name(), self.punch.radius()));
+        field("force", format!("{:?}", self.force));
+        text += "    stack: [\n";
+        for item in &self.stack {
+            let parameters = match item {
+                Item::Layer(layer) => format!("({})", layer.notation().parameters),
+                Item::Bonded | Item::Receding | Item::Rigid => String::new(),
+            };
+            let _ = writeln!(text, "        {}{parameters},", item.name());
+        }
+        text + "    ],\n)\n"
+    }
+}
+
+/// A text in double quotes, whatever it contains.
+fn quoted(text: &str) -> String {
+    let mut quoted = "\"".to_owned();
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            '\n' => quoted += "\\n",
+            c if c.is_control() => {
+                let _ = write!(quoted, "\\u{{{:x}}}", u32::from(c));
+            }
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read() {
+        let mut scene = Scene::from_ron(
+            "(plane: Stress, punch: Cylinder(radius: 3e2), force: 1e-300,
+              units: (length: \"mm\", force: \"N\"), stack: [
+                Exponential(thickness: 0.1, shear_modulus: 2, poisson: -0.25, beta: -1e-3), Bonded,
+                Homogeneous(thickness: 0, shear_modulus: 1e20, poisson: 0.5), Receding, Rigid])",
+        )
+        .unwrap();
+        scene.name = Some("a \"name\"\\".into());
+        scene.description = Some("µ\u{1}\ttwo\r\nlines\u{7f}".into());
+        let again = Scene::from_ron(&scene.to_ron()).unwrap();
+        assert_eq!((&again.name, &again.description), (&scene.name, &scene.description));
+        assert_eq!((again.units.clone(), again.plane, again.punch), (scene.units.clone(), scene.plane, scene.punch));
+        assert_eq!(again.force, scene.force);
+        assert_eq!(format!("{:?}", again.stack), format!("{:?}", scene.stack));
+    }
+}

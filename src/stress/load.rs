@@ -1,0 +1,99 @@
+//! The force that makes a contact about as long as wanted, without solving anything.
+//!
+//! Receding interfaces are taken as sliding but closed. Then a pressure p(x) ∝ (1 − s²)^(m − 1/2), s = x/a, of resultant P
+//! stores the energy P² E_m(a) and does the work P F_m(a) along the profile of the punch, and the half-length is where
+//! their sum is least: P = −F_m'/E_m', with
+//!
+//! ```text
+//! φ_m(z) = 2^m m! J_m(z)/z^m                 transform of the pressure per unit of P, z = λa
+//! E_m'   = 1/(πa) ∫ λC φ_m φ_m' dz           λC: compliance of the stack
+//! F_m'   = ∫ p s f'(as) ds / ∫ p ds          f: profile of the punch
+//! ```
+//!
+//! m = 1 is the pressure on a half-plane, larger m are pressures on layers thin against the contact. Of all m that which
+//! asks for the largest force is closest to the truth.
+use std::f64::consts::PI;
+
+use recede_layers::Wave;
+
+use super::scenario::Scenario;
+use crate::error::Error;
+use crate::numeric::{bessel, quadrature};
+use crate::stack::Stack;
+use crate::system::{BaseChain, FreeChain};
+
+/// The integral over z = λa is summed up in these panels: what lies beyond the last cancels.
+const PANELS: [f64; 14] = [0.0, 1e-3, 1e-2, 0.1, 0.5, 1.0, 2.5, 5.0, 7.5, 10.0, 13.0, 16.0, 20.0, 25.0];
+const NODES: usize = 8;
+/// Orders m that are tried.
+const ORDERS: usize = 3;
+/// Places at which the slope of the punch is looked at.
+const PLACES: usize = 64;
+
+/// The force; as if the uppermost layer were all, should the compliance of the stack be unknown.
+pub(super) fn force(scenario: &Scenario, half_length: f64) -> f64 {
+    match estimate(scenario, half_length) {
+        Ok(Some(force)) if force > 0.0 && force.is_finite() => force,
+        _ => 0.5 * PI * half_length.powi(2) * scenario.layers[0].modulus / scenario.radius,
+    }
+}
+
+fn estimate(scenario: &Scenario, half_length: f64) -> Result<Option<f64>, Error> {
+    let compliance = Compliance::new(scenario)?;
+    let nodes: Vec<(f64, f64)> =
+        PANELS.windows(2).flat_map(|ends| quadrature::rule(NODES).on(ends[0], ends[1])).collect();
+    let z: Vec<f64> = nodes.iter().map(|(z, _)| *z).collect();
+    let mut j = vec![0.0; (ORDERS + 2) * z.len()];
+    bessel::table(ORDERS + 2, &z, &mut j);
+    let mut energies = [0.0; ORDERS];
+    for (i, (z, weight)) in nodes.iter().enumerate() {
+        let Some(compliance) = compliance.at(z / half_length) else { return Ok(None) };
+        for (m, energy) in (1..).zip(&mut energies) {
+            // φ_m' = −2^m m! J_(m+1)/z^m
+            let factor: f64 = (1..=m).map(|k| 2.0 * k as f64 / z).product();
+            let slope = -factor * j[(m + 1) * nodes.len() + i];
+            *energy += weight * compliance * factor * j[m * nodes.len() + i] * slope;
+        }
+    }
+    let punch = scenario.punch()?;
+    let forces = (1..).zip(energies).map(|(m, energy)| {
+        let (mut work, mut resultant) = (0.0, 0.0);
+        for k in 0..PLACES {
+            let s = (PI * (k as f64 + 0.5) / (2 * PLACES) as f64).cos();
+            let pressure = (1.0 - s * s).powi(m);
+            work += pressure * s * punch.slope(s * half_length);
+            resultant += pressure;
+        }
+        -PI * half_length * work / resultant / energy
+    });
+    Ok(forces.reduce(f64::max))
+}
+
+/// λC of a stack whose receding interfaces slide but do not open.
+struct Compliance {
+    laminates: Vec<FreeChain>,
+    base: BaseChain,
+    scenario: Scenario,
+}
+
+impl Compliance {
+    fn new(scenario: &Scenario) -> Result<Self, Error> {
+        let stack = Stack::from_items(scenario.plane, &scenario.items()?)?;
+        let laminates = stack.laminates().iter().map(|laminate| FreeChain::new(laminate, scenario.plane)).collect();
+        Ok(Self { laminates, base: BaseChain::new(stack.base()), scenario: scenario.clone() })
+    }
+
+    /// In 1/stress.
+    fn at(&self, wavenumber: f64) -> Option<f64> {
+        let modulus = self.scenario.layers[0].modulus;
+        let wave = Wave { wavenumber, modulus, plane: self.scenario.plane };
+        let mut compliance = self.base.flexibility(&wave)?;
+        for laminate in self.laminates.iter().rev() {
+            let c = laminate.flexibility(&wave)?;
+            // S_bottom/S_top − 1, small for long waves: they pass through
+            let lost = (c.equal_bottom - compliance) / (compliance - c.bottom);
+            compliance = c.equal_top + c.coupling * lost;
+        }
+        Some(compliance / modulus)
+    }
+}

@@ -1,0 +1,210 @@
+//! One scene solved, and its answer judged by what can be said without knowing the right one.
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Instant;
+
+use crate::error::{Error, NoSolution};
+use crate::model::Model;
+use crate::options::Options;
+use crate::scene::Scene;
+use crate::solution::{Contact, Interface, Solution};
+
+/// Pressures are looked at in this many places per contact.
+const PLACES: usize = 500;
+/// A pull of this part of the largest pressure is what the highest modes feign.
+const PULL: f64 = 1e-5;
+/// Resultants are those of the force to this relative error.
+const RESULTANT: f64 = 1e-9;
+
+/// What became of a scene.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// How long it took, in seconds, kernels included.
+    pub seconds: f64,
+}
+
+/// How the solution of a scene ended.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// With an answer that is not known to be wrong.
+    Solved(Box<Solution>),
+    /// With a reason why there is none.
+    Unsolved(Error),
+    /// With an answer that cannot be right: a number that is none, a pull, resultants that differ.
+    Wrong(String),
+    /// With a panic.
+    Panicked(String),
+}
+
+impl Trial {
+    /// Solves a scene with a tolerance, come what may.
+    pub fn run(scene: &Scene, options: &Options) -> Self {
+        let start = Instant::now();
+        let solved = catch_unwind(AssertUnwindSafe(|| solve(scene, options)));
+        let seconds = start.elapsed().as_secs_f64();
+        let outcome = match solved {
+            Ok(Ok(solution)) => match wrong(scene, &solution) {
+                Some(what) => Outcome::Wrong(what),
+                None => Outcome::Solved(Box::new(solution)),
+            },
+            Ok(Err(error)) => Outcome::Unsolved(error),
+            Err(panic) => {
+                let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+                let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+                Outcome::Panicked(text.unwrap_or_else(|| "without a word".to_owned()))
+            }
+        };
+        Self { outcome, seconds }
+    }
+}
+
+fn solve(scene: &Scene, options: &Options) -> Result<Solution, Error> {
+    Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, options)
+}
+
+impl Outcome {
+    /// The answer, if there is one.
+    pub fn solution(&self) -> Option<&Solution> {
+        match self {
+            Self::Solved(solution) => Some(solution),
+            Self::Unsolved(_) | Self::Wrong(_) | Self::Panicked(_) => None,
+        }
+    }
+
+    /// Whether it must never happen, whatever the scene.
+    pub fn is_wrong(&self) -> bool {
+        matches!(self, Self::Wrong(_) | Self::Panicked(_))
+    }
+
+    /// In a word.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::Solved(_) => "solved",
+            Self::Unsolved(_) => "unsolved",
+            Self::Wrong(_) => "wrong",
+            Self::Panicked(_) => "panicked",
+        }
+    }
+
+    /// Why there is no answer; the same words for the same cause, numbers left out. Empty if there is one.
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Solved(_) => String::new(),
+            Self::Unsolved(error) => without_numbers(&error.to_string()),
+            Self::Wrong(text) | Self::Panicked(text) => without_numbers(text),
+        }
+    }
+
+    /// The contact that the reason names.
+    pub fn interface(&self) -> Option<Interface> {
+        match self {
+            Self::Unsolved(Error::NoSolution(
+                NoSolution::Tension { interface, .. } | NoSolution::Overlap { interface, .. },
+            )) => Some(*interface),
+            _ => None,
+        }
+    }
+}
+
+/// What is wrong with an answer, if that can be told.
+fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
+    if solution.contacts().is_empty() {
+        return Some("there are no contacts".to_owned());
+    }
+    if !(solution.min_pressure().is_finite() && solution.min_gap().is_finite()) {
+        return Some("the smallest pressure or gap is not a number".to_owned());
+    }
+    solution.contacts().iter().find_map(|contact| {
+        let what = wrong_contact(scene, contact)?;
+        Some(format!("{what} at contact {}", contact.interface))
+    })
+}
+
+fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
+    let Contact { half_length, half_length_error, peak_pressure, peak_pressure_error, .. } = *contact;
+    for (name, value) in [("half-length", half_length), ("pressure", peak_pressure)] {
+        if !(value > 0.0 && value.is_finite()) {
+            return Some(format!("the {name} is {value:e}"));
+        }
+    }
+    for (name, error) in [("half-length", half_length_error), ("pressure", peak_pressure_error)] {
+        if !(error >= 0.0 && error.is_finite()) {
+            return Some(format!("the error of the {name} is {error:e}"));
+        }
+    }
+    if (contact.resultant / scene.force - 1.0).abs() > RESULTANT || contact.resultant.is_nan() {
+        return Some(format!("the resultant is {:e} times the force", contact.resultant / scene.force));
+    }
+    if scene.punch.max_half_length().is_some_and(|edge| contact.interface == Interface::Punch && half_length >= edge) {
+        return Some("the contact reaches past the edge of the punch".to_owned());
+    }
+    let pressures = (0..PLACES).map(|i| contact.pressure(half_length * i as f64 / PLACES as f64));
+    let pressures: Vec<f64> = pressures.collect();
+    let largest = pressures.iter().copied().fold(0.0, f64::max);
+    let smallest = pressures.iter().copied().fold(largest, f64::min);
+    if pressures.iter().any(|pressure| !pressure.is_finite()) {
+        return Some("a pressure is not a number".to_owned());
+    }
+    (smallest < -PULL * largest).then(|| format!("a pull of {:.1e} of the largest pressure", -smallest / largest))
+}
+
+/// A message with `…` for every number, and for every list of them.
+fn without_numbers(text: &str) -> String {
+    let mut plain = String::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-' | '+');
+        let taken = match first {
+            '[' => rest.find(']').map_or(rest.len(), |end| end + 1),
+            // the sign of a number, unlike a hyphen, has a digit behind it
+            '-' | '0'..='9' if rest[1..].starts_with(|c: char| c.is_ascii_digit()) || first != '-' => {
+                rest.find(|c| !number(c)).unwrap_or(rest.len())
+            }
+            _ => 0,
+        };
+        if taken == 0 {
+            plain.push(first);
+            rest = &rest[first.len_utf8()..];
+        } else {
+            plain.push('…');
+            rest = &rest[taken..];
+        }
+    }
+    plain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_that_differ_in_numbers_are_the_same_reason() {
+        for (text, expected) in [
+            ("the interface 2|3 would open at x = -1.5e-3: no", "the interface …|… would open at x = …: no"),
+            ("half-lengths; the last were [1.0, 2.5e7]", "half-lengths; the last were …"),
+            ("the punch of radius 5.0 cannot", "the punch of radius … cannot"),
+            ("µ - ]", "µ - ]"),
+        ] {
+            assert_eq!(without_numbers(text), expected);
+        }
+    }
+
+    #[test]
+    fn an_answer_to_another_question_is_wrong() {
+        let text = "(plane: Strain, punch: Parabola(radius: 1), force: 1e-3,
+            stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])";
+        let mut scene = Scene::from_ron(text).unwrap();
+        let trial = Trial::run(&scene, &Options::default());
+        let solution = trial.outcome.solution().unwrap();
+        assert_eq!(wrong(&scene, solution), None);
+        scene.force *= 1.0 + 1e-6;
+        assert!(wrong(&scene, solution).unwrap().ends_with("at contact punch"));
+        let mut pulling = solution.contacts()[0].clone();
+        pulling.coefficients = vec![pulling.coefficients[0], -pulling.coefficients[0]];
+        scene.force = pulling.resultant;
+        assert!(wrong_contact(&scene, &pulling).unwrap().starts_with("a pull of"));
+        pulling.peak_pressure_error = f64::NAN;
+        assert_eq!(wrong_contact(&scene, &pulling).unwrap(), "the error of the pressure is NaN");
+    }
+}

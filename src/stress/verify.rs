@@ -1,0 +1,63 @@
+//! Whether error estimates are honest: an answer against a stricter one.
+use crate::error::Error;
+use crate::model::Model;
+use crate::options::Options;
+use crate::scene::Scene;
+use crate::solution::{Interface, Solution};
+
+/// Relative error below which an answer to a contact problem is rounding, so that nobody can be asked to estimate it.
+pub const ROUNDING: f64 = 1e-13;
+/// The strictest tolerance there is.
+const STRICTEST: f64 = 1e-13;
+
+/// One number of an answer: how wrong it was said to be, and how wrong it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// The contact.
+    pub interface: Interface,
+    /// What the number is: `half-length` or `pressure`.
+    pub quantity: &'static str,
+    /// Difference from the stricter answer, relative.
+    pub error: f64,
+    /// The answer's own estimate of its error, relative.
+    pub estimate: f64,
+    /// The stricter answer's own estimate of its error, relative: smaller errors cannot be seen.
+    pub blur: f64,
+}
+
+impl Comparison {
+    /// True error over estimate, where an error below rounding counts as none.
+    pub fn excess(&self) -> f64 {
+        (self.error - ROUNDING).max(0.0) / self.estimate
+    }
+
+    /// Estimate over true error, where a smaller error than rounding counts as rounding.
+    pub fn caution(&self) -> f64 {
+        self.estimate / self.error.max(ROUNDING)
+    }
+}
+
+/// Compares the numbers of an answer to a scene with those of the strictest answer.
+///
+/// # Errors
+/// As [`Model::press_with`], if there is no stricter answer.
+pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Error> {
+    let options = Options { tolerance: STRICTEST };
+    let strict = Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, &options)?;
+    let mut comparisons = Vec::new();
+    for (found, strict) in solution.contacts().iter().zip(strict.contacts()) {
+        let lengths = [found.half_length, found.half_length_error, strict.half_length, strict.half_length_error];
+        let pressures =
+            [found.peak_pressure, found.peak_pressure_error, strict.peak_pressure, strict.peak_pressure_error];
+        for (quantity, [value, estimate, truth, blur]) in [("half-length", lengths), ("pressure", pressures)] {
+            comparisons.push(Comparison {
+                interface: found.interface,
+                quantity,
+                error: (value / truth - 1.0).abs(),
+                estimate: estimate / value,
+                blur: blur / truth,
+            });
+        }
+    }
+    Ok(comparisons)
+}
