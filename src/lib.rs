@@ -67,7 +67,7 @@ mod system;
 
 pub use error::{Error, NoSolution};
 pub use model::{Model, solve};
-pub use options::Options;
+pub use options::{Method, Options};
 /// The layers' own crate: for layer types of one's own, and the laws they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{

@@ -43,13 +43,18 @@ enum Format {
 enum Method {
     /// Sine series, tested with Chebyshev polynomials
     Galerkin,
+    /// Pressures at nodes: slower, an independent check
+    Collocation,
 }
 
 impl Solve {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
-        let Method::Galerkin = self.method;
-        let options = Options { tolerance: self.tolerance };
+        let method = match self.method {
+            Method::Galerkin => recede::Method::Galerkin,
+            Method::Collocation => recede::Method::Collocation,
+        };
+        let options = Options { tolerance: self.tolerance, method };
         let start = Instant::now();
         let solution = Model::new(scene.stack()?)
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options))

@@ -1,6 +1,7 @@
 //! The contact problem: half-lengths and pressures of all contacts, for one punch and force on prepared kernels.
 mod admissible;
 mod basis;
+mod collocation;
 mod galerkin;
 mod layout;
 mod level;
@@ -12,7 +13,7 @@ mod start;
 
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
-use crate::options::Options;
+use crate::options::{Method, Options};
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 
@@ -32,6 +33,9 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, Error> {
+    if options.method == Method::Collocation {
+        return collocation::press(kernel, interfaces, punch, force, options);
+    }
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
     let starts = start::half_lengths(kernel, &indentation)?;
     let mut steps = 0;

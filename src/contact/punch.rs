@@ -42,6 +42,11 @@ impl<'a> Indentation<'a> {
         self.punch.profile(x * self.length) / (self.length * self.force)
     }
 
+    /// Slope at x (in units of L), per unit of P'.
+    pub(super) fn slope(&self, x: f64) -> f64 {
+        self.punch.slope(x * self.length) / self.force
+    }
+
     /// ∫ f'(as) s/√(1 − s²) ds / P'.
     pub(super) fn first_row(&self, half_length: f64) -> f64 {
         self.slopes(half_length, 1).value[0]

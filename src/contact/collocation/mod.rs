@@ -1,0 +1,259 @@
+//! A second, independent discretisation of the contact equations: pressures at nodes, slopes compared at places between
+//! them, kernels as functions of the distance. Slower than the Galerkin solver, and there to check it.
+//!
+//! In common the two have the flexibilities at single wavenumbers, the punch, and the half-lengths to start from.
+mod equations;
+mod gaps;
+mod nodes;
+mod spatial;
+mod spectrum;
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+use crate::error::{Error, NoSolution};
+use crate::kernel::Kernel;
+use crate::options::Options;
+use crate::scene::Punch;
+use crate::solution::{Contact, Interface, Solution};
+
+use super::newton::not_converged;
+use super::punch::Indentation;
+use super::start;
+
+use equations::Pressures;
+use nodes::Nodes;
+use spatial::Spatial;
+
+/// Numbers of nodes: the first, doubled until the tolerance is met, and the last.
+const COARSEST: usize = 16;
+const FINEST: usize = 512;
+/// Multiples of the receding half-lengths from the formulas that are tried one after the other, and how many times as
+/// many nodes to begin with.
+const ATTEMPTS: [(f64, usize); 6] = [(1.0, 1), (0.4, 1), (2.0, 1), (0.15, 1), (5.0, 1), (1.0, 8)];
+/// Longest step in the logarithm of a half-length.
+const LONGEST_STEP: f64 = 0.5;
+/// Steps for one number of nodes.
+const STEPS: usize = 30;
+/// Steps are short enough below this; short steps that no longer shorten are rounding.
+const SETTLED: f64 = 1e-13;
+const SHORT: f64 = 1e-8;
+/// Step of the finite differences for derivatives by the logarithm of a half-length.
+const DIFFERENCE: f64 = 1e-5;
+/// What rounding leaves of a half-length, relative.
+const ROUNDING: f64 = 1e-12;
+/// Pressures and gaps below zero by less than this part of the largest value are zero.
+const ZERO: f64 = 1e-5;
+
+/// Half-lengths and pressures for one number of nodes.
+struct Level {
+    half_lengths: Vec<f64>,
+    pressures: Pressures,
+    /// p(0) per unit of P'.
+    peaks: Vec<f64>,
+    /// Length of the last step.
+    last_step: f64,
+}
+
+/// Presses a punch with a force on a stack: the answer in the units of the scene.
+pub(super) fn press(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Punch,
+    force: f64,
+    options: &Options,
+) -> Result<Solution, Error> {
+    let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
+    let starts = start::half_lengths(kernel, &indentation)?;
+    let mut problem = Problem { kernel, interfaces, punch: indentation, spatial: Spatial::new(kernel)?, steps: 0 };
+    let mut failure = None;
+    for (factor, finer) in ATTEMPTS {
+        if kernel.contacts() == 1 && factor != 1.0 {
+            continue;
+        }
+        let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
+        match problem.refine(half_lengths, finer * COARSEST, options) {
+            Err(Error::NoSolution(found)) if !matches!(found, NoSolution::PunchTooSmall { .. }) => {
+                // a root that is not admissible says more than none
+                if matches!(failure, None | Some(NoSolution::NotConverged { .. })) {
+                    failure = Some(found);
+                }
+            }
+            decided => return decided,
+        }
+    }
+    Err(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts }).into())
+}
+
+struct Problem<'a> {
+    kernel: &'a Kernel,
+    interfaces: &'a [Interface],
+    punch: Indentation<'a>,
+    spatial: Spatial,
+    /// Newton steps taken.
+    steps: usize,
+}
+
+impl Problem<'_> {
+    /// More and more nodes until the answers of two numbers of them agree.
+    fn refine(&mut self, half_lengths: Vec<f64>, coarsest: usize, options: &Options) -> Result<Solution, Error> {
+        let singular = self.spatial.own.iter().any(|own| own.jump.is_some());
+        let mut count = coarsest;
+        let mut jacobian = None;
+        let mut nodes = Nodes::new(count, singular);
+        let mut before = self.converge(&nodes, half_lengths, &mut jacobian)?;
+        loop {
+            count *= 2;
+            nodes = Nodes::new(count, singular);
+            let level = self.converge(&nodes, before.half_lengths.clone(), &mut jacobian)?;
+            let error = |new: f64, old: f64| (new / old - 1.0).abs() + level.last_step + ROUNDING;
+            let errors: Vec<[f64; 2]> = (0..level.peaks.len())
+                .map(|i| {
+                    let length = error(level.half_lengths[i], before.half_lengths[i]);
+                    [length, error(level.peaks[i], before.peaks[i]) + length]
+                })
+                .collect();
+            let worst = errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error));
+            // two solutions that have little in common say nothing of each other
+            if worst <= options.tolerance || count >= FINEST {
+                let mut warnings = Vec::new();
+                if worst > options.tolerance {
+                    warnings.push(format!(
+                        "the tolerance {:e} is not met with {count} nodes; the error estimates tell what was reached",
+                        options.tolerance
+                    ));
+                }
+                return self.solution(&nodes, &level, &errors, warnings);
+            }
+            before = level;
+        }
+    }
+
+    /// Newton's method for the logarithms of the half-lengths. The derivatives, finite differences, are kept as long as
+    /// they serve, also from one number of nodes to the next.
+    fn converge(
+        &mut self,
+        nodes: &Nodes,
+        mut half_lengths: Vec<f64>,
+        jacobian: &mut Option<Mat<f64>>,
+    ) -> Result<Level, Error> {
+        let mut last = f64::INFINITY;
+        for _ in 0..STEPS {
+            let pressures = self.solve(nodes, &half_lengths);
+            self.steps += 1;
+            let derivatives = match jacobian.take() {
+                Some(kept) => kept,
+                None => self.derivatives(nodes, &half_lengths, &pressures.slack),
+            };
+            let right = Mat::from_fn(half_lengths.len(), 1, |i, _| -pressures.slack[i]);
+            let step: Vec<f64> = derivatives.partial_piv_lu().solve(&right).col(0).iter().copied().collect();
+            let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+            if step.iter().any(|step| !step.is_finite()) {
+                break;
+            }
+            if longest < SETTLED || last < SHORT && longest > 0.5 * last {
+                *jacobian = Some(derivatives);
+                let peaks = pressures.phi.iter().zip(&half_lengths).map(|(phi, a)| peak(nodes, phi) / a).collect();
+                return Ok(Level { half_lengths, pressures, peaks, last_step: longest });
+            }
+            // derivatives that no longer serve are computed anew
+            *jacobian = (longest < 0.1 * last && longest < 0.1).then_some(derivatives);
+            last = longest;
+            let shorten = (LONGEST_STEP / longest).min(1.0);
+            for (a, step) in half_lengths.iter_mut().zip(&step) {
+                *a *= (shorten * step).exp();
+            }
+            if let Some(limit) = self.punch.max_half_length()
+                && half_lengths[0] >= limit
+            {
+                half_lengths[0] = limit * (1.0 - 1e-4);
+                if let Some(error) = self.punch.too_small(half_lengths[0]) {
+                    return Err(error);
+                }
+            }
+        }
+        *jacobian = None;
+        Err(not_converged(self.kernel, &self.punch, &half_lengths))
+    }
+
+    fn solve(&mut self, nodes: &Nodes, half_lengths: &[f64]) -> Pressures {
+        let longest = half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
+        self.spatial.cover(2.0 * longest);
+        equations::solve(&self.spatial, nodes, &self.punch, half_lengths)
+    }
+
+    /// dσ/d ln a, one column per half-length.
+    fn derivatives(&mut self, nodes: &Nodes, half_lengths: &[f64], slack: &[f64]) -> Mat<f64> {
+        let n = half_lengths.len();
+        let mut derivatives = Mat::zeros(n, n);
+        for by in 0..n {
+            let mut moved = half_lengths.to_vec();
+            moved[by] *= DIFFERENCE.exp();
+            let changed = self.solve(nodes, &moved).slack;
+            for i in 0..n {
+                derivatives[(i, by)] = (changed[i] - slack[i]) / DIFFERENCE;
+            }
+        }
+        derivatives
+    }
+
+    /// The answer in the units of the scene, if it is admissible.
+    fn solution(
+        &mut self,
+        nodes: &Nodes,
+        level: &Level,
+        errors: &[[f64; 2]],
+        warnings: Vec<String>,
+    ) -> Result<Solution, Error> {
+        let (length, pressure_unit) = (self.kernel.length(), self.kernel.modulus() * self.punch.force);
+        let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
+        let span = 2.0 * longest + 2.0;
+        self.spatial.cover(span + longest);
+        let (mut min_pressure, mut min_gap) = (0.0f64, 0.0f64);
+        let mut contacts = Vec::new();
+        for (i, interface) in self.interfaces.iter().enumerate() {
+            let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
+            let pressures = phi.iter().zip(&nodes.s).map(|(phi, s)| (s * a, phi * (1.0 - s * s).sqrt() / a));
+            for (x, pressure) in pressures {
+                if pressure < -ZERO * level.peaks[i].abs() {
+                    return Err(NoSolution::Tension { interface: *interface, x: x * length }.into());
+                }
+                min_pressure = min_pressure.min(pressure);
+            }
+            let gaps = gaps::gaps(&self.spatial, nodes, &self.punch, &level.half_lengths, &level.pressures, i, span);
+            let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+            for (x, gap) in gaps {
+                if gap < -ZERO * widest {
+                    return Err(NoSolution::Overlap { interface: *interface, x: x * length }.into());
+                }
+                min_gap = min_gap.min(gap);
+            }
+            let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a * pressure_unit).collect();
+            let (half_length, peak_pressure) = (a * length, level.peaks[i] * pressure_unit);
+            contacts.push(Contact {
+                interface: *interface,
+                half_length,
+                half_length_error: errors[i][0] * half_length,
+                peak_pressure,
+                peak_pressure_error: errors[i][1] * peak_pressure,
+                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                coefficients,
+            });
+        }
+        Ok(Solution {
+            contacts,
+            min_pressure: min_pressure * pressure_unit,
+            min_gap: min_gap * self.punch.force * length,
+            modes: nodes.half(),
+            wavenumbers: self.spatial.samples(),
+            newton_steps: self.steps,
+            warnings,
+        })
+    }
+}
+
+/// φ at s = 0.
+fn peak(nodes: &Nodes, phi: &[f64]) -> f64 {
+    let alternating = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
+    nodes.coefficients(phi).iter().enumerate().map(|(m, c)| alternating(m) * c).sum()
+}
