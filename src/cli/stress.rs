@@ -100,7 +100,7 @@ impl Stress {
     fn one(&self, number: u64) -> Result<Ended, recede::Error> {
         let scenario = scene(&Ranges::default(), self.seed, number);
         let scene = scenario.scene()?;
-        let trial = Trial::run(&scene, &Options { tolerance: self.tolerance });
+        let trial = Trial::run(&scene, &Options { tolerance: self.tolerance, ..Options::default() });
         let solution = trial.outcome.solution();
         let relative_half_length =
             solution.and_then(|solution| Some(solution.contacts().first()?.half_length / scenario.thickness()));

@@ -42,7 +42,7 @@ impl Comparison {
 /// # Errors
 /// As [`Model::press_with`], if there is no stricter answer.
 pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Error> {
-    let options = Options { tolerance: STRICTEST };
+    let options = Options { tolerance: STRICTEST, ..Options::default() };
     let strict = Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, &options)?;
     let mut comparisons = Vec::new();
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()) {
