@@ -202,7 +202,8 @@ mod tests {
                 .map(|(zeta, w)| w * zeta / (zeta * zeta + 1.0) * (zeta * u).sin())
                 .sum();
             let error = near + far.integral(u) - 0.5 * PI * f64::exp(-u);
-            assert!(error.abs() < 1e-10, "{u}: {error:e}");
+            // it is added to the Cauchy kernel 2/u
+            assert!(error.abs() < 1e-13 + 1e-15 / u, "{u}: {error:e}");
         }
     }
 }
