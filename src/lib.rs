@@ -76,6 +76,8 @@ pub use recede_layers::{
 };
 pub use scene::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units};
 pub use solution::{Contact, Interface, Solution};
-pub use stack::{Base, Foundation, Laminate, Placed, Stack, StackBuilder, StackError, StackProblem};
+pub use stack::{
+    Base, Foundation, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError, StackProblem,
+};
 pub use system::{BaseChain, FreeChain};
 pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

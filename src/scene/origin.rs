@@ -5,6 +5,9 @@ use std::sync::Arc;
 /// Widest excerpt of a line that is shown, in characters.
 const EXCERPT: usize = 100;
 
+/// Longest message and hint, in characters: names in them are as long as somebody made them.
+const LONGEST: usize = 600;
+
 type Cause = Arc<dyn std::error::Error + Send + Sync>;
 
 /// The text of a scene and the places of its parts.
@@ -34,11 +37,22 @@ impl Origin {
         SceneError {
             file: self.file.clone(),
             place: at.map(|offset| Place::new(&self.text, offset)),
-            message,
-            hint,
+            message: abridged(message),
+            hint: hint.map(abridged),
             cause: None,
         }
     }
+}
+
+/// A text, without its middle if it is very long.
+fn abridged(text: String) -> String {
+    let length = text.chars().count();
+    if length <= LONGEST {
+        return text;
+    }
+    let [start, end] =
+        [LONGEST / 2, length - LONGEST / 2].map(|at| text.char_indices().nth(at).map_or(0, |(at, _)| at));
+    format!("{}...{}", &text[..start], &text[end..])
 }
 
 /// A line and column, with the line as it reads.
@@ -147,6 +161,14 @@ impl std::error::Error for SceneError {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn of_long_messages_both_ends_are_shown() {
+        let message = abridged(format!("no field `{}` here", "µ".repeat(5000)));
+        assert!(message.starts_with("no field `µ") && message.ends_with("µ` here") && message.contains("µ...µ"));
+        assert_eq!(message.chars().count(), LONGEST + 3);
+        assert_eq!(abridged("short".into()), "short");
+    }
 
     #[test]
     fn columns_count_characters() {

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use recede_layers::Plane;
 
-use super::{Base, Foundation, Laminate, Placed, Stack, StackError, StackProblem};
+use super::{Base, Foundation, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
 use crate::scene::Item;
 
 /// How two neighbouring layers are joined.
@@ -84,12 +84,16 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
     if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
         return Err(at(items.len() - 1, StackProblem::NothingElastic));
     }
-    let stack = Stack { plane, laminates, base: Base { layers, foundation }, dropped };
-    if stack.total_thickness().is_finite() {
-        Ok(stack)
-    } else {
-        Err(StackError { item: None, problem: StackProblem::TooThick })
+    let whole = |problem| Err(StackError { item: None, problem });
+    let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + layers.len();
+    if found > MAX_LAYERS {
+        return whole(StackProblem::TooManyLayers { found });
     }
+    if laminates.len() > MAX_RECEDING {
+        return whole(StackProblem::TooManyReceding { found: laminates.len() });
+    }
+    let stack = Stack { plane, laminates, base: Base { layers, foundation }, dropped };
+    if stack.total_thickness().is_finite() { Ok(stack) } else { whole(StackProblem::TooThick) }
 }
 
 fn at(item: usize, problem: StackProblem) -> StackError {

@@ -1,4 +1,5 @@
 //! What can be wrong with the structure of a stack.
+use super::{MAX_LAYERS, MAX_RECEDING};
 
 /// Items that do not make a stack.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -85,6 +86,18 @@ pub enum StackProblem {
     /// All thicknesses together are not finite.
     #[error("the layers together are thicker than the largest number, about 1.8e308")]
     TooThick,
+    /// More layers than can be solved in a reasonable time.
+    #[error("the stack has {found} layers; allowed are at most {MAX_LAYERS}")]
+    TooManyLayers {
+        /// How many, those of thickness 0 left out.
+        found: usize,
+    },
+    /// More receding interfaces than can be solved in a reasonable time and memory.
+    #[error("the stack has {found} receding interfaces; allowed are at most {MAX_RECEDING}")]
+    TooManyReceding {
+        /// How many there are.
+        found: usize,
+    },
 }
 
 impl StackProblem {
@@ -98,6 +111,8 @@ impl StackProblem {
             Self::NoBase { .. } => "add an interface and `HalfPlane(...)` or `Rigid` below it",
             Self::BaseNotLast { .. } => "end the stack here, or put a layer with a thickness in its place",
             Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
+            Self::TooManyLayers { .. } => "a layer that is graded through its thickness replaces many slices",
+            Self::TooManyReceding { .. } => "bond those that do not open under the load",
             Self::Thickness { .. } | Self::TooThick => return None,
         })
     }

@@ -15,6 +15,11 @@ use crate::error::Error;
 use crate::scene::{Item, Scene};
 use crate::solution::Interface;
 
+/// Largest number of layers in a stack, the half-plane and layers of thickness zero left out.
+pub const MAX_LAYERS: usize = 5000;
+/// Largest number of receding interfaces in a stack.
+pub const MAX_RECEDING: usize = 32;
+
 /// Layers in order, grouped by what is bonded to what.
 ///
 /// Receding interfaces divide a stack into free *laminates* and the *base*; a receding interface lies between

@@ -1,0 +1,241 @@
+//! Any file is read, refused or solved: in bounded time and memory, and never with a panic.
+//!
+//! Goal: a scene that somebody else wrote cannot stop the program that reads it, whatever is in it.
+//!
+//! ```text
+//!   random bytes ┐
+//!   scene, some  ├──> Scene::from_reader ──> stack ──> solve     an answer or an error, in a few seconds
+//!   bytes of it  │
+//!   changed      ┘    up to 1 MiB: ((((((...   /*/*/*...   "aaaa...   a million layers   1e308  5e-324  inf  NaN
+//! ```
+use std::time::{Duration, Instant};
+
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+use recede::stress::{Outcome, Ranges, Trial, scenes};
+use recede::{Error, MAX_BYTES, MAX_ITEMS, MAX_LAYERS, MAX_RECEDING, Options, Registry, Scene};
+
+/// Nothing that is only read takes longer, even on a busy machine.
+const SOON: Duration = Duration::from_secs(5);
+const STRIP: &str = "Homogeneous(thickness:1,shear_modulus:1,poisson:0)";
+
+fn config(cases: u32) -> ProptestConfig {
+    let rng_seed = RngSeed::Fixed(20_211);
+    ProptestConfig { cases, failure_persistence: None, max_shrink_iters: 64, rng_seed, ..ProptestConfig::default() }
+}
+
+/// A text with everything that a scene may contain.
+const WHOLE: &str = "// a drawing
+Scene(
+    name: \"a \\\"name\\\" µ\",
+    description: \"two\\nlines\",
+    units: (length: \"mm\", force: \"N\"),
+    plane: Strain, /* or Stress */
+    punch: Cylinder(radius: 500.0),
+    force: 2e-3,
+    stack: [
+        Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+        Bonded,
+        Exponential(thickness: 0.5, shear_modulus: 3, poisson: -0.3, beta: -1.0),
+        Receding,
+        HalfPlane(shear_modulus: 4.0, poisson: 0.5),
+    ],
+)
+";
+
+/// Pieces that a parser may stumble over.
+const PIECES: [&str; 24] = [
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    "\"",
+    "\\",
+    "/*",
+    "*/",
+    "//",
+    ",",
+    ":",
+    "#",
+    "r#\"",
+    "Some(",
+    "b'",
+    "\\u{",
+    "-",
+    "NaN",
+    "1e999",
+    "'",
+    "\u{feff}",
+    "#![enable(unwrap_newtypes)]",
+];
+
+/// Reads it and builds the stack, and sees that errors can be told.
+fn read(bytes: &[u8]) -> Result<Scene, Error> {
+    let start = Instant::now();
+    let scene = Scene::from_reader("hostile", bytes, &Registry::default());
+    let read = scene.and_then(|scene| scene.stack().map(|_| scene));
+    if let Err(error) = &read {
+        assert!(error.is_input(), "{error}");
+        assert!(!error.to_string().is_empty());
+        let _ = (error.hint(), format!("{error:?}").len());
+        if let Error::Scene(error) = error {
+            // nobody wants to see a million characters
+            assert!(error.excerpt().map_or(0, |excerpt| excerpt.len()) < 4000);
+            assert!(error.to_string().len() < 4000, "{} characters", error.to_string().len());
+        }
+    }
+    assert!(start.elapsed() < SOON, "{:?} for {} bytes", start.elapsed(), bytes.len());
+    read
+}
+
+/// A scene around this stack.
+fn around(stack: &str) -> String {
+    format!("(plane:Strain,punch:Parabola(radius:500),force:0.002,stack:[{stack}])")
+}
+
+proptest! {
+    #![proptest_config(config(512))]
+
+    #[test]
+    fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        let _ = read(&bytes);
+    }
+
+    #[test]
+    fn any_pieces(pieces in prop::collection::vec(prop::sample::select(&PIECES[..]), 0..60)) {
+        let text = pieces.concat();
+        let _ = read(text.as_bytes());
+        let _ = read(around(&text).as_bytes());
+    }
+
+    #[test]
+    fn a_scene_with_changes(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), 0..8usize, prop::sample::select(&PIECES[..])), 1..4),
+    ) {
+        let mut bytes = WHOLE.as_bytes().to_vec();
+        for (at, length, piece) in changes {
+            let at = at.index(bytes.len());
+            let end = (at + length).min(bytes.len());
+            bytes.splice(at..end, piece.bytes());
+        }
+        let _ = read(&bytes);
+    }
+}
+
+proptest! {
+    #![proptest_config(config(24))]
+
+    #[test]
+    fn numbers_beyond_all_measure(
+        scenario in scenes(&Ranges::moderate()),
+        changes in prop::collection::vec((0..5usize, prop::sample::select(&EXTREME[..])), 1..=2),
+    ) {
+        let mut text = scenario.scene().unwrap().to_ron();
+        for (which, number) in changes {
+            let field = ["thickness: ", "shear_modulus: ", "beta: ", "radius: ", "force: "][which];
+            if let Some(at) = text.find(field) {
+                let at = at + field.len();
+                let end = at + text[at..].find([',', ')']).unwrap();
+                // a search of the solver does not end if the radius is huge
+                let number = if which == 3 && number.parse::<f64>().is_ok_and(|r| r > 1e100) { "1e100" } else { number };
+                text.replace_range(at..end, number);
+            }
+        }
+        if let Ok(scene) = read(text.as_bytes()) {
+            let trial = Trial::run(&scene, &Options::default());
+            let wrong = match &trial.outcome {
+                Outcome::Wrong(what) | Outcome::Panicked(what) => Some(what),
+                Outcome::Solved(_) | Outcome::Unsolved(_) => None,
+            };
+            prop_assert!(wrong.is_none(), "{}:\n{text}", wrong.unwrap());
+        }
+    }
+}
+
+const EXTREME: [&str; 12] = [
+    "1e308",
+    "1.7976931348623157e308",
+    "5e-324",
+    "2.2250738585072014e-308",
+    "1e-300",
+    "1e200",
+    "1e-30",
+    "1e30",
+    "0",
+    "inf",
+    "NaN",
+    "-1e308",
+];
+
+#[test]
+fn deep_nesting() {
+    for piece in ["(", "[", "{", "/*", "Some(", "a(", "(a:", "[[(", "{1:"] {
+        let text = piece.repeat(MAX_BYTES / piece.len() - 40);
+        assert!(read(text.as_bytes()).is_err(), "{piece}");
+        let inside = around(&text[..text.len() - text.len() % piece.len() - 40 * piece.len()]);
+        assert!(read(&inside.as_bytes()[..inside.len().min(MAX_BYTES)]).is_err(), "{piece}");
+        let in_a_field = around(&format!("Homogeneous(thickness: {}", &text[..text.len() - 200]));
+        assert!(read(&in_a_field.as_bytes()[..in_a_field.len().min(MAX_BYTES)]).is_err(), "{piece}");
+    }
+}
+
+#[test]
+fn long_texts_and_comments() {
+    let long = "a".repeat(MAX_BYTES - 400);
+    let stack = format!("{STRIP},Receding,Rigid");
+    for scene in [
+        around(&stack).replace("(plane", &format!("(name:\"{long}\",plane")),
+        around(&stack).replace("(plane", &format!("(/*{long}*/plane")),
+        around(&stack).replace("(plane", &format!("//{long}\n(plane")),
+        around(&stack).replace("(plane", &format!("{}(plane", "\n".repeat(long.len()))),
+    ] {
+        assert_eq!(read(scene.as_bytes()).unwrap().stack.len(), 3);
+    }
+    for scene in [
+        around(&stack).replace("Strain", &long),
+        around(&stack).replace("Rigid", &long),
+        around(&stack).replace("thickness", &long),
+        around(&stack).replace("500", &"9".repeat(long.len())),
+        around(&stack).replace("0.002", &format!("0.{}-", "9".repeat(long.len()))),
+        around(&stack).replace("Parabola", &long),
+        format!("{long}(plane"),
+        format!("{}é", long),
+        long.clone(),
+        "\u{1f980}".repeat(MAX_BYTES / 4),
+    ] {
+        assert!(read(scene.as_bytes()).is_err());
+    }
+}
+
+#[test]
+fn a_file_that_never_ends() {
+    let error = Scene::from_reader("endless", std::io::repeat(b' '), &Registry::default()).unwrap_err();
+    assert!(error.to_string().contains("larger than 1048576 bytes"), "{error}");
+}
+
+#[test]
+fn stacks_without_measure() {
+    let layers = |count: usize, interface: &str| around(&format!("{STRIP},{interface},").repeat(count)[..]) + "";
+    let closed = |text: String| text.replace(",])", ",Rigid])");
+    // as many as fit into a file
+    let most = MAX_BYTES / (STRIP.len() + "Receding".len() + 2) - 4;
+    for (count, interface, allowed) in [
+        (most, "Bonded", format!("{MAX_LAYERS}")),
+        (MAX_LAYERS + 1, "Bonded", format!("{MAX_LAYERS}")),
+        (MAX_RECEDING + 1, "Receding", format!("{MAX_RECEDING}")),
+    ] {
+        let error = read(closed(layers(count, interface)).as_bytes()).unwrap_err().to_string();
+        assert!(error.contains(&format!("the stack has {count} ")), "{error}");
+        assert!(error.ends_with(&format!("allowed are at most {allowed}")), "{error}");
+    }
+    assert!(read(closed(layers(MAX_LAYERS, "Bonded")).as_bytes()).is_ok());
+    assert!(read(closed(layers(MAX_RECEDING, "Receding")).as_bytes()).is_ok());
+    // layers that are not there do not count, but items do
+    let nothing = STRIP.replace("thickness:1", "thickness:0");
+    let thin = around(&format!("{STRIP},Bonded,{}Rigid", format!("{nothing},Bonded,").repeat(most - 2)));
+    assert_eq!(read(thin.as_bytes()).unwrap().stack().unwrap().dropped().len(), most - 2);
+    let error = read(around(&"Bonded,".repeat(MAX_ITEMS + 1)).as_bytes()).unwrap_err();
+    assert!(error.to_string().contains(&format!("allowed are at most {MAX_ITEMS}")), "{error}");
+}
