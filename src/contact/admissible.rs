@@ -11,7 +11,7 @@ use crate::solution::Interface;
 
 use super::basis::Basis;
 use super::galerkin::{Equations, alternating, order};
-use super::layout::Layout;
+use super::layout::{COARSE, Layout};
 use super::level::{Level, coefficients};
 use super::newton::not_converged;
 use super::punch::Indentation;
@@ -19,7 +19,9 @@ use super::punch::Indentation;
 /// Pressures are looked at in this many places per mode.
 const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places per contact.
-const GAPS: usize = 16;
+const GAPS: usize = 24;
+/// On so many grids.
+const GRIDS: usize = 2;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
 const GAP_MODES: usize = 128;
 /// What is below zero by less than this part of the largest value is zero.
@@ -93,39 +95,55 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let longest = level.half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b));
     let span = 2.0 * longest + 2.0;
     let modes: Vec<Vec<f64>> = level.modes.iter().map(|modes| modes[..modes.len().min(GAP_MODES)].to_vec()).collect();
-    let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
-    let orders: Vec<usize> = counts.iter().map(|count| 2 * count).collect();
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, span)
+    let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
     let bases: Vec<Basis> =
-        (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], counts[i])).collect();
-    let slopes = punch.slopes(level.half_lengths[0], 1);
-    let transforms = Equations::new(&layout, &bases, &slopes, &level.solved).slope_transforms(&modes);
-    Ok((0..n)
-        .map(|i| {
-            let (a, limit) = (level.half_lengths[i], layout.own[i].limit);
-            let mut end = span;
-            if let (0, Some(edge)) = (i, punch.max_half_length()) {
-                end = end.min(edge);
-            }
-            let farthest = (end / a).max(1.0).acosh();
-            (1..=GAPS)
-                .map(|k| {
-                    // dense next to the edge of the contact
-                    let t = farthest * (k as f64 / GAPS as f64).powi(2);
-                    let x = a * t.cosh();
-                    let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
-                    let cauchy: f64 = level.modes[i].iter().enumerate().map(|(m, y)| y * cauchy_deflection(m, t)).sum();
-                    let rest: f64 = transforms[i]
-                        .iter()
-                        .zip(&layout.zeta)
-                        .map(|(slope, zeta)| slope * ((zeta * a).cos() - (zeta * x).cos()) / zeta)
-                        .sum();
-                    (x, opened - (limit * a * cauchy + rest) / PI)
-                })
-                .collect()
-        })
-        .collect())
+        (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], modes[i].len())).collect();
+    let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+    let linked = vec![false; n - 1];
+    let equations = Equations::new(&layout, &bases, &counts, &linked);
+    let transforms = equations.responses(&modes);
+    let mut gaps = Vec::with_capacity(n);
+    for (i, modes) in modes.iter().enumerate() {
+        let (a, limit) = (level.half_lengths[i], layout.own[i].limit);
+        let mut end = span;
+        if let (0, Some(edge)) = (i, punch.max_half_length()) {
+            end = end.min(edge);
+        }
+        let mut own = Vec::with_capacity(GRIDS * GAPS);
+        // next to the contact, and far from it
+        for reach in [0.5 * a.min(end - a), end - a] {
+            let step = reach / GAPS as f64;
+            let rest = deflections(&layout.zeta, &transforms[i], a, step);
+            own.extend(rest.into_iter().enumerate().map(|(k, rest)| {
+                let x = a + step * (k + 1) as f64;
+                let t = (x / a).acosh();
+                let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
+                let cauchy: f64 = modes.iter().enumerate().map(|(m, y)| y * cauchy_deflection(m, t)).sum();
+                (x, opened - 2.0 * (limit * cauchy + rest) / PI)
+            }));
+        }
+        gaps.push(own);
+    }
+    Ok(gaps)
+}
+
+/// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ...: neighbouring cosines follow from each other.
+fn deflections(zeta: &[f64], slopes: &[f64], a: f64, step: f64) -> Vec<f64> {
+    let mut sums = vec![0.0; GAPS];
+    for (zeta, slope) in zeta.iter().zip(slopes) {
+        let weight = slope / zeta;
+        let (sin, cos) = (zeta * a).sin_cos();
+        let (sin_step, cos_step) = (zeta * step).sin_cos();
+        let mut before = cos;
+        let mut here = cos * cos_step - sin * sin_step;
+        for sum in &mut sums {
+            *sum += weight * (cos - here);
+            (before, here) = (here, 2.0 * cos_step * here - before);
+        }
+    }
+    sums
 }
 
 /// ∫ from a to x = a cosh t of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, j = 2m + 1.

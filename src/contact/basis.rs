@@ -1,124 +1,153 @@
 //! The transformed pressure modes of one contact at all nodes.
 //!
-//! p(x) = √(1 − s²) Σ c_j U_(j−1)(s), s = x/a, j odd, has the transform Σ y_j J_j(ζa)/ζ. The tests T_k/√(1 − s²) turn
-//! sin ζx into J_k(ζa). So all integrals need J_j(ζa) for odd j, and Newton's method its derivative with respect to
-//! ln a, z J_j' = z (J_(j−1) − J_(j+1))/2.
+//! p(x) = √(1 − s²) Σ c_j U_(j−1)(s), s = x/a, j odd, has the transform (2P/ζ) Σ y_j ψ_j(ζ) with ψ_j = J_j(ζa)/a and
+//! y_1 = 1. The tests T_k/√(1 − s²) turn sin ζx into J_k(ζa). So all integrals need ψ_j for odd j, and Newton's method
+//! the derivative with respect to ln a, z (J_(j−1) − J_(j+1))/(2a) − ψ_j, z = ζa: the even orders of the same table.
+use faer::MatRef;
 use num_complex::Complex64;
 
 use crate::numeric::bessel;
 
-use super::layout::{Layout, Own};
+use super::layout::{Layout, Own, Tail};
 
-/// One column of values per mode, j = 1, 3, 5, ...
-pub(super) struct Table {
-    rows: usize,
-    value: Vec<f64>,
-    slope: Vec<f64>,
-}
-
-impl Table {
-    fn new(rows: usize, modes: usize) -> Self {
-        Self { rows, value: vec![0.0; rows * modes], slope: vec![0.0; rows * modes] }
-    }
-
-    pub(super) fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// All basis functions, column by column.
-    pub(super) fn columns(&self) -> &[f64] {
-        &self.value
-    }
-
-    /// The basis function of mode `m` (order 2m + 1) at every node.
-    pub(super) fn value(&self, m: usize) -> &[f64] {
-        &self.value[m * self.rows..(m + 1) * self.rows]
-    }
-
-    /// Its derivative with respect to ln a.
-    pub(super) fn slope(&self, m: usize) -> &[f64] {
-        &self.slope[m * self.rows..(m + 1) * self.rows]
-    }
-}
-
-/// The modes of one contact.
+/// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(super) struct Basis {
     /// Half-length in units of L.
     pub(super) half_length: f64,
-    /// J_j(ζa) at the real wavenumbers.
-    pub(super) real: Table,
-    /// 2 J_1(z)/z − 1: the unit pressure's transform less its resultant.
+    /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
     pub(super) deficit: Vec<f64>,
-    /// Its derivative with respect to ln a, −2 J_2(z).
-    pub(super) deficit_slope: Vec<f64>,
-    /// The two halves of the split products in the tail, row by row, to be used with `tail_weights`.
-    pub(super) tail: Table,
-    /// Weights of the rows of `tail`.
-    pub(super) tail_weights: Vec<f64>,
+    /// Weights of all rows for the contact's own kernel.
+    pub(super) weights: Vec<f64>,
+    rows: usize,
+    /// J_n/a for n = 0, 1, ..., 2·modes, column by column.
+    table: Vec<f64>,
+    /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
+    arguments: Vec<f64>,
+    /// z on the turned path.
+    paths: Vec<Complex64>,
 }
 
 impl Basis {
     pub(super) fn new(layout: &Layout, own: &Own, half_length: f64, modes: usize) -> Self {
-        let arguments: Vec<f64> = layout.zeta[..own.reach].iter().map(|zeta| zeta * half_length).collect();
-        let rows = arguments.len();
+        let Tail { smooth, smooth_weights, turned, .. } = &own.tail;
+        let rows = own.reach + 2 * (smooth.len() + turned.len());
+        let mut arguments: Vec<f64> = layout.zeta[..own.reach].iter().map(|zeta| zeta * half_length).collect();
         let orders = 2 * modes + 1;
-        let mut j = vec![0.0; orders.max(3) * rows];
-        bessel::table(orders.max(3), &arguments, &mut j);
-        let mut real = Table::new(rows, modes);
-        for m in 0..modes {
-            let order = |n: usize| &j[n * rows..(n + 1) * rows];
-            real.value[m * rows..(m + 1) * rows].copy_from_slice(order(2 * m + 1));
-            let (below, above) = (order(2 * m), order(2 * m + 2));
-            for (i, slope) in real.slope[m * rows..(m + 1) * rows].iter_mut().enumerate() {
-                *slope = 0.5 * arguments[i] * (below[i] - above[i]);
-            }
+        let mut table = vec![0.0; orders * rows];
+        bessel::table_with_stride(orders, &arguments, rows, &mut table);
+        let j1 = &table[rows..rows + own.reach];
+        let deficit = arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1)).collect();
+        let paths: Vec<Complex64> = turned.iter().map(|zeta| zeta * half_length).collect();
+
+        let mut weights = own.unit.clone();
+        weights.resize(own.reach, 0.0);
+        if rows > own.reach {
+            let smooth: Vec<f64> = smooth.iter().map(|zeta| zeta * half_length).collect();
+            fill_tail(&own.tail, &smooth, &paths, own.reach, rows, &mut table);
+            arguments.extend(&smooth);
+            arguments.extend(&smooth);
+            weights.extend(smooth_weights);
+            weights.extend(smooth_weights);
+            weights.extend(std::iter::repeat_n(1.0, turned.len()));
+            weights.extend(std::iter::repeat_n(-1.0, turned.len()));
         }
-        let deficit = arguments.iter().zip(&j[rows..]).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1)).collect();
-        let deficit_slope = j[2 * rows..3 * rows].iter().map(|j2| -2.0 * j2).collect();
-        let (tail, tail_weights) = Self::tail(own, half_length, modes);
-        Self { half_length, real, deficit, deficit_slope, tail, tail_weights }
+        table.iter_mut().for_each(|value| *value /= half_length);
+        Self { half_length, deficit, weights, rows, table, arguments, paths }
     }
 
-    fn tail(own: &Own, half_length: f64, modes: usize) -> (Table, Vec<f64>) {
-        let tail = &own.tail;
-        let (smooth, turned) = (tail.smooth.len(), tail.turned.len());
-        let mut table = Table::new(2 * (smooth + turned), modes);
-        if table.rows == 0 {
-            return (table, Vec::new());
-        }
-        let mut weights = Vec::with_capacity(table.rows);
-        weights.extend(&tail.smooth_weights);
-        weights.extend(&tail.smooth_weights);
-        weights.extend(std::iter::repeat_n(1.0, turned));
-        weights.extend(std::iter::repeat_n(-1.0, turned));
-
-        let orders = 2 * modes + 1;
-        let arguments: Vec<f64> = tail.smooth.iter().map(|zeta| zeta * half_length).collect();
-        let (mut j, mut y) = (vec![0.0; orders * smooth], vec![0.0; orders * smooth]);
-        bessel::jy_table(orders, &arguments, &mut j, &mut y);
-        let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
-        let mut h = vec![Complex64::ZERO; orders * turned];
-        bessel::hankel_table(orders, &paths, &mut h);
-        let factors: Vec<Complex64> =
-            (0..turned).map(|i| (Complex64::I * paths[i] + tail.lift[i]).exp() * tail.turned_roots[i]).collect();
-        for m in 0..modes {
-            let start = m * table.rows;
-            let (value, slope) = (&mut table.value[start..], &mut table.slope[start..]);
-            for (half, part) in [&j, &y].into_iter().enumerate() {
-                for i in 0..smooth {
-                    let at = |n: usize| part[n * smooth + i];
-                    value[half * smooth + i] = at(2 * m + 1);
-                    slope[half * smooth + i] = 0.5 * arguments[i] * (at(2 * m) - at(2 * m + 2));
-                }
-            }
-            for i in 0..turned {
-                let at = |n: usize| h[n * turned + i] * factors[i];
-                let (v, s) = (at(2 * m + 1), 0.5 * paths[i] * (at(2 * m) - at(2 * m + 2)));
-                let row = 2 * smooth + i;
-                (value[row], value[row + turned]) = (v.re, v.im);
-                (slope[row], slope[row + turned]) = (s.re, s.im);
-            }
-        }
-        (table, weights)
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.rows
     }
+
+    /// ψ of the first `count` modes, rows by modes.
+    pub(super) fn values(&self, count: usize) -> MatRef<'_, f64> {
+        MatRef::from_column_major_slice_with_stride(&self.table[self.rows..], self.rows, count, 2 * self.rows)
+    }
+
+    /// ψ of mode `m` (order 2m + 1) in every row.
+    pub(super) fn value(&self, m: usize) -> &[f64] {
+        &self.table[(2 * m + 1) * self.rows..(2 * m + 2) * self.rows]
+    }
+
+    /// J_n/a of the first `count` even orders n = 0, 2, ..., rows by orders.
+    fn even(&self, count: usize) -> MatRef<'_, f64> {
+        MatRef::from_column_major_slice_with_stride(&self.table, self.rows, count, 2 * self.rows)
+    }
+
+    /// Σ_m y_m ψ_m in every row.
+    pub(super) fn combine(&self, y: &[f64]) -> Vec<f64> {
+        times(self.values(y.len()), y)
+    }
+
+    /// The derivative of [`Self::combine`] with respect to ln a.
+    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Vec<f64> {
+        // Σ y_m (E_m − E_(m+1)), E the even orders
+        let mut differences = vec![0.0; y.len() + 1];
+        for (m, y) in y.iter().enumerate() {
+            differences[m] += y;
+            differences[m + 1] -= y;
+        }
+        let mut slopes = times(self.even(differences.len()), &differences);
+        self.scale(&mut slopes, false);
+        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
+        slopes
+    }
+
+    /// Σ over the rows of `s` ψ_m, for the first `count` modes.
+    pub(super) fn test(&self, s: &[f64], count: usize) -> Vec<f64> {
+        times(self.values(count).transpose(), s)
+    }
+
+    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
+    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Vec<f64> {
+        let mut scaled = s.to_vec();
+        self.scale(&mut scaled, true);
+        let even = times(self.even(tested.len() + 1).transpose(), &scaled);
+        even.windows(2).zip(tested).map(|(even, value)| even[0] - even[1] - value).collect()
+    }
+
+    /// Multiplies by z/2 in every row; `adjoint` on the side of the tests.
+    fn scale(&self, rows: &mut [f64], adjoint: bool) {
+        let (plain, turned) = rows.split_at_mut(self.arguments.len());
+        plain.iter_mut().zip(&self.arguments).for_each(|(value, z)| *value *= 0.5 * z);
+        let (real, imaginary) = turned.split_at_mut(self.paths.len());
+        for ((re, im), z) in real.iter_mut().zip(imaginary).zip(&self.paths) {
+            let half = 0.5 * if adjoint { z.conj() } else { *z };
+            let product = Complex64::new(*re, *im) * half;
+            (*re, *im) = (product.re, product.im);
+        }
+    }
+}
+
+/// J, Y and both parts of H in the rows of the tail, not yet divided by a.
+fn fill_tail(tail: &Tail, smooth: &[f64], paths: &[Complex64], first: usize, rows: usize, table: &mut [f64]) {
+    let orders = table.len() / rows;
+    let (mut j, mut y) = (vec![0.0; orders * smooth.len()], vec![0.0; orders * smooth.len()]);
+    bessel::jy_table(orders, smooth, &mut j, &mut y);
+    let mut h = vec![Complex64::ZERO; orders * paths.len()];
+    bessel::hankel_table(orders, paths, &mut h);
+    let factors = paths.iter().zip(&tail.lift).zip(&tail.turned_roots);
+    let factors: Vec<Complex64> = factors.map(|((z, lift), root)| (Complex64::I * z + lift).exp() * root).collect();
+    for (n, column) in table.chunks_exact_mut(rows).enumerate() {
+        let (count, turned) = (smooth.len(), paths.len());
+        let (js, rest) = column[first..].split_at_mut(count);
+        let (ys, rest) = rest.split_at_mut(count);
+        let (re, im) = rest.split_at_mut(turned);
+        js.copy_from_slice(&j[n * count..(n + 1) * count]);
+        ys.copy_from_slice(&y[n * count..(n + 1) * count]);
+        for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
+            let value = h * factor;
+            (re[i], im[i]) = (value.re, value.im);
+        }
+    }
+}
+
+/// matrix · vector.
+fn times(matrix: MatRef<'_, f64>, vector: &[f64]) -> Vec<f64> {
+    let mut product = vec![0.0; matrix.nrows()];
+    let out = faer::MatMut::from_column_major_slice_mut(&mut product, matrix.nrows(), 1);
+    let vector = MatRef::from_column_major_slice(vector, vector.len(), 1);
+    faer::linalg::matmul::matmul(out, faer::Accum::Replace, matrix, vector, 1.0, faer::Par::Seq);
+    product
 }

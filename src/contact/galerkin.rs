@@ -1,225 +1,333 @@
-//! The Galerkin equations of all contacts at given half-lengths: rows, columns and how they act.
+//! The Galerkin equations of all contacts at given half-lengths: a symmetric matrix and a right-hand side.
 //!
-//! Unknowns are the modes j = 3, 5, ... of every contact (equilibrium fixes j = 1), equations the rows k = 3, 5, ...;
-//! the rows k = 1 are left over, one per unknown half-length: the residual of Newton's method. Everything is per unit of
-//! P' = P/(μ₀L): p̂_i = P' Σ_j y_ij J_j(ζa_i)/ζ, y_i1 = 2/a_i.
-use faer::linalg::matmul::matmul;
-use faer::reborrow::ReborrowMut;
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+//! The elastic energy of a laminate between the contacts u = p̂_i and v = p̂_(i+1) is
+//!
+//! C_tt u² + 2 C_tb uv + C_bb v² = (C_tt + C_tb) u² + (C_bb + C_tb) v² − C_tb (u − v)²,
+//!
+//! in which no term is large for long waves unless u and v differ. So the energy of all is Σ (g∞ + unit) p̂_i² for the
+//! contacts and Σ coupling (p̂_i − p̂_(i+1))² for the laminates, and the unknowns of a contact are what it has more than
+//! the contact above: always for the first mode, where that is zero by equilibrium, and for all modes of contacts with a
+//! laminate between them that bends much more easily than it is squeezed.
+//!
+//! Everything is per unit of P' = P/(μ₀L): p̂_i = (2P'/ζ) Σ_m y_im ψ_im(ζ), y_i0 = 1.
+use std::ops::Range;
 
-use super::basis::{Basis, Table};
+use faer::linalg::matmul::matmul;
+use faer::linalg::matmul::triangular::{self, BlockStructure};
+use faer::reborrow::ReborrowMut;
+use faer::{Accum, Mat, MatRef, Par};
+
+use super::basis::Basis;
 use super::layout::Layout;
 
-/// Rows k = 1, 3, ... of the right-hand sides, per unit of P': the punch's slope against the tests of contact 0.
+/// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
     /// ± ∫ f'(as) T_k(s)/√(1 − s²) ds.
     pub(super) value: Vec<f64>,
     /// Its derivative with respect to ln a.
     pub(super) slope: Vec<f64>,
+    /// a.
+    pub(super) half_length: f64,
+}
+
+impl Slopes {
+    /// The row of mode `m`.
+    pub(super) fn load(&self, m: usize) -> f64 {
+        0.5 * self.value[m] / self.half_length
+    }
+
+    /// Its derivative with respect to ln a.
+    fn load_slope(&self, m: usize) -> f64 {
+        0.5 * (self.slope[m] - self.value[m]) / self.half_length
+    }
 }
 
 /// The equations of one stack, one layout and one set of half-lengths.
 pub(super) struct Equations<'a> {
     layout: &'a Layout,
     bases: &'a [Basis],
-    slopes: &'a Slopes,
-    /// Modes solved for, per contact, j = 1 included.
+    /// Modes solved for, per contact, the first included.
     modes: &'a [usize],
+    /// Per laminate between contacts: whether all modes below it are counted from those above it.
+    linked: &'a [bool],
+    /// Where mode m of contact i stands: first modes first.
+    place: Vec<Vec<usize>>,
+    /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
+    /// coupling; else those of contact i.
+    differences: Vec<Mat<f64>>,
 }
 
-/// A function of the wavenumber for one contact: at the real nodes and at the rows of the tail.
-pub(super) struct Transform {
-    real: Vec<f64>,
-    tail: Vec<f64>,
-}
+/// Fields at the rows of one contact.
+pub(super) type Rows = Vec<f64>;
+/// Per contact, per mode.
+pub(super) type Modes = Vec<Vec<f64>>;
 
 impl<'a> Equations<'a> {
-    pub(super) fn new(layout: &'a Layout, bases: &'a [Basis], slopes: &'a Slopes, modes: &'a [usize]) -> Self {
-        Self { layout, bases, slopes, modes }
+    pub(super) fn new(layout: &'a Layout, bases: &'a [Basis], modes: &'a [usize], linked: &'a [bool]) -> Self {
+        let mut place: Vec<Vec<usize>> = modes.iter().map(|modes| Vec::with_capacity(*modes)).collect();
+        let mut next = 0;
+        for m in 0..modes.iter().copied().max().unwrap_or(0) {
+            for (place, modes) in place.iter_mut().zip(modes) {
+                if m < *modes {
+                    place.push(next);
+                    next += 1;
+                }
+            }
+        }
+        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new() };
+        equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
+        equations
     }
 
     pub(super) fn contacts(&self) -> usize {
         self.bases.len()
     }
 
-    /// Where the unknowns of each contact begin, and how many there are.
-    pub(super) fn offsets(&self) -> (Vec<usize>, usize) {
-        let mut offsets = Vec::with_capacity(self.contacts());
-        let mut total = 0;
-        for modes in self.modes {
-            offsets.push(total);
-            total += modes - 1;
+    /// Unknowns and known first modes together.
+    pub(super) fn size(&self) -> usize {
+        self.modes.iter().sum()
+    }
+
+    /// Where mode m of contact i stands.
+    pub(super) fn place(&self, i: usize, m: usize) -> usize {
+        self.place[i][m]
+    }
+
+    pub(super) fn modes(&self, i: usize) -> usize {
+        self.modes[i]
+    }
+
+    /// Whether mode m of contact i + 1 is counted from that of contact i.
+    fn links(&self, i: usize, m: usize) -> bool {
+        m == 0 || self.linked[i] && m < self.modes[i].min(self.modes[i + 1])
+    }
+
+    /// The contacts whose mode m is part of that of contact i.
+    fn chain(&self, i: usize, m: usize) -> Range<usize> {
+        let mut first = i;
+        while first > 0 && self.links(first - 1, m) {
+            first -= 1;
         }
-        (offsets, total)
+        first..i + 1
     }
 
-    /// Neighbours of a contact with the coupling's weights.
-    fn neighbours(&self, i: usize) -> impl Iterator<Item = (usize, &'a [f64])> {
-        let coupling = &self.layout.coupling;
-        let above = i.checked_sub(1).map(|m| (m, &coupling[m][..]));
-        let below = coupling.get(i).map(|weights| (i + 1, &weights[..]));
-        above.into_iter().chain(below)
+    fn difference(&self, i: usize) -> Mat<f64> {
+        let (upper, lower) = (&self.bases[i], &self.bases[i + 1]);
+        let zeta = &self.layout.zeta[..self.layout.coupling[i].len()];
+        let mut difference = Mat::zeros(zeta.len(), self.modes[i]);
+        for m in 0..self.modes[i] {
+            let column = difference.col_as_slice_mut(m);
+            if m == 0 {
+                for (k, value) in column.iter_mut().enumerate() {
+                    *value = 0.5 * zeta[k] * (upper.deficit[k] - lower.deficit[k]);
+                }
+            } else if self.links(i, m) {
+                for (value, (u, v)) in column.iter_mut().zip(upper.value(m).iter().zip(lower.value(m))) {
+                    *value = u - v;
+                }
+            } else {
+                column.copy_from_slice(&upper.value(m)[..zeta.len()]);
+            }
+        }
+        difference
     }
 
-    /// The matrix of rows and modes from 3 on.
+    /// The matrix, its lower half.
     pub(super) fn matrix(&self) -> Mat<f64> {
-        let (offsets, size) = self.offsets();
-        let mut matrix = Mat::zeros(size, size);
-        for i in 0..self.contacts() {
-            let (own, basis, count) = (&self.layout.own[i], &self.bases[i], self.modes[i] - 1);
-            if count == 0 {
+        let size = self.size();
+        let mut matrix = Mat::<f64>::zeros(size, size);
+        for (i, basis) in self.bases.iter().enumerate() {
+            let mut gram = symmetric_product(basis.values(self.modes[i]), &basis.weights);
+            for m in 0..self.modes[i] {
+                gram[(m, m)] += self.cauchy(i, m);
+            }
+            self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
+        }
+        for (i, difference) in self.differences.iter().enumerate() {
+            let weights = &self.layout.coupling[i];
+            if weights.is_empty() {
                 continue;
             }
-            let mut block = matrix.as_mut().submatrix_mut(offsets[i], offsets[i], count, count);
-            add_product(block.rb_mut(), &basis.real, &own.diagonal, &basis.real);
-            add_product(block.rb_mut(), &basis.tail, &basis.tail_weights, &basis.tail);
-            for m in 0..count {
-                block[(m, m)] += own.limit / order(m + 1) * 0.5;
-            }
-            if let Some(weights) = self.layout.coupling.get(i) {
-                let other = self.modes[i + 1] - 1;
-                if other > 0 {
-                    let mut block = matrix.as_mut().submatrix_mut(offsets[i], offsets[i + 1], count, other);
-                    add_product(block.rb_mut(), &basis.real, weights, &self.bases[i + 1].real);
-                    let transposed = block.to_owned();
-                    matrix
-                        .as_mut()
-                        .submatrix_mut(offsets[i + 1], offsets[i], other, count)
-                        .copy_from(transposed.transpose());
+            let lower = self.bases[i + 1].values(self.modes[i + 1]);
+            let lower = lower.subrows(0, weights.len());
+            let gram = symmetric_product(difference.as_ref(), weights);
+            self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
+            let gram = symmetric_product(lower, weights);
+            self.add_symmetric(&mut matrix, &gram, |_| i + 1..i + 2);
+            let gram = product(difference.as_ref(), weights, lower);
+            for m in 0..gram.nrows() {
+                for n in 0..gram.ncols() {
+                    let column = self.place(i + 1, n);
+                    for k in self.chain(i, m) {
+                        let row = self.place(k, m);
+                        matrix[(row.max(column), row.min(column))] -= gram[(m, n)];
+                    }
                 }
             }
         }
         matrix
     }
 
-    /// The slope transform that the unit pressures (all contacts carry P', mode 1 only) make at contact i: equal
-    /// pressures first, then what the neighbours' unit pressures differ from the own one.
-    pub(super) fn unit_slopes(&self, i: usize) -> Transform {
-        let (own, basis) = (&self.layout.own[i], &self.bases[i]);
-        let amplitude = 2.0 / basis.half_length;
-        let mut real = vec![0.0; own.reach];
-        scaled_product(&mut real, amplitude, &own.unit, basis.real.value(0));
-        for (other, weights) in self.neighbours(i) {
-            let other = &self.bases[other];
-            for (node, weight) in weights.iter().enumerate() {
-                real[node] += weight * self.layout.zeta[node] * (other.deficit[node] - basis.deficit[node]);
-            }
-        }
-        let mut tail = vec![0.0; basis.tail.rows()];
-        if !tail.is_empty() {
-            scaled_product(&mut tail, amplitude, &basis.tail_weights, basis.tail.value(0));
-        }
-        Transform { real, tail }
-    }
-
-    /// Derivative of [`Self::unit_slopes`] of contact i with respect to ln a of contact `by`.
-    pub(super) fn unit_slopes_change(&self, i: usize, by: usize) -> Transform {
-        let (own, basis) = (&self.layout.own[i], &self.bases[i]);
-        let mut real = vec![0.0; own.reach];
-        let mut tail = vec![0.0; basis.tail.rows()];
-        if by == i {
-            let amplitude = 2.0 / basis.half_length;
-            scaled_product(&mut real, amplitude, &own.unit, basis.real.slope(0));
-            scaled_product(&mut real, -amplitude, &own.unit, basis.real.value(0));
-            if !tail.is_empty() {
-                scaled_product(&mut tail, amplitude, &basis.tail_weights, basis.tail.slope(0));
-                scaled_product(&mut tail, -amplitude, &basis.tail_weights, basis.tail.value(0));
-            }
-        }
-        for (other, weights) in self.neighbours(i) {
-            if by != i && by != other {
-                continue;
-            }
-            let change = &self.bases[by].deficit_slope;
-            let sign = if by == i { -1.0 } else { 1.0 };
-            for (node, weight) in weights.iter().enumerate() {
-                real[node] += sign * weight * self.layout.zeta[node] * change[node];
-            }
-        }
-        Transform { real, tail }
-    }
-
-    /// Σ_j y_ij (J_j or its derivative) of contact i over a range of modes.
-    pub(super) fn transform(&self, i: usize, coefficients: &[f64], first: usize, slope: bool) -> Transform {
-        let basis = &self.bases[i];
-        let sum = |table: &Table| {
-            let mut sum = vec![0.0; table.rows()];
-            for (m, c) in coefficients.iter().enumerate() {
-                let column = if slope { table.slope(first + m) } else { table.value(first + m) };
-                for (sum, value) in sum.iter_mut().zip(column) {
-                    *sum += c * value;
+    /// Adds a symmetric block (its lower half) to the modes of all contacts in the chain of its own.
+    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Mat<f64>, chain: impl Fn(usize) -> Range<usize>) {
+        for n in 0..block.ncols() {
+            let columns = chain(n);
+            for m in n..block.nrows() {
+                let rows = chain(m);
+                for row in rows.clone().map(|i| self.place(i, m)) {
+                    for column in columns.clone().map(|i| self.place(i, n)) {
+                        if row >= column {
+                            matrix[(row, column)] += block[(m, n)];
+                        }
+                    }
                 }
             }
-            sum
-        };
-        Transform { real: sum(&basis.real), tail: sum(&basis.tail) }
+        }
     }
 
-    /// Adds to `slopes` of contact i what pressures with the transform `pressure` of contact `by` cause there (g∞ left
-    /// out).
-    pub(super) fn add_response(&self, slopes: &mut Transform, i: usize, by: usize, pressure: &Transform) {
-        if by == i {
-            scaled_product(&mut slopes.real, 1.0, &self.layout.own[i].diagonal, &pressure.real);
-            scaled_product(&mut slopes.tail, 1.0, &self.bases[i].tail_weights, &pressure.tail);
+    /// g∞ ∫ ψ² dζ/ζ.
+    pub(super) fn cauchy(&self, i: usize, m: usize) -> f64 {
+        0.5 * self.layout.own[i].limit / (order(m) * self.bases[i].half_length.powi(2))
+    }
+
+    /// What the unknowns, in the order of the matrix, are as modes of each contact.
+    pub(super) fn modes_of(&self, unknowns: &[f64]) -> Vec<Vec<f64>> {
+        let mut modes: Vec<Vec<f64>> = Vec::with_capacity(self.contacts());
+        for i in 0..self.contacts() {
+            let own = |m: usize| unknowns[self.place(i, m)];
+            let above = |m: usize| if i > 0 && self.links(i - 1, m) { modes[i - 1][m] } else { 0.0 };
+            let sum = (0..self.modes(i)).map(|m| own(m) + above(m)).collect();
+            modes.push(sum);
         }
-        for (other, weights) in self.neighbours(i) {
-            if by == other {
-                scaled_product(&mut slopes.real, 1.0, weights, &pressure.real);
+        modes
+    }
+
+    /// The inverse of [`Self::modes_of`].
+    pub(super) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Vec<f64> {
+        let mut unknowns = vec![0.0; self.size()];
+        for (i, own) in modes.iter().enumerate() {
+            for (m, y) in own.iter().enumerate() {
+                let above = if i > 0 && self.links(i - 1, m) { modes[i - 1][m] } else { 0.0 };
+                unknowns[self.place(i, m)] = y - above;
             }
         }
+        unknowns
     }
 
-    /// Tests a slope transform of contact i with the row of mode `m`.
-    pub(super) fn test(&self, i: usize, slopes: &Transform, m: usize) -> f64 {
-        let basis = &self.bases[i];
-        dot(&slopes.real, basis.real.value(m)) + dot(&slopes.tail, basis.tail.value(m))
-    }
-
-    pub(super) fn test_slope(&self, i: usize, slopes: &Transform, m: usize) -> f64 {
-        let basis = &self.bases[i];
-        dot(&slopes.real, basis.real.slope(m)) + dot(&slopes.tail, basis.tail.slope(m))
-    }
-
-    /// The slope transforms of all contacts at the real wavenumbers, weights included and g∞ left out, for given modes.
-    pub(super) fn slope_transforms(&self, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    /// Derivatives of matrix · unknowns − right-hand side with respect to ln a of each contact in turn, in the order of
+    /// the matrix. `modes` are those of the unknowns.
+    pub(super) fn derivatives(&self, unknowns: &[f64], modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<f64>> {
         let n = self.contacts();
-        let mut slopes: Vec<Transform> = (0..n).map(|i| self.unit_slopes(i)).collect();
-        for (by, modes) in modes.iter().enumerate() {
-            let pressure = self.transform(by, &modes[1..], 1, false);
-            for (i, slopes) in slopes.iter_mut().enumerate() {
-                self.add_response(slopes, i, by, &pressure);
+        let pressures: Vec<Rows> = self.bases.iter().zip(modes).map(|(basis, y)| basis.combine(y)).collect();
+        let jumps: Vec<Rows> = (0..n - 1).map(|i| self.jump(i, unknowns, modes)).collect();
+        let mut derivatives = Vec::with_capacity(n);
+        for by in 0..n {
+            let mut rows: Vec<Vec<f64>> = self.modes.iter().map(|modes| vec![0.0; *modes]).collect();
+            let basis = &self.bases[by];
+            // the tests of this contact change ...
+            let mut response: Rows = basis.weights.iter().zip(&pressures[by]).map(|(w, p)| w * p).collect();
+            let mut sides = Vec::with_capacity(2);
+            if by > 0 {
+                sides.push((by - 1, by - 1, -1.0));
+            }
+            if by + 1 < n {
+                sides.push((by, by + 1, 1.0));
+            }
+            for &(laminate, _, sign) in &sides {
+                for ((s, w), jump) in response.iter_mut().zip(&self.layout.coupling[laminate]).zip(&jumps[laminate]) {
+                    *s += sign * w * jump;
+                }
+            }
+            let tested = basis.test(&response, self.modes[by]);
+            add(&mut rows[by], &basis.test_slopes(&response, &tested));
+            // ... and so does its pressure
+            let change = basis.combine_slopes(&modes[by], &pressures[by]);
+            let mut response: Rows = basis.weights.iter().zip(&change).map(|(w, p)| w * p).collect();
+            for &(laminate, other, _) in &sides {
+                let coupling = &self.layout.coupling[laminate];
+                let mut there = vec![0.0; self.bases[other].rows()];
+                for (k, (w, p)) in coupling.iter().zip(&change).enumerate() {
+                    response[k] += w * p;
+                    there[k] = -w * p;
+                }
+                add(&mut rows[other], &self.bases[other].test(&there, self.modes[other]));
+            }
+            add(&mut rows[by], &basis.test(&response, self.modes[by]));
+            for (m, row) in rows[by].iter_mut().enumerate() {
+                *row -= 2.0 * self.cauchy(by, m) * modes[by][m];
+                if by == 0 {
+                    *row -= slopes.load_slope(m);
+                }
+            }
+            derivatives.push(self.rows_of(&rows));
+        }
+        derivatives
+    }
+
+    /// Rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
+    pub(super) fn rows_of(&self, rows: &[Vec<f64>]) -> Vec<f64> {
+        let mut ordered = vec![0.0; self.size()];
+        for (i, rows) in rows.iter().enumerate() {
+            for (m, row) in rows.iter().enumerate().take(self.modes[i]) {
+                for k in self.chain(i, m) {
+                    ordered[self.place(k, m)] += row;
+                }
             }
         }
-        slopes.into_iter().map(|slopes| slopes.real).collect()
+        ordered
     }
 
-    /// A transform of contact i that is zero.
-    pub(super) fn nothing(&self, i: usize) -> Transform {
-        Transform { real: vec![0.0; self.layout.own[i].reach], tail: vec![0.0; self.bases[i].tail.rows()] }
+    /// Tests a response of contact i with its first `count` modes.
+    pub(super) fn test(&self, i: usize, response: &[f64], count: usize) -> Vec<f64> {
+        self.bases[i].test(response, count)
     }
 
-    /// Modes solved for, j = 1 included.
-    pub(super) fn modes(&self, i: usize) -> usize {
-        self.modes[i]
+    /// p̂_i − p̂_(i+1) at the rows of the coupling.
+    fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
+        let own: Vec<f64> = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
+        let mut jump = self.bases[i + 1].combine(&own);
+        jump.truncate(self.differences[i].nrows());
+        let upper = MatRef::from_column_major_slice(&modes[i], modes[i].len(), 1);
+        let upper = &self.differences[i] * upper;
+        jump.iter_mut().zip(upper.col_as_slice(0)).for_each(|(jump, upper)| *jump = upper - *jump);
+        jump
     }
 
-    /// Half-length of a contact in units of L.
-    pub(super) fn half_length(&self, i: usize) -> f64 {
-        self.bases[i].half_length
-    }
-
-    /// g∞ of a contact.
-    pub(super) fn limit(&self, i: usize) -> f64 {
-        self.layout.own[i].limit
-    }
-
-    /// The punch's part of a row.
-    pub(super) fn punch(&self, i: usize, m: usize) -> f64 {
-        if i == 0 { self.slopes.value.get(m).copied().unwrap_or(0.0) } else { 0.0 }
-    }
-
-    pub(super) fn punch_slope(&self, i: usize, m: usize) -> f64 {
-        if i == 0 { self.slopes.slope.get(m).copied().unwrap_or(0.0) } else { 0.0 }
+    /// The slope transforms of all contacts, weights included and g∞ left out: what the kernels make of the modes.
+    /// `modes` may be more than are solved for.
+    pub(super) fn responses(&self, modes: &[Vec<f64>]) -> Vec<Rows> {
+        let n = self.contacts();
+        let solved = |i: usize| &modes[i][..self.modes[i].min(modes[i].len())];
+        let beyond = |i: usize| {
+            let mut beyond = modes[i].clone();
+            beyond[..self.modes[i].min(modes[i].len())].fill(0.0);
+            self.bases[i].combine(&beyond)
+        };
+        let low: Modes = (0..n).map(|i| solved(i).to_vec()).collect();
+        let unknowns = self.unknowns_of(&low);
+        let high: Vec<Rows> = (0..n).map(beyond).collect();
+        let mut responses = Vec::with_capacity(n);
+        let jumps: Vec<Rows> = (0..n - 1)
+            .map(|i| {
+                let mut jump = self.jump(i, &unknowns, &low);
+                let between = high[i].iter().zip(&high[i + 1]);
+                jump.iter_mut().zip(between).for_each(|(jump, (u, v))| *jump += u - v);
+                jump
+            })
+            .collect();
+        for (i, basis) in self.bases.iter().enumerate() {
+            let pressure = basis.combine(&modes[i]);
+            let mut response: Rows = basis.weights.iter().zip(&pressure).map(|(w, p)| w * p).collect();
+            for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
+                if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
+                    for ((s, w), jump) in response.iter_mut().zip(weights).zip(jump) {
+                        *s += sign * w * jump;
+                    }
+                }
+            }
+            responses.push(response);
+        }
+        responses
     }
 }
 
@@ -233,38 +341,44 @@ pub(super) fn order(m: usize) -> f64 {
     (2 * m + 1) as f64
 }
 
-/// block += leftᵀ diag(weights) right, modes from 3 on, over the rows that have weights.
-fn add_product(block: MatMut<'_, f64>, left: &Table, weights: &[f64], right: &Table) {
-    let rows = weights.len();
-    if rows == 0 {
-        return;
-    }
-    let (m, n) = (block.nrows(), block.ncols());
-    let mut weighted = Mat::<f64>::zeros(rows, n);
-    for c in 0..n {
-        let column = &right.value(c + 1)[..rows];
-        for (r, (weight, value)) in weights.iter().zip(column).enumerate() {
-            weighted[(r, c)] = weight * value;
+fn add(sum: &mut [f64], more: &[f64]) {
+    sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+}
+
+/// diag(weights) · matrix, over as many rows as there are weights.
+fn weighted(matrix: MatRef<'_, f64>, weights: &[f64]) -> Mat<f64> {
+    let mut weighted = Mat::zeros(weights.len(), matrix.ncols());
+    for m in 0..matrix.ncols() {
+        let column = weighted.col_as_slice_mut(m);
+        for ((out, w), value) in column.iter_mut().zip(weights).zip(matrix.col(m).iter()) {
+            *out = w * value;
         }
     }
-    let left = left.modes_from_three(m);
-    matmul(block, Accum::Add, left.submatrix(0, 0, rows, m).transpose(), weighted.as_ref(), 1.0, Par::Seq);
+    weighted
 }
 
-impl Table {
-    /// The basis functions of modes 1 ..= `count` as a matrix of nodes by modes.
-    fn modes_from_three(&self, count: usize) -> MatRef<'_, f64> {
-        MatRef::from_column_major_slice(&self.columns()[self.rows()..(count + 1) * self.rows()], self.rows(), count)
-    }
+/// leftᵀ diag(weights) right.
+fn product(left: MatRef<'_, f64>, weights: &[f64], right: MatRef<'_, f64>) -> Mat<f64> {
+    let mut product = Mat::zeros(left.ncols(), right.ncols());
+    let right = weighted(right, weights);
+    matmul(product.as_mut(), Accum::Replace, left.transpose(), right.as_ref(), 1.0, Par::Seq);
+    product
 }
 
-/// sum += factor · weights · values, over as many nodes as there are weights.
-fn scaled_product(sum: &mut [f64], factor: f64, weights: &[f64], values: &[f64]) {
-    for ((sum, weight), value) in sum.iter_mut().zip(weights).zip(values) {
-        *sum += factor * weight * value;
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+/// matrixᵀ diag(weights) matrix, its lower half.
+fn symmetric_product(matrix: MatRef<'_, f64>, weights: &[f64]) -> Mat<f64> {
+    let mut product = Mat::zeros(matrix.ncols(), matrix.ncols());
+    let right = weighted(matrix, weights);
+    triangular::matmul(
+        product.as_mut().rb_mut(),
+        BlockStructure::TriangularLower,
+        Accum::Replace,
+        matrix.transpose(),
+        BlockStructure::Rectangular,
+        right.as_ref(),
+        BlockStructure::Rectangular,
+        1.0,
+        Par::Seq,
+    );
+    product
 }

@@ -1,55 +1,63 @@
 //! One level of refinement: half-lengths, pressures, and how far they may be from the truth.
-use super::galerkin::{alternating, order};
+use std::f64::consts::PI;
+
+use crate::kernel::Kernel;
+
+use super::galerkin::{Modes, alternating, order};
 use super::newton::Converged;
+use super::pressures::weight;
 
 /// What rounding leaves of a half-length, relative: kernels are resolved to 1e-13 of themselves.
 const ROUNDING: f64 = 1e-13;
 /// No level is judged better than this.
 pub(super) const BEST: f64 = 5.0 * ROUNDING;
+/// What is missing is estimated from how the last modes fall, and then taken so many times.
+const SAFETY: f64 = 3.0;
 
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {
     /// Half-lengths in units of L.
     pub(super) half_lengths: Vec<f64>,
-    /// y_ij per unit of P', see [`super::galerkin`].
-    pub(super) modes: Vec<Vec<f64>>,
-    /// How many of the modes were solved for, not iterated.
-    pub(super) solved: Vec<usize>,
+    /// y_im of contact i, y_i0 = 1, see [`super::galerkin`].
+    pub(super) modes: Modes,
+    /// Whether the iteration was done with the modes.
+    pub(super) settled: Vec<bool>,
     /// Relative errors of half-lengths and of pressures at x = 0, estimated.
     pub(super) errors: Vec<[f64; 2]>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
+    /// Where modes fall like a power, the terms of the pressure at x = 0 are averaged.
+    pub(super) averaged: Vec<bool>,
 }
 
 impl Level {
-    /// Errors are judged by what the iterated modes changed, by what changed since the level before, and by how fast the
-    /// highest modes fall: what is missing beyond them is to their last half as that is to the first.
-    pub(super) fn new(found: Converged, modes: &[usize], before: Option<&Level>) -> Self {
-        let Converged { half_lengths, pressures, shift, unsettled, missing } = found;
-        let mut errors = Vec::new();
-        let mut tails = Vec::new();
-        for (i, y) in pressures.modes.iter().enumerate() {
-            let size = |range: std::ops::Range<usize>| -> f64 {
-                range.map(|m| (y[m] / order(m)).abs()).sum::<f64>() / std::f64::consts::PI
+    /// Errors are judged by what the iterated modes have changed, and by how fast the highest of them fall.
+    pub(super) fn new(found: Converged, kernel: &Kernel) -> Self {
+        let Converged { half_lengths, modes, solved, shift, unsettled, rounding } = found;
+        let averaged: Vec<bool> = (0..modes.len()).map(|i| !kernel.far(i).is_constant()).collect();
+        let (mut errors, mut tails, mut settled) = (Vec::new(), Vec::new(), Vec::new());
+        for (i, y) in modes.iter().enumerate() {
+            let quarter = |k: usize| (y.len() * k) / 4;
+            let (third, fourth) = (weight(y, quarter(2)..quarter(3)), weight(y, quarter(3)..y.len()));
+            let iterated = weight(y, solved[i]..y.len());
+            let fall = ratio(third, fourth);
+            let beyond = SAFETY * fourth * fall / (1.0 - fall);
+            let peak = peak(y, averaged[i]);
+            let further = beyond / (iterated + ROUNDING * peak.abs());
+            let length = shift[i].abs() * further.powi(2) + unsettled[i][0] + ROUNDING + rounding[i];
+            let missing = if averaged[i] {
+                // an averaged sum is as good as the next one differs from it
+                let change = (self::peak(&y[..quarter(3)], true) - peak).abs();
+                (change * SAFETY * fall).min(beyond / PI)
+            } else {
+                beyond / PI
             };
-            let (solved, all, peak) = (modes[i], y.len(), peak(y));
-            let tail = size(solved..all) / peak;
-            let falls = size((solved + all) / 2..all) / size(solved..all).max(f64::MIN_POSITIVE);
-            let [length_change, peak_change] = match before {
-                Some(before) => [
-                    (half_lengths[i] / before.half_lengths[i] - 1.0).abs(),
-                    (peak / self::peak(&before.modes[i]) - 1.0).abs(),
-                ],
-                None => [0.0, tail],
-            };
-            let beyond = (shift[i].abs() * falls.powi(2)).max(length_change * falls.powi(3));
-            let length = beyond + unsettled[i].abs() + missing + ROUNDING;
-            let averaged = (self::peak(&y[..(3 * all).div_ceil(4)]) / peak - 1.0).abs();
-            let beyond = averaged.max(peak_change * falls.powi(3));
-            errors.push([length, beyond + pressures.unsettled_pressure[i] / peak + 3.0 * length]);
-            tails.push(tail);
+            let pressure = (missing + unsettled[i][1] / PI) / peak.abs();
+            errors.push([length, pressure + 3.0 * length]);
+            settled.push(unsettled[i][0] < 0.1 * length && unsettled[i][1] < 0.1 * pressure * peak.abs() * PI);
+            tails.push(weight(y, y.len() / 2..y.len()) / (PI * peak.abs()));
         }
-        Self { half_lengths, modes: pressures.modes, solved: modes.to_vec(), errors, tails }
+        Self { half_lengths, modes, settled, errors, tails, averaged }
     }
 
     /// The largest of the error estimates.
@@ -58,20 +66,32 @@ impl Level {
     }
 }
 
-/// p(0) per unit of μ₀P', Σ y_j/(πj). Next to a graded face the terms fall like ± j⁻⁴, alternating, since the pressure
+/// last/before, not quite 1 at most.
+fn ratio(before: f64, last: f64) -> f64 {
+    const MOST: f64 = 0.9;
+    if last < MOST * before {
+        last / before
+    } else if last == 0.0 {
+        0.0
+    } else {
+        MOST
+    }
+}
+
+/// p(0) a/(2 μ₀P'), Σ y_m/(πj). Next to a graded face the terms fall like ± j⁻⁴, alternating, since the pressure
 /// has a logarithm at its ends: the last partial sums are averaged, which leaves little of what is missing.
-pub(super) fn peak(modes: &[f64]) -> f64 {
+pub(super) fn peak(modes: &[f64], averaged: bool) -> f64 {
     const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
-    let last = modes.len().saturating_sub(AVERAGED.len());
+    let last = if averaged { modes.len().saturating_sub(AVERAGED.len()) } else { modes.len() };
     let terms = modes.iter().enumerate().map(|(m, y)| {
         let weight = m.checked_sub(last).map_or(1.0, |k| AVERAGED[k]);
         weight * y / order(m)
     });
-    terms.sum::<f64>() / std::f64::consts::PI
+    terms.sum::<f64>() / PI
 }
 
-/// c_j of p = Σ c_j sin jφ with x = a cos φ, per unit of μ₀P', from y_j = π j (−1)^((j−1)/2) c_j.
+/// c_j a/(2 μ₀P') of p = Σ c_j sin jφ with x = a cos φ, from y_m = ½ π j (−1)^m a c_j/(μ₀P').
 pub(super) fn coefficients(modes: &[f64]) -> Vec<f64> {
-    let coefficient = |(m, y): (usize, &f64)| alternating(m) * y / (order(m) * std::f64::consts::PI);
+    let coefficient = |(m, y): (usize, &f64)| alternating(m) * y / (order(m) * PI);
     modes.iter().enumerate().map(coefficient).collect()
 }

@@ -81,9 +81,10 @@ fn solution(
         .enumerate()
         .map(|(i, interface)| {
             let half_length = level.half_lengths[i] * kernel.length();
+            let pressure_unit = pressure_unit * 2.0 / level.half_lengths[i];
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
-            let peak_pressure = peak(&level.modes[i]) * pressure_unit;
+            let peak_pressure = peak(&level.modes[i], level.averaged[i]) * pressure_unit;
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
@@ -100,7 +101,7 @@ fn solution(
         contacts,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
-        modes: level.solved.into_iter().max().unwrap_or(0),
+        modes: level.modes.iter().map(Vec::len).max().unwrap_or(0),
         wavenumbers: kernel.samples(),
         newton_steps,
         warnings,

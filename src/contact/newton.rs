@@ -1,105 +1,197 @@
 //! Newton's method for the logarithms of the half-lengths, with given numbers of modes.
-use faer::Mat;
-use faer::linalg::solvers::Solve;
-
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 
 use super::basis::Basis;
-use super::galerkin::Equations;
-use super::layout::Layout;
-use super::pressures::{Pressures, solve};
+use super::galerkin::{Equations, Modes};
+use super::layout::{Accuracy, FULL, Layout};
+use super::pressures::{Linearised, Pressures, solve};
 use super::punch::Indentation;
 
 /// Longest step in the logarithm of a half-length.
 const LONGEST_STEP: f64 = 0.5;
 /// A layout serves half-lengths that differ by this much, in the logarithm.
 const LAYOUT_SERVES: f64 = 0.1;
-/// Steps per level; the first steps may take three times as many.
-const STEPS: usize = 12;
-/// A level that converges slowly (for want of modes) is left with the last step shorter than this.
-const ROUGHLY: f64 = 1e-2;
+/// Steps at most: Newton's method doubles its digits with each.
+const STEPS: usize = 40;
 /// Farther from the start, in the logarithm of a half-length, Newton's method is lost.
 const FARTHEST: f64 = 4.0;
+/// Rounds of iteration begin when what is left of a Newton step is below this.
+const NEARBY: f64 = 1e-5;
+/// Functions of half-lengths that move less than this need not be computed again.
+const STILL: f64 = 1e-14;
+/// Changes below this are rounding.
+const NOISE: f64 = 1e-13;
+/// A laminate that bends this much more easily than its contacts are squeezed ties their pressures together.
+const TIES: f64 = 1e4;
+
+/// The last digits come from rounds of iteration; this many at most.
+const ROUNDS: usize = 12;
+/// Rounds that change this much of what the round before changed do not end.
+const SLOW: f64 = 0.5;
 
 /// Where Newton's method has come to.
 pub(super) struct Converged {
     /// Half-lengths in units of L.
     pub(super) half_lengths: Vec<f64>,
-    /// Pressures there.
-    pub(super) pressures: Pressures,
-    /// By how much the iterated modes shifted the logarithms of the half-lengths.
+    /// y_im of contact i, y_i0 = 1.
+    pub(super) modes: Modes,
+    /// Modes solved for.
+    pub(super) solved: Vec<usize>,
+    /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
     pub(super) shift: Vec<f64>,
-    /// By how much further rounds of iteration would, about.
-    pub(super) unsettled: Vec<f64>,
-    /// Length of the last step if the next one would still be needed, else 0.
-    pub(super) missing: f64,
+    /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
+    pub(super) unsettled: Vec<[f64; 2]>,
+    /// What rounding may change in the logarithms of the half-lengths.
+    pub(super) rounding: Vec<f64>,
 }
 
-/// Newton's method with given numbers of modes, until steps are shorter than `enough`.
-pub(super) fn converge(
-    kernel: &Kernel,
-    punch: &Indentation,
-    mut half_lengths: Vec<f64>,
-    modes: &[usize],
-    iterated: &[usize],
-    enough: f64,
-    steps: &mut usize,
-) -> Result<Converged, Error> {
-    let orders: Vec<usize> = iterated.iter().map(|modes| 2 * modes).collect();
-    let start = half_lengths.clone();
-    let mut layout: Option<(Layout, Vec<f64>)> = None;
-    for count in 1.. {
-        let near = |about: &[f64], by: f64| half_lengths.iter().zip(about).all(|(a, b)| (a / b).ln().abs() <= by);
-        if !near(&start, FARTHEST) {
-            break;
-        }
-        if !layout.as_ref().is_some_and(|(_, about)| near(about, LAYOUT_SERVES)) {
-            layout = Layout::new(kernel, &half_lengths, &orders, 0.0).map(|new| (new, half_lengths.clone()));
-        }
-        let Some((layout, _)) = &layout else { break };
-        let bases: Vec<Basis> =
-            (0..half_lengths.len()).map(|i| Basis::new(layout, &layout.own[i], half_lengths[i], iterated[i])).collect();
-        let slopes = punch.slopes(half_lengths[0], iterated[0]);
-        let mut pressures = solve(&Equations::new(layout, &bases, &slopes, modes), iterated);
-        *steps += 1;
-        let factor = pressures.jacobian.partial_piv_lu();
-        let newton = |values: &[f64]| -> Vec<f64> {
-            let right = Mat::from_fn(values.len(), 1, |i, _| -values[i]);
-            factor.solve(&right).col(0).iter().copied().collect()
-        };
-        let step = newton(&pressures.residual);
-        if step.iter().any(|step| !step.is_finite()) {
-            break;
-        }
-        let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-        let shorten = (LONGEST_STEP / longest).min(1.0);
-        for (a, step) in half_lengths.iter_mut().zip(&step) {
-            *a *= (shorten * step).exp();
-        }
-        if let Some(limit) = punch.max_half_length()
-            && half_lengths[0] >= limit
-        {
-            half_lengths[0] = 0.5 * (limit + bases[0].half_length);
-        }
-        if longest < enough || count >= STEPS && longest < ROUGHLY {
-            for (step, sensitivity) in step.iter().zip(&pressures.sensitivity) {
-                for (modes, sensitivity) in pressures.modes.iter_mut().zip(sensitivity) {
-                    for (y, dy) in modes.iter_mut().zip(sensitivity) {
-                        *y += step * dy;
-                    }
-                }
-            }
-            let shift = newton(&pressures.correction);
-            let unsettled = newton(&pressures.unsettled_residual);
-            let missing = if longest < enough { 0.0 } else { longest };
-            return Ok(Converged { half_lengths, pressures, shift, unsettled, missing });
-        }
-        if count >= 3 * STEPS {
-            break;
-        }
+/// Newton's method on one stack under one punch.
+pub(super) struct Newton<'a> {
+    pub(super) kernel: &'a Kernel,
+    pub(super) punch: &'a Indentation<'a>,
+    /// Steps and rounds taken.
+    pub(super) steps: usize,
+}
+
+impl Newton<'_> {
+    /// Goes on with given numbers of modes until the half-lengths are right to about `enough`.
+    pub(super) fn approach(
+        &mut self,
+        half_lengths: Vec<f64>,
+        modes: &[usize],
+        accuracy: Accuracy,
+        enough: f64,
+    ) -> Result<Vec<f64>, Error> {
+        let (point, _) = self.iterate(half_lengths, modes, modes, accuracy, enough)?;
+        Ok(point.half_lengths)
     }
-    Err(not_converged(kernel, punch, &half_lengths))
+
+    /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`.
+    pub(super) fn converge(
+        &mut self,
+        half_lengths: Vec<f64>,
+        solved: &[usize],
+        modes: &[usize],
+        tolerance: f64,
+    ) -> Result<Converged, Error> {
+        let (mut point, layout) = self.iterate(half_lengths, solved, modes, FULL, NEARBY)?;
+        for (own, modes) in point.pressures.modes.iter_mut().zip(modes) {
+            own.resize(*modes, 0.0);
+        }
+        let n = solved.len();
+        let linked = ties(self.kernel, &point.half_lengths);
+        let Pressures { modes: mut all, mut step } = point.pressures;
+        let mut half_lengths = point.half_lengths;
+        let mut shift = vec![0.0; n];
+        let mut last = vec![[f64::INFINITY; 2]; n];
+        let mut unsettled = last.clone();
+        let mut bases = Vec::new();
+        let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
+        for round in 0..ROUNDS {
+            let moved = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+            if moved > LONGEST_STEP || !moved.is_finite() {
+                break;
+            }
+            half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+            point.linearised.follow(&mut all, &step);
+            let settled = |[length, pressure]: &[f64; 2]| *length <= 0.01 * tolerance && *pressure <= 0.1 * tolerance;
+            if round > 1 && unsettled.iter().all(settled) {
+                break;
+            }
+            if bases.is_empty() || moved > STILL {
+                bases = (0..n).map(|i| Basis::new(&layout, &layout.own[i], half_lengths[i], modes[i])).collect();
+                slopes = self.punch.slopes(half_lengths[0], modes[0]);
+            }
+            self.steps += 1;
+            let equations = Equations::new(&layout, &bases, solved, &linked);
+            let found = point.linearised.settle(&equations, &slopes, &mut all);
+            step = found.step;
+            let mut slow = false;
+            for i in 0..n {
+                let now = [step[i].abs(), found.changes[i]];
+                if round > 0 {
+                    shift[i] += step[i];
+                }
+                for k in 0..2 {
+                    // a geometric series goes on with the ratio of its last terms
+                    let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / last[i][k] };
+                    unsettled[i][k] = now[k] * (ratio / (1.0 - ratio.min(0.9))).max(0.01);
+                    slow |= round > 1 && ratio > SLOW && now[k] > NOISE;
+                }
+                last[i] = now;
+            }
+            if slow {
+                break;
+            }
+        }
+        let rounding = point.linearised.rounding;
+        Ok(Converged { half_lengths, modes: all, solved: solved.to_vec(), shift, unsettled, rounding })
+    }
+
+    /// Newton's method until what would be left of the next step is below `enough`.
+    fn iterate(
+        &mut self,
+        mut half_lengths: Vec<f64>,
+        solved: &[usize],
+        modes: &[usize],
+        accuracy: Accuracy,
+        enough: f64,
+    ) -> Result<(Point, Layout), Error> {
+        let Self { kernel, punch, .. } = *self;
+        let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
+        let start = half_lengths.clone();
+        let mut layout: Option<(Layout, Vec<f64>)> = None;
+        for _ in 0..STEPS {
+            let near = |about: &[f64], by: f64| half_lengths.iter().zip(about).all(|(a, b)| (a / b).ln().abs() <= by);
+            if !near(&start, FARTHEST) {
+                break;
+            }
+            let at = match layout.take().filter(|(_, about)| near(about, LAYOUT_SERVES)) {
+                Some(serves) => serves,
+                None => match Layout::new(kernel, &half_lengths, &orders, accuracy, 0.0) {
+                    Some(new) => (new, half_lengths.clone()),
+                    None => break,
+                },
+            };
+            let bases: Vec<Basis> =
+                (0..half_lengths.len()).map(|i| Basis::new(&at.0, &at.0.own[i], half_lengths[i], solved[i])).collect();
+            let slopes = punch.slopes(half_lengths[0], solved[0]);
+            let linked = ties(kernel, &half_lengths);
+            self.steps += 1;
+            let Some((pressures, linearised)) = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes) else {
+                break;
+            };
+            let longest = pressures.step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+            if longest * longest < enough {
+                return Ok((Point { half_lengths, pressures, linearised }, at.0));
+            }
+            let shorten = (LONGEST_STEP / longest).min(1.0);
+            let before = half_lengths[0];
+            for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
+                *a *= (shorten * step).exp();
+            }
+            if let Some(limit) = punch.max_half_length()
+                && half_lengths[0] >= limit
+            {
+                half_lengths[0] = 0.5 * (limit + before);
+            }
+            layout = Some(at);
+        }
+        Err(not_converged(kernel, punch, &half_lengths))
+    }
+}
+
+/// Half-lengths with the solution of the equations there.
+struct Point {
+    half_lengths: Vec<f64>,
+    pressures: Pressures,
+    linearised: Linearised,
+}
+
+/// Which laminates tie the pressures of their contacts together.
+pub(super) fn ties(kernel: &Kernel, half_lengths: &[f64]) -> Vec<bool> {
+    half_lengths.windows(2).enumerate().map(|(i, pair)| kernel.ties(i, 3.0 / pair[0].max(pair[1])) > TIES).collect()
 }
 
 /// The error of a lost Newton iteration: at the edge of the punch, the punch is to blame.

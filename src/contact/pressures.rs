@@ -1,222 +1,158 @@
-//! Pressures at given half-lengths, and how far these are from equilibrium, with derivatives.
-use faer::linalg::solvers::{Llt, PartialPivLu, Solve};
-use faer::{Mat, Side};
+//! Pressures at given half-lengths, how far these are from equilibrium, and Newton's step from there.
+//!
+//! The rows of the first modes are what is left over, one for each unknown half-length: the residual of Newton's method.
+//! With the Cholesky factor L of the other rows and β = L⁻¹ (columns of the first modes), a residual (r, r') in the first
+//! and the other rows leaves r − β · L⁻¹r' once the other modes have given way.
+use faer::linalg::solvers::{Llt, Solve};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::{Mat, Par, Side};
 
-use super::galerkin::{Equations, Transform, order};
+use super::galerkin::{Equations, Modes, Slopes, order};
 
-/// How often the iterated modes are computed: each time they feel what the last round added.
-const SWEEPS: usize = 3;
+/// The equations about a set of half-lengths, factorised.
+pub(super) struct Linearised {
+    factor: Llt<f64>,
+    /// β, a column for each contact.
+    beta: Mat<f64>,
+    /// The inverse of the derivative of the residual with respect to the logarithms of the half-lengths.
+    inverse: Mat<f64>,
+    /// d y_im / d ln a_k: `sensitivity[k][i][m]`.
+    sensitivity: Vec<Modes>,
+    /// What rounding may change in the logarithms of the half-lengths.
+    pub(super) rounding: Vec<f64>,
+}
 
-/// Solved equations: pressures at given half-lengths, and how far these are from equilibrium.
+/// Rounding of a row, relative to its terms.
+const ROUNDING: f64 = 2e-16;
+
+/// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the logarithms of the half-lengths.
 pub(super) struct Pressures {
-    /// y_ij of contact i, j = 1, 3, ...; those beyond the modes solved for are iterated ones.
-    pub(super) modes: Vec<Vec<f64>>,
-    /// What is left of the rows k = 1.
-    pub(super) residual: Vec<f64>,
-    /// Its derivative with respect to the logarithms of the half-lengths.
-    pub(super) jacobian: Mat<f64>,
-    /// d y_ij / d ln a_m: `sensitivity[m][i][j]`.
-    pub(super) sensitivity: Vec<Vec<Vec<f64>>>,
-    /// By how much modes beyond those solved for change the residual; already contained in `residual`.
-    pub(super) correction: Vec<f64>,
-    /// By how much the residual would still change if the iteration of those modes went on, estimated.
-    pub(super) unsettled_residual: Vec<f64>,
-    /// By how much the pressures at x = 0 would, at most, per unit of μ₀P'.
-    pub(super) unsettled_pressure: Vec<f64>,
+    pub(super) modes: Modes,
+    pub(super) step: Vec<f64>,
 }
 
-/// The matrix of the rows and modes from 3 on, factorised. Symmetric and positive definite up to quadrature.
-enum Factor {
-    Cholesky(Llt<f64>),
-    Lu(PartialPivLu<f64>),
-}
+/// Solves the equations; `None` if they cannot be solved in double precision.
+pub(super) fn solve(equations: &Equations, slopes: &Slopes) -> Option<(Pressures, Linearised)> {
+    let (n, size) = (equations.contacts(), equations.size());
+    let higher = size - n;
+    let matrix = equations.matrix();
+    let factor = matrix.submatrix(n, n, higher, higher).llt(Side::Lower).ok()?;
+    let lower = factor.L();
 
-impl Factor {
-    fn new(matrix: &Mat<f64>) -> Self {
-        match matrix.llt(Side::Lower) {
-            Ok(cholesky) => Self::Cholesky(cholesky),
-            Err(_) => Self::Lu(matrix.partial_piv_lu()),
-        }
+    // columns of the first modes, and the load
+    let mut columns = Mat::<f64>::zeros(higher, n + 1);
+    columns.as_mut().subcols_mut(0, n).copy_from(matrix.submatrix(n, 0, higher, n));
+    for m in 1..equations.modes(0) {
+        columns[(equations.place(0, m) - n, n)] = slopes.load(m);
     }
+    solve_lower_triangular_in_place(lower, columns.as_mut(), Par::Seq);
+    let gamma: Vec<f64> = (0..higher).map(|k| columns[(k, 0)] - columns[(k, n)]).collect();
+    let beta = columns.subcols(0, n).to_owned();
 
-    fn solve(&self, right: &Mat<f64>) -> Mat<f64> {
-        match self {
-            Self::Cholesky(factor) => factor.solve(right),
-            Self::Lu(factor) => factor.solve(right),
-        }
-    }
-}
-
-/// Per contact, per mode.
-type Modes = Vec<Vec<f64>>;
-
-/// Solves the equations, with `iterated` modes in all for each contact: those beyond the solved ones follow row by row
-/// (iterated Galerkin, Sloan 1976), since the dominant part of each row is its own diagonal g∞/(2k), and act back on the
-/// solved ones.
-pub(super) fn solve(equations: &Equations, iterated: &[usize]) -> Pressures {
-    let n = equations.contacts();
-    let solver = Solver { equations, factor: Factor::new(&equations.matrix()) };
-    let unit: Vec<Transform> = (0..n).map(|i| equations.unit_slopes(i)).collect();
-    let higher = solver.solve(|i, m| equations.punch(i, m) - equations.test(i, &unit[i], m));
-    let beyond = (0..n).map(|i| vec![0.0; iterated[i].saturating_sub(equations.modes(i))]).collect();
-    let mut state = State { slopes: unit, higher, beyond };
-    solver.add(&mut state.slopes, &state.higher, |_| 1);
-    let plain = solver.residual(&state.slopes);
-    let unsettled = if state.beyond.iter().all(Vec::is_empty) {
-        Unsettled { residual: vec![0.0; n], pressure: vec![0.0; n] }
-    } else {
-        solver.iterate(&mut state)
+    let mut unknowns = back(&factor, &gamma, n);
+    unknowns[0] = 1.0;
+    let modes = equations.modes_of(&unknowns);
+    let derivatives = equations.derivatives(&unknowns, &modes, slopes);
+    let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
+    solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
+    let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
+    let inverse = jacobian.partial_piv_lu().solve(Mat::<f64>::identity(n, n));
+    let residual = |i: usize| {
+        let known = matrix[(i, 0)] - if i == 0 { slopes.load(0) } else { 0.0 };
+        known - dot(beta.col_as_slice(i), &gamma)
     };
-    let residual = solver.residual(&state.slopes);
-    let (jacobian, sensitivity) = solver.derivatives(&state);
-    let all = |i: usize| {
-        let solved = std::iter::once(2.0 / equations.half_length(i)).chain(state.higher[i].iter().copied());
-        solved.chain(state.beyond[i].iter().copied()).collect()
+    let residuals: Vec<f64> = (0..n).map(residual).collect();
+    let sizes: Vec<f64> = (0..n)
+        .map(|i| {
+            let terms = beta.col_as_slice(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs());
+            ROUNDING * (terms.sum::<f64>() + matrix[(i, 0)].abs())
+        })
+        .collect();
+    let felt = |changes: &[f64]| -> Vec<f64> {
+        (0..n).map(|i| (0..n).map(|k| inverse[(i, k)].abs() * changes[k]).sum()).collect()
     };
-    Pressures {
-        modes: (0..n).map(all).collect(),
-        correction: residual.iter().zip(&plain).map(|(full, plain)| full - plain).collect(),
-        residual,
-        jacobian,
-        sensitivity,
-        unsettled_residual: unsettled.residual,
-        unsettled_pressure: unsettled.pressure,
-    }
+    let rounding = felt(&sizes);
+    let sensitivity = (0..n).map(|by| equations.modes_of(&back(&factor, moved.col_as_slice(by), n))).collect();
+    let linearised = Linearised { factor, beta, inverse, sensitivity, rounding };
+    let pressures = Pressures { modes, step: linearised.step(&residuals) };
+    let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
+    finite.then_some((pressures, linearised))
 }
 
-/// Modes and what they do to the slopes.
-struct State {
-    /// Slope transforms of all contacts.
-    slopes: Vec<Transform>,
-    /// Modes solved for, from j = 3 on.
-    higher: Modes,
-    /// Modes that follow row by row.
-    beyond: Modes,
+/// Unknowns: first modes 0, then −L⁻ᵀ right.
+fn back(factor: &Llt<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
+    let mut column = Mat::from_fn(right.len(), 1, |k, _| -right[k]);
+    solve_upper_triangular_in_place(factor.L().transpose(), column.as_mut(), Par::Seq);
+    let mut unknowns = vec![0.0; contacts];
+    unknowns.extend_from_slice(column.col_as_slice(0));
+    unknowns
 }
 
-/// What the iteration has left undone.
-struct Unsettled {
-    residual: Vec<f64>,
-    pressure: Vec<f64>,
+/// What one round of [`Linearised::settle`] changed.
+pub(super) struct Round {
+    /// The step still to be taken in the logarithms of the half-lengths.
+    pub(super) step: Vec<f64>,
+    /// Changes of the modes, Σ |Δy_m|/order per contact.
+    pub(super) changes: Vec<f64>,
 }
 
-struct Solver<'a> {
-    equations: &'a Equations<'a>,
-    factor: Factor,
-}
-
-impl Solver<'_> {
-    /// Solves for the modes from 3 on with the given right-hand sides (contact, mode).
-    fn solve(&self, right: impl Fn(usize, usize) -> f64) -> Modes {
-        let (offsets, size) = self.equations.offsets();
-        let modes = |i: usize| 1..self.equations.modes(i);
-        let mut column = Mat::zeros(size, 1);
-        for (i, offset) in offsets.iter().enumerate() {
-            for m in modes(i) {
-                column[(offset + m - 1, 0)] = right(i, m);
-            }
-        }
-        let solution = self.factor.solve(&column);
-        let split = |(i, offset): (usize, &usize)| modes(i).map(|m| solution[(offset + m - 1, 0)]).collect();
-        offsets.iter().enumerate().map(split).collect()
+impl Linearised {
+    /// Newton's step for what is left in the rows of the first modes.
+    fn step(&self, residuals: &[f64]) -> Vec<f64> {
+        let n = residuals.len();
+        (0..n).map(|i| -(0..n).map(|k| self.inverse[(i, k)] * residuals[k]).sum::<f64>()).collect()
     }
 
-    /// Adds to the slopes of all contacts what modes, the first of which is `first`, cause.
-    fn add(&self, slopes: &mut [Transform], modes: &Modes, first: impl Fn(usize) -> usize) {
-        for (by, modes) in modes.iter().enumerate() {
-            let pressure = self.equations.transform(by, modes, first(by), false);
-            for i in self.near(by) {
-                self.equations.add_response(&mut slopes[i], i, by, &pressure);
+    /// Moves modes along with a step.
+    pub(super) fn follow(&self, modes: &mut Modes, step: &[f64]) {
+        for (step, sensitivity) in step.iter().zip(&self.sensitivity) {
+            for (modes, sensitivity) in modes.iter_mut().zip(sensitivity) {
+                modes.iter_mut().zip(sensitivity).for_each(|(y, dy)| *y += step * dy);
             }
         }
     }
 
-    /// A contact and its neighbours.
-    fn near(&self, contact: usize) -> std::ops::Range<usize> {
-        contact.saturating_sub(1)..(contact + 2).min(self.equations.contacts())
-    }
-
-    /// The rows k = 1.
-    fn residual(&self, slopes: &[Transform]) -> Vec<f64> {
-        let equations = self.equations;
-        let cauchy = |i: usize| equations.limit(i) / equations.half_length(i);
-        let row = |(i, slopes): (usize, &Transform)| equations.test(i, slopes, 0) + cauchy(i) - equations.punch(i, 0);
-        slopes.iter().enumerate().map(row).collect()
-    }
-
-    /// The modes beyond those solved for, from the rows of their own.
-    fn iterate(&self, state: &mut State) -> Unsettled {
-        let equations = self.equations;
+    /// One round of iteration at half-lengths nearby, with more modes than are solved for: those follow row by row
+    /// (iterated Galerkin, Sloan 1976), since the dominant part of each row is its own diagonal; the others, and the
+    /// half-lengths, from what is left in their rows.
+    pub(super) fn settle(&self, equations: &Equations, slopes: &Slopes, modes: &mut Modes) -> Round {
         let n = equations.contacts();
-        let solved = |i: usize| equations.modes(i);
-        // what the last rounds changed
-        let mut residuals = vec![self.residual(&state.slopes)];
-        let mut pressures: Vec<Vec<f64>> = Vec::new();
-        for _ in 0..SWEEPS {
-            let mut news: Modes = Vec::with_capacity(n);
-            for i in 0..n {
-                let slopes = &state.slopes[i];
-                let update = |(k, old): (usize, &mut f64)| {
-                    let m = solved(i) + k;
-                    let row = equations.punch(i, m) - equations.test(i, slopes, m);
-                    let new = row * 2.0 * order(m) / equations.limit(i);
-                    new - std::mem::replace(old, new)
-                };
-                news.push(state.beyond[i].iter_mut().enumerate().map(update).collect());
+        let responses = equations.responses(modes);
+        let mut changes = vec![0.0; n];
+        let mut rows: Modes = Vec::with_capacity(n);
+        for (i, response) in responses.iter().enumerate() {
+            let mut own = equations.test(i, response, modes[i].len());
+            for (m, row) in own.iter_mut().enumerate() {
+                *row += equations.cauchy(i, m) * modes[i][m] - if i == 0 { slopes.load(m) } else { 0.0 };
             }
-            let mut extra: Vec<Transform> = (0..n).map(|i| equations.nothing(i)).collect();
-            self.add(&mut extra, &news, solved);
-            let change = self.solve(|i, m| -equations.test(i, &extra[i], m));
-            self.add(&mut state.slopes, &news, solved);
-            self.add(&mut state.slopes, &change, |_| 1);
-            for (y, dy) in state.higher.iter_mut().flatten().zip(change.iter().flatten()) {
+            for m in equations.modes(i)..own.len() {
+                let change = -own[m] / equations.cauchy(i, m);
+                modes[i][m] += change;
+                changes[i] += change.abs() / order(m);
+            }
+            rows.push(own);
+        }
+        let rows = equations.rows_of(&rows);
+        let mut column = Mat::from_fn(rows.len() - n, 1, |k, _| rows[n + k]);
+        solve_lower_triangular_in_place(self.factor.L(), column.as_mut(), Par::Seq);
+        let residuals: Vec<f64> =
+            (0..n).map(|i| rows[i] - dot(self.beta.col_as_slice(i), column.col_as_slice(0))).collect();
+        let lower = equations.modes_of(&back(&self.factor, column.col_as_slice(0), n));
+        for ((modes, lower), change) in modes.iter_mut().zip(lower).zip(&mut changes) {
+            for (m, (y, dy)) in modes.iter_mut().zip(lower).enumerate() {
                 *y += dy;
+                *change += dy.abs() / order(m);
             }
-            residuals.push(self.residual(&state.slopes));
-            let size = |(i, news): (usize, &Vec<f64>)| -> f64 {
-                news.iter().enumerate().map(|(k, y)| (y / order(solved(i) + k)).abs()).sum()
-            };
-            pressures.push(news.iter().enumerate().map(size).collect());
         }
-        // a geometric series goes on with the ratio of its last terms
-        let rest = |before: f64, last: f64| if last < before { last * last / (before - last) } else { last };
-        let change = |k: usize, i: usize| (residuals[k][i] - residuals[k - 1][i]).abs();
-        Unsettled {
-            residual: (0..n).map(|i| rest(change(SWEEPS - 1, i), change(SWEEPS, i))).collect(),
-            pressure: (0..n)
-                .map(|i| rest(pressures[SWEEPS - 2][i], pressures[SWEEPS - 1][i]) / std::f64::consts::PI)
-                .collect(),
-        }
+        Round { step: self.step(&residuals), changes }
     }
+}
 
-    /// Derivatives of the residual and of the modes with respect to ln a of each contact in turn.
-    fn derivatives(&self, state: &State) -> (Mat<f64>, Vec<Modes>) {
-        let equations = self.equations;
-        let n = equations.contacts();
-        let mut jacobian = Mat::zeros(n, n);
-        let mut sensitivity = Vec::with_capacity(n);
-        for by in 0..n {
-            let pressure = equations.transform(by, &state.higher[by], 1, true);
-            let mut change: Vec<Transform> = (0..n).map(|i| equations.nothing(i)).collect();
-            for i in self.near(by) {
-                change[i] = equations.unit_slopes_change(i, by);
-                equations.add_response(&mut change[i], i, by, &pressure);
-            }
-            let row = |i: usize, m: usize| -> f64 {
-                let own = || equations.test_slope(i, &state.slopes[i], m) - equations.punch_slope(i, m);
-                equations.test(i, &change[i], m) + if i == by { own() } else { 0.0 }
-            };
-            let response = self.solve(|i, m| -row(i, m));
-            let mut moved: Vec<Transform> = (0..n).map(|i| equations.nothing(i)).collect();
-            self.add(&mut moved, &response, |_| 1);
-            for i in 0..n {
-                jacobian[(i, by)] = row(i, 0) + equations.test(i, &moved[i], 0);
-            }
-            jacobian[(by, by)] -= equations.limit(by) / equations.half_length(by);
-            let first = |i: usize| if i == by { -2.0 / equations.half_length(i) } else { 0.0 };
-            let with_first = |(i, response): (usize, Vec<f64>)| std::iter::once(first(i)).chain(response).collect();
-            sensitivity.push(response.into_iter().enumerate().map(with_first).collect());
-        }
-        (jacobian, sensitivity)
-    }
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Σ_m |y_m|/order over a range of modes: how much they may add to the pressure at x = 0, in units of 2/(πa).
+pub(super) fn weight(modes: &[f64], range: std::ops::Range<usize>) -> f64 {
+    range.map(|m| (modes[m] / order(m)).abs()).sum()
 }

@@ -61,7 +61,7 @@ impl<'a> Indentation<'a> {
             20.0 / (ratio + (ratio * ratio - 1.0).sqrt()).ln()
         });
         let points = rows + 4 + digits.min(20_000.0) as usize;
-        let mut slopes = Slopes { value: vec![0.0; rows], slope: vec![0.0; rows] };
+        let mut slopes = Slopes { value: vec![0.0; rows], slope: vec![0.0; rows], half_length };
         for q in 0..points {
             // the other half of the 2·points nodes is the mirror image
             let theta = std::f64::consts::PI * (q as f64 + 0.5) / (2 * points) as f64;

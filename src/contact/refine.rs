@@ -5,8 +5,9 @@ use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;
+use super::layout::COARSE;
 use super::level::{BEST, Level};
-use super::newton::{converge, not_converged};
+use super::newton::Newton;
 use super::punch::Indentation;
 
 /// Modes of the coarsest level.
@@ -16,36 +17,49 @@ const FINEST: usize = 512;
 /// Modes to begin with per half-length in units of the thickness next to it, and at most.
 const PER_THICKNESS: f64 = 2.0;
 const MOST_COARSE: usize = 64;
+/// Modes at most, all contacts together: what memory allows.
+const MOST: usize = 1024;
+/// Modes next to a graded face for ten digits.
+const GRADED: usize = 40;
+/// Modes that follow row by row: half as many as are solved for, at least these.
+const MORE: usize = 16;
+/// What is left of a Newton step on the coarsest level.
+const ROUGHLY: f64 = 1e-5;
 
 /// Solves with more and more modes until the tolerance is met.
 pub(super) fn refine(
     kernel: &Kernel,
     interfaces: &[Interface],
     punch: &Indentation,
-    mut half_lengths: Vec<f64>,
+    half_lengths: Vec<f64>,
     finer: usize,
     options: &Options,
     steps: &mut usize,
 ) -> Result<(Level, Vec<String>), Error> {
-    let mut modes = coarsest(kernel, &half_lengths)?;
-    modes.iter_mut().for_each(|modes| *modes = (*modes * finer).min(FINEST / 2));
+    let n = half_lengths.len();
+    let finest = FINEST.min(MOST / n);
+    let mut newton = Newton { kernel, punch, steps: *steps };
+    let mut solved = coarsest(kernel, &half_lengths)?;
+    solved.iter_mut().for_each(|modes| *modes = (*modes * finer).min(finest / 2));
     let mut warnings = Vec::new();
-    let mut slow = 0;
-    half_lengths = converge(kernel, punch, half_lengths, &modes, &modes, 1e-3, steps)?.half_lengths;
-    let mut before: Option<Level> = None;
+    let tolerance = options.tolerance.max(BEST);
+    let mut half_lengths = newton.approach(half_lengths, &solved, COARSE, ROUGHLY)?;
+    // next to a graded face modes fall like a power
+    let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
+    let power = (1e-10 / tolerance).powf(1.0 / 6.0);
+    let mut modes: Vec<usize> = solved.iter().map(|solved| with_more(*solved)).collect();
+    for i in (0..n).filter(|i| graded[*i]) {
+        let wanted = (GRADED as f64 * power) as usize;
+        if wanted > modes[i] {
+            modes[i] = wanted.next_multiple_of(4).min(finest);
+            solved[i] = solved[i].max((modes[i] / 3).next_multiple_of(4));
+        }
+    }
     loop {
-        let iterated: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
-        let found = converge(kernel, punch, half_lengths, &modes, &iterated, 1e-7, steps)?;
-        let settled = found.missing == 0.0;
-        slow = if settled { 0 } else { slow + 1 };
-        let level = Level::new(found, &modes, before.as_ref());
-        if settled {
-            admissible::pushes(kernel, interfaces, &level)?;
-        }
-        if slow > 2 {
-            return Err(not_converged(kernel, punch, &level.half_lengths));
-        }
-        if level.worst_error() <= options.tolerance.max(BEST) {
+        let level = Level::new(newton.converge(half_lengths, &solved, &modes, tolerance)?, kernel);
+        *steps = newton.steps;
+        admissible::pushes(kernel, interfaces, &level)?;
+        if level.worst_error() <= tolerance {
             if options.tolerance < BEST {
                 warnings.push(format!(
                     "a tolerance of {:e} is beyond double precision; the error estimates tell what was reached",
@@ -54,21 +68,31 @@ pub(super) fn refine(
             }
             return Ok((level, warnings));
         }
-        if modes.iter().any(|modes| *modes >= FINEST) {
+        let error = |i: usize| level.errors[i][0].max(level.errors[i][1]);
+        let enough = |i: usize| error(i) <= 0.1 * tolerance;
+        if (0..n).all(|i| solved[i] >= finest || enough(i)) {
             warnings.push(format!(
-                "the tolerance {:e} is not met with {FINEST} modes; the error estimates tell what was reached",
-                options.tolerance
+                "the tolerance {:e} is not met with {} modes; the error estimates tell what was reached",
+                options.tolerance,
+                modes.iter().max().unwrap_or(&0)
             ));
             return Ok((level, warnings));
         }
-        for (modes, tail) in modes.iter_mut().zip(&level.tails) {
-            if *tail > 0.01 * options.tolerance {
-                *modes *= 2;
-            }
+        for i in (0..n).filter(|i| !enough(*i)) {
+            // pressures that settle need not be solved for, only continued
+            let grown =
+                if graded[i] && level.settled[i] { (error(i) / tolerance).powf(0.2).clamp(1.25, 2.0) } else { 2.0 };
+            let wanted = |count: usize| ((count as f64 * grown) as usize).next_multiple_of(4);
+            solved[i] = wanted(solved[i]).min(finest);
+            modes[i] = wanted(modes[i]).max(with_more(solved[i])).min(with_more(finest));
         }
-        half_lengths = level.half_lengths.clone();
-        before = Some(level);
+        half_lengths = level.half_lengths;
     }
+}
+
+/// Modes that are solved for, and those that follow row by row.
+fn with_more(solved: usize) -> usize {
+    solved + (solved / 2).max(MORE)
 }
 
 /// Modes to begin with: enough for pressures that vary on the scale of the laminates next to a contact.
@@ -78,7 +102,7 @@ fn coarsest(kernel: &Kernel, half_lengths: &[f64]) -> Result<Vec<usize>, Error> 
         let next = laminates[i.saturating_sub(1)..(i + 1).min(laminates.len())].iter();
         let thinnest = next.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
         let wanted = (PER_THICKNESS * a / thinnest).clamp(COARSEST as f64, MOST_COARSE as f64);
-        (wanted as usize).next_power_of_two()
+        (wanted as usize).next_multiple_of(4)
     };
     Ok(half_lengths.iter().enumerate().map(modes).collect())
 }

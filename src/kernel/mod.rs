@@ -175,6 +175,60 @@ impl Kernel {
         &self.far[contact]
     }
 
+    /// The wavenumber beyond which the kernel of contact i under equal neighbouring pressures equals its limit up to
+    /// `negligible` of it; infinite if it does so only in the limit.
+    pub(crate) fn vanishes(&self, contact: usize, negligible: f64) -> f64 {
+        let far = &self.far[contact];
+        if !far.is_constant() {
+            return f64::INFINITY;
+        }
+        let coupled = |panel: &Panel| {
+            let couplings = contact.saturating_sub(1)..(contact + 1).min(self.contacts() - 1);
+            couplings.map(|i| panel.largest_coupling(i)).sum::<f64>()
+        };
+        let excess = |panel: &Panel| {
+            if panel.from < far.from { panel.largest_excess(contact, far.limit) } else { coupled(panel) }
+        };
+        self.last_panel(|panel| excess(panel) > negligible * far.limit)
+    }
+
+    /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of what it couples.
+    pub(crate) fn uncoupled(&self, i: usize, negligible: f64) -> f64 {
+        let least = self.far[i].limit.min(self.far[i + 1].limit);
+        self.last_panel(|panel| panel.largest_coupling(i) > negligible * least)
+    }
+
+    /// How much more easily the laminate between the contacts i and i + 1 bends than both together are squeezed, at one
+    /// wavenumber.
+    pub(crate) fn ties(&self, i: usize, zeta: f64) -> f64 {
+        let at = self.panels.partition_point(|panel| panel.to < zeta);
+        let Some(panel) = self.panels.get(at) else { return 0.0 };
+        let values = panel.values(&[zeta], zeta, zeta);
+        let squeezed = |i: usize| if panel.from < self.far[i].from { values.unit(i, 0) } else { self.far[i].limit };
+        -values.coupling(i, 0) / (squeezed(i) + squeezed(i + 1)).abs()
+    }
+
+    /// The upper end of the last panel that matters.
+    fn last_panel(&self, matters: impl Fn(&Panel) -> bool) -> f64 {
+        self.panels.iter().rev().find(|panel| matters(panel)).map_or(0.0, |panel| panel.to)
+    }
+
+    /// The kernel of contact i under equal neighbouring pressures less its limit, at one wavenumber.
+    pub(crate) fn unit_excess(&self, contact: usize, zeta: f64) -> f64 {
+        let far = &self.far[contact];
+        let at = self.panels.partition_point(|panel| panel.to < zeta);
+        let values = self.panels.get(at).map(|panel| (panel.from, panel.values(&[zeta], zeta, zeta)));
+        match values {
+            Some((from, values)) if from < far.from => values.unit(contact, 0) - far.limit,
+            Some((_, values)) => {
+                let above = contact.checked_sub(1).map_or(0.0, |above| values.coupling(above, 0));
+                let below = if contact + 1 < self.contacts() { values.coupling(contact, 0) } else { 0.0 };
+                far.excess(zeta) + above + below
+            }
+            None => far.excess(zeta),
+        }
+    }
+
     /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.
     pub(crate) fn flexibilities(&self, zeta: f64) -> Result<(Vec<Flexibility>, f64), Error> {
         let wave = self.chains.wave(zeta);

@@ -103,16 +103,74 @@ impl Panel {
         })
     }
 
-    /// All components at a wavenumber within the panel.
-    pub(crate) fn interpolate(&self, zeta: f64, components: &mut [f64]) {
+    /// The largest value of a component less `limit`, on the Gauss points.
+    fn largest(&self, component: usize, limit: f64) -> f64 {
+        let power = powers(self.contacts, component);
+        let nodes = quadrature::rule(POINTS).on(self.from, self.to);
+        let values = nodes.zip(&self.values[component]).map(|((zeta, _), value)| value / zeta.powi(power) - limit);
+        values.fold(0.0, |largest, value| largest.max(value.abs()))
+    }
+
+    /// The largest excess of the kernel of contact `i` under equal neighbouring pressures over `limit`.
+    pub(super) fn largest_excess(&self, i: usize, limit: f64) -> f64 {
+        self.largest(self.contacts + i, limit)
+    }
+
+    /// The largest coupling of the contacts `i` and `i + 1`.
+    pub(super) fn largest_coupling(&self, i: usize) -> f64 {
+        if self.coupled[i] { self.largest(2 * self.contacts + i, 0.0) } else { 0.0 }
+    }
+
+    /// What the contact equations need at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
+    /// the panel or a part of it.
+    pub(crate) fn values(&self, zeta: &[f64], from: f64, to: f64) -> Values {
         static WEIGHTS: LazyLock<Vec<f64>> =
             LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
-        let x = (zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from));
-        let mut row = [0.0; POINTS];
-        chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, &mut row);
-        for (c, component) in components.iter_mut().enumerate() {
-            let value: f64 = self.values[c].iter().zip(row.iter()).map(|(v, r)| v * r).sum();
-            *component = value / zeta.powi(powers(self.contacts, c));
+        let mut rows = Vec::new();
+        let rows: &[f64] = if from == self.from && to == self.to {
+            chebyshev::panel_matrix(zeta.len())
+        } else {
+            rows.resize(zeta.len() * POINTS, 0.0);
+            for (zeta, row) in zeta.iter().zip(rows.chunks_exact_mut(POINTS)) {
+                let x = (zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from));
+                chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, row);
+            }
+            &rows
+        };
+        let n = self.contacts;
+        let mut values =
+            Values { count: zeta.len(), contacts: n, values: Vec::with_capacity(zeta.len() * (2 * n - 1)) };
+        for component in n..3 * n - 1 {
+            if component >= 2 * n && !self.coupled[component - 2 * n] {
+                values.values.resize(values.values.len() + zeta.len(), 0.0);
+                continue;
+            }
+            let power = powers(n, component);
+            let own = &self.values[component];
+            values.values.extend(rows.chunks_exact(POINTS).zip(zeta).map(|(row, zeta)| {
+                let value: f64 = row.iter().zip(own).map(|(r, v)| r * v).sum();
+                value / zeta.powi(power)
+            }));
         }
+        values
+    }
+}
+
+/// The components of a panel at several wavenumbers.
+pub(crate) struct Values {
+    count: usize,
+    contacts: usize,
+    values: Vec<f64>,
+}
+
+impl Values {
+    /// The kernel of contact `i` under equal neighbouring pressures at wavenumber number `k`.
+    pub(crate) fn unit(&self, i: usize, k: usize) -> f64 {
+        self.values[i * self.count + k]
+    }
+
+    /// The coupling of the contacts `i` and `i + 1` at wavenumber number `k`.
+    pub(crate) fn coupling(&self, i: usize, k: usize) -> f64 {
+        self.values[(self.contacts + i) * self.count + k]
     }
 }

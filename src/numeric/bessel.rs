@@ -45,16 +45,25 @@ const DEEPEST: f64 = 690.0;
 /// ```
 pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
     assert_eq!(out.len(), orders * arguments.len(), "a Bessel table holds one value per order and argument");
-    if out.is_empty() {
+    table_with_stride(orders, arguments, arguments.len(), out);
+}
+
+/// As [`table`], into the first rows of a matrix with more rows: J_n(z_i) goes to `out[n * stride + i]`.
+///
+/// # Panics
+/// If `stride` is less than the number of arguments, or `out` too short.
+pub fn table_with_stride(orders: usize, arguments: &[f64], stride: usize, out: &mut [f64]) {
+    if orders == 0 || arguments.is_empty() {
         return;
     }
+    assert!(arguments.len() <= stride && (orders - 1) * stride + arguments.len() <= out.len(), "the table fits");
     let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
     let mut rows: Vec<Lanes> = Vec::new();
     for first in (0..arguments.len()).step_by(LANES) {
         let block = &arguments[first..arguments.len().min(first + LANES)];
         let mut z = [0.0; LANES];
         z[..block.len()].copy_from_slice(block);
-        let mut window = Window { first, width: block.len(), columns: arguments.len(), out };
+        let mut window = Window { first, width: block.len(), stride, out };
         let far = z.map(|z| z >= upward_from);
         match far[..block.len()].iter().filter(|&&far| far).count() {
             0 => {
@@ -80,7 +89,7 @@ pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
 struct Window<'a> {
     first: usize,
     width: usize,
-    columns: usize,
+    stride: usize,
     out: &'a mut [f64],
 }
 
@@ -88,7 +97,7 @@ impl Window<'_> {
     /// Writes `rows * scale` for the lanes wanted.
     fn store(&mut self, rows: &[Lanes], scale: &Lanes, wanted: impl Fn(usize) -> bool) {
         let whole = self.width == LANES && (0..LANES).all(&wanted);
-        for (row, column) in rows.iter().zip(self.out.chunks_exact_mut(self.columns)) {
+        for (row, column) in rows.iter().zip(self.out.chunks_mut(self.stride)) {
             let column = &mut column[self.first..self.first + self.width];
             match <&mut Lanes>::try_from(&mut *column) {
                 Ok(column) if whole => *column = std::array::from_fn(|lane| row[lane] * scale[lane]),
