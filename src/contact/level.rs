@@ -43,8 +43,10 @@ impl Level {
             let fall = ratio(third, fourth);
             let beyond = SAFETY * fourth * fall / (1.0 - fall);
             let peak = peak(y, averaged[i]);
-            let further = beyond / (iterated + ROUNDING * peak.abs());
-            let length = shift[i].abs() * further.powi(2) + unsettled[i][0] + ROUNDING + rounding[i];
+            // half-lengths feel what is missing squared, and no more than pressures do
+            let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(2);
+            let beyond_length = (shift[i].abs() * further).min(beyond / (PI * peak.abs()));
+            let length = beyond_length + unsettled[i][0] + ROUNDING + rounding[i];
             let missing = if averaged[i] {
                 // an averaged sum is as good as the next one differs from it
                 let change = (self::peak(&y[..quarter(3)], true) - peak).abs();

@@ -20,6 +20,10 @@ const FARTHEST: f64 = 4.0;
 const NEARBY: f64 = 1e-5;
 /// Functions of half-lengths that move less than this need not be computed again.
 const STILL: f64 = 1e-14;
+/// Rounds that change more than this are not going anywhere.
+const DIVERGED: f64 = 1e-2;
+/// What is taken for the error of modes that did not settle, on top of how they fall.
+const UNKNOWN: f64 = 1e-4;
 /// Changes below this are rounding.
 const NOISE: f64 = 1e-13;
 /// A laminate that bends this much more easily than its contacts are squeezed ties their pressures together.
@@ -86,11 +90,14 @@ impl Newton<'_> {
         let mut shift = vec![0.0; n];
         let mut last = vec![[f64::INFINITY; 2]; n];
         let mut unsettled = last.clone();
+        let plain = (all.clone(), half_lengths.clone(), step.clone());
+        let mut lost = false;
         let mut bases = Vec::new();
         let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
         for round in 0..ROUNDS {
             let moved = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-            if moved > LONGEST_STEP || !moved.is_finite() {
+            if round > 0 && moved > DIVERGED {
+                lost = true;
                 break;
             }
             half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
@@ -123,6 +130,18 @@ impl Newton<'_> {
             }
             if slow {
                 break;
+            }
+        }
+        if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
+            // the modes that were solved for are all there is
+            (all, half_lengths, step) = plain;
+            half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+            point.linearised.follow(&mut all, &step);
+            for (own, solved) in all.iter_mut().zip(solved) {
+                own.truncate(*solved);
+            }
+            for (unsettled, step) in unsettled.iter_mut().zip(&step) {
+                *unsettled = [UNKNOWN.max(step * step), UNKNOWN];
             }
         }
         let rounding = point.linearised.rounding;

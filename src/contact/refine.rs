@@ -14,8 +14,10 @@ use super::punch::Indentation;
 const COARSEST: usize = 8;
 /// Modes of the finest level.
 const FINEST: usize = 512;
-/// Modes to begin with per half-length in units of the thickness next to it, and at most.
-const PER_THICKNESS: f64 = 2.0;
+/// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the first wave that feels no more
+/// than the faces.
+const PER_WAVE: f64 = 0.6;
+/// Modes of the first steps at most.
 const MOST_COARSE: usize = 64;
 /// Modes at most, all contacts together: what memory allows.
 const MOST: usize = 1024;
@@ -39,11 +41,10 @@ pub(super) fn refine(
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
     let mut newton = Newton { kernel, punch, steps: *steps };
-    let mut solved = coarsest(kernel, &half_lengths)?;
-    solved.iter_mut().for_each(|modes| *modes = (*modes * finer).min(finest / 2));
-    let mut warnings = Vec::new();
+    let mut solved = coarsest(kernel, &half_lengths, finest / 2);
+    let coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
     let tolerance = options.tolerance.max(BEST);
-    let mut half_lengths = newton.approach(half_lengths, &solved, COARSE, ROUGHLY)?;
+    let mut half_lengths = newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?;
     // next to a graded face modes fall like a power
     let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
     let power = (1e-10 / tolerance).powf(1.0 / 6.0);
@@ -55,10 +56,13 @@ pub(super) fn refine(
             solved[i] = solved[i].max((modes[i] / 3).next_multiple_of(4));
         }
     }
+    let mut warnings = Vec::new();
     loop {
         let level = Level::new(newton.converge(half_lengths, &solved, &modes, tolerance)?, kernel);
         *steps = newton.steps;
-        admissible::pushes(kernel, interfaces, &level)?;
+        if level.settled.iter().all(|settled| *settled) {
+            admissible::pushes(kernel, interfaces, &level)?;
+        }
         if level.worst_error() <= tolerance {
             if options.tolerance < BEST {
                 warnings.push(format!(
@@ -95,14 +99,11 @@ fn with_more(solved: usize) -> usize {
     solved + (solved / 2).max(MORE)
 }
 
-/// Modes to begin with: enough for pressures that vary on the scale of the laminates next to a contact.
-fn coarsest(kernel: &Kernel, half_lengths: &[f64]) -> Result<Vec<usize>, Error> {
-    let laminates = kernel.laminates()?;
+/// Modes to begin with: enough for waves that feel no more than the faces of a contact.
+fn coarsest(kernel: &Kernel, half_lengths: &[f64], finest: usize) -> Vec<usize> {
     let modes = |(i, a): (usize, &f64)| {
-        let next = laminates[i.saturating_sub(1)..(i + 1).min(laminates.len())].iter();
-        let thinnest = next.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
-        let wanted = (PER_THICKNESS * a / thinnest).clamp(COARSEST as f64, MOST_COARSE as f64);
+        let wanted = (PER_WAVE * a * kernel.settles(i)).clamp(COARSEST as f64, finest as f64);
         (wanted as usize).next_multiple_of(4)
     };
-    Ok(half_lengths.iter().enumerate().map(modes).collect())
+    half_lengths.iter().enumerate().map(modes).collect()
 }

@@ -198,6 +198,15 @@ impl Kernel {
         self.last_panel(|panel| panel.largest_coupling(i) > negligible * least)
     }
 
+    /// The wavenumber beyond which contact i feels little else than its own faces: its kernel is its limit up to a third.
+    pub(crate) fn settles(&self, contact: usize) -> f64 {
+        const LITTLE: f64 = 0.33;
+        let far = &self.far[contact];
+        let felt = self.panels.iter().rev().filter(|panel| panel.from < far.from);
+        let last = felt.filter_map(|panel| panel.last_above(contact, far.limit, LITTLE * far.limit)).next();
+        last.unwrap_or(0.0)
+    }
+
     /// How much more easily the laminate between the contacts i and i + 1 bends than both together are squeezed, at one
     /// wavenumber.
     pub(crate) fn ties(&self, i: usize, zeta: f64) -> f64 {

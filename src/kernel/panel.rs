@@ -111,6 +111,14 @@ impl Panel {
         values.fold(0.0, |largest, value| largest.max(value.abs()))
     }
 
+    /// The largest wavenumber at which the kernel of contact `i` differs from `limit` by more than `little`.
+    pub(super) fn last_above(&self, i: usize, limit: f64, little: f64) -> Option<f64> {
+        let power = powers(self.contacts, i);
+        let nodes: Vec<f64> = quadrature::rule(POINTS).on(self.from, self.to).map(|(zeta, _)| zeta).collect();
+        let above = |(zeta, value): &(&f64, &f64)| (*value / zeta.powi(power) - limit).abs() > little;
+        nodes.iter().zip(&self.values[i]).rev().find(above).map(|(zeta, _)| *zeta)
+    }
+
     /// The largest excess of the kernel of contact `i` under equal neighbouring pressures over `limit`.
     pub(super) fn largest_excess(&self, i: usize, limit: f64) -> f64 {
         self.largest(self.contacts + i, limit)
