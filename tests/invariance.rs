@@ -25,7 +25,7 @@ mod scenario;
 use scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
 
 /// Two answers, each within the tolerance of 1e-10 that it was asked for.
-const SAME: f64 = 5e-10;
+const SAME: f64 = 1e-10;
 
 fn config() -> ProptestConfig {
     let rng_seed = RngSeed::Fixed(20_211);

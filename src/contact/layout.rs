@@ -32,8 +32,13 @@ pub(super) struct Accuracy {
     pub(super) spare: f64,
 }
 
-/// As good as the kernels.
-pub(super) const FULL: Accuracy = Accuracy { negligible: 1e-16, spare: 13.0 };
+impl Accuracy {
+    /// What answers with a relative error of `tolerance` need.
+    pub(super) fn of(tolerance: f64) -> Self {
+        Self { negligible: (1e-4 * tolerance).min(1e-10), spare: 13.0 }
+    }
+}
+
 /// For the first steps.
 pub(super) const COARSE: Accuracy = Accuracy { negligible: 1e-5, spare: 8.0 };
 

@@ -32,7 +32,8 @@ pub(super) struct Level {
 
 impl Level {
     /// Errors are judged by what the iterated modes have changed, and by how fast the highest of them fall.
-    pub(super) fn new(found: Converged, kernel: &Kernel) -> Self {
+    /// Parts of the kernels below `negligible` were left out.
+    pub(super) fn new(found: Converged, kernel: &Kernel, negligible: f64) -> Self {
         let Converged { half_lengths, modes, solved, shift, unsettled, rounding } = found;
         let averaged: Vec<bool> = (0..modes.len()).map(|i| !kernel.far(i).is_constant()).collect();
         let (mut errors, mut tails, mut settled) = (Vec::new(), Vec::new(), Vec::new());
@@ -46,7 +47,7 @@ impl Level {
             // half-lengths feel what is missing squared, and no more than pressures do
             let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(2);
             let beyond_length = (shift[i].abs() * further).min(beyond / (PI * peak.abs()));
-            let length = beyond_length + unsettled[i][0] + ROUNDING + rounding[i];
+            let length = beyond_length + unsettled[i][0] + negligible + ROUNDING + rounding[i];
             let missing = if averaged[i] {
                 // an averaged sum is as good as the next one differs from it
                 let change = (self::peak(&y[..quarter(3)], true) - peak).abs();

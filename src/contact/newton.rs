@@ -4,7 +4,7 @@ use crate::kernel::Kernel;
 
 use super::basis::Basis;
 use super::galerkin::{Equations, Modes};
-use super::layout::{Accuracy, FULL, Layout};
+use super::layout::{Accuracy, Layout};
 use super::pressures::{Linearised, Pressures, solve};
 use super::punch::Indentation;
 
@@ -79,7 +79,7 @@ impl Newton<'_> {
         modes: &[usize],
         tolerance: f64,
     ) -> Result<Converged, Error> {
-        let (mut point, layout) = self.iterate(half_lengths, solved, modes, FULL, NEARBY)?;
+        let (mut point, layout) = self.iterate(half_lengths, solved, modes, Accuracy::of(tolerance), NEARBY)?;
         for (own, modes) in point.pressures.modes.iter_mut().zip(modes) {
             own.resize(*modes, 0.0);
         }

@@ -5,7 +5,7 @@ use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;
-use super::layout::COARSE;
+use super::layout::{Accuracy, COARSE};
 use super::level::{BEST, Level};
 use super::newton::Newton;
 use super::punch::Indentation;
@@ -25,6 +25,8 @@ const MOST: usize = 1024;
 const GRADED: usize = 40;
 /// Modes that follow row by row: half as many as are solved for, at least these.
 const MORE: usize = 16;
+/// Half of them will do for tolerances from here on.
+const FEW_DIGITS: f64 = 1e-5;
 /// What is left of a Newton step on the coarsest level.
 const ROUGHLY: f64 = 1e-5;
 
@@ -48,7 +50,7 @@ pub(super) fn refine(
     // next to a graded face modes fall like a power
     let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
     let power = (1e-10 / tolerance).powf(1.0 / 6.0);
-    let mut modes: Vec<usize> = solved.iter().map(|solved| with_more(*solved)).collect();
+    let mut modes: Vec<usize> = solved.iter().map(|solved| with_more(*solved, tolerance)).collect();
     for i in (0..n).filter(|i| graded[*i]) {
         let wanted = (GRADED as f64 * power) as usize;
         if wanted > modes[i] {
@@ -58,7 +60,8 @@ pub(super) fn refine(
     }
     let mut warnings = Vec::new();
     loop {
-        let level = Level::new(newton.converge(half_lengths, &solved, &modes, tolerance)?, kernel);
+        let found = newton.converge(half_lengths, &solved, &modes, tolerance)?;
+        let level = Level::new(found, kernel, Accuracy::of(tolerance).negligible);
         *steps = newton.steps;
         if level.settled.iter().all(|settled| *settled) {
             admissible::pushes(kernel, interfaces, &level)?;
@@ -88,15 +91,16 @@ pub(super) fn refine(
                 if graded[i] && level.settled[i] { (error(i) / tolerance).powf(0.2).clamp(1.25, 2.0) } else { 2.0 };
             let wanted = |count: usize| ((count as f64 * grown) as usize).next_multiple_of(4);
             solved[i] = wanted(solved[i]).min(finest);
-            modes[i] = wanted(modes[i]).max(with_more(solved[i])).min(with_more(finest));
+            modes[i] = wanted(modes[i]).max(with_more(solved[i], tolerance)).min(with_more(finest, tolerance));
         }
         half_lengths = level.half_lengths;
     }
 }
 
 /// Modes that are solved for, and those that follow row by row.
-fn with_more(solved: usize) -> usize {
-    solved + (solved / 2).max(MORE)
+fn with_more(solved: usize, tolerance: f64) -> usize {
+    let least = if tolerance < FEW_DIGITS { MORE } else { MORE / 2 };
+    solved + (solved / 2).max(least)
 }
 
 /// Modes to begin with: enough for waves that feel no more than the faces of a contact.

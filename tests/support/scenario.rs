@@ -1,7 +1,7 @@
 //! Random scenes of moderate numbers, and what a test does with them.
 use proptest::prelude::*;
 use recede::stress::{Ply, Ranges, Scenario, scenes};
-use recede::{Error, Item, NoSolution, Solution};
+use recede::{Error, Item, Model, NoSolution, Options, Solution};
 
 /// A layer is looked at in so many depths.
 const PARTS: usize = 100;
@@ -73,9 +73,14 @@ pub trait Solve {
     }
 }
 
+/// Tighter than the answers are compared.
+const TOLERANCE: f64 = 1e-11;
+
 impl Solve for Scenario {
     fn solve(&self) -> Result<Solution, Error> {
-        recede::solve(&self.scene()?)
+        let scene = self.scene()?;
+        let options = Options { tolerance: TOLERANCE, ..Options::default() };
+        Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, &options)
     }
 }
 
