@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Three properties make a layer what it is, and each law looks at one of them from one side: the fields obey the state
-//! equations of its [`Layer::material`] ([`general_body`], [`split_in_two`], [`mirror`], [`long_wave`],
+//! equations of its [`Layer::material`] ([`general_body`], [`inside`], [`split_in_two`], [`mirror`], [`long_wave`],
 //! [`short_wave`]), the material is elastic ([`reciprocity`], [`positive_energy`]), and numbers keep their digits
 //! ([`free_body`], [`uniform_pressure`], [`finite`]).
 //!
@@ -22,10 +22,12 @@
 //! [`DIGITS`] or is granted.
 mod beam;
 mod bonded;
+mod inside;
 mod laws;
 mod limits;
 mod trial;
 
+pub use self::inside::inside;
 pub use self::laws::{finite, general_body, mirror, positive_energy, reciprocity, split_in_two, uniform_pressure};
 pub use self::limits::{free_body, long_wave, short_wave};
 use crate::{Layer, Plane};
@@ -64,7 +66,7 @@ pub struct Violation {
 pub type Law = (&'static str, fn(&dyn Layer, Plane) -> Result<(), Violation>);
 
 /// All laws, in the order in which to read their violations: the first one broken is the likely cause of the others.
-pub const LAWS: [Law; 10] = [
+pub const LAWS: [Law; 11] = [
     ("finite", finite),
     ("reciprocity", reciprocity),
     ("positive_energy", positive_energy),
@@ -75,6 +77,7 @@ pub const LAWS: [Law; 10] = [
     ("short_wave", short_wave),
     ("mirror", mirror),
     ("split_in_two", split_in_two),
+    ("inside", inside),
 ];
 
 /// Examines a layer by all laws.
@@ -96,7 +99,7 @@ pub fn examine(layer: &dyn Layer, plane: Plane) -> Result<(), Vec<Violation>> {
 macro_rules! layer_laws {
     ($name:ident, $layer:expr) => {
         $crate::layer_laws!($name, $layer => finite, reciprocity, positive_energy, general_body, uniform_pressure,
-            free_body, long_wave, short_wave, mirror, split_in_two);
+            free_body, long_wave, short_wave, mirror, split_in_two, inside);
     };
     ($name:ident, $layer:expr => $($law:ident),*) => {
         mod $name {

@@ -7,8 +7,8 @@ use nalgebra::Matrix4;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Finite, Flexibility, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive,
-    Thickness, Wave,
+    FaceStates, Finite, Flexibility, Isotropic, Layer, LayerError, LayerStates, Material, Notation, Plane, Poisson,
+    Positive, Thickness, Wave, graded,
 };
 
 /// Up to this λh the amplitudes are the state at one depth; beyond, solutions that decay from either face.
@@ -135,6 +135,16 @@ impl Layer for Exponential {
             self.mild(wave).face_states()
         } else {
             self.steep(wave).face_states(self.beta.get() > 0.0)
+        }
+    }
+
+    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        if wave.wavenumber * self.thickness.get() > THIN {
+            LayerStates { faces: self.thick(wave), inside: self.thick_inside(wave, depths) }
+        } else if self.steepness().abs() <= MILD {
+            LayerStates { faces: self.mild(wave).face_states(), inside: self.mild_inside(wave, depths) }
+        } else {
+            graded::states(self, wave, depths)
         }
     }
 

@@ -9,20 +9,18 @@
 //!   carried from slice to slice, so that nothing grows.
 //! * *deep*: the faces do not feel each other; each is the surface of a half-plane.
 mod clamped;
+mod inside;
 mod points;
 mod rule;
 mod slices;
 mod surface;
 mod thin;
 
-use nalgebra::Matrix4x2;
-
 pub(crate) use self::clamped::Clamped;
-use self::clamped::{Seen, deep};
 use self::rule::RULE;
 pub(crate) use self::slices::inverse;
 pub(crate) use self::surface::surface_flexibility;
-use crate::{FaceStates, Layer, Material, Plane, State, Wave};
+use crate::{FaceStates, Layer, LayerStates, Material, Plane, Wave};
 
 /// Up to this length, in decay lengths of the material, a layer is thin: it bends and translates almost freely.
 const THIN: f64 = 2.0;
@@ -51,6 +49,13 @@ pub fn face_states(layer: &(impl Layer + ?Sized), wave: &Wave) -> FaceStates {
     Profile { thickness: layer.thickness(), material: &material }.face_states(wave)
 }
 
+/// States of any layer at its faces and at `depths` in ascending order, in common amplitudes: the provided body of
+/// [`Layer::states`]. Slices end at these depths, so that their number adds to the cost.
+pub fn states(layer: &(impl Layer + ?Sized), wave: &Wave, depths: &[f64]) -> LayerStates {
+    let material = |depth| layer.material(depth, wave.plane);
+    Profile { thickness: layer.thickness(), material: &material }.states(wave, depths)
+}
+
 /// All that the general body knows of a layer.
 #[derive(Clone, Copy)]
 pub(crate) struct Profile<'a> {
@@ -62,27 +67,7 @@ pub(crate) struct Profile<'a> {
 
 impl Profile<'_> {
     pub(crate) fn face_states(&self, wave: &Wave) -> FaceStates {
-        let Some(thickness) = self.thickness else {
-            return FaceStates::HalfPlane { top: self.surface(wave) };
-        };
-        let mirrored = |depth: f64| (self.material)((thickness - depth).max(0.0));
-        let mirrored = Profile { thickness: self.thickness, material: &mirrored };
-        let mut slices = self.slices(wave, FELT);
-        if slices.depth < thickness {
-            if slices.depth + mirrored.slices(wave, FELT).depth <= thickness {
-                return deep(self.surface(wave), mirrored.surface(wave));
-            }
-            slices = self.slices(wave, f64::INFINITY);
-        }
-        let thick = Clamped::new(slices.list.iter().map(|slice| &slice.transfer));
-        let length = slices.list.iter().map(|slice| slice.length).sum::<f64>();
-        if length > THIN {
-            thick.face_states([-State::z(), -State::z()])
-        } else if thick.is_independent() {
-            thick.face_states(thin::uniform(&slices.list))
-        } else {
-            thin::face_states(&slices.list)
-        }
+        self.states(wave, &[]).faces
     }
 
     /// ∫ f dy over the thickness for each of the functions of (material, depth), with the points that resolve the
@@ -92,7 +77,7 @@ impl Profile<'_> {
         let Some(thickness) = self.thickness else { return sums };
         let still = Wave { wavenumber: 0.0, modulus: 1.0, plane: Plane::Strain };
         let mut from = 0.0;
-        for slice in self.slices(&still, f64::INFINITY).list {
+        for slice in self.slices(&still, f64::INFINITY, &[]).list {
             for (t, weight) in RULE.nodes.iter().zip(RULE.weights.iter()) {
                 let depth = from + (1.0 - t) * slice.thickness;
                 for (sum, value) in sums.iter_mut().zip(f(&(self.material)(depth), depth)) {
@@ -103,21 +88,11 @@ impl Profile<'_> {
         }
         sums
     }
-
-    /// Two columns (λμ₀U, λμ₀V, S, T) at the top face of a layer whose bottom is not felt, for S = 1 and for T = 1.
-    fn surface(&self, wave: &Wave) -> Matrix4x2<f64> {
-        let slices = self.slices(wave, FELT);
-        let depth = slices.depth.min(self.thickness.unwrap_or(f64::INFINITY));
-        let mut seen = Seen { flexibility: surface_flexibility(&(self.material)(depth), wave.modulus), far: None };
-        for slice in slices.list.iter().rev() {
-            seen = seen.through(&slice.transfer);
-        }
-        seen.states()
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::clamped::Seen;
     use super::*;
     use crate::{Flexibility, Homogeneous, Isotropic};
 
@@ -150,10 +125,10 @@ mod tests {
         // μ = e^(βd), so soft at the face that waves longer than 1/β feel nothing of it but its compression
         let material = |depth: f64| isotropic((5.0 * depth).exp());
         for wavenumber in [1e-8, 1e-3, 1.0, 10.0] {
-            let top = Profile { thickness: None, material: &material }.surface(&wave(wavenumber));
+            let (top, _) = Profile { thickness: None, material: &material }.surface(&wave(wavenumber), &[]);
             let rigid = Profile { thickness: Some(14.0), material: &material };
             let seen = rigid
-                .slices(&wave(wavenumber), FELT)
+                .slices(&wave(wavenumber), FELT, &[])
                 .list
                 .iter()
                 .rev()

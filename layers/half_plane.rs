@@ -1,9 +1,10 @@
 //! A homogeneous half-plane: everything below its top face.
-use nalgebra::Matrix4x2;
+use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, Wave, homogeneous,
+    FaceStates, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Notation, Plane, Poisson, Positive,
+    Wave, homogeneous,
 };
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
@@ -50,6 +51,14 @@ impl Layer for HalfPlane {
     fn face_states(&self, wave: &Wave) -> FaceStates {
         let [first, second] = homogeneous::decaying_downwards(&self.isotropic(), wave, 0.0);
         FaceStates::HalfPlane { top: Matrix4x2::from_columns(&[first, second]) }
+    }
+
+    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        let inside = depths.iter().map(|depth| {
+            let [a, b] = homogeneous::decaying_downwards(&self.isotropic(), wave, wave.wavenumber * depth);
+            InnerStates::thick(Matrix4::from_columns(&[a, b, Vector4::zeros(), Vector4::zeros()]))
+        });
+        LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
     }
 
     fn notation(&self) -> Notation {

@@ -3,8 +3,8 @@ use nalgebra::{Matrix4, Vector4};
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Flexibility, Isotropic, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, State,
-    Thickness, Wave, stable,
+    FaceStates, Flexibility, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Notation, Plane,
+    Poisson, Positive, State, Thickness, Wave, stable,
 };
 
 /// Up to this λh the amplitudes are the state at mid-depth; beyond, solutions that decay from either face.
@@ -59,6 +59,19 @@ impl Layer for Homogeneous {
         if depth < THIN { thin(&self.isotropic(), wave, depth) } else { thick(&self.isotropic(), wave, depth) }
     }
 
+    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        let (material, z) = (self.isotropic(), wave.wavenumber * self.thickness.get());
+        let inside = depths.iter().map(|depth| {
+            let below = (wave.wavenumber * depth).min(z);
+            if z < THIN {
+                thin_inside(&material, wave, 0.5 * z - below)
+            } else {
+                thick_inside(&material, wave, below, z)
+            }
+        });
+        LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
+    }
+
     /// With z = λh and g = (κ + 1)/(4μ), the half sum and half difference of the responses to equal loads,
     /// λC = g (cosh z − 1)/(sinh z + z), and to opposite ones, λC = g (cosh z + 1)/(sinh z − z).
     fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
@@ -110,7 +123,15 @@ fn thin(material: &Isotropic, wave: &Wave, depth: f64) -> FaceStates {
     }
 }
 
-/// cosh Aζ − 1 and sinh Aζ in local components.
+/// The same at ζ = λy above mid-depth.
+fn thin_inside(material: &Isotropic, wave: &Wave, zeta: f64) -> InnerStates {
+    let (even, odd) = even_odd(material, wave.plane, zeta);
+    let scale = Matrix4::from_diagonal(&scale(material, wave));
+    let deviation = scale * (even + odd);
+    InnerStates { columns: scale + deviation, uniform: deviation.column(2).into_owned() }
+}
+
+/// cosh Aζ − 1 and sinh Aζ in local components, ζ of either sign.
 fn even_odd(material: &Isotropic, plane: Plane, zeta: f64) -> (Matrix4<f64>, Matrix4<f64>) {
     let unit = Isotropic { shear_modulus: 1.0, ..*material }.material(plane);
     let (c, d) = (unit.coupling, unit.normal_compliance);
@@ -145,6 +166,13 @@ fn thick(material: &Isotropic, wave: &Wave, depth: f64) -> FaceStates {
     let [c, d] = decaying_upwards(material, wave, 0.0);
     let bottom = Matrix4::from_columns(&[a, b, c, d]);
     FaceStates::thick(top, bottom)
+}
+
+/// The same at a depth, times λ, below the top face.
+fn thick_inside(material: &Isotropic, wave: &Wave, below: f64, thickness: f64) -> InnerStates {
+    let [a, b] = decaying_downwards(material, wave, below);
+    let [c, d] = decaying_upwards(material, wave, thickness - below);
+    InnerStates::thick(Matrix4::from_columns(&[a, b, c, d]))
 }
 
 /// Eigenvector of the root m = ±1 (per λ) and its derivative with respect to m, in local components:

@@ -2,7 +2,7 @@
 use std::any::Any;
 use std::fmt::Debug;
 
-use crate::{FaceStates, Flexibility, Material, Plane, Wave, graded};
+use crate::{FaceStates, Flexibility, LayerStates, Material, Plane, Wave, graded};
 
 /// How a layer is written in the printed block matrix: symbols only, no numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +45,9 @@ pub struct Notation {
 /// keeps its digits at both ends*: for λh → 0, where a free layer bends with λ⁻⁴, and for λh → ∞, where only decaying
 /// exponentials may be formed. Where there is a closed form of the [`flexibility`](Layer::flexibility) too, e.g. for
 /// the symmetric and the antisymmetric load of a homogeneous strip, override it as well; else it is solved for.
+///
+/// Who overrides `face_states` and wants fields inside to be as fast overrides [`states`](Layer::states) too: the same
+/// closed form at any depth.
 ///
 /// # Example: a layer of one's own
 ///
@@ -99,6 +102,13 @@ pub trait Layer: Debug + Send + Sync + Any {
     /// States at the faces as functions of the layer's amplitudes; provided by [`graded::face_states`].
     fn face_states(&self, wave: &Wave) -> FaceStates {
         graded::face_states(self, wave)
+    }
+
+    /// States at the faces and at `depths` below the top face, in ascending order from 0 to the thickness, in amplitudes
+    /// common to all of them: what the fields inside a stack are made of. The amplitudes need not be those of
+    /// [`face_states`](Layer::face_states). Provided by [`graded::states`].
+    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        graded::states(self, wave, depths)
     }
 
     /// Flexibility of the layer alone with shear-free faces; `None` for a half-plane, see [`Flexibility`]. Provided by

@@ -47,7 +47,7 @@ pub use linear::solve_equilibrated;
 pub use material::{Isotropic, Material, Plane};
 pub use quantity::{Finite, OutOfRange, Poisson, Positive, Thickness};
 pub use registry::{Entry, ReadError, ReadLayer, Registry, read_ron};
-pub use state::{FaceStates, State, Wave};
+pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
 
 /// Registers the layer types that ship with `recede`: the one list that feeds the RON reader, its error
 /// messages, and the tests of the laws.

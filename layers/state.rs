@@ -40,6 +40,31 @@ pub enum FaceStates {
     },
 }
 
+/// States at the faces of a layer and at depths inside, all as functions of the same amplitudes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerStates {
+    /// States at the faces.
+    pub faces: FaceStates,
+    /// States at the depths asked for, in their order.
+    pub inside: Vec<InnerStates>,
+}
+
+/// States at one depth inside a layer as linear functions of the layer's amplitudes, see [`FaceStates`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InnerStates {
+    /// Column j is the state that amplitude j = 1 produces; the last two columns are zero for a half-plane.
+    pub columns: Matrix4<f64>,
+    /// The field close to uniform pressure: its deviation from S = 1 and nothing else.
+    pub uniform: State,
+}
+
+impl InnerStates {
+    /// States inside a layer so thick that the field close to uniform pressure is no field at all.
+    pub fn thick(columns: Matrix4<f64>) -> Self {
+        Self { columns, uniform: -Vector4::z() }
+    }
+}
+
 impl FaceStates {
     /// Face states of a layer so thick that uniform pressure needs no care: the field "close to it" is no field at
     /// all.

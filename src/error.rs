@@ -38,6 +38,20 @@ pub enum Error {
         /// The wavenumber in question, in 1/length.
         wavenumber: f64,
     },
+    /// A field was asked for where there is nothing.
+    #[error("{place}: there is no layer; allowed is {allowed}")]
+    Outside {
+        /// Where.
+        place: String,
+        /// Where there is something.
+        allowed: String,
+    },
+    /// A field was asked for so far away that it would take too many wavenumbers.
+    #[error("x = {x:?} is too far from the contacts for the field to be computed there")]
+    TooFar {
+        /// The farthest of the places asked for, in length.
+        x: f64,
+    },
     /// The scene is well posed, but no admissible contact was found.
     #[error(transparent)]
     NoSolution(#[from] NoSolution),
@@ -94,6 +108,7 @@ impl Error {
     pub fn is_input(&self) -> bool {
         match self {
             Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
+            Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,
             Self::NoSolution(cause) => matches!(cause, NoSolution::PunchTooSmall { .. }),
         }

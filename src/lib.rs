@@ -39,6 +39,7 @@
 //! | [`FreeChain`], [`BaseChain`] | its numbers: flexibilities at a wavenumber, eliminated layer by layer |
 //! | [`Model`] | flexibilities at all wavenumbers that matter, ready to be pressed |
 //! | [`Solution`] | half-lengths, pressures, error estimates |
+//! | [`Field`] | stresses and displacements inside the stack |
 //! | [`report`] | tables, JSON and CSV |
 //!
 //! Layer types live in a crate of their own, [`layers`], with the laws they obey; anyone may add to them through a
@@ -53,6 +54,7 @@
 mod contact;
 mod error;
 pub mod exact;
+mod field;
 mod kernel;
 mod model;
 #[doc(hidden)]
@@ -66,6 +68,7 @@ pub mod stress;
 mod system;
 
 pub use error::{Error, NoSolution};
+pub use field::{Field, FieldPoint, Grid, MaxShear, Spot};
 pub use model::{Model, solve};
 pub use options::{Method, Options};
 /// The layers' own crate: for layer types of one's own, and the laws they have to obey.

@@ -1,6 +1,7 @@
 //! A stack made ready to be pressed: kernels computed once, used for any punch and load.
 use crate::contact;
 use crate::error::Error;
+use crate::field::Field;
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::scene::{Punch, Scene};
@@ -64,6 +65,11 @@ impl Model {
             return Err(Error::Tolerance { found: options.tolerance });
         }
         contact::press(&self.kernel, &self.interfaces, punch, force, options)
+    }
+
+    /// Stresses and displacements inside the stack, for a solution of this model.
+    pub fn field(&self, solution: &Solution) -> Field {
+        Field::new(&self.stack, solution)
     }
 }
 

@@ -8,7 +8,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 12] = [
+const MAY_IMPORT: [(&str, &[&str]); 13] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("options", &[]),
@@ -18,8 +18,9 @@ const MAY_IMPORT: [(&str, &[&str]); 12] = [
     ("system", &["stack"]),
     ("kernel", &["numeric", "stack", "system"]),
     ("contact", &["kernel", "numeric", "scene"]),
-    ("model", &["contact", "kernel", "scene", "stack"]),
-    ("report", &["scene"]),
+    ("field", &["numeric", "stack", "system"]),
+    ("model", &["contact", "field", "kernel", "scene", "stack"]),
+    ("report", &["field", "scene"]),
     ("stress", &["model", "numeric", "scene", "stack", "system"]),
 ];
 

@@ -132,6 +132,9 @@ fn json_has_the_pinned_keys_and_all_digits() {
     for key in ["min_pressure", "min_gap", "modes", "wavenumbers", "newton_steps", "seconds"] {
         assert!(json[key].is_number(), "{key}");
     }
+    for key in ["value", "x", "depth", "layer"] {
+        assert!(json["max_shear"][key].is_number(), "{key}");
+    }
     assert!(json["warnings"].is_array());
 }
 
@@ -188,6 +191,43 @@ fn a_hyphen_reads_standard_input() {
 }
 
 #[test]
+fn fields_are_told_at_points_and_on_grids() {
+    let text = succeeds(&["field", PAPER, "--at", "0.3,2", "--at=-0.3,2@2", "--at", "0,0", "--format", "json"]);
+    let json: Value = serde_json::from_str(&text).unwrap();
+    let points = json["points"].as_array().unwrap();
+    let layers: Vec<_> = points.iter().map(|point| point["layer"].as_u64().unwrap()).collect();
+    assert_eq!(layers, [3, 2, 1]);
+    let number = |k: usize, key: &str| points[k][key].as_f64().unwrap();
+    assert!((number(0, "sigma_yy") - number(1, "sigma_yy")).abs() < 1e-12);
+    for key in ["x", "depth", "sigma_xx", "sigma_xy", "u", "v", "von_mises", "sigma_1", "sigma_2", "max_shear"] {
+        assert!(number(2, key).is_finite(), "{key}");
+    }
+    let csv = succeeds(&["field", PAPER, "--x", "-1:1:5", "--depth", "0:3:4"]);
+    assert_eq!(csv.lines().count(), 1 + 5 * 4);
+    let file = std::env::temp_dir().join(format!("recede-field-{}.csv", std::process::id()));
+    let name = file.display().to_string();
+    assert_eq!(succeeds(&["field", PAPER, "--x=-1:1:5", "--depth=0:3:4", "--out", &name]), "");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), csv);
+    std::fs::remove_file(&file).unwrap();
+}
+
+#[test]
+fn fields_that_are_not_there_are_refused() {
+    assert!(
+        refused(&["field", PAPER, "--at", "0,-1"]).contains("allowed is layer 1 from 0.0 to 1.0, layer 2 from 1.0")
+    );
+    assert!(refused(&["field", PAPER, "--at", "0,0.5@2"]).contains("in layer 2"));
+    for bad in ["0", "0,a", "0,1@x", "0,1@-1"] {
+        assert!(refused(&["field", PAPER, "--at", bad]).contains("expected X,DEPTH or X,DEPTH@LAYER"), "{bad}");
+    }
+    for bad in ["0:1", "0:1:2:3", "0:1:0", "0:inf:3", "0:1:1e9"] {
+        refused(&["field", PAPER, "--x", bad]);
+    }
+    assert!(refused(&["field", PAPER, "--out", "field.exe"]).contains(".csv or .json"));
+    refused(&["field", PAPER, "--out", "no/such/folder/field.csv"]);
+}
+
+#[test]
 fn bad_arguments_are_bad_input() {
     refused(&[]);
     refused(&["dance", PAPER]);
@@ -218,7 +258,7 @@ fn a_punch_too_small_for_its_force_is_named_with_its_place() {
 fn help_tells_examples_and_exit_statuses() {
     let help = succeeds(&["--help"]);
     assert!(help.contains("recede solve scene.ron") && help.contains("Exit status"), "{help}");
-    for command in ["solve", "check", "show"] {
+    for command in ["solve", "check", "show", "field"] {
         assert!(succeeds(&[command, "--help"]).contains("SCENE.ron"));
     }
     assert!(succeeds(&["--version"]).starts_with("recede "));

@@ -2,7 +2,7 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::{Exponential, Local};
-use crate::{FaceStates, State, Wave};
+use crate::{FaceStates, InnerStates, State, Wave};
 
 /// A pair of roots ±(p ± iω) of the symmetrised state matrix, per λ: p² − ω² = 1 + b²/4, 2pω = bδ with b = β/λ and
 /// δ² = c = (3 − κ)/(κ + 1). For κ > 3 the pair is real, ω² < 0. Nothing is singular where roots coincide (b → 0, κ → 3).
@@ -91,6 +91,22 @@ impl Exponential {
         let [c, d] = pair.solutions(-1.0, 0.0, [bottom, 1.0]);
         let bottom_states = Matrix4::from_columns(&[a, b, c, d]);
         FaceStates::thick(top_states, bottom_states)
+    }
+
+    /// The same inside.
+    pub(super) fn thick_inside(&self, wave: &Wave, depths: &[f64]) -> Vec<InnerStates> {
+        let h = self.thickness.get();
+        let pair = Pair::new(self.local(wave), self.beta.get() / wave.wavenumber);
+        let [top, bottom] = [0.0, h].map(|d| self.displacement_scale(wave, d));
+        let inside = depths.iter().map(|depth| {
+            let (below, above) = (*depth, (h - depth).max(0.0));
+            // √μ relative to either face
+            let [from_top, from_bottom] = [below, -above].map(|d| (0.5 * self.beta.get() * d).exp());
+            let [a, b] = pair.solutions(1.0, -wave.wavenumber * below, [top / from_top, from_top]);
+            let [c, d] = pair.solutions(-1.0, wave.wavenumber * above, [bottom / from_bottom, from_bottom]);
+            InnerStates::thick(Matrix4::from_columns(&[a, b, c, d]))
+        });
+        inside.collect()
     }
 }
 

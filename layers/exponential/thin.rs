@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, Matrix4, Matrix4x3, Vector2, Vector4};
 use super::Exponential;
 use crate::graded::{Clamped, inverse};
 use crate::linear::solve_equilibrated;
-use crate::{FaceStates, Flexibility, State, Wave};
+use crate::{FaceStates, Flexibility, InnerStates, State, Wave};
 
 /// A thin, mildly graded layer: in components symmetrised by √μ its state matrix is constant, and the even and odd
 /// parts of the state about mid-depth are kept apart. For β = 0 they decouple exactly into stretching and bending.
@@ -26,8 +26,7 @@ impl Exponential {
     pub(super) fn mild(&self, wave: &Wave) -> Mild {
         let half = 0.5 * self.thickness.get();
         let quarter = 0.25 * self.steepness();
-        let grading = Vector4::new(-quarter, -quarter, quarter, quarter);
-        let step = self.local(wave).matrix() * (wave.wavenumber * half) + Matrix4::from_diagonal(&grading);
+        let step = self.mild_step(wave);
         let (even, odd) = hyperbolic(&step);
         Mild {
             even,
@@ -36,6 +35,34 @@ impl Exponential {
             quarter,
             displacement: self.displacement_scale(wave, half),
         }
+    }
+
+    /// The state matrix of the symmetrised components times half the thickness.
+    fn mild_step(&self, wave: &Wave) -> Matrix4<f64> {
+        let quarter = 0.25 * self.steepness();
+        let grading = Vector4::new(-quarter, -quarter, quarter, quarter);
+        self.local(wave).matrix() * (0.5 * wave.wavenumber * self.thickness.get()) + Matrix4::from_diagonal(&grading)
+    }
+
+    /// States inside a thin, mildly graded layer: mid-depth is left by a part of the half thickness, upwards or
+    /// downwards.
+    pub(super) fn mild_inside(&self, wave: &Wave, depths: &[f64]) -> Vec<InnerStates> {
+        let half = 0.5 * self.thickness.get();
+        let (step, middle) = (self.mild_step(wave), self.displacement_scale(wave, half));
+        let inside = depths.iter().map(|depth| {
+            let part = 1.0 - depth / half;
+            let (even, odd) = hyperbolic(&(step * part));
+            let [even_uniform, odd_uniform] = deviation_from_growth(&(step * part), 2);
+            // √μ relative to mid-depth
+            let stress = (-0.25 * self.steepness() * part).exp();
+            let displacement = middle / stress;
+            let scale = Matrix4::from_diagonal(&Vector4::new(displacement, displacement, stress, stress));
+            InnerStates {
+                columns: scale * (Matrix4::identity() + even + odd),
+                uniform: scale * (even_uniform + odd_uniform),
+            }
+        });
+        inside.collect()
     }
 }
 

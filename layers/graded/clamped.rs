@@ -23,11 +23,8 @@ impl Seen {
 
     /// The face moved through a slice, away from the far one.
     pub fn through(self, transfer: &Matrix4<f64>) -> Self {
-        let block = |i: usize, j: usize| transfer.fixed_view::<2, 2>(i, j);
-        let displacement = self.flexibility + (block(0, 0) * self.flexibility + block(0, 2));
-        let stress = Matrix2::identity() + (block(2, 0) * self.flexibility + block(2, 2));
-        let back = stress.try_inverse().unwrap_or(Matrix2::repeat(f64::NAN));
-        Self { flexibility: displacement * back, far: self.far.map(|far| far * back) }
+        let (flexibility, back) = step(&self.flexibility, transfer);
+        Self { flexibility, far: self.far.map(|far| far * back) }
     }
 
     /// The states at the face for S = 1 and for T = 1 on it.
@@ -39,6 +36,16 @@ impl Seen {
     fn far_states(&self) -> Matrix4x2<f64> {
         stacked(&Matrix2::zeros(), &self.far.unwrap_or(Matrix2::zeros()))
     }
+}
+
+/// A flexibility carried through a slice, whose transfer matrix, less identity, leads there; and the way back of the
+/// stresses.
+pub(super) fn step(flexibility: &Matrix2<f64>, transfer: &Matrix4<f64>) -> (Matrix2<f64>, Matrix2<f64>) {
+    let block = |i: usize, j: usize| transfer.fixed_view::<2, 2>(i, j);
+    let displacement = flexibility + (block(0, 0) * flexibility + block(0, 2));
+    let stress = Matrix2::identity() + (block(2, 0) * flexibility + block(2, 2));
+    let back = stress.try_inverse().unwrap_or(Matrix2::repeat(f64::NAN));
+    (displacement * back, back)
 }
 
 /// A layer of which one or the other face is clamped. Amplitudes = (S, T) on the top face above a clamped bottom, then
@@ -78,19 +85,18 @@ impl Clamped {
     }
 }
 
-/// Faces that do not feel each other; the bottom is given as the top of the mirrored layer.
-pub(super) fn deep(top: Matrix4x2<f64>, mut bottom: Matrix4x2<f64>) -> FaceStates {
-    // V and T change their signs
+/// The states of a layer that is turned upside down: V and T change their signs.
+pub(super) fn upside_down(mut states: Matrix4x2<f64>) -> Matrix4x2<f64> {
     for i in [1, 3] {
-        bottom.row_mut(i).neg_mut();
+        states.row_mut(i).neg_mut();
     }
-    FaceStates::thick(beside(&top, &Matrix4x2::zeros()), beside(&Matrix4x2::zeros(), &bottom))
+    states
 }
 
 fn stacked(upper: &Matrix2<f64>, lower: &Matrix2<f64>) -> Matrix4x2<f64> {
     Matrix4x2::from_fn(|i, j| if i < 2 { upper[(i, j)] } else { lower[(i - 2, j)] })
 }
 
-fn beside(left: &Matrix4x2<f64>, right: &Matrix4x2<f64>) -> Matrix4<f64> {
+pub(super) fn beside(left: &Matrix4x2<f64>, right: &Matrix4x2<f64>) -> Matrix4<f64> {
     Matrix4::from_fn(|i, j| if j < 2 { left[(i, j)] } else { right[(i, j - 2)] })
 }

@@ -14,7 +14,16 @@ const MANY: usize = 10_000;
 /// Consecutive slices from the top face down to `depth`.
 pub(super) struct Slices {
     pub list: Vec<Slice>,
+    /// The depth at which each slice ends.
+    ends: Vec<f64>,
     pub depth: f64,
+}
+
+impl Slices {
+    /// How many slices lie above one of the depths at which the layer was cut.
+    pub fn above(&self, depth: f64) -> usize {
+        self.ends.partition_point(|end| *end <= depth)
+    }
 }
 
 pub(super) struct Slice {
@@ -29,16 +38,19 @@ pub(super) struct Slice {
 
 impl Profile<'_> {
     /// Slices from the top face down to the bottom or to where `felt` decay lengths are passed; in a half-plane also
-    /// to where the material is so stiff that it does not move.
-    pub(super) fn slices(&self, wave: &Wave, felt: f64) -> Slices {
+    /// to where the material is so stiff that it does not move. At the `cuts`, depths in ascending order, slices end.
+    pub(super) fn slices(&self, wave: &Wave, felt: f64, cuts: &[f64]) -> Slices {
         let end = self.thickness.unwrap_or(f64::INFINITY);
         let largest = (1.0 / wave.wavenumber).min(0.5 * end);
         let thinnest = THINNEST * largest;
-        let mut slices = Slices { list: Vec::new(), depth: 0.0 };
+        let mut slices = Slices { list: Vec::new(), ends: Vec::new(), depth: 0.0 };
         let (mut decay, mut softest) = (0.0, 0.0_f64);
         let mut guess = largest;
+        let mut cuts = cuts.iter().copied().peekable();
         while slices.depth < end && decay < felt {
-            let left = end - slices.depth;
+            while cuts.next_if(|cut| *cut <= slices.depth).is_some() {}
+            let stop = cuts.peek().map_or(end, |cut| cut.min(end));
+            let left = stop - slices.depth;
             // what is left is shared evenly if a second slice would do
             let mut thickness = if guess >= left { left } else { guess.min(0.5 * left).max(thinnest.min(left)) };
             let mut points = Points::new(self, wave, slices.depth, thickness);
@@ -46,7 +58,8 @@ impl Profile<'_> {
                 thickness *= 0.5;
                 points = Points::new(self, wave, slices.depth, thickness);
             }
-            slices.depth = if thickness >= left { end } else { slices.depth + thickness };
+            slices.depth = if thickness >= left { stop } else { slices.depth + thickness };
+            slices.ends.push(slices.depth);
             let zeta = wave.wavenumber * thickness;
             decay += zeta * points.slowest();
             if self.thickness.is_none() {
@@ -98,7 +111,7 @@ mod tests {
             let layer = Exponential::new(1.0, 1.0, 0.25, beta).expect("legal");
             let material = |depth| layer.material(depth, Plane::Strain);
             let profile = Profile { thickness: Some(1.0), material: &material };
-            profile.slices(&wave(wavenumber), FELT).list.len()
+            profile.slices(&wave(wavenumber), FELT, &[]).list.len()
         };
         assert_eq!([count(0.0, 1e-8), count(0.0, 1.0), count(30.0, 1e-8)], [2, 2, 33]);
         assert!([1e3, 1e8, 1e150].map(|wavenumber| count(1.0, wavenumber)).iter().all(|n| (60..=61).contains(n)));

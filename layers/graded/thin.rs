@@ -2,31 +2,42 @@
 use nalgebra::Matrix4;
 
 use super::slices::{Slice, inverse};
-use crate::{FaceStates, State};
+use crate::{FaceStates, InnerStates, LayerStates, State};
 
 /// A modulus that varies by less than this factor is no reason to leave mid-depth.
 const MILD: f64 = 3.0;
 
-/// The transfer matrices, less identity, from the boundary `start` up to the top and down to the bottom.
-fn outwards(slices: &[Slice], start: usize) -> [Matrix4<f64>; 2] {
+/// The transfer matrices, less identity, from the boundary `start` to all boundaries, from the top down.
+fn outwards(slices: &[Slice], start: usize) -> Vec<Matrix4<f64>> {
     // (1 + A)(1 + B) − 1
-    let after = |first: Matrix4<f64>, then: Matrix4<f64>| first + then + then * first;
-    let up = slices[..start].iter().rev().fold(Matrix4::zeros(), |sum, slice| after(sum, slice.transfer));
-    let down = slices[start..].iter().fold(Matrix4::zeros(), |sum, slice| after(sum, inverse(&slice.transfer)));
-    [up, down]
+    let after = |first: &Matrix4<f64>, then: &Matrix4<f64>| first + then + then * first;
+    let mut all = vec![Matrix4::zeros(); slices.len() + 1];
+    for i in (0..start).rev() {
+        all[i] = after(&all[i + 1], &slices[i].transfer);
+    }
+    for i in start..slices.len() {
+        all[i + 1] = after(&all[i], &inverse(&slices[i].transfer));
+    }
+    all
 }
 
 /// Amplitudes = the state at mid-depth, or where the layer is softest: from there to stiffer places the terms of a
-/// transfer matrix do not cancel.
-pub(super) fn face_states(slices: &[Slice]) -> FaceStates {
-    let [up, down] = outwards(slices, extreme(slices, f64::max));
-    FaceStates::Finite { top: Matrix4::identity() + up, bottom: Matrix4::identity() + down, uniform: uniform(slices) }
+/// transfer matrix do not cancel. States at the faces and at some of the boundaries.
+pub(super) fn states(slices: &[Slice], at: &[usize]) -> LayerStates {
+    let transfers = outwards(slices, extreme(slices, f64::max));
+    let uniform = uniform(slices);
+    let columns = |i: usize| Matrix4::identity() + transfers[i];
+    let last = slices.len();
+    LayerStates {
+        faces: FaceStates::Finite { top: columns(0), bottom: columns(last), uniform: [uniform[0], uniform[last]] },
+        inside: at.iter().map(|i| InnerStates { columns: columns(*i), uniform: uniform[*i] }).collect(),
+    }
 }
 
 /// The field that starts from S = 1 at mid-depth, or where the layer is stiffest: from there to softer places stresses
-/// do not grow.
-pub(super) fn uniform(slices: &[Slice]) -> [State; 2] {
-    outwards(slices, extreme(slices, f64::min)).map(|transfer| transfer.column(2).into_owned())
+/// do not grow. At all boundaries.
+pub(super) fn uniform(slices: &[Slice]) -> Vec<State> {
+    outwards(slices, extreme(slices, f64::min)).iter().map(|transfer| transfer.column(2).into_owned()).collect()
 }
 
 /// The boundary between slices where the compliance is extreme; the middle one if it is about the same everywhere.

@@ -1,9 +1,11 @@
 //! The command line: one file for each subcommand.
 mod check;
+mod field;
 mod show;
 mod solve;
 mod stress;
 
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -25,6 +27,7 @@ Examples:
   recede solve scene.ron --format json       the same for a script
   recede solve - < scene.ron                 read the scene from standard input
   recede show scene.ron --latex              the block matrix, ready to be typeset
+  recede field scene.ron --out field.csv     stresses and displacements inside the stack
 
 Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
 
@@ -33,6 +36,7 @@ enum Command {
     Solve(solve::Solve),
     Check(check::Check),
     Show(show::Show),
+    Field(field::Field),
     Stress(stress::Stress),
 }
 
@@ -61,6 +65,7 @@ impl Arguments {
             Command::Solve(command) => command.run(&mut out),
             Command::Check(command) => command.run(&mut out),
             Command::Show(command) => command.run(&mut out),
+            Command::Field(command) => command.run(&mut out),
             Command::Stress(command) => command.run(&mut out),
         };
         match done.and_then(|()| Ok(out.flush()?)) {
@@ -87,6 +92,24 @@ impl SceneFile {
             Scene::read(&self.scene)
         }
     }
+}
+
+/// Writes a file as a whole or not at all: what was there before stays until the new one is complete.
+fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.part", std::process::id()));
+    let part = path.with_file_name(name);
+    let written = File::create(&part).and_then(|file| {
+        let mut out = io::BufWriter::new(file);
+        write(&mut out)?;
+        out.into_inner()?.sync_all()?;
+        fs::rename(&part, path)
+    });
+    written.map_err(|cause| {
+        // it may not be there
+        let _ = fs::remove_file(&part);
+        Failure::Output(io::Error::new(cause.kind(), format!("{}: {cause}", path.display())))
+    })
 }
 
 /// Tells on standard error what went wrong, where, and what to do.

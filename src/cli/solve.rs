@@ -56,10 +56,11 @@ impl Solve {
         };
         let options = Options { tolerance: self.tolerance, method };
         let start = Instant::now();
-        let solution = Model::new(scene.stack()?)
-            .and_then(|model| model.press_with(&scene.punch, scene.force, &options))
+        let (model, solution) = Model::new(scene.stack()?)
+            .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
+        let max_shear = Some(model.field(&solution).max_shear()?);
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
@@ -68,6 +69,6 @@ impl Solve {
             Format::Json => report::Format::Json,
             Format::Csv => report::Format::Csv,
         };
-        Ok(Report { scene: &scene, solution: &solution, seconds }.write(format, out)?)
+        Ok(Report { scene: &scene, solution: &solution, max_shear, seconds }.write(format, out)?)
     }
 }

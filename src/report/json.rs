@@ -11,11 +11,21 @@ struct Document<'a> {
     contacts: Vec<Contact>,
     min_pressure: f64,
     min_gap: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    max_shear: Option<MaxShear>,
     modes: usize,
     wavenumbers: usize,
     newton_steps: usize,
     seconds: f64,
     warnings: &'a [String],
+}
+
+#[derive(Serialize)]
+struct MaxShear {
+    value: f64,
+    x: f64,
+    depth: f64,
+    layer: usize,
 }
 
 #[derive(Serialize)]
@@ -43,6 +53,12 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         contacts: contacts.collect(),
         min_pressure: solution.min_pressure(),
         min_gap: solution.min_gap(),
+        max_shear: report.max_shear.map(|max| MaxShear {
+            value: max.value,
+            x: max.x,
+            depth: max.depth,
+            layer: max.layer,
+        }),
         modes: solution.modes(),
         wavenumbers: solution.wavenumbers(),
         newton_steps: solution.newton_steps(),

@@ -1,11 +1,15 @@
 //! Reports on a solved scene: the same numbers in several formats. Nothing is computed here.
 mod csv;
 mod digits;
+mod field;
 mod json;
 mod table;
 
 use std::io;
 
+pub use field::{FieldFormat, write_field};
+
+use crate::field::MaxShear;
 use crate::scene::Scene;
 use crate::solution::Solution;
 
@@ -27,7 +31,7 @@ pub enum Format {
 /// use recede::{Scene, report::{Format, Report}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
-/// let report = Report { scene: &scene, solution: &solution, seconds: 0.0 };
+/// let report = Report { scene: &scene, solution: &solution, max_shear: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -37,6 +41,8 @@ pub struct Report<'a> {
     pub scene: &'a Scene,
     /// Its solution.
     pub solution: &'a Solution,
+    /// The largest shear stress, if it was asked for: see [`crate::Field::max_shear`].
+    pub max_shear: Option<MaxShear>,
     /// Time it took, in seconds.
     pub seconds: f64,
 }

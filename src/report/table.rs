@@ -5,12 +5,13 @@ use comfy_table::{LineStyle, Table, TableStyle};
 
 use super::Report;
 use super::digits::{plain, rounded, with_error};
+use crate::field::MaxShear;
 
 const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
-    let Report { scene, solution, seconds } = report;
+    let Report { scene, solution, max_shear, seconds } = report;
     let units = scene.units.as_ref();
     let unit =
         |label: &dyn Fn(&str, &str) -> String| units.map_or(String::new(), |units| label(&units.length, &units.force));
@@ -42,6 +43,11 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         ]);
     }
     writeln!(out, "{table}")?;
+    if let Some(MaxShear { value, x, depth, layer }) = max_shear {
+        let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
+        let stress = unit(&|length, force| format!(" {force}/{length}²"));
+        writeln!(out, "largest shear stress {value}{stress} at x = {x}, depth {depth} in layer {layer}")?;
+    }
     writeln!(
         out,
         "{} modes, {} wavenumbers, {} Newton steps, {}",
@@ -50,6 +56,11 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         solution.newton_steps(),
         duration(*seconds)
     )
+}
+
+/// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.
+fn shown<const DIGITS: usize>(value: f64) -> String {
+    format!("{value:.DIGITS$e}").parse().map_or_else(|_| plain(value), plain)
 }
 
 /// Text from a scene as one line that does not disturb a terminal.

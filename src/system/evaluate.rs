@@ -16,17 +16,17 @@ const FELT: f64 = 40.0;
 /// Layers bonded to each other, top down, with shear-free faces above and below.
 #[derive(Clone, Debug)]
 pub struct FreeChain {
-    layers: Vec<Arc<dyn Layer>>,
+    pub(super) layers: Vec<Arc<dyn Layer>>,
     /// The chain is eliminated from both faces to the interface above layer `meeting`, the one nearest to the neutral
     /// axis: seen from afar, the bending of a stiff part would cancel against its stretching.
-    meeting: usize,
+    pub(super) meeting: usize,
 }
 
 /// Layers bonded to each other and to a foundation, top down, with a shear-free top face.
 #[derive(Clone, Debug)]
 pub struct BaseChain {
-    layers: Vec<Arc<dyn Layer>>,
-    foundation: Foundation,
+    pub(super) layers: Vec<Arc<dyn Layer>>,
+    pub(super) foundation: Foundation,
 }
 
 impl FreeChain {
@@ -127,7 +127,7 @@ fn shared(placed: &[Placed]) -> Vec<Arc<dyn Layer>> {
 }
 
 /// How many of the layers, counted from a face, the face can feel.
-fn felt<'a>(layers: impl Iterator<Item = &'a Arc<dyn Layer>>, wave: &Wave) -> usize {
+pub(super) fn felt<'a>(layers: impl Iterator<Item = &'a Arc<dyn Layer>>, wave: &Wave) -> usize {
     let mut depth = 0.0;
     let mut count = 0;
     for layer in layers {
@@ -178,10 +178,10 @@ fn flexibility(layers: &[Arc<dyn Layer>], meeting: usize, wave: &Wave) -> Option
 /// The part of a free chain between a loaded face and an interface, with the amplitudes eliminated: the stresses (S, T)
 /// at the interface and V at the face, as functions of the displacements w = (U, V) at the interface and of the load.
 /// Under equal loads on both faces of the chain, S means the excess over the load.
-struct Half {
-    stiffness: Matrix2<f64>,
-    by_load: Vector2<f64>,
-    by_equal: Vector2<f64>,
+pub(super) struct Half {
+    pub(super) stiffness: Matrix2<f64>,
+    pub(super) by_load: Vector2<f64>,
+    pub(super) by_equal: Vector2<f64>,
     face: RowVector2<f64>,
     face_by_load: f64,
     face_by_equal: f64,
@@ -189,7 +189,7 @@ struct Half {
 
 impl Half {
     /// Nothing yet: the interface is the loaded face itself.
-    fn free() -> Self {
+    pub(super) fn free() -> Self {
         Self {
             stiffness: Matrix2::zeros(),
             by_load: Vector2::new(1.0, 0.0),
@@ -202,6 +202,16 @@ impl Half {
 
     /// One layer more: `near` is its face at the present interface, `far` the one that becomes the interface.
     fn through(&self, near: (&Matrix4<f64>, &State), far: (&Matrix4<f64>, &State)) -> Option<Self> {
+        Some(self.eliminate(near, far)?.0)
+    }
+
+    /// The same, with the amplitudes of the layer: columns for the displacements w at the far face, for the load and for
+    /// equal loads.
+    pub(super) fn eliminate(
+        &self,
+        near: (&Matrix4<f64>, &State),
+        far: (&Matrix4<f64>, &State),
+    ) -> Option<(Self, Matrix4<f64>)> {
         let [(near, near_uniform), (far, far_uniform)] = [near, far];
         let condition = stress(near) - self.stiffness * displacement(near);
         let uniform_condition =
@@ -214,25 +224,26 @@ impl Half {
         let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
         let at_far = stress(far) * amplitudes;
         let at_near = self.face * displacement(near) * amplitudes;
-        Some(Self {
+        let half = Self {
             stiffness: at_far.fixed_columns::<2>(0).into_owned(),
             by_load: at_far.column(2).into_owned(),
             by_equal: at_far.column(3) + far_uniform.fixed_rows::<2>(2),
             face: at_near.fixed_columns::<2>(0).into_owned(),
             face_by_load: self.face_by_load + at_near[2],
             face_by_equal: self.face_by_equal + at_near[3] + (self.face * near_uniform.fixed_rows::<2>(0))[0],
-        })
+        };
+        Some((half, amplitudes))
     }
 }
 
-fn displacement(states: &Matrix4<f64>) -> Matrix2x4<f64> {
+pub(super) fn displacement(states: &Matrix4<f64>) -> Matrix2x4<f64> {
     states.fixed_rows::<2>(0).into_owned()
 }
 
-fn stress(states: &Matrix4<f64>) -> Matrix2x4<f64> {
+pub(super) fn stress(states: &Matrix4<f64>) -> Matrix2x4<f64> {
     states.fixed_rows::<2>(2).into_owned()
 }
 
-fn stacked(upper: &Matrix2x4<f64>, lower: &Matrix2x4<f64>) -> Matrix4<f64> {
+pub(super) fn stacked(upper: &Matrix2x4<f64>, lower: &Matrix2x4<f64>) -> Matrix4<f64> {
     Matrix4::from_rows(&[upper.row(0), upper.row(1), lower.row(0), lower.row(1)])
 }

@@ -14,8 +14,10 @@
 //! Any legal stack gives as many conditions as amplitudes.
 mod block;
 mod evaluate;
+mod inside;
 mod latex;
 mod text;
 
 pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
 pub use evaluate::{BaseChain, FreeChain};
+pub(crate) use inside::Load;

@@ -1,0 +1,151 @@
+//! `recede field`: stresses and displacements inside the stack.
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::ValueEnum;
+use recede::report::{FieldFormat, write_field};
+use recede::{Field as Fields, FieldPoint, Model, Options, Solution, Spot};
+
+use super::{Failure, SceneFile, replace, tell};
+
+/// Places along x and depths of a grid that is not specified.
+const COLUMNS: usize = 201;
+const ROWS: usize = 101;
+/// It reaches this many half-lengths of the longest contact to either side.
+const BESIDE: f64 = 2.0;
+
+/// Stresses and displacements inside the stack, at points or on a grid
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede field scene.ron --at 0,0.5 --at 1.2,1@2 --format json
+  recede field scene.ron --out field.csv
+  recede field scene.ron --x -3:3:400 --depth 0:2:200 --out field.csv
+
+On an interface a point belongs to the layer below, unless @LAYER says which.")]
+pub struct Field {
+    #[command(flatten)]
+    file: SceneFile,
+    /// A point: x and the depth below the stack's top face, and which layer if that is not clear
+    #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = spot, allow_hyphen_values = true)]
+    at: Vec<Spot>,
+    /// Places of a grid along x; without it, twice the longest contact
+    #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
+    x: Option<Steps>,
+    /// Depths of a grid; without it, all layers and, in a half-plane, as far again as the longest contact
+    #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at")]
+    depth: Option<Steps>,
+    /// File to write, in the format of its name (.csv, .json); without it, standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// How to write to standard output
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
+    /// Relative error to aim at in the contacts, from 1e-13 to 1e-2
+    #[arg(long, default_value = "1e-10")]
+    tolerance: f64,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    /// One line for each point, all digits
+    Csv,
+    /// One JSON object, all digits
+    Json,
+}
+
+/// Equally spaced numbers.
+#[derive(Clone, Copy, Debug)]
+struct Steps {
+    start: f64,
+    stop: f64,
+    count: usize,
+}
+
+impl Steps {
+    fn numbers(&self) -> Vec<f64> {
+        let part = |k: usize| if self.count > 1 { k as f64 / (self.count - 1) as f64 } else { 0.0 };
+        (0..self.count).map(part).map(|part| (1.0 - part) * self.start + part * self.stop).collect()
+    }
+}
+
+impl FromStr for Steps {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || format!("found `{text}`, expected START:STOP:COUNT as in 0:2:200");
+        let [start, stop, count] = text.split(':').collect::<Vec<_>>()[..] else { return Err(wrong()) };
+        let steps = Self {
+            start: start.parse().map_err(|_| wrong())?,
+            stop: stop.parse().map_err(|_| wrong())?,
+            count: count.parse().map_err(|_| wrong())?,
+        };
+        let legal = steps.start.is_finite() && steps.stop.is_finite() && (1..=10_000).contains(&steps.count);
+        legal
+            .then_some(steps)
+            .ok_or_else(|| format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000"))
+    }
+}
+
+/// X,DEPTH or X,DEPTH@LAYER.
+fn spot(text: &str) -> Result<Spot, String> {
+    let wrong = || format!("found `{text}`, expected X,DEPTH or X,DEPTH@LAYER as in 0,0.5 or 1.2,1@2");
+    let (place, layer) = match text.split_once('@') {
+        Some((place, layer)) => (place, Some(layer.trim().parse().map_err(|_| wrong())?)),
+        None => (text, None),
+    };
+    let (x, depth) = place.split_once(',').ok_or_else(wrong)?;
+    let number = |text: &str| text.trim().parse().map_err(|_| wrong());
+    Ok(Spot { x: number(x)?, depth: number(depth)?, layer })
+}
+
+impl Field {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let format = match &self.out {
+            None => match self.format {
+                Format::Csv => FieldFormat::Csv,
+                Format::Json => FieldFormat::Json,
+            },
+            Some(path) => format(path)?,
+        };
+        let scene = self.file.read()?;
+        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
+        let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
+        for warning in solution.warnings() {
+            tell(&format!("warning: {warning}\n"));
+        }
+        let points = self.points(&model.field(&solution), &solution)?;
+        match &self.out {
+            None => Ok(write_field(&points, format, out)?),
+            Some(path) => replace(path, |out| write_field(&points, format, out)),
+        }
+    }
+
+    fn points(&self, field: &Fields, solution: &Solution) -> Result<Vec<FieldPoint>, Failure> {
+        if !self.at.is_empty() {
+            return Ok(field.points(&self.at)?);
+        }
+        let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.half_length));
+        let last =
+            field.layers().last().map_or(0.0, |(_, [from, to])| if to.is_finite() { to } else { from + longest });
+        let beside = BESIDE * longest;
+        let xs = self.x.unwrap_or(Steps { start: -beside, stop: beside, count: COLUMNS });
+        let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last, count: ROWS });
+        Ok(field.grid(&xs.numbers(), &depths.numbers())?.points().to_vec())
+    }
+}
+
+/// The format that a file's name asks for.
+fn format(path: &Path) -> Result<FieldFormat, Failure> {
+    match path.extension().and_then(OsStr::to_str) {
+        Some("csv") => Ok(FieldFormat::Csv),
+        Some("json") => Ok(FieldFormat::Json),
+        _ => {
+            let what = format!("{}: the name of the file has to end in .csv or .json", path.display());
+            Err(Failure::Output(io::Error::new(io::ErrorKind::InvalidInput, what)))
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! The bodies of a stack, free laminates and base, with the contacts that press on them.
+use std::sync::Arc;
+
+use recede_layers::{Layer, Plane, State, Wave};
+
+use super::pressure::Pressure;
+use super::surface::{Components, Surface};
+use crate::stack::{Foundation, Placed, Stack};
+use crate::system::{BaseChain, FreeChain, Load};
+
+/// What is left of a half-plane's fields is nothing if it is below this.
+const NOTHING: f64 = 1e-13;
+/// Wavenumbers, in terms of the shift of a [`Surface`], from which on what is left is looked at.
+const SHORT: f64 = 36.0;
+const DOUBLINGS: i32 = 4;
+
+/// One layer, and where it lies.
+#[derive(Clone, Debug)]
+pub(super) struct Stratum {
+    /// Number from the top as written in the scene.
+    pub(super) number: usize,
+    pub(super) layer: Arc<dyn Layer>,
+    /// Depth of its top face below that of the stack.
+    pub(super) top: f64,
+    /// `None` for a half-plane.
+    pub(super) thickness: Option<f64>,
+    /// The body it belongs to, and its place in it.
+    pub(super) body: usize,
+    pub(super) place: usize,
+}
+
+impl Stratum {
+    /// Depth of its bottom face, infinite for a half-plane.
+    pub(super) fn bottom(&self) -> f64 {
+        self.thickness.map_or(f64::INFINITY, |thickness| self.top + thickness)
+    }
+}
+
+#[derive(Clone, Debug)]
+enum Chain {
+    Free(FreeChain),
+    Base(BaseChain),
+}
+
+/// A body between shear-free faces.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    chain: Chain,
+    /// How many layers it has.
+    pub(super) layers: usize,
+    /// Depth of its top face.
+    pub(super) top: f64,
+    /// Depth of its bottom face, if there is one that is loaded.
+    pub(super) bottom: Option<f64>,
+    /// The contact on its top face; that on the bottom face is the next one.
+    pub(super) contact: usize,
+    /// The faces, top first, whose slowly converging part is known in closed form.
+    pub(super) faces: [Option<Face>; 2],
+    /// Place and depth of the point at x = 0 from which v is counted.
+    pub(super) reference: Option<(usize, f64)>,
+}
+
+/// A loaded face.
+#[derive(Clone, Debug)]
+pub(super) struct Face {
+    pub(super) surface: Surface,
+    /// What short waves leave of the fields there, size·λ^(−power) per unit of p̂; 0 if the material is homogeneous.
+    pub(super) size: f64,
+    pub(super) power: f64,
+}
+
+/// The layers from the top down, without those of thickness 0.
+pub(super) fn strata(stack: &Stack) -> Vec<Stratum> {
+    let mut strata: Vec<Stratum> = Vec::new();
+    let mut depth = 0.0;
+    let mut add = |body: usize, place: usize, placed: &Placed| {
+        let thickness = placed.layer.thickness();
+        let (number, layer) = (placed.number, placed.layer.clone());
+        strata.push(Stratum { number, layer, top: depth, thickness, body, place });
+        depth += thickness.unwrap_or(0.0);
+    };
+    for (body, laminate) in stack.laminates().iter().enumerate() {
+        laminate.layers().iter().enumerate().for_each(|(place, placed)| add(body, place, placed));
+    }
+    let (body, base) = (stack.laminates().len(), stack.base());
+    base.layers().iter().enumerate().for_each(|(place, placed)| add(body, place, placed));
+    if let Foundation::HalfPlane(placed) = base.foundation() {
+        add(body, base.layers().len(), placed);
+    }
+    strata
+}
+
+impl Body {
+    /// The bodies from the top down; a rigid base without layers is none.
+    pub(super) fn all(stack: &Stack, strata: &[Stratum], pressures: &[Pressure], modulus: f64) -> Vec<Self> {
+        let plane = stack.plane();
+        let laminates = stack.laminates().iter().map(|laminate| Chain::Free(FreeChain::new(laminate, plane)));
+        let chains = laminates.chain([Chain::Base(BaseChain::new(stack.base()))]);
+        let bodies = chains.enumerate().filter_map(|(i, chain)| {
+            let own: Vec<&Stratum> = strata.iter().filter(|stratum| stratum.body == i).collect();
+            let (first, last) = (*own.first()?, *own.last()?);
+            let free = matches!(chain, Chain::Free(_));
+            let reference = match last.thickness {
+                // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
+                Some(thickness) => free.then_some((own.len() - 1, thickness)),
+                None => Some((own.len() - 1, 0.0)),
+            };
+            let mut body = Self {
+                chain,
+                layers: own.len(),
+                top: first.top,
+                bottom: free.then(|| last.bottom()),
+                contact: i,
+                faces: [None, None],
+                reference,
+            };
+            let wave = |wavenumber: f64| Wave { wavenumber, modulus, plane };
+            body.faces[0] = body.face(0, first, plane, modulus, pressures[i].half_length, &wave);
+            if let (true, Some(pressure)) = (free, pressures.get(i + 1)) {
+                body.faces[1] = body.face(1, last, plane, modulus, pressure.half_length, &wave);
+            }
+            Some(body)
+        });
+        bodies.collect()
+    }
+
+    /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
+    fn face(
+        &self,
+        side: usize,
+        stratum: &Stratum,
+        plane: Plane,
+        modulus: f64,
+        half_length: f64,
+        wave: &dyn Fn(f64) -> Wave,
+    ) -> Option<Face> {
+        let material = |distance: f64| match stratum.thickness {
+            Some(thickness) if side == 1 => stratum.layer.material((thickness - distance).max(0.0), plane),
+            _ => stratum.layer.material(distance, plane),
+        };
+        let unit = stratum.thickness.unwrap_or(half_length);
+        let mut surface = Surface::new(&material, unit, modulus)?;
+        if side == 1 {
+            surface = surface.upside_down();
+        }
+        if self.layers == 1 && stratum.thickness.is_none() {
+            // a half-plane by itself may be all there is
+            surface.shift = f64::INFINITY;
+            let same = |l: f64| Some(self.left_over(&surface, side, stratum, plane, &wave(l / unit))? < NOTHING);
+            if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| same(l) == Some(true)) {
+                return Some(Face { surface, size: 0.0, power: 2.0 });
+            }
+            surface = Surface::new(&material, unit, modulus)?;
+        }
+        let short = SHORT / surface.shift;
+        let left: Option<Vec<f64>> = (0..DOUBLINGS)
+            .map(|k| self.left_over(&surface, side, stratum, plane, &wave(short * 2f64.powi(k))))
+            .collect();
+        let left = left?;
+        let (first, last) = (left[0], left[left.len() - 1]);
+        if last <= NOTHING {
+            return Some(Face { surface, size: 0.0, power: 2.0 });
+        }
+        let power = ((first / last).log2() / f64::from(DOUBLINGS - 1)).clamp(0.0, 3.0);
+        let size = left.iter().enumerate().map(|(k, left)| left * (short * 2f64.powi(k as i32)).powf(power));
+        Some(Face { surface, size: size.fold(0.0, f64::max), power })
+    }
+
+    /// By how much stresses next to a face, per unit load on it, differ from the surface's.
+    fn left_over(&self, surface: &Surface, side: usize, stratum: &Stratum, plane: Plane, wave: &Wave) -> Option<f64> {
+        let mut distances = [0.0, 1.0 / wave.wavenumber, 3.0 / wave.wavenumber];
+        let depth = |distance: f64| if side == 0 { distance } else { stratum.bottom() - stratum.top - distance };
+        if side == 1 {
+            distances.reverse();
+        }
+        let mut depths = vec![Vec::new(); self.layers];
+        depths[stratum.place] = distances.iter().map(|distance| depth(*distance)).collect();
+        let load =
+            if side == 0 { Load { top: -1.0, ..Load::default() } } else { Load { bottom: -1.0, ..Load::default() } };
+        let states = self.states(wave, &depths, &load)?;
+        let differences = distances.iter().zip(&states[stratum.place]).map(|(distance, state)| {
+            let found = components(state, &stratum.layer.material(depth(*distance), plane), wave.modulus);
+            let surface = surface.transformed(wave.wavenumber, *distance);
+            (0..3).map(|i| (found[i] - surface[i]).abs()).fold(0.0, f64::max)
+        });
+        Some(differences.fold(0.0, f64::max))
+    }
+
+    /// The states at depths in ascending order below the top faces of the layers.
+    pub(super) fn states(&self, wave: &Wave, depths: &[Vec<f64>], load: &Load) -> Option<Vec<Vec<State>>> {
+        match &self.chain {
+            Chain::Free(chain) => chain.states(wave, depths, load),
+            Chain::Base(chain) => chain.states(wave, depths, load.top + load.equal),
+        }
+    }
+}
+
+/// Stresses from a state, σ_xx = E λU + c S, and λμ₀U, λμ₀V.
+pub(super) fn components(state: &State, material: &recede_layers::Material, modulus: f64) -> Components {
+    let along = material.axial_stiffness / modulus * state[0] + material.coupling * state[2];
+    [along, state[2], state[3], state[0], state[1]]
+}

@@ -1,0 +1,208 @@
+//! Stresses and displacements inside the stack.
+//!
+//! Given the contact pressures, each body of the stack is loaded on shear-free faces, and its fields are integrals over
+//! the wavenumber of the states that [`crate::system`] finds inside. Next to a loaded face these converge slowly; what a
+//! half-plane of the face's material does is subtracted there and added in closed form.
+mod body;
+mod peak;
+mod point;
+mod pressure;
+mod sum;
+mod surface;
+mod waves;
+
+use recede_layers::Plane;
+
+pub use peak::MaxShear;
+pub use point::{FieldPoint, Grid, Spot};
+
+use crate::error::Error;
+use crate::solution::Solution;
+use crate::stack::Stack;
+use crate::system::Load;
+
+use body::{Body, Stratum};
+use pressure::Pressure;
+use sum::Row;
+
+/// A depth is on an interface if it is as close to it as this, in parts of the depth.
+const ON_INTERFACE: f64 = 1e-12;
+/// Long waves change nothing below this part of 1/(thickness · ratio of the stiffnesses).
+const LONG: f64 = 0.25;
+
+/// Stresses and displacements inside a stack pressed by a punch.
+///
+/// Stresses are positive in tension; x runs along the layers from the centre of the contact, y upwards, so that σ_xy > 0
+/// drags the upper side of a cut towards −x. `depth` is measured downwards from the top face of the stack. Displacements
+/// of a plane body are defined up to a rigid motion: u is 0 at x = 0, and v is counted from the rigid base or, on a
+/// half-plane, from the point of its top face at x = 0.
+///
+/// On an interface σ_xx jumps, and if it is a receding one, so do the displacements outside the contact. There a point
+/// belongs to the layer below, unless a layer is named.
+///
+/// ```
+/// use recede::{Field, HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+/// let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+/// let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
+/// let model = Model::new(stack)?;
+/// let solution = model.press(&Punch::cylinder(500.0)?, 0.002)?;
+/// let field = model.field(&solution);
+/// let under_the_punch = field.at(0.0, 0.0)?;
+/// assert!((under_the_punch.sigma_yy + solution.contacts()[0].peak_pressure).abs() < 1e-12);
+/// // the strip bends: its lower face is stretched
+/// assert!(field.at_layer(0.0, 1.0, 1)?.sigma_xx > 0.0);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Field {
+    plane: Plane,
+    strata: Vec<Stratum>,
+    bodies: Vec<Body>,
+    pressures: Vec<Pressure>,
+    /// μ₀, by which displacements are multiplied.
+    modulus: f64,
+    /// Ratio of the largest to the smallest stiffness in the stack.
+    contrast: f64,
+}
+
+impl Field {
+    /// The field of a solution of this stack; to be had from [`crate::Model::field`].
+    pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
+        let plane = stack.plane();
+        let strata = body::strata(stack);
+        let pressures: Vec<Pressure> = solution.contacts().iter().map(Pressure::new).collect();
+        let stiffness: Vec<f64> = strata
+            .iter()
+            .flat_map(|stratum| {
+                let thickness = stratum.thickness.unwrap_or(0.0);
+                [0.0, 0.5, 1.0].map(|part| stratum.layer.material(part * thickness, plane).axial_stiffness)
+            })
+            .collect();
+        let [largest, smallest] =
+            [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
+        let modulus = strata.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
+        let bodies = Body::all(stack, &strata, &pressures, modulus);
+        Self { plane, strata, bodies, pressures, modulus, contrast: largest / smallest }
+    }
+
+    /// Stresses and displacements at a point; on an interface, those of the layer below.
+    ///
+    /// # Errors
+    /// [`Error::Outside`] if there is nothing at this depth.
+    pub fn at(&self, x: f64, depth: f64) -> Result<FieldPoint, Error> {
+        self.at_spot(Spot { x, depth, layer: None })
+    }
+
+    /// Stresses and displacements at a point of a layer, numbered from the top as written in the scene, starting at 1.
+    ///
+    /// # Errors
+    /// [`Error::Outside`] if the layer is not there, or not at this depth.
+    pub fn at_layer(&self, x: f64, depth: f64, layer: usize) -> Result<FieldPoint, Error> {
+        self.at_spot(Spot { x, depth, layer: Some(layer) })
+    }
+
+    fn at_spot(&self, spot: Spot) -> Result<FieldPoint, Error> {
+        let points = self.points(&[spot])?;
+        points.into_iter().next().ok_or(Error::Outside { place: spot.to_string(), allowed: self.allowed() })
+    }
+
+    /// Stresses and displacements at any points; cheaper than one by one.
+    ///
+    /// # Errors
+    /// As [`Self::at`] and [`Self::at_layer`].
+    pub fn points(&self, spots: &[Spot]) -> Result<Vec<FieldPoint>, Error> {
+        let mut rows = Vec::with_capacity(spots.len());
+        let mut sets = Vec::with_capacity(spots.len());
+        for spot in spots {
+            rows.push(self.row(spot, sets.len())?);
+            sets.push(vec![spot.x.abs()]);
+        }
+        let values = self.sum(&rows, &sets)?;
+        let of = |((spot, row), values): ((&Spot, &Row), Vec<_>)| {
+            values.into_iter().map(|value| self.point(spot.x, row, value)).collect::<Vec<_>>()
+        };
+        Ok(spots.iter().zip(&rows).zip(values).flat_map(of).collect())
+    }
+
+    /// Stresses and displacements on a grid, row by row from the first depth on.
+    ///
+    /// ```
+    /// # use recede::{HalfPlane, Model, Plane, Punch, Stack};
+    /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+    /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
+    /// let grid = model.field(&solution).grid(&[-1.0, 0.0, 1.0], &[0.0, 0.5])?;
+    /// assert_eq!(grid.points().len(), 6);
+    /// assert_eq!(grid.at(1, 0).sigma_xy, -grid.at(1, 2).sigma_xy); // row 1, places 0 and 2
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Self::at`].
+    pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, Error> {
+        // positive and negative places share their tables
+        let mut places: Vec<f64> = xs.iter().map(|x| x.abs()).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < x.abs())).collect();
+        let spot =
+            |depth: &f64| self.row(&Spot { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
+        let rows: Vec<Row> = depths.iter().map(spot).collect::<Result<_, _>>()?;
+        if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
+            return Err(self.outside(&Spot { x: *x, depth: 0.0, layer: None }));
+        }
+        let values = self.sum(&rows, &[places])?;
+        let points = rows.iter().zip(&values).flat_map(|(row, values)| {
+            xs.iter().zip(&of).filter_map(|(x, k)| Some(self.point(*x, row, *values.get(*k)?)))
+        });
+        Ok(Grid::new(xs.to_vec(), points.collect()))
+    }
+
+    /// The largest shear stress in the plane anywhere in the stack, (σ₁ − σ₂)/2, and where it is.
+    ///
+    /// # Errors
+    /// [`Error::Unresolved`] if the fields cannot be computed.
+    pub fn max_shear(&self) -> Result<MaxShear, Error> {
+        peak::max_shear(self)
+    }
+
+    /// Depths at which layers begin and end, with the layers' numbers, from the top down; a half-plane ends at infinity.
+    pub fn layers(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
+        self.strata.iter().map(|stratum| (stratum.number, [stratum.top, stratum.bottom()]))
+    }
+
+    /// Which layer a point is in, and how deep.
+    fn row(&self, spot: &Spot, set: usize) -> Result<Row, Error> {
+        let Spot { x, depth, layer } = *spot;
+        let near = |face: f64| face.is_finite() && (depth - face).abs() <= ON_INTERFACE * face;
+        let here = |stratum: &Stratum| {
+            let inside = depth >= stratum.top && depth <= stratum.bottom();
+            let named = layer.is_none_or(|number| stratum.number == number);
+            named && (inside || near(stratum.top) || near(stratum.bottom()))
+        };
+        let found = self.strata.iter().rposition(here).filter(|_| x.is_finite() && depth.is_finite());
+        let stratum = found.ok_or_else(|| self.outside(spot))?;
+        let own = &self.strata[stratum];
+        let within = (depth - own.top).max(0.0);
+        let within = if near(own.bottom()) { own.thickness.unwrap_or(within) } else { within };
+        Ok(Row { stratum, depth: if near(own.top) { 0.0 } else { within }, set })
+    }
+
+    fn outside(&self, spot: &Spot) -> Error {
+        Error::Outside { place: spot.to_string(), allowed: self.allowed() }
+    }
+
+    /// The depths at which there is something.
+    fn allowed(&self) -> String {
+        let layers = self.strata.iter().map(|stratum| match stratum.thickness {
+            Some(_) => format!("layer {} from {:?} to {:?}", stratum.number, stratum.top, stratum.bottom()),
+            None => format!("layer {} from {:?} down", stratum.number, stratum.top),
+        });
+        layers.collect::<Vec<_>>().join(", ")
+    }
+
+    /// A wavenumber below which nothing happens.
+    fn first(&self) -> f64 {
+        let thickness: f64 = self.strata.iter().filter_map(|stratum| stratum.thickness).sum();
+        LONG / (self.contrast * thickness)
+    }
+}

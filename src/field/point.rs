@@ -1,0 +1,136 @@
+//! Stresses and displacements at a point, and what follows from them.
+use std::fmt;
+
+use recede_layers::Plane;
+
+use super::Field;
+use super::sum::Row;
+use super::surface::Components;
+
+/// Where a field is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Along the layers, from the centre of the contact, in length.
+    pub x: f64,
+    /// Below the top face of the stack, in length.
+    pub depth: f64,
+    /// The layer, numbered from the top as written in the scene, starting at 1. On an interface `None` is the layer below.
+    pub layer: Option<usize>,
+}
+
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "x = {:?}, depth = {:?}", self.x, self.depth)?;
+        self.layer.map_or(Ok(()), |layer| write!(f, " in layer {layer}"))
+    }
+}
+
+/// Stresses (positive in tension) and displacements at a point, in the units of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FieldPoint {
+    /// Along the layers, from the centre of the contact.
+    pub x: f64,
+    /// Below the top face of the stack.
+    pub depth: f64,
+    /// Number of the layer, from the top as written in the scene, starting at 1.
+    pub layer: usize,
+    /// Displacement along x, 0 at x = 0.
+    pub u: f64,
+    /// Displacement upwards, counted from the rigid base or from the top face of the half-plane at x = 0.
+    pub v: f64,
+    /// Normal stress along the layers.
+    pub sigma_xx: f64,
+    /// Normal stress across the layers.
+    pub sigma_yy: f64,
+    /// Shear stress, with y upwards.
+    pub sigma_xy: f64,
+    /// Normal stress out of the plane: ν(σ_xx + σ_yy) in plane strain, 0 in plane stress. Poisson's ratio is that of an
+    /// isotropic material with the same ratio c12/c22, so that for any other material this is an estimate.
+    pub sigma_zz: f64,
+}
+
+impl FieldPoint {
+    /// The principal stresses in the plane, the larger one first.
+    pub fn principal(&self) -> [f64; 2] {
+        let (mean, radius) = (0.5 * (self.sigma_xx + self.sigma_yy), self.max_shear());
+        [mean + radius, mean - radius]
+    }
+
+    /// The largest shear stress in the plane, (σ₁ − σ₂)/2.
+    pub fn max_shear(&self) -> f64 {
+        (0.5 * (self.sigma_xx - self.sigma_yy)).hypot(self.sigma_xy)
+    }
+
+    /// Von Mises' equivalent stress, with the stress out of the plane.
+    pub fn von_mises(&self) -> f64 {
+        let [first, second] = self.principal();
+        let third = self.sigma_zz;
+        (0.5 * ((first - second).powi(2) + (second - third).powi(2) + (third - first).powi(2))).sqrt()
+    }
+}
+
+/// Stresses and displacements on a grid: rows at one depth each, from the first to the last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    xs: Vec<f64>,
+    points: Vec<FieldPoint>,
+}
+
+impl Grid {
+    pub(super) fn new(xs: Vec<f64>, points: Vec<FieldPoint>) -> Self {
+        Self { xs, points }
+    }
+
+    /// The places along x.
+    pub fn xs(&self) -> &[f64] {
+        &self.xs
+    }
+
+    /// All points, row by row.
+    pub fn points(&self) -> &[FieldPoint] {
+        &self.points
+    }
+
+    /// The rows, from the first depth to the last.
+    pub fn rows(&self) -> impl Iterator<Item = &[FieldPoint]> {
+        self.points.chunks(self.xs.len().max(1))
+    }
+
+    /// The point of a row at a place.
+    ///
+    /// # Panics
+    /// If the grid has no such row or place.
+    pub fn at(&self, row: usize, place: usize) -> &FieldPoint {
+        &self.points[row * self.xs.len() + place]
+    }
+}
+
+impl Field {
+    /// A point from the components at |x|.
+    pub(super) fn point(&self, x: f64, row: &Row, components: Components) -> FieldPoint {
+        let stratum = &self.strata[row.stratum];
+        let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v] = components;
+        if x < 0.0 {
+            (sigma_xy, u) = (-sigma_xy, -u);
+        }
+        let sigma_zz = match self.plane {
+            // c12/c22 = ν/(1 − ν)
+            Plane::Strain => {
+                let ratio = stratum.layer.material(row.depth, self.plane).coupling;
+                ratio / (1.0 + ratio) * (sigma_xx + sigma_yy)
+            }
+            Plane::Stress => 0.0,
+        };
+        FieldPoint {
+            x,
+            depth: stratum.top + row.depth,
+            layer: stratum.number,
+            u,
+            v,
+            sigma_xx,
+            sigma_yy,
+            sigma_xy,
+            sigma_zz,
+        }
+    }
+}

@@ -1,0 +1,321 @@
+//! The fields in rows of points at one depth each: closed forms next to the loaded faces, and a sum over wavenumbers of
+//! the rest.
+use std::f64::consts::PI;
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
+use recede_layers::Wave;
+
+use super::body::{Body, Face, Stratum, components};
+use super::surface::Components;
+use super::waves::{self, Decay, Panel};
+use super::{Field, Load};
+use crate::error::Error;
+
+/// Points at one depth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    /// Which of the strata.
+    pub(super) stratum: usize,
+    /// Depth below its top face.
+    pub(super) depth: f64,
+    /// Which of the lists of places x ≥ 0.
+    pub(super) set: usize,
+}
+
+/// A row on its way through the wavenumbers.
+struct Active {
+    row: Row,
+    /// Where it goes in the order asked for.
+    index: usize,
+    /// The wavenumber beyond which it feels nothing.
+    end: f64,
+    /// ∫ (V at the depth − V at the reference point) dλ/π
+    lift: f64,
+}
+
+/// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
+fn faces<'a>(
+    body: &'a Body,
+    stratum: &'a Stratum,
+    depth: f64,
+) -> impl Iterator<Item = (&'a Face, usize, f64)> + use<'a> {
+    let top = (stratum.place == 0).then_some(depth);
+    let bottom = (stratum.place + 1 == body.layers).then(|| stratum.thickness.map(|h| (h - depth).max(0.0))).flatten();
+    [top, bottom]
+        .into_iter()
+        .enumerate()
+        .filter_map(move |(side, distance)| Some((body.faces[side].as_ref()?, body.contact + side, distance?)))
+}
+
+impl Field {
+    /// The wavenumber beyond which a depth feels nothing of the loads, besides what closed forms tell.
+    fn end(&self, row: &Row, most: f64) -> f64 {
+        let stratum = &self.strata[row.stratum];
+        let body = &self.bodies[stratum.body];
+        let depth = stratum.top + row.depth;
+        let sides = [Some(depth - body.top), body.bottom.map(|bottom| (bottom - depth).max(0.0))];
+        let ends = sides.into_iter().enumerate().filter_map(|(side, distance)| {
+            let distance = distance?;
+            let own = if side == 0 { stratum.place == 0 } else { stratum.place + 1 == body.layers };
+            let face = body.faces[side].as_ref().filter(|_| own);
+            if face.is_some_and(|face| face.surface.shift.is_infinite()) {
+                return Some(0.0);
+            }
+            let thickness = stratum.thickness.unwrap_or(f64::INFINITY);
+            let shift = face.map_or(0.0, |face| face.surface.shift);
+            let decay = Decay {
+                distance,
+                reflected: (distance + shift).min(2.0 * thickness - distance),
+                left: face.map(|face| [face.size, face.power]),
+                half_length: self.pressures[body.contact + side].half_length,
+            };
+            Some(decay.end(most))
+        });
+        ends.fold(0.0, f64::max)
+    }
+
+    /// σ_xx, σ_yy, σ_xy, u, v in rows of points, `sets[row.set]` each.
+    pub(super) fn sum(&self, rows: &[Row], sets: &[Vec<f64>]) -> Result<Vec<Vec<Components>>, Error> {
+        // v of a body is counted from that of the body below, where they touch
+        let mut rows = rows.to_vec();
+        let mut sets = sets.to_vec();
+        let asked = rows.len();
+        for (i, stratum) in self.strata.iter().enumerate() {
+            if stratum.place == 0 && stratum.body > 0 {
+                rows.push(Row { stratum: i, depth: 0.0, set: sets.len() });
+            }
+        }
+        sets.push(vec![0.0]);
+        let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
+        self.integrate(&rows, &sets, &mut values)?;
+        let mut lifts = vec![0.0; self.bodies.len()];
+        for (row, values) in rows[asked..].iter().zip(&values[asked..]).rev() {
+            let body = self.strata[row.stratum].body;
+            lifts[body - 1] = lifts[body] + values[0][4];
+        }
+        values.truncate(asked);
+        for (row, values) in rows.iter().zip(&mut values) {
+            let lift = lifts[self.strata[row.stratum].body];
+            values.iter_mut().for_each(|value| value[4] += lift);
+        }
+        Ok(values)
+    }
+
+    /// What is known in closed form, with v counted from the reference point of the body.
+    fn closed(&self, row: &Row, set: &[f64]) -> Vec<Components> {
+        let stratum = &self.strata[row.stratum];
+        let body = &self.bodies[stratum.body];
+        let at = |stratum: &Stratum, depth: f64, x: f64| {
+            let mut sum = Components::default();
+            for (face, contact, distance) in faces(body, stratum, depth) {
+                let closed = face.surface.closed(&self.pressures[contact], x, distance);
+                sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
+            }
+            sum
+        };
+        let origin = body.reference.map_or(0.0, |(place, depth)| {
+            let own = self.strata.iter().find(|other| other.body == stratum.body && other.place == place);
+            own.map_or(0.0, |stratum| at(stratum, depth, 0.0)[4])
+        });
+        let mut values: Vec<Components> = set.iter().map(|x| at(stratum, row.depth, *x)).collect();
+        values.iter_mut().for_each(|value| value[4] -= origin);
+        values
+    }
+
+    /// Adds the integrals over the wavenumber of what the closed forms leave.
+    fn integrate(&self, rows: &[Row], sets: &[Vec<f64>], values: &mut [Vec<Components>]) -> Result<(), Error> {
+        let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
+        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        let reach = farthest + longest;
+        let most = waves::most(reach);
+        let mut active: Vec<Active> = rows
+            .iter()
+            .enumerate()
+            .map(|(index, row)| Active { row: *row, index, end: self.end(row, most), lift: 0.0 })
+            .filter(|active| active.end > 0.0)
+            .collect();
+        if active.is_empty() {
+            return Ok(());
+        }
+        active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
+        let origins: Vec<f64> = self.bodies.iter().map(|body| self.origin_end(body, most)).collect();
+        let end = active.iter().map(|active| active.end).chain(origins.iter().copied()).fold(0.0, f64::max);
+        let panels = waves::panels(end, reach, self.first()).ok_or(Error::TooFar { x: farthest })?;
+        let mut sums: Vec<Sums> = sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set)).collect();
+        // ∫ V at the reference points, panel by panel
+        let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
+        for (k, panel) in panels.iter().enumerate() {
+            let (wavenumbers, weights) = panel.points();
+            let block = self.block(panel, &wavenumbers, &weights, &mut active, &origins)?;
+            for (body, origin) in block.references.iter().enumerate() {
+                references[body][k] = *origin;
+            }
+            for sum in &mut sums {
+                sum.add(&wavenumbers, &block, &active, panel.lo);
+            }
+        }
+        for sum in &sums {
+            sum.collect(&active, values);
+        }
+        for active in &active {
+            let body = self.strata[active.row.stratum].body;
+            let beyond: f64 =
+                panels.iter().zip(&references[body]).filter(|(p, _)| p.lo >= active.end).map(|(_, v)| v).sum();
+            values[active.index].iter_mut().for_each(|value| value[4] += active.lift - beyond);
+        }
+        Ok(())
+    }
+
+    /// The wavenumber beyond which the reference point of a body feels nothing.
+    fn origin_end(&self, body: &Body, most: f64) -> f64 {
+        let Some((place, depth)) = body.reference else { return 0.0 };
+        let stratum = self.strata.iter().position(|stratum| stratum.body == body.contact && stratum.place == place);
+        stratum.map_or(0.0, |stratum| self.end(&Row { stratum, depth, set: 0 }, most))
+    }
+
+    /// The transformed components, times weights, in all rows that feel a panel.
+    fn block(
+        &self,
+        panel: &Panel,
+        wavenumbers: &[f64],
+        weights: &[f64],
+        active: &mut [Active],
+        origins: &[f64],
+    ) -> Result<Block, Error> {
+        let n = wavenumbers.len();
+        let transforms: Vec<Vec<[f64; 2]>> =
+            self.pressures.iter().map(|pressure| pressure.transforms(wavenumbers)).collect();
+        let mut block = Block { values: vec![0.0; 5 * n * active.len()], references: vec![0.0; self.bodies.len()] };
+        for (i, body) in self.bodies.iter().enumerate() {
+            // (depth, row or `None` for the reference point), layer by layer
+            let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
+            for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > panel.lo) {
+                let stratum = &self.strata[active.row.stratum];
+                if stratum.body == i {
+                    wanted[stratum.place].push((active.row.depth, Some(k)));
+                }
+            }
+            if wanted.iter().all(Vec::is_empty) && origins[i] <= panel.lo {
+                continue;
+            }
+            if let Some((place, depth)) = body.reference {
+                wanted[place].push((depth, None));
+            }
+            wanted.iter_mut().for_each(|wanted| wanted.sort_by(|a, b| a.0.total_cmp(&b.0)));
+            let depths: Vec<Vec<f64>> =
+                wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
+            let own: Vec<&Stratum> = self.strata.iter().filter(|stratum| stratum.body == i).collect();
+            for (q, (wavenumber, weight)) in wavenumbers.iter().zip(weights).enumerate() {
+                let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
+                let load = self.load(body, *wavenumber, |contact| transforms[contact][q]);
+                let states = body.states(&wave, &depths, &load).ok_or(Error::Unresolved { wavenumber: *wavenumber })?;
+                let displacement = 1.0 / (wavenumber * self.modulus);
+                let mut reference = 0.0;
+                let mut lifts: Vec<(usize, f64)> = Vec::new();
+                for ((stratum, wanted), states) in own.iter().zip(&wanted).zip(&states) {
+                    for ((depth, row), state) in wanted.iter().zip(states) {
+                        let material = stratum.layer.material(*depth, self.plane);
+                        let mut left = components(state, &material, self.modulus);
+                        for (face, contact, distance) in faces(body, stratum, *depth) {
+                            let surface = face.surface.transformed(*wavenumber, distance);
+                            let [p, _] = transforms[contact][q];
+                            left.iter_mut().zip(surface).for_each(|(left, surface)| *left -= p * surface);
+                        }
+                        left[3] *= displacement;
+                        left[4] *= displacement;
+                        let left = left.map(|value| value * weight / PI);
+                        match row {
+                            Some(k) => {
+                                for (c, value) in left.into_iter().enumerate() {
+                                    block.values[(5 * k + c) * n + q] = value;
+                                }
+                                lifts.push((*k, left[4]));
+                            }
+                            None => reference = left[4],
+                        }
+                    }
+                }
+                lifts.into_iter().for_each(|(k, value)| active[k].lift += value - reference);
+                block.references[i] += reference;
+            }
+        }
+        Ok(block)
+    }
+
+    /// The loads on a body: for long waves the equal part of both pressures and the small rest.
+    fn load(&self, body: &Body, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> Load {
+        let [top, top_excess] = transform(body.contact);
+        let Some(bottom) = body.bottom else { return Load { top: -top, ..Load::default() } };
+        let [other, other_excess] = transform(body.contact + 1);
+        if wavenumber * (bottom - body.top) > 1.0 {
+            Load { top: -top, bottom: -other, equal: 0.0 }
+        } else {
+            Load { top: 0.0, bottom: top_excess - other_excess, equal: -top }
+        }
+    }
+}
+
+/// One panel: component c of row k at the wavenumber q stands at (5k + c)·n + q.
+struct Block {
+    values: Vec<f64>,
+    references: Vec<f64>,
+}
+
+/// The sums over wavenumbers at the places of one set, for its rows: column by column, one value per place.
+struct Sums<'a> {
+    places: &'a [f64],
+    /// Rows of this set among the active ones.
+    rows: std::ops::Range<usize>,
+    values: [Vec<f64>; 5],
+}
+
+impl<'a> Sums<'a> {
+    fn new(places: &'a [f64], active: &[Active], set: usize) -> Self {
+        let from = active.partition_point(|active| active.row.set < set);
+        let rows = from..active.partition_point(|active| active.row.set <= set);
+        let size = places.len() * rows.len();
+        Self { places, rows, values: std::array::from_fn(|_| vec![0.0; size]) }
+    }
+
+    /// Adds a panel that begins at the wavenumber `lo`.
+    fn add(&mut self, wavenumbers: &[f64], block: &Block, active: &[Active], lo: f64) {
+        let (n, m) = (wavenumbers.len(), self.places.len());
+        let count = active[self.rows.clone()].partition_point(|active| active.end > lo);
+        if count == 0 || m == 0 {
+            return;
+        }
+        // sin λx, cos λx and cos λx − 1, which is formed without cancellation
+        let mut tables = [vec![0.0; m * n], vec![0.0; m * n], vec![0.0; m * n]];
+        for (q, wavenumber) in wavenumbers.iter().enumerate() {
+            for (k, x) in self.places.iter().enumerate() {
+                let (sin, cos) = (0.5 * wavenumber * x).sin_cos();
+                let at = q * m + k;
+                tables[0][at] = 2.0 * sin * cos;
+                tables[2][at] = -2.0 * sin * sin;
+                tables[1][at] = 1.0 + tables[2][at];
+            }
+        }
+        for (component, table) in [1, 1, 0, 0, 2].into_iter().enumerate() {
+            let places = MatRef::from_column_major_slice(&tables[table], m, n);
+            let mut coefficients = Vec::with_capacity(n * count);
+            for k in self.rows.start..self.rows.start + count {
+                coefficients.extend_from_slice(&block.values[(5 * k + component) * n..][..n]);
+            }
+            let coefficients = MatRef::from_column_major_slice(&coefficients, n, count);
+            let sums = MatMut::from_column_major_slice_mut(&mut self.values[component][..m * count], m, count);
+            matmul(sums, Accum::Add, places, coefficients, 1.0, Par::Seq);
+        }
+    }
+
+    fn collect(&self, active: &[Active], values: &mut [Vec<Components>]) {
+        let m = self.places.len();
+        for (k, active) in active[self.rows.clone()].iter().enumerate() {
+            for (place, value) in values[active.index].iter_mut().enumerate() {
+                for (component, value) in value.iter_mut().enumerate() {
+                    *value += self.values[component][k * m + place];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! What a body does next to a loaded face, for short waves: the slowly converging part of its fields.
+//!
+//! Short waves see a half-plane of the material at the face, whose modulus may vary. Per unit of p̂ the fields at the
+//! depth d are e^(−t) times polynomials in t = λd, and those of the variation have a factor 1/λ more. Each term has a
+//! closed form in x, see [`super::pressure`], and what is left is small and integrated: eq. (24).
+use nalgebra::{DMatrix, DVector, Matrix4, Vector4};
+use recede_layers::Material;
+
+use super::pressure::{Potentials, Pressure};
+
+/// Terms of the polynomials in t: of the half-plane, and of the variation of its material.
+const PLAIN: usize = 2;
+const VARIED: usize = 4;
+/// The equations of the polynomials are solved up to rounding, or not at all.
+const SOLVED: f64 = 1e-9;
+/// The slope of the material is taken from differences over this part of a length.
+const STEP: f64 = 1e-3;
+
+/// σ_xx, σ_yy, σ_xy and the displacements u, v at a point or, transformed, λμ₀U and λμ₀V.
+pub(super) type Components = [f64; 5];
+
+/// The polynomials of one face, per unit of p̂ on it; the depth is measured from it into the body.
+#[derive(Clone, Debug)]
+pub(super) struct Surface {
+    plain: [Components; PLAIN],
+    varied: [Components; VARIED],
+    /// μ₀, by which displacements are multiplied.
+    modulus: f64,
+    /// Terms with 1/λ are multiplied by 1 − e^(−λs), so that they stay finite for λ → 0; s may be infinite.
+    pub(super) shift: f64,
+}
+
+impl Surface {
+    /// From the material as a function of the distance from the face, down to `depth`; `None` unless the material at the
+    /// face is isotropic.
+    pub(super) fn new(material: &dyn Fn(f64) -> Material, depth: f64, modulus: f64) -> Option<Self> {
+        let at_face = material(0.0);
+        let unit = at_face.shear_compliance.recip();
+        let state = state_matrix(&at_face, unit);
+        let step = STEP * depth;
+        let weights = [-25.0, 48.0, -36.0, 16.0, -3.0];
+        let mut slope = Matrix4::zeros();
+        for (k, weight) in weights.iter().enumerate() {
+            slope += (state_matrix(&material(k as f64 * step), unit) - state) * (weight / (12.0 * step));
+        }
+        let decay = Matrix4::identity() - state;
+        let plain = polynomials(&decay, PLAIN, &[], Some(-1.0))?;
+        let forcing: Vec<Vector4<f64>> =
+            [Vector4::zeros()].into_iter().chain(plain.iter().map(|y| -slope * y)).collect();
+        let varied = polynomials(&decay, VARIED, &forcing, None).unwrap_or_else(|| vec![Vector4::zeros(); VARIED]);
+        let grading = (slope[(0, 3)] / state[(0, 3)]).abs().max((slope[(3, 0)] / state[(3, 0)]).abs());
+        // σ_xx = E λU + c S, and the same with the slopes of E and c
+        let along = |matrix: &Matrix4<f64>, y: &Vector4<f64>| matrix[(3, 0)] * y[0] + matrix[(3, 2)] * y[2];
+        let softness = modulus / unit;
+        let components = |y: &Vector4<f64>, along: f64| [along, y[2], y[3], softness * y[0], softness * y[1]];
+        let plain_states: Vec<Components> = plain.iter().map(|y| components(y, along(&state, y))).collect();
+        let varied_states: Vec<Components> = (0..VARIED)
+            .map(|k| {
+                let before = k.checked_sub(1).and_then(|k| plain.get(k)).map_or(0.0, |y| along(&slope, y));
+                components(&varied[k], along(&state, &varied[k]) + before)
+            })
+            .collect();
+        Some(Self {
+            plain: plain_states.try_into().ok()?,
+            varied: varied_states.try_into().ok()?,
+            modulus,
+            shift: depth.min(grading.recip()),
+        })
+    }
+
+    /// The transformed components at a wavenumber and a depth, per unit of p̂: stresses, λμ₀U, λμ₀V.
+    pub(super) fn transformed(&self, wavenumber: f64, depth: f64) -> Components {
+        let t = wavenumber * depth;
+        let decay = (-t).exp();
+        let regular = -(-wavenumber * self.shift).exp_m1();
+        let over = wavenumber.recip();
+        std::array::from_fn(|i| {
+            let [p0, p1] = [self.plain[0][i], self.plain[1][i]];
+            let v: [f64; VARIED] = std::array::from_fn(|k| self.varied[k][i]);
+            let sum = if i < 3 {
+                p0 + p1 * t + over * (v[0] * regular + t * (v[1] + t * (v[2] + t * v[3])))
+            } else {
+                p0 * regular + p1 * t
+            };
+            if decay > 0.0 { decay * sum } else { 0.0 }
+        })
+    }
+
+    /// The components at a point, in closed form. Displacements include a constant that [`Self::transformed`] makes
+    /// finite; it is chosen to vanish at x = 0 on the face if the shift is infinite.
+    pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64) -> Components {
+        let Potentials([g0, g1, g2]) = pressure.potentials(x, depth);
+        let integral = pressure.integral(x, depth)
+            - if self.shift.is_finite() {
+                pressure.integral(x, depth + self.shift)
+            } else {
+                pressure.integral(0.0, 0.0)
+            };
+        std::array::from_fn(|i| {
+            let pick = |z: num_complex::Complex64| if i == 2 || i == 3 { z.im } else { z.re };
+            // at the ends of the contact g1 and g2 are infinite
+            let at_depth = |power: i32, g| if depth > 0.0 { depth.powi(power) * pick(g) } else { 0.0 };
+            let (p, v) = (&self.plain, &self.varied);
+            if i < 3 {
+                p[0][i] * pick(g0)
+                    + (p[1][i] + v[2][i] * depth) * at_depth(1, g1)
+                    + v[0][i] * pick(integral)
+                    + v[1][i] * at_depth(1, g0)
+                    + v[3][i] * at_depth(3, g2)
+            } else {
+                (p[0][i] * pick(integral) + p[1][i] * at_depth(1, g0)) / self.modulus
+            }
+        })
+    }
+
+    /// The same for a face that looks downwards: V and T change their signs.
+    pub(super) fn upside_down(mut self) -> Self {
+        for components in self.plain.iter_mut().chain(&mut self.varied) {
+            components[2] = -components[2];
+            components[4] = -components[4];
+        }
+        self
+    }
+}
+
+/// The matrix A of the state equations for (λμU, λμV, S, T) in λy, with displacements in units of `modulus`.
+#[rustfmt::skip]
+fn state_matrix(material: &Material, modulus: f64) -> Matrix4<f64> {
+    let (m, d) = (material.shear_compliance * modulus, material.normal_compliance * modulus);
+    let (c, e) = (material.coupling, material.axial_stiffness / modulus);
+    Matrix4::new(
+        0.0, 1.0, 0.0,  m,
+        -c,  0.0, d,    0.0,
+        0.0, 0.0, 0.0, -1.0,
+        e,   0.0, c,    0.0,
+    )
+}
+
+/// The polynomial Σ y_k t^k that solves Y' = N Y + Σ f_k t^k with S = `load` (or 0) and T = 0 at t = 0; `None` if there is
+/// none of this degree.
+fn polynomials(
+    matrix: &Matrix4<f64>,
+    terms: usize,
+    forcing: &[Vector4<f64>],
+    load: Option<f64>,
+) -> Option<Vec<Vector4<f64>>> {
+    let mut system = DMatrix::zeros(4 * terms + 2, 4 * terms);
+    let mut rest = DVector::zeros(4 * terms + 2);
+    for k in 0..terms {
+        system.view_mut((4 * k, 4 * k), (4, 4)).copy_from(&-matrix);
+        if k + 1 < terms {
+            system.view_mut((4 * k, 4 * k + 4), (4, 4)).fill_diagonal((k + 1) as f64);
+        }
+        if let Some(force) = forcing.get(k) {
+            rest.rows_mut(4 * k, 4).copy_from(force);
+        }
+    }
+    system[(4 * terms, 2)] = 1.0;
+    system[(4 * terms + 1, 3)] = 1.0;
+    rest[4 * terms] = load.unwrap_or(0.0);
+    let solution = system.clone().svd(true, true).solve(&rest, SOLVED).ok()?;
+    let missed = (&system * &solution - &rest).amax();
+    // not "missed > ...", which a NaN would pass
+    let solved = missed <= SOLVED * rest.amax().max(solution.amax());
+    solved.then(|| (0..terms).map(|k| solution.fixed_rows::<4>(4 * k).into_owned()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Isotropic, Plane};
+
+    use super::*;
+
+    #[test]
+    fn a_homogeneous_half_plane_is_that_of_mcewen() {
+        for poisson in [-0.5, 0.0, 0.25, 0.5] {
+            let material = |_: f64| Isotropic { shear_modulus: 3.0, poisson }.material(Plane::Strain);
+            let surface = Surface::new(&material, 1.0, 2.0).expect("isotropic");
+            let [xx, yy, xy, ..] = surface.transformed(0.8, 1.5);
+            let t = 0.8 * 1.5;
+            let decay = f64::exp(-t);
+            for (found, expected) in [(xx, -(1.0 - t) * decay), (yy, -(1.0 + t) * decay), (xy, t * decay)] {
+                assert!((found - expected).abs() < 1e-13, "{poisson}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn orthotropic_faces_are_left_alone() {
+        let material =
+            |_: f64| Material { shear_compliance: 1.0, normal_compliance: 0.3, coupling: 0.2, axial_stiffness: 9.0 };
+        assert!(Surface::new(&material, 1.0, 1.0).is_none());
+    }
+}

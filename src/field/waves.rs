@@ -1,0 +1,88 @@
+//! Which wavenumbers a field is summed over: panels of Gauss points, and how far each depth has to go.
+use crate::numeric::quadrature::{self, Rule};
+
+/// What is left out beyond the last wavenumber, in parts of the peak pressure: inside, and on a loaded face.
+const INSIDE: f64 = 1e-10;
+const ON_FACE: f64 = 1e-8;
+/// Exponentially small terms are left out beyond this exponent.
+const FELT: f64 = 36.0;
+/// Phase that a panel may span, and up to which it needs half as many points.
+const PHASE: f64 = 56.0;
+const SHORT_PHASE: f64 = 16.0;
+/// The first panel spans this phase.
+const FIRST: f64 = 0.25;
+/// More wavenumbers than this are refused.
+const MOST: f64 = 4e5;
+
+/// A panel of the wavenumber axis.
+pub(super) struct Panel {
+    pub(super) lo: f64,
+    pub(super) hi: f64,
+    rule: &'static Rule,
+}
+
+impl Panel {
+    /// Wavenumbers and weights.
+    pub(super) fn points(&self) -> (Vec<f64>, Vec<f64>) {
+        self.rule.on(self.lo, self.hi).unzip()
+    }
+}
+
+/// Panels from 0 to `end`, doubling in width up to what cos λx and p̂ allow at a reach x + a. `first` is a wavenumber
+/// below which nothing happens; `None` if there would be too many.
+pub(super) fn panels(end: f64, reach: f64, first: f64) -> Option<Vec<Panel>> {
+    if end * reach > MOST {
+        return None;
+    }
+    let widest = PHASE / reach;
+    let (mut panels, mut lo) = (Vec::new(), 0.0);
+    while lo < end {
+        let width = if lo == 0.0 { first.min(FIRST / reach) } else { lo.min(widest) };
+        let points = if width * reach <= SHORT_PHASE { 16 } else { 32 };
+        panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points) });
+        lo += width;
+    }
+    Some(panels)
+}
+
+/// What decays with the wavenumber next to a loaded face, at a distance d from it.
+pub(super) struct Decay {
+    /// Everything falls like e^(−λ·distance) at least.
+    pub(super) distance: f64,
+    /// What does not come from the face itself falls faster, like e^(−λ·reflected).
+    pub(super) reflected: f64,
+    /// What the closed form leaves of the face itself, size·λ^(−power); `None` if there is no closed form.
+    pub(super) left: Option<[f64; 2]>,
+    /// Half-length of the contact.
+    pub(super) half_length: f64,
+}
+
+impl Decay {
+    /// The wavenumber beyond which nothing is felt; `most` if there is none below.
+    pub(super) fn end(&self, most: f64) -> f64 {
+        let exponential = FELT / self.distance;
+        let Some([size, power]) = self.left else { return exponential.min(most) };
+        let tolerance = if self.distance > 0.0 { INSIDE } else { ON_FACE };
+        let left = |l: f64| {
+            let t = l * self.distance;
+            size * l.powf(-power) * (l * self.half_length).sqrt().recip() * (1.0 + t) * (1.0 + t) * (-t).exp()
+        };
+        let (mut lo, mut hi) = ((FELT / self.reflected).min(exponential).min(most), exponential.min(most));
+        if size == 0.0 || left(lo) <= tolerance {
+            return lo;
+        }
+        if left(hi) > tolerance {
+            return hi;
+        }
+        while hi > 1.05 * lo {
+            let middle = (lo * hi).sqrt();
+            if left(middle) > tolerance { lo = middle } else { hi = middle }
+        }
+        hi
+    }
+}
+
+/// The largest wavenumber at a reach.
+pub(super) fn most(reach: f64) -> f64 {
+    0.5 * MOST / reach
+}

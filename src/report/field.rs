@@ -1,0 +1,84 @@
+//! Stresses and displacements at points: one line or one object for each.
+use std::io;
+
+use serde::Serialize;
+
+use crate::field::FieldPoint;
+
+/// How a field is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FieldFormat {
+    /// One JSON object, `{"points": [...]}`, with all digits.
+    Json,
+    /// Comma-separated values: a header, then one line for each point, with all digits.
+    Csv,
+}
+
+#[derive(Serialize)]
+struct Document {
+    points: Vec<Point>,
+}
+
+/// The keys, which are the columns too; they are stable, more may be added.
+#[derive(Serialize)]
+struct Point {
+    x: f64,
+    depth: f64,
+    layer: usize,
+    sigma_xx: f64,
+    sigma_yy: f64,
+    sigma_xy: f64,
+    sigma_zz: f64,
+    sigma_1: f64,
+    sigma_2: f64,
+    max_shear: f64,
+    von_mises: f64,
+    u: f64,
+    v: f64,
+}
+
+const HEADER: &str = "x,depth,layer,sigma_xx,sigma_yy,sigma_xy,sigma_zz,sigma_1,sigma_2,max_shear,von_mises,u,v";
+
+impl From<&FieldPoint> for Point {
+    fn from(point: &FieldPoint) -> Self {
+        let [sigma_1, sigma_2] = point.principal();
+        let FieldPoint { x, depth, layer, u, v, sigma_xx, sigma_yy, sigma_xy, sigma_zz } = *point;
+        let (max_shear, von_mises) = (point.max_shear(), point.von_mises());
+        Self { x, depth, layer, sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_1, sigma_2, max_shear, von_mises, u, v }
+    }
+}
+
+/// Writes stresses and displacements at points.
+///
+/// ```
+/// use recede::{Scene, Model, report::{FieldFormat, write_field}};
+/// let scene = Scene::read("examples/scenes/hertz.ron")?;
+/// let model = Model::new(scene.stack()?)?;
+/// let field = model.field(&model.press(&scene.punch, scene.force)?);
+/// let mut text = Vec::new();
+/// write_field(&[field.at(0.0, 0.5)?], FieldFormat::Csv, &mut text)?;
+/// assert!(text.starts_with(b"x,depth,layer,sigma_xx,"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_field(points: &[FieldPoint], format: FieldFormat, out: &mut dyn io::Write) -> io::Result<()> {
+    match format {
+        FieldFormat::Json => {
+            let document = Document { points: points.iter().map(Point::from).collect() };
+            serde_json::to_writer_pretty(&mut *out, &document)?;
+            writeln!(out)
+        }
+        FieldFormat::Csv => {
+            writeln!(out, "{HEADER}")?;
+            for point in points.iter().map(Point::from) {
+                let Point { x, depth, layer, sigma_xx, sigma_yy, sigma_xy, sigma_zz, .. } = point;
+                let Point { sigma_1, sigma_2, max_shear, von_mises, u, v, .. } = point;
+                write!(out, "{x:?},{depth:?},{layer},{sigma_xx:?},{sigma_yy:?},{sigma_xy:?},{sigma_zz:?},")?;
+                writeln!(out, "{sigma_1:?},{sigma_2:?},{max_shear:?},{von_mises:?},{u:?},{v:?}")?;
+            }
+            Ok(())
+        }
+    }
+}
