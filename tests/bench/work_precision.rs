@@ -1,0 +1,130 @@
+//! Wall time against true error: the paper's method taken literally, collocation with equilibrium built in, the Galerkin
+//! solver, on the same scenes, in one run on one thread. Then the times that are promised.
+//!
+//! ```text
+//! cargo bench --bench work_precision                 prints tables
+//! cargo bench --bench work_precision -- --docs       also remakes docs/benchmark.md and docs/work_precision.svg
+//! ```
+use std::fmt::Write as _;
+use std::path::Path;
+
+#[path = "work_precision/cases.rs"]
+mod cases;
+#[path = "work_precision/diagram.rs"]
+mod diagram;
+#[path = "literal/mod.rs"]
+mod literal;
+#[path = "work_precision/stages.rs"]
+mod stages;
+#[path = "work_precision/timing.rs"]
+mod timing;
+
+use cases::{Case, values};
+use diagram::{Curve, Point};
+use literal::Settings;
+use recede::{Method, Model, Options};
+use timing::{seconds, time};
+
+fn main() {
+    let remake = std::env::args().any(|argument| argument == "--docs");
+    let cases = cases::all();
+    let measured: Vec<(&Case, Vec<Curve>)> = cases.iter().map(|case| (case, curves(case))).collect();
+    let mut text = String::new();
+    for (case, curves) in &measured {
+        table(&mut text, case, curves);
+    }
+    comparison(&mut text, &measured);
+    stages::table(&mut text);
+    println!("{text}");
+    if remake {
+        let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+        let panels: Vec<(&str, &[Curve])> = measured.iter().map(|(case, curves)| (case.title, &curves[..])).collect();
+        std::fs::write(docs.join("work_precision.svg"), diagram::svg(&panels)).expect("docs can be written");
+        let path = docs.join("benchmark.md");
+        let document = std::fs::read_to_string(&path).expect("docs/benchmark.md");
+        std::fs::write(&path, between_marks(&document, &text)).expect("docs can be written");
+    }
+}
+
+/// The document with the text between its two marks replaced.
+fn between_marks(document: &str, text: &str) -> String {
+    const MARKS: [&str; 2] = ["<!-- cargo bench: begin -->", "<!-- cargo bench: end -->"];
+    let begin = document.find(MARKS[0]).expect("a mark where the tables begin") + MARKS[0].len();
+    let end = document.find(MARKS[1]).expect("a mark where the tables end");
+    format!("{}\n\n{}\n{}", &document[..begin], text.trim_end(), &document[end..])
+}
+
+/// All methods on one scene, each at several settings.
+fn curves(case: &Case) -> Vec<Curve> {
+    let scene = &case.scene;
+    let error = |found: &[f64]| -> f64 {
+        let off = found.iter().zip(&case.truth).map(|(found, truth)| (found / truth - 1.0).abs());
+        // not a number is no answer
+        off.fold(0.0, |worst: f64, off| if off.is_nan() { f64::INFINITY } else { worst.max(off) })
+    };
+    let solver = |name: &'static str, method: Method, tolerances: &[f64]| {
+        let point = |tolerance: &f64| {
+            let options = Options { tolerance: *tolerance, method };
+            let solve = || {
+                let model = Model::new(scene.stack().expect("a stack")).expect("a model");
+                model.press_with(&scene.punch, scene.force, &options).expect("a solution")
+            };
+            let (seconds, solution) = time(solve);
+            let setting = format!("tolerance {tolerance:.0e}: {} modes", solution.modes());
+            Point { setting, seconds, error: error(&values(&solution)) }
+        };
+        Curve { name, points: tolerances.iter().map(point).collect() }
+    };
+    // the literal method starts a fifth away from the truth, which is kind
+    let start: Vec<f64> = case.truth.iter().step_by(2).map(|a| 1.2 * a).collect();
+    let usual = Settings::USUAL;
+    let settings = [
+        Settings { nodes: 20, ..usual },
+        usual,
+        Settings { low: usual.low / 10.0, ..usual },
+        Settings { nodes: 80, low: usual.low / 100.0, residual: 1e-10, ..usual },
+    ];
+    let literal = |settings: &Settings| {
+        let scaled =
+            Settings { low: settings.low / case.thinnest.max(1.0), high: settings.high / case.thinnest, ..*settings };
+        let slope = |x: f64| scene.punch.slope(x);
+        let (seconds, answer) = time(|| literal::solve(&*case.literal, &slope, scene.force, &start, &scaled));
+        let found: Vec<f64> = answer.half_lengths.iter().zip(&answer.peaks).flat_map(|(a, p)| [*a, *p]).collect();
+        let Settings { nodes, low, high, residual } = settings;
+        let mut setting =
+            format!("N = {nodes}, λh from {low:.0e} to {high}, residual {residual:.0e}: {} systems", answer.iterations);
+        if !answer.converged {
+            setting += ", not converged";
+        }
+        Point { setting, seconds, error: error(&found) }
+    };
+    vec![
+        Curve { name: "literal", points: settings.iter().map(literal).collect() },
+        solver("collocation", Method::Collocation, &[1e-2, 1e-4, 1e-6, 1e-8, 1e-10]),
+        solver("Galerkin", Method::Galerkin, &[1e-4, 1e-6, 1e-8, 1e-10, 1e-12]),
+    ]
+}
+
+fn table(text: &mut String, case: &Case, curves: &[Curve]) {
+    let mut line = |line: String| writeln!(text, "{line}").expect("a string takes all");
+    line(format!("### {}\n\n| method | setting | time | error |\n|---|---|---|---|", case.title));
+    for curve in curves {
+        for Point { setting, seconds: time, error } in &curve.points {
+            line(format!("| {} | {setting} | {} | {error:.0e} |", curve.name, seconds(*time)));
+        }
+    }
+    line(String::new());
+}
+
+/// The Galerkin solver, at its default tolerance, against the literal method at its usual settings.
+fn comparison(text: &mut String, measured: &[(&Case, Vec<Curve>)]) {
+    let mut line = |line: String| writeln!(text, "{line}").expect("a string takes all");
+    line("### Galerkin at 1e-10 against the literal method at its usual settings\n".to_owned());
+    line("| scene | times faster | times less error |\n|---|---|---|".to_owned());
+    for (case, curves) in measured {
+        let (literal, galerkin) = (&curves[0].points[1], &curves[2].points[3]);
+        let (faster, closer) = (literal.seconds / galerkin.seconds, literal.error / galerkin.error.max(1e-16));
+        line(format!("| {} | {faster:.0} | {closer:.0e} |", case.title));
+    }
+    line("\nPromised are 100 and 1e3.\n".to_owned());
+}
