@@ -19,12 +19,12 @@ use super::spectrum::{Far, Spectrum};
 /// Points of a piece of a table.
 const POINTS: usize = 20;
 /// A piece is resolved if its last coefficients are below this.
-const RESOLVED: f64 = 3e-15;
+const RESOLVED: f64 = 2e-14;
 /// Length of the first piece, and of the shortest, in units of L.
 const FIRST: f64 = 1.0 / 16.0;
 const SHORTEST: f64 = 1e-9;
 /// Pieces are not cut shorter than this part of their end.
-const NARROWEST: f64 = 1.0 / 32.0;
+const NARROWEST: f64 = 1.0 / 8.0;
 
 /// Kernels of all contacts in x.
 pub(super) struct Spatial {

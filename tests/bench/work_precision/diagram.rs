@@ -21,7 +21,7 @@ const COLUMNS: usize = 3;
 const PANEL: [f64; 2] = [300.0, 230.0];
 const MARGIN: [f64; 2] = [58.0, 44.0];
 /// Decades shown: of the error, and of the time in seconds.
-const ERRORS: [i32; 2] = [-16, 0];
+const ERRORS: [i32; 2] = [-13, 0];
 const TIMES: [i32; 2] = [-4, 2];
 
 /// The diagram of all scenes.
@@ -50,7 +50,7 @@ pub fn svg(panels: &[(&str, &[Curve])]) -> String {
 fn panel(out: &mut String, corner: [f64; 2], title: &str, curves: &[Curve]) {
     let inner = [PANEL[0] - MARGIN[0] - 14.0, PANEL[1] - MARGIN[1] - 26.0];
     let x = |error: f64| {
-        let part = (error.max(1e-16).log10() - f64::from(ERRORS[0])) / f64::from(ERRORS[1] - ERRORS[0]);
+        let part = (error.max(1e-20).log10() - f64::from(ERRORS[0])) / f64::from(ERRORS[1] - ERRORS[0]);
         corner[0] + MARGIN[0] + inner[0] * part.clamp(0.0, 1.0)
     };
     let y = |seconds: f64| {
@@ -60,7 +60,7 @@ fn panel(out: &mut String, corner: [f64; 2], title: &str, curves: &[Curve]) {
     let (left, right) = (x(10f64.powi(ERRORS[0])), x(10f64.powi(ERRORS[1])));
     let (bottom, top) = (y(10f64.powi(TIMES[0])), y(10f64.powi(TIMES[1])));
     put(out, format!("<text x=\"{left}\" y=\"{}\" font-weight=\"bold\">{title}</text>", top - 8.0));
-    for decade in (ERRORS[0]..=ERRORS[1]).step_by(4) {
+    for decade in (ERRORS[0] + 1..=ERRORS[1]).step_by(3) {
         let at = x(10f64.powi(decade));
         put(out, format!("<path d=\"M{at:.1} {bottom:.1}V{top:.1}\" stroke=\"#ddd\"/>"));
         put(out, format!("<text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">1e{decade}</text>", bottom + 14.0));
