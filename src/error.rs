@@ -1,9 +1,11 @@
 //! Everything that can go wrong, in one type.
 use recede_layers::{LayerError, OutOfRange};
 
+use crate::options::Options;
 use crate::scene::SceneError;
 use crate::solution::Interface;
 use crate::stack::StackError;
+use crate::sweep::AxisError;
 
 /// Why a scene could not be read or solved.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -17,6 +19,9 @@ pub enum Error {
     /// A layer cannot be made of these numbers.
     #[error(transparent)]
     Layer(#[from] LayerError),
+    /// Something is no axis of a sweep.
+    #[error(transparent)]
+    Axis(#[from] AxisError),
     /// A number is outside its range.
     #[error("{quantity}: {reason}")]
     OutOfRange {
@@ -107,7 +112,8 @@ impl Error {
     /// ```
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
+            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Axis(_) => true,
+            Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
             Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,
             Self::NoSolution(cause) => matches!(cause, NoSolution::PunchTooSmall { .. }),
@@ -131,6 +137,12 @@ impl Error {
             ),
             _ => None,
         }
+    }
+
+    /// Checks what a solution is to fulfil.
+    pub(crate) fn check_tolerance(options: &Options) -> Result<(), Self> {
+        let found = options.tolerance;
+        if (1e-13..=1e-2).contains(&found) { Ok(()) } else { Err(Self::Tolerance { found }) }
     }
 
     /// Checks the number given for `quantity`.

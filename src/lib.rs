@@ -60,11 +60,13 @@ mod model;
 #[doc(hidden)]
 pub mod numeric;
 mod options;
+pub mod plot;
 pub mod report;
 mod scene;
 mod solution;
 mod stack;
 pub mod stress;
+mod sweep;
 mod system;
 
 pub use error::{Error, NoSolution};
@@ -82,5 +84,6 @@ pub use solution::{Contact, Interface, Solution};
 pub use stack::{
     Base, Foundation, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError, StackProblem,
 };
+pub use sweep::{Axis, AxisError, ParallelRows, Row as SweepRow, Sweep};
 pub use system::{BaseChain, FreeChain};
 pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

@@ -61,9 +61,7 @@ impl Model {
     /// lengths were found for which all pressures push and nothing overlaps.
     pub fn press_with(&self, punch: &Punch, force: f64, options: &Options) -> Result<Solution, Error> {
         let force = Error::checked::<recede_layers::Positive>("force", force)?.get();
-        if !(1e-13..=1e-2).contains(&options.tolerance) {
-            return Err(Error::Tolerance { found: options.tolerance });
-        }
+        Error::check_tolerance(options)?;
         contact::press(&self.kernel, &self.interfaces, punch, force, options)
     }
 

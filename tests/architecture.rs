@@ -8,7 +8,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 13] = [
+const MAY_IMPORT: [(&str, &[&str]); 15] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("options", &[]),
@@ -20,16 +20,23 @@ const MAY_IMPORT: [(&str, &[&str]); 13] = [
     ("contact", &["kernel", "numeric", "scene"]),
     ("field", &["numeric", "stack", "system"]),
     ("model", &["contact", "field", "kernel", "scene", "stack"]),
-    ("report", &["field", "scene"]),
     ("stress", &["model", "numeric", "scene", "stack", "system"]),
+    ("sweep", &["model", "scene", "stack"]),
+    ("plot", &["scene", "stack", "sweep"]),
+    ("report", &["field", "scene", "sweep"]),
 ];
 
 /// Leaves: what goes wrong, what is asked for, and what comes out. Anything but `numeric` and `exact` may import them.
 const SHARED: [&str; 3] = ["error", "options", "solution"];
 
 /// One error type holds those of all stages, so it names them, and nothing else of these modules.
-const NAMED_BY_ERROR: [&str; 3] =
-    ["crate::scene::SceneError", "crate::solution::Interface", "crate::stack::StackError"];
+const NAMED_BY_ERROR: [&str; 5] = [
+    "crate::options::Options",
+    "crate::scene::SceneError",
+    "crate::solution::Interface",
+    "crate::stack::StackError",
+    "crate::sweep::AxisError",
+];
 
 /// Words that end a program, and a phrase of the one line that may contain them: a macro that makes tests.
 const ABRUPT: [&str; 6] = [".unwrap()", ".expect(", "panic!(", "unreachable!(", "todo!(", "unimplemented!("];

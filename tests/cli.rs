@@ -1,7 +1,9 @@
 //! The command as scripts and people use it: what it prints where, and its exit status.
 mod support;
 
+use std::fs;
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
@@ -285,5 +287,44 @@ fn a_reader_that_stops_early_is_no_error() {
         let output = child.wait_with_output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         assert!(output.stderr.is_empty());
+    }
+}
+
+#[test]
+fn a_first_scene_is_written_once_and_solved() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("init");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("first.ron");
+    let file = file.to_str().unwrap();
+    let run = recede(&["init", file], b"");
+    assert_eq!((run.status, &run.stdout[..]), (Some(0), ""), "{}", run.stderr);
+    assert!(run.stderr.contains("next: recede check"), "{}", run.stderr);
+    succeeds(&["solve", file]);
+    fs::write(file, "mine").unwrap();
+    assert!(refused(&["init", file]).contains("exists and is left as it is"));
+    assert_eq!(fs::read_to_string(file).unwrap(), "mine");
+}
+
+#[test]
+fn completions_and_manual_know_all_subcommands() {
+    let names = ["solve", "check", "show", "sweep", "plot", "init", "completions", "man"];
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = succeeds(&["completions", shell]);
+        assert!(names.iter().all(|name| script.contains(name)), "{shell}");
+    }
+    let page = succeeds(&["man"]);
+    assert!(page.contains(".TH recede 1") && names.iter().all(|name| page.contains(name)), "{page}");
+    assert!(succeeds(&["man", "sweep"]).contains("\\-\\-resume"));
+    assert!(refused(&["man", "dance"]).contains("there is no subcommand `dance`"));
+    assert!(refused(&["completions", "perl"]).contains("possible values"));
+}
+
+#[test]
+fn names_that_are_nearly_right_are_understood() {
+    assert!(refused(&["slove", PAPER]).contains("a similar subcommand exists: 'solve'"));
+    assert!(refused(&["solve", PAPER, "--fromat", "json"]).contains("a similar argument exists: '--format'"));
+    for name in ["solve", "sweep", "plot", "init", "completions", "man"] {
+        assert!(succeeds(&[name, "--help"]).contains("Examples:\n"), "{name}");
     }
 }

@@ -198,11 +198,11 @@ fn blocks(document: &Path) -> Vec<Block> {
 fn folder(document: &Path, blocks: &[Block]) -> PathBuf {
     let name = document.file_stem().expect("a name");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs").join(name);
-    let scenes = folder.join("examples/scenes");
-    fs::create_dir_all(&scenes).expect("a folder to write to");
-    for entry in fs::read_dir(root().join("examples/scenes")).expect("examples") {
-        let path = entry.expect("a readable folder").path();
-        fs::copy(&path, scenes.join(path.file_name().expect("a name"))).expect("a file to copy");
+    for examples in ["examples/scenes", "examples/sweeps"] {
+        fs::create_dir_all(folder.join(examples)).expect("a folder to write to");
+        for path in files(&root().join(examples), "ron") {
+            fs::copy(&path, folder.join(examples).join(path.file_name().expect("a name"))).expect("a file to copy");
+        }
     }
     for block in blocks {
         let name = block.text.lines().next().and_then(|line| line.strip_prefix("// "));

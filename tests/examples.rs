@@ -5,11 +5,15 @@
 #![allow(clippy::duplicate_mod, reason = "both tables bring along what they share")]
 
 use std::collections::BTreeMap;
+use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use recede::Scene;
 
+#[path = "../examples/figures.rs"]
+#[allow(dead_code, reason = "its main function writes into docs/")]
+mod figures;
 #[path = "../examples/full_model.rs"]
 mod full_model;
 #[path = "../examples/library.rs"]
@@ -29,7 +33,7 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
 }
 
 /// The main function of an example.
-type Program = fn() -> Result<(), recede::Error>;
+type Program = fn() -> Result<(), Box<dyn Error>>;
 
 #[test]
 fn scenes_are_solved() {
@@ -62,11 +66,12 @@ fn scenes_say_what_they_show() {
 
 #[test]
 fn programs_assert_their_answers() {
-    let programs: [(&str, Program); 4] = [
-        ("full_model", full_model::main),
-        ("library", library::main),
-        ("table1", table1::main),
-        ("table2", table2::main),
+    let programs: [(&str, Program); 5] = [
+        ("figures", figures_as_in_the_documents),
+        ("full_model", || Ok(full_model::main()?)),
+        ("library", || Ok(library::main()?)),
+        ("table1", || Ok(table1::main()?)),
+        ("table2", || Ok(table2::main()?)),
     ];
     let names = files("examples", "rs");
     let names: Vec<&str> = names.iter().map(|file| file.file_stem().unwrap().to_str().unwrap()).collect();
@@ -74,4 +79,17 @@ fn programs_assert_their_answers() {
     for (name, main) in programs {
         main().unwrap_or_else(|error| panic!("{name}: {error}"));
     }
+}
+
+/// Draws the paper's figures aside, and compares what is said of them with docs/figures.
+fn figures_as_in_the_documents() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figures");
+    figures::draw(&folder)?;
+    let documents = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/figures");
+    let said = |folder: &Path| fs::read_to_string(folder.join("README.md"));
+    assert_eq!(said(&folder)?, said(&documents)?, "cargo run --release --example figures");
+    for number in 3..=12 {
+        assert!(documents.join(format!("figure_{number:02}.svg")).exists(), "figure {number}");
+    }
+    Ok(())
 }

@@ -5,6 +5,10 @@ use super::{Failure, SceneFile};
 
 /// Check a scene and draw its stack
 #[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede check scene.ron
+  recede check - < scene.ron")]
 pub struct Check {
     #[command(flatten)]
     file: SceneFile,

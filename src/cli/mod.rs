@@ -1,15 +1,21 @@
 //! The command line: one file for each subcommand.
 mod check;
 mod field;
+mod generate;
+mod init;
+mod plot;
+mod rows_file;
 mod show;
 mod solve;
 mod stress;
+mod sweep;
 
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
+use recede::plot::PlotError;
 use recede::{Error, Registry, Scene};
 
 /// Receding and advancing contact of layered elastic stacks.
@@ -28,6 +34,9 @@ Examples:
   recede solve - < scene.ron                 read the scene from standard input
   recede show scene.ron --latex              the block matrix, ready to be typeset
   recede field scene.ron --out field.csv     stresses and displacements inside the stack
+  recede sweep scene.ron --vary force=1:9:5  contacts for five forces
+  recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
+  recede init scene.ron                      a scene to begin with
 
 Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
 
@@ -38,6 +47,11 @@ enum Command {
     Show(show::Show),
     Field(field::Field),
     Stress(stress::Stress),
+    Sweep(sweep::Command),
+    Plot(plot::Plot),
+    Init(init::Init),
+    Completions(generate::Completions),
+    Man(generate::Man),
 }
 
 /// Why a command did not end well.
@@ -46,6 +60,26 @@ pub enum Failure {
     /// The scene, or its solution.
     #[error(transparent)]
     Scene(#[from] Error),
+    /// Arguments that do not go together, or a file that is not what it should be.
+    #[error("{message}")]
+    Usage {
+        /// What is wrong.
+        message: String,
+        /// What to do.
+        hint: String,
+    },
+    /// A file that could not be read or written.
+    #[error("{file}: {cause}")]
+    File {
+        /// Its name.
+        file: String,
+        /// Why.
+        #[source]
+        cause: io::Error,
+    },
+    /// A picture that could not be drawn or written.
+    #[error(transparent)]
+    Picture(#[from] PlotError),
     /// Output that could not be written.
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
@@ -55,6 +89,25 @@ pub enum Failure {
     /// Random scenes with answers that cannot be right.
     #[error("{0} scenes ended with a panic or a wrong answer")]
     Wrong(usize),
+}
+
+impl Failure {
+    fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::Usage { message: message.into(), hint: hint.into() }
+    }
+
+    fn file(path: &Path, cause: io::Error) -> Self {
+        Self::File { file: path.display().to_string(), cause }
+    }
+
+    /// What to do about it, if that can be said.
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Scene(error) => error.hint(),
+            Self::Usage { hint, .. } => Some(hint.clone()),
+            _ => None,
+        }
+    }
 }
 
 impl Arguments {
@@ -67,6 +120,11 @@ impl Arguments {
             Command::Show(command) => command.run(&mut out),
             Command::Field(command) => command.run(&mut out),
             Command::Stress(command) => command.run(&mut out),
+            Command::Sweep(command) => command.run(&mut out),
+            Command::Plot(command) => command.run(),
+            Command::Init(command) => command.run(),
+            Command::Completions(command) => command.run(&mut out),
+            Command::Man(command) => command.run(&mut out),
         };
         match done.and_then(|()| Ok(out.flush()?)) {
             // whoever reads has read enough
@@ -122,9 +180,7 @@ pub fn explain(failure: &Failure) {
             text += &format!("  {line}\n");
         }
     }
-    if let Failure::Scene(error) = failure
-        && let Some(hint) = error.hint()
-    {
+    if let Some(hint) = failure.hint() {
         text += &format!("{HINT}hint{HINT:#}: {hint}\n");
     }
     tell(&text);

@@ -7,6 +7,10 @@ use super::{Failure, SceneFile};
 
 /// Show the block matrix of a scene's stack: rows named by condition, columns by layer
 #[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede show scene.ron
+  recede show scene.ron --latex > matrix.tex")]
 pub struct Show {
     #[command(flatten)]
     file: SceneFile,

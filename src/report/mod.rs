@@ -3,6 +3,7 @@ mod csv;
 mod digits;
 mod field;
 mod json;
+mod sweep;
 mod table;
 
 use std::io;
@@ -12,6 +13,8 @@ pub use field::{FieldFormat, write_field};
 use crate::field::MaxShear;
 use crate::scene::Scene;
 use crate::solution::Solution;
+
+pub use sweep::SweepCsv;
 
 /// How a report is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

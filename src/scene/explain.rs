@@ -161,6 +161,6 @@ pub(super) fn token(rest: &str) -> String {
 }
 
 /// The characters up to the next space or punctuation.
-fn bare_token(rest: &str) -> &str {
+pub(super) fn bare_token(rest: &str) -> &str {
     rest.split(|c: char| c.is_whitespace() || ",:()[]{}\"".contains(c)).next().unwrap_or_default()
 }

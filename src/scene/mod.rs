@@ -2,6 +2,7 @@
 mod explain;
 mod item;
 mod origin;
+mod paths;
 mod punch;
 mod read;
 mod write;
@@ -16,6 +17,8 @@ pub use origin::SceneError;
 pub use punch::Punch;
 
 pub(crate) use item::quoted_list;
+pub(crate) use paths::{Owner, Slot};
+pub(crate) use read::{first_name, read_document};
 
 use origin::Origin;
 
@@ -101,11 +104,12 @@ impl Scene {
                 let known = self.stack.len() == origin.places.items.len();
                 let item = cause.item().filter(|_| known).and_then(|item| origin.places.items.get(item));
                 let (message, hint) = (cause.to_string(), cause.hint());
-                origin.error(Some(*item.unwrap_or(&origin.places.stack)), message, hint).because(cause).into()
+                let place = item.unwrap_or(&origin.places.stack).start;
+                origin.error(Some(place), message, hint).because(cause).into()
             }
             Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
                 let hint = Some("a larger radius or a smaller force keeps the contact within the punch".into());
-                origin.error(Some(origin.places.punch), cause.to_string(), hint).because(cause).into()
+                origin.error(Some(origin.places.punch.start), cause.to_string(), hint).because(cause).into()
             }
             other => other,
         }

@@ -1,6 +1,9 @@
 //! Where a scene came from, and errors that name a place in its text.
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
+
+use recede_layers::Registry;
 
 /// Widest excerpt of a line that is shown, in characters.
 const EXCERPT: usize = 100;
@@ -10,20 +13,21 @@ const LONGEST: usize = 600;
 
 type Cause = Arc<dyn std::error::Error + Send + Sync>;
 
-/// The text of a scene and the places of its parts.
-#[derive(Debug, Default)]
+/// The text of a scene, the places of its parts, and the layer types with which it is read.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Origin {
     pub(super) file: String,
     pub(super) text: String,
     pub(super) places: Places,
+    pub(super) registry: Registry,
 }
 
-/// Places in the text of a scene, as byte offsets.
-#[derive(Debug, Default)]
+/// Places in the text of a scene, in bytes. Each begins with the name of what stands there.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Places {
-    pub(super) punch: usize,
-    pub(super) stack: usize,
-    pub(super) items: Vec<usize>,
+    pub(super) punch: Range<usize>,
+    pub(super) stack: Range<usize>,
+    pub(super) items: Vec<Range<usize>>,
 }
 
 impl Origin {

@@ -4,14 +4,15 @@
 //! reads each of them on its own, a layer through the [`Registry`]. So each has a place in the text from the start.
 use std::fmt;
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
 use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
-use serde::de::Visitor;
+use serde::de::{DeserializeOwned, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
@@ -60,12 +61,17 @@ impl Scene {
     /// # Errors
     /// As [`Scene::from_ron`], and if the file cannot be read or is larger than [`MAX_BYTES`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::read_with(path, &Registry::default())
+    }
+
+    /// Reads a scene from a file with the layer types of `registry`.
+    ///
+    /// # Errors
+    /// As [`Scene::read`].
+    pub fn read_with(path: impl AsRef<Path>, registry: &Registry) -> Result<Self, Error> {
         let path = path.as_ref();
-        let file = path.display().to_string();
-        match File::open(path) {
-            Ok(reader) => Self::from_reader(&file, reader, &Registry::default()),
-            Err(cause) => Err(unreadable(&Origin { file, ..Origin::default() }, cause)),
-        }
+        let reader = File::open(path).map_err(|cause| Error::unreadable(path, cause))?;
+        Self::from_reader(&path.display().to_string(), reader, registry)
     }
 
     /// Reads a scene from anything that yields bytes; `file` is what it is called in messages.
@@ -73,24 +79,46 @@ impl Scene {
     /// # Errors
     /// As [`Scene::read`].
     pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, Error> {
-        let mut bytes = Vec::new();
-        let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
-        match reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes) {
-            Err(cause) => return Err(unreadable(&origin, cause)),
-            Ok(length) if length > MAX_BYTES => {
-                let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
-                return Err(origin.error(None, message, Some("is this a scene file?".into())).into());
-            }
-            Ok(_) => {}
-        }
-        origin.text = decoded(&origin, bytes)?;
-        let (scene, places) = parse(&origin, registry)?;
+        let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? };
+        let (scene, places) = parse(&origin)?;
         origin.places = places;
         Ok(Self { origin: Some(Arc::new(origin)), ..scene })
     }
 }
 
-fn unreadable(origin: &Origin, cause: std::io::Error) -> Error {
+/// Reads a text in RON that is not a scene; `owner` is what it is called in messages.
+pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, owner: &str) -> Result<T, Error> {
+    let origin = read_text(file, reader)?;
+    let text = &origin.text[..];
+    let name_at = text.len() - without_comments(text).len();
+    let whole = Part { text, offset: 0, name_at, owner: owner.into() };
+    read_ron(text).map_err(|error| whole.error(&origin, error))
+}
+
+impl Error {
+    /// A file could not be opened.
+    pub(crate) fn unreadable(path: &Path, cause: io::Error) -> Self {
+        unreadable(&Origin { file: path.display().to_string(), ..Origin::default() }, cause)
+    }
+}
+
+/// The text of a file, and nothing else of it.
+fn read_text(file: &str, reader: impl Read) -> Result<Origin, Error> {
+    let mut bytes = Vec::new();
+    let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
+    match reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes) {
+        Err(cause) => return Err(unreadable(&origin, cause)),
+        Ok(length) if length > MAX_BYTES => {
+            let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
+            return Err(origin.error(None, message, Some("is this a scene file?".into())).into());
+        }
+        Ok(_) => {}
+    }
+    origin.text = decoded(&origin, bytes)?;
+    Ok(origin)
+}
+
+fn unreadable(origin: &Origin, cause: io::Error) -> Error {
     origin.error(None, format!("cannot be read: {cause}"), None).because(cause).into()
 }
 
@@ -108,16 +136,21 @@ fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, Error> {
 }
 
 /// A part of the scene's text that is read on its own, and what it is called.
-struct Part<'a> {
-    text: &'a str,
+pub(super) struct Part<'a> {
+    pub(super) text: &'a str,
     /// Where it begins in the scene's text.
-    offset: usize,
+    pub(super) offset: usize,
     /// Where its name stands in the scene's text.
-    name_at: usize,
-    owner: String,
+    pub(super) name_at: usize,
+    pub(super) owner: String,
 }
 
 impl Part<'_> {
+    /// Its bytes in the scene's text, from its name on.
+    fn place(&self) -> Range<usize> {
+        self.name_at..self.offset + self.text.len()
+    }
+
     fn error(&self, origin: &Origin, error: ReadError) -> Error {
         let subject = Subject { owner: &self.owner, field: error.field.as_deref() };
         let span = &error.cause.span;
@@ -139,7 +172,7 @@ fn offset_of(text: &str, position: Position) -> usize {
 }
 
 /// Reads the text of `origin`, whose places are not yet known.
-fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), Error> {
+pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
     let text = &origin.text[..];
     if text.trim().is_empty() {
         let hint = "a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`";
@@ -160,14 +193,13 @@ fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), Error>
         return Err(origin.error(Some(list.name_at), message, None).into());
     }
     let items: Vec<Part> = items.into_iter().map(|item| part(text, item.get_ron())).collect();
-    let places =
-        Places { punch: punch.name_at, stack: list.name_at, items: items.iter().map(|item| item.name_at).collect() };
+    let places = Places { punch: punch.place(), stack: list.place(), items: items.iter().map(Part::place).collect() };
 
     let punch = read_ron::<Punch>(punch.text).map_err(|error| punch.error(origin, error))?;
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
     for item in items {
-        let item = read_item(item, layers + 1, origin, registry)?;
+        let item = read_item(item, layers + 1, origin, &origin.registry)?;
         layers += usize::from(!matches!(item, Item::Bonded | Item::Receding));
         stack.push(item);
     }
@@ -176,15 +208,20 @@ fn parse(origin: &Origin, registry: &Registry) -> Result<(Scene, Places), Error>
 }
 
 /// A part of the scene's text; `within` must be a slice of `text`.
-fn part<'a>(text: &'a str, within: &'a str) -> Part<'a> {
+pub(super) fn part<'a>(text: &'a str, within: &'a str) -> Part<'a> {
     let offset = (within.as_ptr() as usize).saturating_sub(text.as_ptr() as usize);
     // comments before the name belong to the part as it was cut out
     let name_at = offset + within.len() - without_comments(within).len();
     Part { text: within, offset, name_at, owner: String::new() }
 }
 
+/// The name with which a text begins.
+pub(crate) fn first_name(text: &str) -> Option<&str> {
+    name_and_rest(text).map(|(name, _)| name)
+}
+
 /// The name with which a text begins, if it does, and what follows it.
-fn name_and_rest(text: &str) -> Option<(&str, &str)> {
+pub(super) fn name_and_rest(text: &str) -> Option<(&str, &str)> {
     struct Name;
     impl<'de> Visitor<'de> for Name {
         type Value = &'de str;
@@ -203,12 +240,12 @@ fn name_and_rest(text: &str) -> Option<(&str, &str)> {
 }
 
 /// A text without the white space and comments with which it begins.
-fn without_comments(text: &str) -> &str {
+pub(super) fn without_comments(text: &str) -> &str {
     ron::Deserializer::from_str(text).map_or(text, |reader| reader.remainder())
 }
 
 /// Reads the item that is, or would be, layer `number`.
-fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, Error> {
+pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, Error> {
     let names = || Item::names(registry);
     let Some((name, fields)) = name_and_rest(item.text) else {
         let message = format!("a layer or an interface is expected, found {}", token(&origin.text[item.name_at..]));

@@ -1,0 +1,59 @@
+//! `recede completions` and `recede man`: what a shell and a reader want to know, from the command itself.
+use std::io::Write;
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+use super::{Arguments, Failure};
+
+/// Print completions for a shell
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede completions bash > ~/.local/share/bash-completion/completions/recede
+  recede completions zsh > ~/.zfunc/_recede
+  recede completions fish > ~/.config/fish/completions/recede.fish")]
+pub struct Completions {
+    /// The shell
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+impl Completions {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let mut text = Vec::new();
+        clap_complete::generate(self.shell, &mut Arguments::command(), "recede", &mut text);
+        Ok(out.write_all(&text)?)
+    }
+}
+
+/// Print the manual page
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede man | man -l -
+  recede man sweep > recede-sweep.1
+  recede man > ~/.local/share/man/man1/recede.1")]
+pub struct Man {
+    /// The subcommand whose page it is to be, rather than that of the whole
+    command: Option<String>,
+}
+
+impl Man {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let mut whole = Arguments::command();
+        whole.build();
+        let page = match &self.command {
+            None => clap_mangen::Man::new(whole),
+            Some(name) => {
+                let Some(found) = whole.find_subcommand(name) else {
+                    let names: Vec<&str> = whole.get_subcommands().map(clap::Command::get_name).collect();
+                    let hint = format!("there are {}", names.join(", "));
+                    return Err(Failure::usage(format!("there is no subcommand `{name}`"), hint));
+                };
+                clap_mangen::Man::new(found.clone())
+            }
+        };
+        Ok(page.render(out)?)
+    }
+}

@@ -1,0 +1,331 @@
+//! A stack drawn to scale with its punch and contacts, and the pressures below it.
+use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
+use super::chart::{Chart, Curve, Frame, Labels};
+use super::names::{Dimension, index, symbols, unit};
+use super::scale::{Scale, label};
+use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
+use super::target::PlotError;
+use crate::scene::Scene;
+use crate::solution::{Contact, Interface, Solution};
+use crate::stack::{Foundation, Placed, Stack};
+
+/// Width of the drawing, without what is left and right of it, in points.
+const WIDTH: f64 = 340.0;
+/// Greatest height of the layers together, in points.
+const HIGHEST: f64 = 190.0;
+/// Height of the plane of the pressures, in points.
+const PRESSURES: f64 = 140.0;
+/// What is left and right of the drawing, in points.
+const SIDES: (f64, f64) = (88.0, 20.0);
+/// Room for the punch above the stack, and for what is shown of the base, in points.
+const PUNCH: f64 = 46.0;
+const BASE: f64 = 44.0;
+/// The longest contact fills this share of the width, unless the stack is too high for that.
+const FILLED: f64 = 0.72;
+/// A longest contact below this share of the width would not be seen in the pressures.
+const SMALLEST: f64 = 0.1;
+/// Points of a curve.
+const POINTS: usize = 200;
+/// Slices of a layer whose stiffness varies.
+const SLICES: usize = 48;
+
+/// The stack of a solved scene drawn to scale, with punch and contacts, and the contact pressures below it, as SVG.
+///
+/// # Errors
+/// [`PlotError::Drawing`] if the drawing library fails.
+pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String, PlotError> {
+    let contacts = solution.contacts();
+    let longest = contacts.iter().map(|contact| contact.half_length).fold(0.0, f64::max);
+    let total = stack.total_thickness();
+    // points per length
+    let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
+    let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: 26.0 + PUNCH };
+    let rigid = matches!(stack.base().foundation(), Foundation::Rigid { .. });
+    let bottom = drawing.top + scale * total + if rigid { 12.0 } else { BASE };
+    let height = bottom + 22.0 + PRESSURES + 38.0;
+    let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
+    let peaks = contacts.iter().map(|contact| format!("12345678{}", short(contact.peak_pressure)));
+    let longest = names.chain(peaks).chain([drawing.radius()]).map(|name| name.chars().count()).max().unwrap_or(0);
+    let right = SIDES.1 + 0.5 * TEXT * longest as f64;
+    svg(SIDES.0 + WIDTH + right, height, |canvas| {
+        drawing.layers(canvas)?;
+        drawing.punch(canvas)?;
+        drawing.contacts(canvas)?;
+        drawing.pressures(canvas, bottom + 22.0)
+    })
+}
+
+/// What is drawn, and where.
+struct Drawing<'a> {
+    scene: &'a Scene,
+    stack: &'a Stack,
+    contacts: &'a [Contact],
+    scale: f64,
+    middle: f64,
+    top: f64,
+}
+
+impl Drawing<'_> {
+    fn ends(&self) -> (f64, f64) {
+        (self.middle - 0.5 * WIDTH, self.middle + 0.5 * WIDTH)
+    }
+
+    /// The layers from the top down, grey where they are stiff, with what they are called at their right.
+    fn layers(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let (left, right) = self.ends();
+        let layers = self.layers_in_order();
+        let stiffness = Stiffness::of(self.scene, self.stack, &layers);
+        let mut y = self.top;
+        let mut labels = Vec::new();
+        for placed in &layers {
+            let thickness = placed.layer.thickness().unwrap_or(0.0);
+            let height = self.scale * thickness;
+            let slices = if stiffness.varies(placed) { SLICES } else { 1 };
+            for slice in 0..slices {
+                let share = |i: usize| y + height * i as f64 / slices as f64;
+                let depth = thickness * (slice as f64 + 0.5) / slices as f64;
+                // down to the bottom, so that no line remains between slices
+                canvas.rectangle((left, share(slice)), (right, y + height), stiffness.grey(placed, depth))?;
+            }
+            labels.push((y + 0.5 * height, self.name(placed)));
+            y += height;
+        }
+        match self.stack.base().foundation() {
+            Foundation::HalfPlane(placed) => {
+                canvas.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0))?;
+                labels.push((y + 0.4 * BASE, self.name(placed)));
+            }
+            Foundation::Rigid { .. } => {
+                let mut x = left;
+                while x < right {
+                    let end = (x + 9.0).min(right);
+                    canvas.line(&[(end, y), (end - 9.0, y + 9.0)], hair(INK))?;
+                    x += 9.0;
+                }
+                labels.push((y + 6.0, "rigid".to_owned()));
+            }
+        }
+        for y in self.bonds() {
+            canvas.line(&[(left, y), (right, y)], hair(INK))?;
+        }
+        canvas.line(&[(left, self.top), (right, self.top)], hair(INK))?;
+        let mut last = f64::NEG_INFINITY;
+        for (at, text) in labels {
+            let y = at.max(last + 1.25 * TEXT);
+            if y - at > 2.0 {
+                canvas.line(&[(right + 1.0, at), (right + 7.0, y)], hair(FAINT))?;
+            }
+            canvas.text((right + 9.0, y), &text, SMALL, INK, Anchor::Left)?;
+            last = y;
+        }
+        Ok(())
+    }
+
+    /// Thickness and modulus of a layer.
+    fn name(&self, placed: &Placed) -> String {
+        let modulus = placed.layer.material(0.0, self.scene.plane).shear_compliance.recip();
+        let with = |dimension| unit(self.scene, dimension).map_or(String::new(), |unit| format!(" {unit}"));
+        let (stress, length) = (with(Dimension::Stress), with(Dimension::Length));
+        let number = index(placed.number);
+        let end = placed.layer.thickness().unwrap_or(0.0);
+        let thick = placed.layer.thickness();
+        let thick = thick.map(|h| format!("{}{number} = {}{length}, ", italic("h"), short(h))).unwrap_or_default();
+        let below = placed.layer.material(end, self.scene.plane).shear_compliance.recip();
+        let until = if (below / modulus - 1.0).abs() > 1e-9 { format!(" to {}", short(below)) } else { String::new() };
+        format!("{thick}{}{number} = {}{until}{stress}", italic("μ"), short(modulus))
+    }
+
+    /// The punch, and the force on it.
+    fn punch(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let (_, right) = self.ends();
+        let punch = &self.scene.punch;
+        let highest = PUNCH - 12.0;
+        let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| self.scale * edge);
+        let reach = (0.5 * WIDTH).min(edge);
+        // pressed in as far as it touches
+        let touching = self.contacts.first().map_or(0.0, |contact| contact.half_length);
+        let rise = |x: f64| self.scale * (punch.profile(x / self.scale) - punch.profile(touching)).max(0.0);
+        let mut outline: Vec<(f64, f64)> = Vec::new();
+        for i in 0..=POINTS {
+            let x = reach * (2.0 * i as f64 / POINTS as f64 - 1.0);
+            outline.push((self.middle + x, self.top - rise(x).min(highest)));
+        }
+        let body: Vec<_> = outline
+            .iter()
+            .copied()
+            .chain([(self.middle + reach, self.top - highest), (self.middle - reach, self.top - highest)])
+            .collect();
+        canvas.area(&body, FAINT, 0.8)?;
+        canvas.line(&outline, Stroke { colour: INK, width: 1.0, dash: None })?;
+        let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
+        let tip = self.top - highest - 4.0;
+        canvas
+            .line(&[(self.middle, tip - 18.0), (self.middle, tip)], Stroke { colour: INK, width: 1.2, dash: None })?;
+        canvas.area(
+            &[(self.middle, tip + 3.0), (self.middle - 3.2, tip - 5.0), (self.middle + 3.2, tip - 5.0)],
+            INK,
+            1.0,
+        )?;
+        let force = format!("{} = {}{line_load}", italic("P"), label(self.scene.force));
+        canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)?;
+        let radius = self.radius();
+        canvas.text((right + 9.0, self.top - 0.5 * highest), &radius, SMALL, INK, Anchor::Left)
+    }
+
+    /// Kind and radius of the punch.
+    fn radius(&self) -> String {
+        let length = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
+        let punch = &self.scene.punch;
+        format!("{}, {} = {}{length}", punch.name().to_lowercase(), italic("R"), label(punch.radius()))
+    }
+
+    /// A thick line where bodies touch, and its half-length.
+    fn contacts(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let symbols = self.symbols();
+        let heights = self.heights();
+        let unit = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
+        let (left, right) = self.ends();
+        for (i, ((contact, y), (symbol, _))) in self.contacts.iter().zip(heights).zip(symbols).enumerate() {
+            let half = self.scale * contact.half_length;
+            let Stroke { colour, .. } = curve(i, self.contacts.len());
+            let touching = Stroke { colour, width: 3.0, dash: None };
+            if contact.interface != Interface::Punch {
+                // farther out it has opened
+                let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
+                canvas.line(&[(left, y), (self.middle - half, y)], open)?;
+                canvas.line(&[(self.middle + half, y), (right, y)], open)?;
+            }
+            canvas.line(&[(self.middle - half, y), (self.middle + half, y)], touching)?;
+            for end in [self.middle - half, self.middle + half] {
+                canvas.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching })?;
+            }
+            let text = format!("{symbol} = {}{unit}", short(contact.half_length));
+            canvas.text((left - 6.0, y), &text, SMALL, INK, Anchor::Right)?;
+        }
+        Ok(())
+    }
+
+    /// Heights of the bonded interfaces in the drawing; a rigid base has an outline in any case.
+    fn bonds(&self) -> Vec<f64> {
+        let contacts = self.heights();
+        let mut y = self.top;
+        let mut bonds = Vec::new();
+        for placed in self.layers_in_order() {
+            y += self.scale * placed.layer.thickness().unwrap_or(0.0);
+            bonds.push(y);
+        }
+        let rigid = matches!(self.stack.base().foundation(), Foundation::Rigid { .. });
+        let last = bonds.len();
+        let is_bond = |(i, y): (usize, f64)| {
+            let contact = contacts.iter().any(|contact| (contact - y).abs() < 1e-6);
+            (!contact || rigid && i + 1 == last).then_some(y)
+        };
+        bonds.into_iter().enumerate().filter_map(is_bond).collect()
+    }
+
+    fn layers_in_order(&self) -> Vec<&Placed> {
+        let free = self.stack.laminates().iter().flat_map(|laminate| laminate.layers());
+        free.chain(self.stack.base().layers()).collect()
+    }
+
+    /// Heights of the contacts in the drawing.
+    fn heights(&self) -> Vec<f64> {
+        let mut y = self.top;
+        let below = self.stack.laminates().iter().map(|laminate| {
+            y += self.scale * laminate.thickness();
+            y
+        });
+        let below: Vec<f64> = below.collect();
+        [self.top].into_iter().chain(below).collect()
+    }
+
+    fn symbols(&self) -> Vec<(String, String)> {
+        let interfaces: Vec<Interface> = self.contacts.iter().map(|contact| contact.interface).collect();
+        symbols(&interfaces)
+    }
+
+    /// The pressures over x, below the contacts where they act.
+    fn pressures(&self, canvas: &Canvas, top: f64) -> Result<(), PlotError> {
+        let longest = self.contacts.iter().map(|contact| contact.half_length).fold(0.0, f64::max);
+        let mut half = 0.5 * WIDTH / self.scale;
+        if longest < SMALLEST * half {
+            half = longest / FILLED;
+        }
+        let highest = self.contacts.iter().map(|contact| contact.peak_pressure);
+        let (left, right) = self.ends();
+        let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
+            points: pressure(contact),
+            stroke: Stroke { width: BOLD, ..curve(i, self.contacts.len()) },
+            label: format!("{symbol}(0) = {}", short(contact.peak_pressure)),
+        });
+        let chart = Chart {
+            frame: Frame { left, top, right, bottom: top + PRESSURES },
+            x: Scale::around([-half, half]),
+            y: Scale::around(highest).with(0.0).rounded(),
+            x_label: italic("x"),
+            x_unit: unit(self.scene, Dimension::Length),
+            y_label: "contact pressure".into(),
+            y_unit: unit(self.scene, Dimension::Stress),
+            curves: curves.collect(),
+            labels: Labels::Listed,
+        };
+        chart.draw(canvas)
+    }
+}
+
+/// The pressure of a contact, denser towards its ends, where it falls like a root.
+fn pressure(contact: &Contact) -> Vec<(f64, f64)> {
+    let at = |i: usize| {
+        let x = -contact.half_length * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
+        (x, contact.pressure(x))
+    };
+    (0..=POINTS).map(at).collect()
+}
+
+/// Four digits.
+fn short(value: f64) -> String {
+    label(format!("{value:.3e}").parse().unwrap_or(value))
+}
+
+/// How stiff the layers are compared with each other.
+struct Stiffness<'a> {
+    scene: &'a Scene,
+    softest: f64,
+    stiffest: f64,
+}
+
+impl<'a> Stiffness<'a> {
+    fn of(scene: &'a Scene, stack: &Stack, layers: &[&Placed]) -> Self {
+        let mut found = Self { scene, softest: f64::INFINITY, stiffest: 0.0 };
+        let base = match stack.base().foundation() {
+            Foundation::HalfPlane(placed) => Some(placed),
+            Foundation::Rigid { .. } => None,
+        };
+        for placed in layers.iter().copied().chain(base) {
+            let thickness = placed.layer.thickness().unwrap_or(0.0);
+            for depth in [0.0, 0.5 * thickness, thickness] {
+                let modulus = found.modulus(placed, depth);
+                found.softest = found.softest.min(modulus);
+                found.stiffest = found.stiffest.max(modulus);
+            }
+        }
+        found
+    }
+
+    fn modulus(&self, placed: &Placed, depth: f64) -> f64 {
+        placed.layer.material(depth, self.scene.plane).shear_compliance.recip()
+    }
+
+    fn varies(&self, placed: &Placed) -> bool {
+        let thickness = placed.layer.thickness().unwrap_or(0.0);
+        (self.modulus(placed, thickness) / self.modulus(placed, 0.0) - 1.0).abs() > 1e-6
+    }
+
+    /// Light where soft, darker where stiff, by orders of magnitude.
+    fn grey(&self, placed: &Placed, depth: f64) -> Colour {
+        let span = (self.stiffest / self.softest).ln();
+        let share = if span > 1e-6 { (self.modulus(placed, depth) / self.softest).ln() / span } else { 0.5 };
+        let grey = (244.0 - 46.0 * share.clamp(0.0, 1.0)) as u8;
+        plotters::prelude::RGBColor(grey, grey, grey)
+    }
+}

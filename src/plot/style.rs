@@ -1,0 +1,38 @@
+//! Colours, lines and letters of all pictures: legible in print, in grey, and for the colour-blind.
+use plotters::prelude::{ColorMap, RGBColor, ViridisRGB};
+
+use super::canvas::{Colour, Stroke};
+
+/// Text, axes and outlines.
+pub const INK: Colour = RGBColor(26, 26, 26);
+/// What stands back: grids, help lines.
+pub const FAINT: Colour = RGBColor(170, 170, 170);
+/// Letters of axes and labels, in points.
+pub const TEXT: f64 = 10.0;
+/// Letters of numbers at axes, in points.
+pub const SMALL: f64 = 9.0;
+/// Lines of axes, in points.
+pub const HAIR: f64 = 0.7;
+/// Lines of curves, in points.
+pub const BOLD: f64 = 1.6;
+
+/// Colours of the palette up to here are dark enough for lines on white.
+const DARK: f64 = 0.66;
+/// Dashes and spaces, so that lines differ also where colours do not.
+const DASHES: [Option<(f64, f64)>; 4] = [None, Some((7.0, 3.0)), Some((1.6, 2.4)), Some((12.0, 3.0))];
+
+/// The line of curve `index` of `count`: from dark to light in the order of the curves, each dashed otherwise.
+pub fn curve(index: usize, count: usize) -> Stroke {
+    let share = if count > 1 { index as f64 / (count - 1) as f64 } else { 0.0 };
+    Stroke { colour: shade(DARK * share), width: BOLD, dash: DASHES[index % DASHES.len()] }
+}
+
+/// A colour from dark (0) to bright (1), brightness changing evenly.
+pub fn shade(share: f64) -> Colour {
+    ViridisRGB.get_color(share.clamp(0.0, 1.0))
+}
+
+/// A thin line.
+pub fn hair(colour: Colour) -> Stroke {
+    Stroke { colour, width: HAIR, dash: None }
+}

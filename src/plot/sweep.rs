@@ -1,0 +1,139 @@
+//! The curves of a sweep: half-lengths above, pressures below, one column for each contact.
+use super::canvas::{Anchor, svg};
+use super::chart::{Chart, Curve, Frame, Labels};
+use super::names::{Dimension, of_path, symbols, unit};
+use super::scale::{Scale, label};
+use super::style::{INK, TEXT, curve};
+use super::target::PlotError;
+use crate::solution::Interface;
+use crate::sweep::{Axis, Sweep};
+
+/// Size of one plane of curves, in points.
+const PLANE: (f64, f64) = (215.0, 145.0);
+/// What is left of, above and below a plane, in points.
+const AROUND: (f64, f64, f64) = (66.0, 22.0, 40.0);
+/// Most curves that are told apart by labels.
+const LABELLED: usize = 10;
+/// Values of equal ratio over at least such a range are drawn so.
+const WIDE: f64 = 8.0;
+
+/// The rows of a sweep that differ on one axis only, and what they have in common.
+struct Family {
+    label: String,
+    rows: Vec<usize>,
+}
+
+/// Curves of a sweep over the axis with most values, one for each combination of the others, as SVG.
+///
+/// `rows` are those of the sweep in order, as [`SweepCsv::numbers`](crate::report::SweepCsv::numbers) has them.
+///
+/// # Errors
+/// [`PlotError::Empty`] if no axis has two values.
+pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<String, PlotError> {
+    let axes = sweep.axes();
+    let counts = axes.iter().map(|axis| axis.values().len()).enumerate();
+    let Some((along, _)) = counts.filter(|(_, count)| *count > 1).max_by_key(|(_, count)| *count) else {
+        return Err(PlotError::Empty("a curve needs a quantity that takes two values".into()));
+    };
+    let others: Vec<usize> = (0..axes.len()).filter(|i| *i != along && axes[*i].values().len() > 1).collect();
+    let families = families(axes, along, &others, rows);
+    let title = others.iter().map(|i| of_path(axes[*i].path()).0).collect::<Vec<_>>().join(", ");
+    let longest = families.iter().map(|family| family.label.chars().count()).max().unwrap_or(0);
+    // an index is a small letter, and a symbol has two marks around it
+    let longest = longest.max(title.chars().count().saturating_sub(2 * others.len()));
+    let beside = if others.is_empty() { 18.0 } else { 24.0 + 0.6 * TEXT * longest as f64 };
+
+    let interfaces = sweep.interfaces();
+    let symbols = symbols(interfaces);
+    let (left, above, below) = AROUND;
+    let (width, height) = (interfaces.len() as f64 * (left + PLANE.0) + beside, 2.0 * (above + PLANE.1 + below));
+    svg(width, height, |canvas| {
+        let scene = sweep.scene();
+        if !others.is_empty() {
+            let right = width - beside + 11.0;
+            canvas.text((right, 0.5 * above), &title, TEXT, INK, Anchor::Left)?;
+        }
+        for (column, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate() {
+            let frame_left = left + column as f64 * (left + PLANE.0);
+            let what = match interface {
+                Interface::Punch => "under the punch".to_owned(),
+                between => format!("contact {between}"),
+            };
+            let quantities = [
+                (0, format!("half-length {length}"), Dimension::Length),
+                (2, format!("{pressure}(0)"), Dimension::Stress),
+            ];
+            for (line, (offset, y_label, dimension)) in quantities.into_iter().enumerate() {
+                let at = axes.len() + 4 * column + offset;
+                let named = column + 1 == interfaces.len() && !others.is_empty();
+                let curves = families.iter().enumerate().map(|(i, family)| Curve {
+                    points: family
+                        .rows
+                        .iter()
+                        .map(|row| (number(&rows[*row], along), number(&rows[*row], at)))
+                        .collect(),
+                    stroke: curve(i, families.len()),
+                    label: if named && labelled(i, families.len()) { family.label.clone() } else { String::new() },
+                });
+                let frame_top = above + line as f64 * (above + PLANE.1 + below);
+                let (x_label, x_dimension) = of_path(axes[along].path());
+                let chart = Chart {
+                    frame: Frame {
+                        left: frame_left,
+                        top: frame_top,
+                        right: frame_left + PLANE.0,
+                        bottom: frame_top + PLANE.1,
+                    },
+                    x: along_x(axes[along].values()),
+                    y: Scale::around(rows.iter().map(|row| number(row, at))).rounded(),
+                    x_label,
+                    x_unit: unit(scene, x_dimension),
+                    y_label,
+                    y_unit: unit(scene, dimension),
+                    curves: curves.collect(),
+                    labels: Labels::AtEnds,
+                };
+                if line == 0 {
+                    let middle = frame_left + 0.5 * PLANE.0;
+                    canvas.text((middle, frame_top - 0.5 * above), &what, TEXT, INK, Anchor::Centre)?;
+                }
+                chart.draw(canvas)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Rows that differ in the value on axis `along` only, in the order of the grid.
+fn families(axes: &[Axis], along: usize, others: &[usize], rows: &[Vec<f64>]) -> Vec<Family> {
+    let mut families: Vec<(Vec<f64>, Family)> = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let key: Vec<f64> = (0..axes.len()).filter(|axis| *axis != along).map(|axis| number(row, axis)).collect();
+        match families.iter_mut().find(|(found, _)| *found == key) {
+            Some((_, family)) => family.rows.push(i),
+            None => {
+                let label = others.iter().map(|axis| label(number(row, *axis))).collect::<Vec<_>>().join(", ");
+                families.push((key, Family { label, rows: vec![i] }));
+            }
+        }
+    }
+    families.into_iter().map(|(_, family)| family).collect()
+}
+
+/// All curves have a label, or the first and the last if there are too many.
+fn labelled(index: usize, count: usize) -> bool {
+    count <= LABELLED || index == 0 || index + 1 == count
+}
+
+fn number(row: &[f64], column: usize) -> f64 {
+    row.get(column).copied().unwrap_or(f64::NAN)
+}
+
+/// The scale of values: logarithmic if their ratios are equal and span much.
+fn along_x(values: &[f64]) -> Scale {
+    let scale = Scale::around(values.iter().copied());
+    let (low, high) = scale.ends();
+    let ratios = || values.windows(2).map(|pair| pair[1] / pair[0]);
+    let same = ratios().next().is_some_and(|first| ratios().all(|ratio| (ratio / first - 1.0).abs() < 1e-6));
+    if low > 0.0 && high / low >= WIDE && values.len() > 2 && same { scale.logarithmic() } else { scale }
+}

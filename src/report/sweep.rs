@@ -1,0 +1,105 @@
+//! Rows of a sweep as comma-separated values.
+use std::io;
+
+use crate::error::Error;
+use crate::solution::{Contact, Interface};
+use crate::sweep::{Row, Sweep};
+
+/// What is told of each contact.
+const OF_A_CONTACT: [&str; 4] = ["half_length", "half_length_error", "peak_pressure", "peak_pressure_error"];
+
+/// Lines of comma-separated values for the rows of a sweep, the same columns for all.
+///
+/// ```
+/// use recede::{Scene, Sweep, report::SweepCsv};
+/// let scene = Scene::read("examples/scenes/hertz.ron")?;
+/// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?])?;
+/// let csv = SweepCsv::new(&sweep);
+/// let mut text = csv.header()?;
+/// for row in sweep.rows() {
+///     text += &csv.line(&row)?;
+/// }
+/// assert!(text.starts_with("force,punch.half_length,punch.half_length_error,punch.peak_pressure,"));
+/// assert_eq!(text.lines().count(), 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SweepCsv<'a> {
+    sweep: &'a Sweep,
+    fingerprint: String,
+}
+
+impl<'a> SweepCsv<'a> {
+    /// For the rows of `sweep`.
+    pub fn new(sweep: &'a Sweep) -> Self {
+        Self { sweep, fingerprint: format!("{:016x}", sweep.fingerprint()) }
+    }
+
+    /// The fingerprint of the sweep as it stands at the end of each line.
+    pub fn fingerprint(&self) -> &str {
+        &self.fingerprint
+    }
+
+    /// The names of the columns, with the end of the line.
+    ///
+    /// # Errors
+    /// None in practice.
+    pub fn header(&self) -> io::Result<String> {
+        let axes = self.sweep.axes().iter().map(|axis| axis.path().to_owned());
+        let of = |interface: &Interface| OF_A_CONTACT.map(|quantity| format!("{interface}.{quantity}"));
+        let contacts = self.sweep.interfaces().iter().flat_map(of);
+        line(axes.chain(contacts).chain(["status", "message", "sweep"].map(str::to_owned)))
+    }
+
+    /// One row, with the end of the line. A contact that the row does not have is left empty.
+    ///
+    /// # Errors
+    /// None in practice.
+    pub fn line(&self, row: &Row) -> io::Result<String> {
+        let (status, message) = match &row.result {
+            Ok(solution) => ("solved", solution.warnings().join(" ")),
+            Err(error) => (status(error), error.to_string()),
+        };
+        // whoever counts lines counts rows
+        let message = message.replace(|c: char| c.is_control(), " ");
+        let numbers = self.numbers(row).into_iter().map(number);
+        line(numbers.chain([status.to_owned(), message, self.fingerprint.clone()]))
+    }
+
+    /// The numbers of a row: its values, then those of each contact; NaN for a contact that it does not have.
+    pub fn numbers(&self, row: &Row) -> Vec<f64> {
+        let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());
+        let of = |interface: &Interface| {
+            let contact = contacts.iter().find(|contact| contact.interface == *interface);
+            contact.map_or([f64::NAN; OF_A_CONTACT.len()], quantities)
+        };
+        row.values.iter().copied().chain(self.sweep.interfaces().iter().flat_map(of)).collect()
+    }
+
+    /// The numbers of a row from its line.
+    pub fn numbers_of(&self, line: &str) -> Vec<f64> {
+        let numbers = self.sweep.axes().len() + OF_A_CONTACT.len() * self.sweep.interfaces().len();
+        line.split(',').take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect()
+    }
+}
+
+fn quantities(contact: &Contact) -> [f64; OF_A_CONTACT.len()] {
+    let Contact { half_length, half_length_error, peak_pressure, peak_pressure_error, .. } = *contact;
+    [half_length, half_length_error, peak_pressure, peak_pressure_error]
+}
+
+fn status(error: &Error) -> &'static str {
+    if error.is_input() { "bad_input" } else { "no_solution" }
+}
+
+/// With as many digits as tell the number from all others; empty if there is none.
+fn number(value: f64) -> String {
+    if value.is_nan() { String::new() } else { format!("{value:?}") }
+}
+
+fn line(fields: impl Iterator<Item = String>) -> io::Result<String> {
+    let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
+    writer.write_record(fields.map(String::into_bytes))?;
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    String::from_utf8(bytes).map_err(io::Error::other)
+}

@@ -1,0 +1,287 @@
+//! Quantities of a scene by path, such as `force` or `layer[2].beta`, and scenes in which they have other values.
+//!
+//! Values are replaced in the text, and what they belong to is read again: so a new value is checked as one in a file
+//! is, and a mistake has a line and a column.
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use recede_layers::{Positive, read_ron};
+use ron::value::RawValue;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use super::explain::{bare_token, did_you_mean};
+use super::origin::{Origin, Places};
+use super::read::{Part, name_and_rest, parse, part, read_item, without_comments};
+use super::{Item, Punch, Scene, quoted_list};
+use crate::error::Error;
+
+/// Most paths that a message lists.
+const LISTED: usize = 24;
+
+/// Where a quantity stands in the text of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Slot {
+    pub(crate) owner: Owner,
+    /// Bytes of its number in the text.
+    range: Range<usize>,
+}
+
+/// What a quantity belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Owner {
+    /// The scene itself: it is the force.
+    Force,
+    /// The punch.
+    Punch,
+    /// The item of the stack with this index.
+    Item(usize),
+}
+
+/// A quantity and its new value.
+pub(crate) type Change<'a> = (&'a Slot, f64);
+
+impl Scene {
+    /// The paths of all quantities that a sweep may vary, as written in the scene's text: `force`, `punch.radius`,
+    /// `layer[1].thickness` and so on. Empty for a scene that was not read from a text.
+    ///
+    /// ```
+    /// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+    ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
+    /// let scene = recede::Scene::from_ron(text)?;
+    /// assert_eq!(scene.paths(), ["force", "punch.radius", "layer[1].shear_modulus", "layer[1].poisson"]);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn paths(&self) -> Vec<String> {
+        self.slots().into_iter().map(|(path, _)| path).collect()
+    }
+
+    /// The same scene with another value of the quantity at `path`. Only for scenes read from a text.
+    ///
+    /// ```
+    /// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+    ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
+    /// let scene = recede::Scene::from_ron(text)?.with("punch.radius", 250.0)?;
+    /// assert_eq!(scene.punch.radius(), 250.0);
+    /// let error = scene.with("layer[1].poisson", 0.7).unwrap_err();
+    /// assert!(error.to_string().ends_with("`poisson` of layer 1 (HalfPlane): found 0.7, allowed is -1 < poisson <= 0.5"));
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Scene`] if there is no such quantity, or the value is not legal there.
+    pub fn with(&self, path: &str, value: f64) -> Result<Self, Error> {
+        let slot = self.slot(path)?;
+        self.with_changes(&[(&slot, value)])
+    }
+
+    /// Finds the quantity at `path`.
+    pub(crate) fn slot(&self, path: &str) -> Result<Slot, Error> {
+        let slots = self.slots();
+        if let Some((_, slot)) = slots.iter().find(|(found, _)| found == path) {
+            return Ok(slot.clone());
+        }
+        let nowhere = Origin { file: "scene".into(), ..Origin::default() };
+        let origin = self.origin.as_deref().unwrap_or(&nowhere);
+        let names: Vec<&str> = slots.iter().map(|(path, _)| &path[..]).collect();
+        if names.is_empty() {
+            let message = format!("there is no `{path}` in a scene that was not read from a text");
+            return Err(origin.error(None, message, None).into());
+        }
+        let more = if names.len() > LISTED { ", ..." } else { "" };
+        let allowed = quoted_list(&names[..names.len().min(LISTED)]);
+        let message = format!("the scene has no quantity `{path}`; those that can vary are {allowed}{more}");
+        Err(origin.error(None, message, did_you_mean(path, &names)).into())
+    }
+
+    /// The same scene with other values.
+    pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, Error> {
+        let Some(origin) = &self.origin else { return Ok(self.clone()) };
+        let text = changed(&origin.text, 0..origin.text.len(), changes);
+        let mut origin = Origin { text, places: Places::default(), ..(**origin).clone() };
+        let (scene, places) = parse(&origin)?;
+        origin.places = places;
+        Ok(Self { origin: Some(Arc::new(origin)), ..scene })
+    }
+
+    /// The force with other values; nothing but the force is read again.
+    pub(crate) fn force_with(&self, changes: &[Change]) -> Result<f64, Error> {
+        match changes.iter().find(|(slot, _)| slot.owner == Owner::Force) {
+            Some((_, value)) => match Positive::try_from(*value) {
+                Ok(force) => Ok(force.get()),
+                Err(_) => self.with_changes(changes).map(|scene| scene.force),
+            },
+            None => Ok(self.force),
+        }
+    }
+
+    /// The punch with other values; nothing but the punch is read again.
+    pub(crate) fn punch_with(&self, changes: &[Change]) -> Result<Punch, Error> {
+        let own = of(Owner::Punch, changes);
+        let Some(origin) = self.origin.as_deref().filter(|_| !own.is_empty()) else { return Ok(self.punch) };
+        let at = &origin.places.punch;
+        match read_ron(&changed(&origin.text, at.start..at.end, &own)) {
+            Ok(punch) => Ok(punch),
+            // once more, for the place of the mistake
+            Err(_) => self.with_changes(changes).map(|scene| scene.punch),
+        }
+    }
+
+    /// The items of the stack with other values; nothing but the items that change is read again.
+    pub(crate) fn items_with(&self, changes: &[Change]) -> Result<Vec<Item>, Error> {
+        let mut items = self.stack.clone();
+        let Some(origin) = self.origin.as_deref() else { return Ok(items) };
+        for (slot, _) in changes {
+            let Owner::Item(index) = slot.owner else { continue };
+            let (Some(item), Some(at)) = (items.get_mut(index), origin.places.items.get(index)) else { continue };
+            let text = changed(&origin.text, at.start..at.end, &of(slot.owner, changes));
+            let part = Part { text: &text, offset: 0, name_at: 0, owner: String::new() };
+            match read_item(part, 1, &Origin { text: text.clone(), ..Origin::default() }, &origin.registry) {
+                Ok(changed) => *item = changed,
+                Err(_) => return self.with_changes(changes).map(|scene| scene.stack),
+            }
+        }
+        Ok(items)
+    }
+
+    fn slots(&self) -> Vec<(String, Slot)> {
+        let Some(origin) = self.origin.as_deref() else { return Vec::new() };
+        let text = &origin.text[..];
+        let mut slots = Vec::new();
+        let force = fields(text).into_iter().find(|(name, _)| name == "force");
+        if let Some((_, force)) = force {
+            add("force", Owner::Force, text, force, &mut slots);
+        }
+        let at = &origin.places.punch;
+        add("punch", Owner::Punch, text, &text[at.start..at.end], &mut slots);
+        let mut number = 0;
+        for (index, (item, at)) in self.stack.iter().zip(&origin.places.items).enumerate() {
+            if !matches!(item, Item::Bonded | Item::Receding) {
+                number += 1;
+                add(&format!("layer[{number}]"), Owner::Item(index), text, &text[at.start..at.end], &mut slots);
+            }
+        }
+        slots
+    }
+}
+
+/// Adds the quantities within `value`, a slice of `text`, to those found.
+fn add(path: &str, owner: Owner, text: &str, value: &str, slots: &mut Vec<(String, Slot)>) {
+    let value = without_comments(value);
+    let number = bare_token(value);
+    if number.parse::<f64>().is_ok() {
+        let start = part(text, value).offset;
+        slots.push((path.to_owned(), Slot { owner, range: start..start + number.len() }));
+        return;
+    }
+    for (name, inner) in fields(value) {
+        add(&format!("{path}.{name}"), owner, text, inner, slots);
+    }
+}
+
+/// The fields of a structure as written, with or without its name before it.
+fn fields(text: &str) -> Vec<(String, &str)> {
+    let rest = name_and_rest(text).map_or(text, |(_, rest)| rest);
+    read_ron::<Fields>(rest).map_or_else(|_| Vec::new(), |Fields(fields)| fields)
+}
+
+/// Fields with the text of their values.
+struct Fields<'a>(Vec<(String, &'a str)>);
+
+impl<'de> Deserialize<'de> for Fields<'de> {
+    fn deserialize<D: Deserializer<'de>>(reader: D) -> Result<Self, D::Error> {
+        struct Collect;
+        impl<'de> Visitor<'de> for Collect {
+            type Value = Fields<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("fields")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Fields<'de>, A::Error> {
+                let mut fields = Vec::new();
+                while let Some((name, value)) = map.next_entry::<String, &RawValue>()? {
+                    fields.push((name, value.get_ron()));
+                }
+                Ok(Fields(fields))
+            }
+        }
+        reader.deserialize_struct("", &[], Collect)
+    }
+}
+
+fn of<'a>(owner: Owner, changes: &[Change<'a>]) -> Vec<Change<'a>> {
+    changes.iter().filter(|(slot, _)| slot.owner == owner).copied().collect()
+}
+
+/// The bytes `within` of a text, with other numbers.
+fn changed(text: &str, within: Range<usize>, changes: &[Change]) -> String {
+    let mut changes = changes.to_vec();
+    changes.sort_by_key(|(slot, _)| slot.range.start);
+    let mut changed = String::with_capacity(within.len() + 24 * changes.len());
+    let mut at = within.start;
+    for (slot, value) in changes {
+        changed += &text[at..slot.range.start];
+        changed += &format!("{value:?}");
+        at = slot.range.end;
+    }
+    changed + &text[at..within.end]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCENE: &str =
+        "// force: 7\nScene(\n  plane: Strain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
+        stack: [Homogeneous(thickness: 1, shear_modulus: /* b */ 2.0 /* c */, poisson: 0.25), Receding, Rigid])";
+
+    #[test]
+    fn values_are_found_among_comments_and_replaced() {
+        let scene = Scene::from_ron(SCENE).unwrap();
+        let paths =
+            ["force", "punch.radius", "layer[1].thickness", "layer[1].shear_modulus", "layer[1].poisson"].to_vec();
+        assert_eq!(scene.paths(), paths);
+        let slots: Vec<Slot> = paths.iter().map(|path| scene.slot(path).unwrap()).collect();
+        let values = [0.004, 250.0, 3.0, 1e-7, 0.5];
+        let changes: Vec<Change> = slots.iter().zip(values).collect();
+        let changed = scene.with_changes(&changes).unwrap();
+        assert_eq!((changed.force, changed.punch.radius()), (0.004, 250.0));
+        assert_eq!(changed.paths(), paths);
+        // bit by bit is the same
+        assert_eq!(scene.force_with(&changes).unwrap(), changed.force);
+        assert_eq!(scene.punch_with(&changes).unwrap(), changed.punch);
+        assert_eq!(format!("{:?}", scene.items_with(&changes).unwrap()), format!("{:?}", changed.stack));
+        assert!(format!("{:?}", changed.stack).contains("1e-7"), "{:?}", changed.stack);
+    }
+
+    #[test]
+    fn mistakes_have_a_place_however_they_are_found() {
+        let scene = Scene::from_ron(SCENE).unwrap();
+        let said = |path: &str| {
+            let slot = scene.slot(path).unwrap();
+            let changes = [(&slot, -1.0)];
+            let whole = scene.with_changes(&changes).unwrap_err().to_string();
+            let parts = scene.force_with(&changes).err().or(scene.punch_with(&changes).err());
+            assert_eq!(parts.or(scene.items_with(&changes).err()).unwrap().to_string(), whole);
+            whole
+        };
+        assert_eq!(said("force"), "scene:4:10: `force` of the scene: found -1.0, allowed is a finite number > 0");
+        assert_eq!(
+            said("punch.radius"),
+            "scene:3:53: `radius` of the punch: found -1.0, allowed is a finite number > 0"
+        );
+        assert!(said("layer[1].thickness").starts_with("scene:5:39: `thickness` of layer 1 (Homogeneous): found -1.0"));
+    }
+
+    #[test]
+    fn who_asks_for_something_else_is_told_what_there_is() {
+        let scene = Scene::from_ron(SCENE).unwrap();
+        let error = scene.with("layer[1].posson", 0.3).unwrap_err();
+        assert_eq!(error.hint().unwrap(), "did you mean `layer[1].poisson`?");
+        assert!(error.to_string().contains("those that can vary are `force`, `punch.radius`, `layer[1].thickness`"));
+        let scene = Scene::new(scene.plane, scene.punch, scene.force, scene.stack);
+        assert!(scene.with("force", 1.0).unwrap_err().to_string().contains("not read from a text"));
+    }
+}

@@ -1,0 +1,203 @@
+//! What varies in a sweep, and over which values.
+use std::fmt;
+use std::str::FromStr;
+
+use serde::Deserialize;
+
+use super::read::WrittenAxis;
+
+/// Most values of one axis.
+const LONGEST: usize = 100_000_000;
+
+/// A quantity of the scene by its path, and the values that it takes.
+///
+/// ```
+/// use recede::Axis;
+/// let force: Axis = "force=0.001:0.004:4".parse()?;
+/// assert_eq!(force, Axis::linear("force", 0.001, 0.004, 4)?);
+/// let radius: Axis = "punch.radius=1:1000:4:log".parse()?;
+/// assert_eq!(radius.values(), [1.0, 10.0, 100.0, 1000.0]);
+/// let beta: Axis = "layer[2].beta=[-1, 0.001, 1]".parse()?;
+/// assert_eq!(beta.values().len(), 3);
+/// let error = "force=0:1".parse::<Axis>().unwrap_err();
+/// assert_eq!(error.to_string(), "`force=0:1`: START:STOP:COUNT is expected after `=`, found `0:1`");
+/// # Ok::<(), recede::AxisError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(try_from = "WrittenAxis")]
+pub struct Axis {
+    path: String,
+    values: Vec<f64>,
+}
+
+/// Why something is no axis of a sweep.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{axis}`: {reason}")]
+pub struct AxisError {
+    /// The axis as written.
+    pub axis: String,
+    /// What was found, and what is expected.
+    pub reason: String,
+}
+
+impl Axis {
+    /// These values, in this order.
+    ///
+    /// # Errors
+    /// [`AxisError`] if there is no value, or one is not finite.
+    pub fn list(path: &str, values: Vec<f64>) -> Result<Self, AxisError> {
+        let failed = |reason: String| AxisError { axis: path.to_owned(), reason };
+        if path.is_empty() {
+            return Err(failed("the path of a quantity is missing".into()));
+        }
+        if values.is_empty() || values.len() > LONGEST {
+            return Err(failed(format!("found {} values, allowed are 1 to {LONGEST}", values.len())));
+        }
+        match values.iter().find(|value| !value.is_finite()) {
+            Some(value) => Err(failed(format!("found the value {value:?}, allowed are finite numbers"))),
+            None => Ok(Self { path: path.to_owned(), values }),
+        }
+    }
+
+    /// `count` values from `start` to `stop`, both included, at equal distances.
+    ///
+    /// # Errors
+    /// [`AxisError`] if a number is not finite, or `count` is 0, or is 1 and `start` is not `stop`.
+    pub fn linear(path: &str, start: f64, stop: f64, count: usize) -> Result<Self, AxisError> {
+        Self::between(path, start, stop, count, |share| start * (1.0 - share) + stop * share)
+    }
+
+    /// `count` values from `start` to `stop`, both included, at equal ratios.
+    ///
+    /// # Errors
+    /// As [`Axis::linear`], and if `start` and `stop` are not both positive.
+    pub fn logarithmic(path: &str, start: f64, stop: f64, count: usize) -> Result<Self, AxisError> {
+        if start.min(stop) <= 0.0 {
+            let reason = format!("found {start:?} to {stop:?}, allowed are positive numbers where ratios are equal");
+            return Err(AxisError { axis: path.to_owned(), reason });
+        }
+        let (low, high) = (start.log10(), stop.log10());
+        Self::between(path, start, stop, count, |share| 10f64.powf(low * (1.0 - share) + high * share))
+    }
+
+    fn between(
+        path: &str,
+        start: f64,
+        stop: f64,
+        count: usize,
+        inside: impl Fn(f64) -> f64,
+    ) -> Result<Self, AxisError> {
+        let failed = |reason: String| AxisError { axis: path.to_owned(), reason };
+        if !start.is_finite() || !stop.is_finite() {
+            return Err(failed(format!("found {start:?} to {stop:?}, allowed are finite numbers")));
+        }
+        let last = match count {
+            0 | LONGEST.. => return Err(failed(format!("found {count} values, allowed are 1 to {LONGEST}"))),
+            1 if start != stop => return Err(failed(format!("found 1 value for {start:?} to {stop:?}"))),
+            count => count - 1,
+        };
+        let value = |i: usize| match i {
+            0 => start,
+            i if i == last => stop,
+            i => inside(i as f64 / last as f64),
+        };
+        Self::list(path, (0..count).map(value).collect())
+    }
+
+    /// The path of the quantity, e.g. `layer[2].beta`.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The values, in order.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+}
+
+impl FromStr for Axis {
+    type Err = AxisError;
+
+    /// Reads `PATH=START:STOP:COUNT`, `PATH=START:STOP:COUNT:log` or `PATH=[v, v, ...]`.
+    fn from_str(text: &str) -> Result<Self, AxisError> {
+        let failed = |reason: String| AxisError { axis: text.to_owned(), reason };
+        let Some((path, range)) = text.split_once('=') else {
+            return Err(failed("PATH=START:STOP:COUNT or PATH=[v,v,...] is expected".into()));
+        };
+        let (path, range) = (path.trim(), range.trim());
+        let number = |text: &str| match text.trim().parse::<f64>() {
+            Ok(number) => Ok(number),
+            Err(_) => Err(failed(format!("a number is expected, found `{}`", text.trim()))),
+        };
+        let said = |error: AxisError| failed(error.reason);
+        if let Some(list) = range.strip_prefix('[') {
+            let Some(list) = list.strip_suffix(']') else { return Err(failed("a closing `]` is missing".into())) };
+            // a comma after the last is allowed, as in a scene
+            let list = list.trim().trim_end_matches(',');
+            let values: Result<_, _> = list.split(',').map(number).collect();
+            return Self::list(path, values?).map_err(said);
+        }
+        let parts: Vec<&str> = range.split(':').collect();
+        let expected = |what: &str| failed(format!("{what} is expected after `=`, found `{range}`"));
+        let (start, stop, count, log) = match parts[..] {
+            [start, stop, count] => (start, stop, count, false),
+            [start, stop, count, "log"] => (start, stop, count, true),
+            [_, _, _, _] => return Err(expected("START:STOP:COUNT or START:STOP:COUNT:log")),
+            _ => return Err(expected("START:STOP:COUNT")),
+        };
+        let whole = |text: &str| match text.trim().parse() {
+            Ok(count) => Ok(count),
+            Err(_) => Err(failed(format!("COUNT is a whole number, found `{}`", text.trim()))),
+        };
+        let (start, stop, count) = (number(start)?, number(stop)?, whole(count)?);
+        if log { Self::logarithmic(path, start, stop, count) } else { Self::linear(path, start, stop, count) }
+            .map_err(said)
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={:?}", self.path, self.values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(text: &str) -> Vec<f64> {
+        text.parse::<Axis>().unwrap().values
+    }
+
+    fn refused(text: &str) -> String {
+        text.parse::<Axis>().unwrap_err().reason
+    }
+
+    #[test]
+    fn both_ends_are_met_exactly() {
+        assert_eq!(values("force=0.1:0.7:7").last(), Some(&0.7));
+        assert_eq!(values("force=-1:1:3"), [-1.0, 0.0, 1.0]);
+        assert_eq!(values("force=3:1:3"), [3.0, 2.0, 1.0]);
+        assert_eq!(values("force=0.3:30:3:log").first(), Some(&0.3));
+        assert_eq!(values("force=2:2:1"), [2.0]);
+        assert_eq!(values("force=-1.7e308:1.7e308:3"), [-1.7e308, 0.0, 1.7e308]);
+        assert_eq!(values(" force = [ 1, 2e-3 , ]"), [1.0, 2e-3]);
+    }
+
+    #[test]
+    fn mistakes_are_told() {
+        assert_eq!(refused("force"), "PATH=START:STOP:COUNT or PATH=[v,v,...] is expected");
+        assert_eq!(refused("force=1:x:3"), "a number is expected, found `x`");
+        assert_eq!(refused("force=1:2:3.5"), "COUNT is a whole number, found `3.5`");
+        assert_eq!(refused("force=1:2:-1"), "COUNT is a whole number, found `-1`");
+        assert_eq!(refused("force=1:2:0"), "found 0 values, allowed are 1 to 100000000");
+        assert_eq!(refused("force=1:2:1"), "found 1 value for 1.0 to 2.0");
+        assert_eq!(refused("force=0:2:3:log"), "found 0.0 to 2.0, allowed are positive numbers where ratios are equal");
+        assert_eq!(refused("force=1:inf:3"), "found 1.0 to inf, allowed are finite numbers");
+        assert_eq!(refused("force=[1,NaN]"), "found the value NaN, allowed are finite numbers");
+        assert_eq!(refused("force=[]"), "a number is expected, found ``");
+        assert_eq!(refused("force=[1"), "a closing `]` is missing");
+        assert_eq!(refused("=[1]"), "the path of a quantity is missing");
+        assert!(refused("force=1:2:3:ln").starts_with("START:STOP:COUNT or START:STOP:COUNT:log is expected"));
+    }
+}

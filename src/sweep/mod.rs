@@ -1,0 +1,276 @@
+//! Sweeps: one scene solved for all combinations of values of some of its quantities.
+mod axis;
+mod chunk;
+mod parallel;
+mod read;
+
+use std::collections::BTreeSet;
+use std::error::Error as _;
+use std::hash::Hasher;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+use recede_layers::ReadError;
+
+pub use axis::{Axis, AxisError};
+pub use parallel::ParallelRows;
+
+use chunk::Models;
+
+use crate::error::Error;
+use crate::options::Options;
+use crate::scene::{Owner, Scene, Slot};
+use crate::solution::{Interface, Solution};
+use crate::stack::Stack;
+
+/// Most rows of a sweep.
+const MOST_ROWS: usize = 1_000_000_000;
+
+/// A scene and the axes of a grid: every combination of values is solved, that of the last axis changing first.
+///
+/// A stack is evaluated once, however many loads and punches press on it. Rows are computed in chunks that depend on the
+/// grid alone, so the numbers do not depend on who computes them, how many at a time, or where one begins.
+///
+/// ```
+/// use recede::{Scene, Sweep};
+/// let scene = Scene::read("examples/scenes/table1_strip_half_plane.ron")?;
+/// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?, "layer[3].shear_modulus=[1, 10]".parse()?])?;
+/// assert_eq!(sweep.len(), 4);
+/// let mut receding = Vec::new();
+/// for row in sweep.rows() {
+///     let solution = row.result?;
+///     receding.push((row.values[0], row.values[1], solution.contacts()[1].half_length));
+/// }
+/// assert_eq!((receding[1].0, receding[1].1), (0.001, 10.0));
+/// assert!(receding[1].2 < receding[0].2, "a stiffer half-plane is touched less far");
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Sweep {
+    scene: Scene,
+    axes: Vec<Axis>,
+    slots: Vec<Slot>,
+    options: Options,
+    rows: usize,
+    interfaces: Vec<Interface>,
+    models: Models,
+}
+
+/// One row of a sweep.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Number of the row in the grid, from 0.
+    pub index: usize,
+    /// The value on each axis.
+    pub values: Vec<f64>,
+    /// The solution, or why there is none.
+    pub result: Result<Solution, Error>,
+}
+
+impl Sweep {
+    /// A sweep of a scene read from a text, to ten digits.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] if there is no quantity at the path of an axis; [`Error::Axis`] if a value is not legal for its
+    /// quantity, a quantity has two axes, or the grid has too many points; [`Error::Stack`] if no combination of values is
+    /// a stack. A combination that is illegal where each value is legal is a row without solution.
+    pub fn new(scene: Scene, axes: Vec<Axis>) -> Result<Self, Error> {
+        let mut slots = Vec::with_capacity(axes.len());
+        for (i, axis) in axes.iter().enumerate() {
+            if axes[..i].iter().any(|earlier| earlier.path() == axis.path()) {
+                return Err(refused(axis, "this quantity varies already".into()));
+            }
+            let slot = scene.slot(axis.path())?;
+            axis.values().iter().try_for_each(|value| legal(&scene, axis, &slot, *value))?;
+            slots.push(slot);
+        }
+        let product = axes.iter().try_fold(1usize, |rows, axis| rows.checked_mul(axis.values().len()));
+        let rows = match (product, axes.last()) {
+            (Some(rows), _) if rows <= MOST_ROWS => rows,
+            (_, Some(axis)) => {
+                return Err(refused(axis, format!("the grid has more than {MOST_ROWS} points with this axis")));
+            }
+            (_, None) => 1,
+        };
+        let options = Options::default();
+        let mut sweep = Self { scene, axes, slots, options, rows, interfaces: Vec::new(), models: Models::default() };
+        sweep.interfaces = sweep.all_interfaces()?;
+        Ok(sweep)
+    }
+
+    /// The same sweep with other demands on the solutions.
+    ///
+    /// # Errors
+    /// [`Error::Tolerance`] if the tolerance is not legal.
+    pub fn with_options(self, options: Options) -> Result<Self, Error> {
+        Error::check_tolerance(&options)?;
+        Ok(Self { options, ..self })
+    }
+
+    /// The same sweep with more axes, which change before those that it has.
+    ///
+    /// # Errors
+    /// As [`Sweep::new`].
+    pub fn and_vary(self, axes: Vec<Axis>) -> Result<Self, Error> {
+        let Self { scene, axes: mut all, options, .. } = self;
+        all.extend(axes);
+        Self::new(scene, all)?.with_options(options)
+    }
+
+    /// The scene that is varied.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The axes; the last one changes first.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows
+    }
+
+    /// Whether there are no rows; there always are some.
+    pub fn is_empty(&self) -> bool {
+        self.rows == 0
+    }
+
+    /// All contacts that occur in some row, from the top down. Where layers have thickness 0 in some rows only, not
+    /// every row has all of them.
+    pub fn interfaces(&self) -> &[Interface] {
+        &self.interfaces
+    }
+
+    /// The values of row `index` on each axis.
+    pub fn values(&self, index: usize) -> Vec<f64> {
+        let mut rest = index;
+        let mut values: Vec<f64> = self.axes.iter().rev().map(|axis| pick(axis.values(), &mut rest)).collect();
+        values.reverse();
+        values
+    }
+
+    /// The scene of row `index`.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] if the values are illegal in combination.
+    pub fn scene_at(&self, index: usize) -> Result<Scene, Error> {
+        let values = self.values(index);
+        let changes: Vec<_> = self.slots.iter().zip(values).collect();
+        self.scene.with_changes(&changes)
+    }
+
+    /// The rows in the order of the grid, each solved when it is asked for.
+    pub fn rows(&self) -> impl Iterator<Item = Row> {
+        self.rows_from(0)
+    }
+
+    /// The rows from number `first` on. They are the same, bit by bit, as those of all rows.
+    pub fn rows_from(&self, first: usize) -> impl Iterator<Item = Row> {
+        self.chunks_from(first).flat_map(|chunk| self.solve_chunk(chunk)).skip_while(move |row| row.index < first)
+    }
+
+    /// The rows from number `first` on in the order of the grid, solved by so many threads ahead of who asks for them.
+    /// They are the same, bit by bit, for any number of threads.
+    pub fn parallel_rows(self: &Arc<Self>, first: usize, threads: NonZeroUsize) -> ParallelRows {
+        ParallelRows::new(Arc::clone(self), first, threads)
+    }
+
+    /// A number that tells this sweep from others: of another scene, other values, or another tolerance.
+    pub fn fingerprint(&self) -> u64 {
+        let mut hasher = fnv::FnvHasher::default();
+        let Scene { plane, punch, force, stack, .. } = &self.scene;
+        let what = (plane, punch, force, stack, &self.axes, &self.options, env!("CARGO_PKG_VERSION"));
+        // numbers are written with all their digits
+        hasher.write(format!("{what:?}").as_bytes());
+        hasher.finish()
+    }
+
+    /// The contacts of all stacks that occur.
+    fn all_interfaces(&self) -> Result<Vec<Interface>, Error> {
+        let mut found = BTreeSet::new();
+        let mut refused = None;
+        for key in 0..self.stacks() {
+            match self.stack(key) {
+                Ok(stack) => found.extend(stack.contacts().into_iter().map(Sorted)),
+                Err(error) => {
+                    refused.get_or_insert(error);
+                }
+            }
+        }
+        match refused {
+            Some(error) if found.is_empty() => Err(self.scene.locate(error)),
+            _ => Ok(found.into_iter().map(|Sorted(interface)| interface).collect()),
+        }
+    }
+
+    /// Number of different stacks.
+    fn stacks(&self) -> usize {
+        self.stack_axes().map(|(axis, _)| axis.values().len()).product()
+    }
+
+    /// The axes that change the stack, the last one first.
+    fn stack_axes(&self) -> impl Iterator<Item = (&Axis, &Slot)> {
+        let all = self.axes.iter().zip(&self.slots).rev();
+        all.filter(|(_, slot)| matches!(slot.owner, Owner::Item(_)))
+    }
+
+    /// The stack with this number.
+    fn stack(&self, key: usize) -> Result<Stack, Error> {
+        let mut rest = key;
+        let changes: Vec<_> = self.stack_axes().map(|(axis, slot)| (slot, pick(axis.values(), &mut rest))).collect();
+        Ok(Stack::from_items(self.scene.plane, &self.scene.items_with(&changes)?)?)
+    }
+}
+
+/// Interfaces from the top down.
+#[derive(PartialEq, Eq)]
+struct Sorted(Interface);
+
+impl Sorted {
+    fn place(&self) -> (usize, usize) {
+        match self.0 {
+            Interface::Punch => (0, 0),
+            Interface::Between { above, below } => (above, below),
+        }
+    }
+}
+
+impl Ord for Sorted {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.place().cmp(&other.place())
+    }
+}
+
+impl PartialOrd for Sorted {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The value for the last digit of a number whose digits count values; the digit is taken off.
+fn pick(values: &[f64], rest: &mut usize) -> f64 {
+    let value = values[*rest % values.len()];
+    *rest /= values.len();
+    value
+}
+
+/// Whether a value is legal for its quantity, whatever the others are.
+fn legal(scene: &Scene, axis: &Axis, slot: &Slot, value: f64) -> Result<(), Error> {
+    let changes = [(slot, value)];
+    let read = match slot.owner {
+        Owner::Force => scene.force_with(&changes).map(drop),
+        Owner::Punch => scene.punch_with(&changes).map(drop),
+        Owner::Item(_) => scene.items_with(&changes).map(drop),
+    };
+    let Err(Error::Scene(error)) = read else { return read };
+    // a mistake of one field, rather than of a layer as a whole
+    let of_field =
+        error.source().and_then(|cause| cause.downcast_ref::<ReadError>()).is_some_and(|e| e.field.is_some());
+    if of_field { Err(refused(axis, error.message().to_owned())) } else { Ok(()) }
+}
+
+fn refused(axis: &Axis, reason: String) -> Error {
+    AxisError { axis: axis.path().to_owned(), reason }.into()
+}

@@ -1,0 +1,82 @@
+//! A sweep written in RON.
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use recede_layers::Registry;
+use serde::Deserialize;
+
+use super::{Axis, AxisError, Sweep};
+use crate::error::Error;
+use crate::options::Options;
+use crate::scene::{Scene, first_name, read_document};
+
+/// The whole of it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename = "Sweep")]
+struct Written {
+    scene: PathBuf,
+    vary: Vec<Axis>,
+    #[serde(default)]
+    tolerance: Option<f64>,
+}
+
+/// One axis.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) enum WrittenAxis {
+    Linear { path: String, start: f64, stop: f64, count: usize },
+    Logarithmic { path: String, start: f64, stop: f64, count: usize },
+    List { path: String, values: Vec<f64> },
+}
+
+impl TryFrom<WrittenAxis> for Axis {
+    type Error = AxisError;
+
+    fn try_from(axis: WrittenAxis) -> Result<Self, AxisError> {
+        match axis {
+            WrittenAxis::Linear { path, start, stop, count } => Self::linear(&path, start, stop, count),
+            WrittenAxis::Logarithmic { path, start, stop, count } => Self::logarithmic(&path, start, stop, count),
+            WrittenAxis::List { path, values } => Self::list(&path, values),
+        }
+    }
+}
+
+impl Sweep {
+    /// Whether a text begins as that of a sweep does, with `Sweep(`.
+    pub fn begins(text: &str) -> bool {
+        first_name(text) == Some("Sweep")
+    }
+
+    /// Reads a sweep from a file in RON. The scene is a file of its own, named from the sweep's folder.
+    ///
+    /// ```
+    /// let sweep = recede::Sweep::read("examples/sweeps/radius_and_load.ron")?;
+    /// assert_eq!(sweep.axes()[0].path(), "punch.radius");
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Scene`] with line and column if the text is no sweep, and those of [`Scene::read`] and [`Sweep::new`].
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let reader = File::open(path).map_err(|cause| Error::unreadable(path, cause))?;
+        Self::from_reader(path, reader, &Registry::default())
+    }
+
+    /// Reads a sweep in RON from anything that yields bytes; `file` is what it is called in messages, and in its folder
+    /// is the scene. The layer types are those of `registry`.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
+    pub fn from_reader(file: impl AsRef<Path>, reader: impl Read, registry: &Registry) -> Result<Self, Error> {
+        let file = file.as_ref();
+        let Written { scene, vary, tolerance } = read_document(&file.display().to_string(), reader, "the sweep")?;
+        let scene = Scene::read_with(file.with_file_name(scene), registry)?;
+        let sweep = Self::new(scene, vary)?;
+        match tolerance {
+            Some(tolerance) => sweep.with_options(Options { tolerance, ..Options::default() }),
+            None => Ok(sweep),
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Pictures: SVG and PNG appear whole, name what they show with units, and show the numbers that were solved.
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use support::recede;
+
+const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
+
+fn file(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("plot");
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join(name);
+    let _ = fs::remove_file(&file);
+    file
+}
+
+fn plot(scene: &str, name: &str) -> Vec<u8> {
+    let file = file(name);
+    let run = recede(&["plot", scene, "--out", file.to_str().unwrap()], b"");
+    assert_eq!((run.status, &run.stdout[..], &run.stderr[..]), (Some(0), "", ""), "{scene}");
+    fs::read(file).unwrap()
+}
+
+/// All text of a picture without its markup.
+fn texts(svg: &[u8]) -> String {
+    let svg =
+        String::from_utf8(svg.to_vec()).unwrap().replace("<tspan font-style=\"italic\">", "").replace("</tspan>", "");
+    let texts = svg.split("<text").skip(1).filter_map(|part| part.split_once('>')?.1.split_once("</text>"));
+    texts.map(|(text, _)| text.trim()).collect::<Vec<_>>().join("|")
+}
+
+#[test]
+fn a_picture_names_what_it_shows() {
+    let shown = texts(&plot(SCENE, "stack.svg"));
+    for text in
+        ["P = 0.002", "cylinder, R = 500", "a = 0.7373", "b = 2.449", "μ₁ = 1", "contact pressure, 10⁻³", "q(0) = "]
+    {
+        assert!(shown.contains(text), "{text}: {shown}");
+    }
+    let shown = texts(&plot("examples/scenes/bonded_to_rigid.ron", "rubber.svg"));
+    for text in ["P = 1 N/mm", "R = 50 mm", "rigid", "contact pressure, N/mm²", "x, mm"] {
+        assert!(shown.contains(text), "{text}: {shown}");
+    }
+}
+
+#[test]
+fn every_scene_can_be_drawn() {
+    for entry in fs::read_dir("examples/scenes").unwrap() {
+        let scene = entry.unwrap().path();
+        let svg = String::from_utf8(plot(scene.to_str().unwrap(), "any.svg")).unwrap();
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{scene:?}");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{scene:?}");
+    }
+}
+
+#[test]
+fn pixels_are_those_of_the_drawing() {
+    let png = plot(SCENE, "stack.png");
+    assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+    let size = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
+    assert!(size(16) > 1200 && size(20) > 900, "{} x {}", size(16), size(20));
+    // letters are there, whatever fonts the computer has
+    let pixmap = resvg::tiny_skia::Pixmap::decode_png(&png).unwrap();
+    let dark = pixmap.pixels().iter().filter(|pixel| pixel.red() < 100).count();
+    let without =
+        String::from_utf8(plot(SCENE, "again.svg")).unwrap().replace("<text", "<desc").replace("</text>", "</desc>");
+    let without = resvg::tiny_skia::Pixmap::decode_png(&recede::plot::png(&without).unwrap()).unwrap();
+    let lines = without.pixels().iter().filter(|pixel| pixel.red() < 100).count();
+    assert!(dark > lines + 2000, "{dark} {lines}");
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused_before_anything_is_solved() {
+    for (arguments, said) in [
+        (&["plot", SCENE, "--out", "stack.pdf"][..], "a picture is a file that ends in .svg or .png"),
+        (&["plot", "nowhere.ron", "--out", "stack.svg"], "nowhere.ron: cannot be read"),
+        (&["plot", SCENE, "--out", "/nowhere/stack.svg"], "/nowhere/stack.svg: "),
+        (&["plot", SCENE], "--out"),
+        (&["sweep", SCENE, "--vary", "force=[1]", "--plot", "curves.jpg"], "ends in .svg or .png"),
+        (&["sweep", SCENE, "--vary", "force=[0.001]", "--plot", "curves.svg"], "a quantity that takes two values"),
+    ] {
+        let run = recede(arguments, b"");
+        assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.stderr);
+        assert!(run.stderr.contains(said), "{arguments:?}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn a_sweep_draws_a_curve_for_each_of_the_other_values() {
+    let (picture, rows) = (file("curves.svg"), file("curves.csv"));
+    let arguments = |resume: &[&'static str]| {
+        let vary = ["sweep", SCENE, "--vary", "punch.radius=[250,500,1000]", "--vary", "force=0.0005:0.004:8"];
+        let out = ["--out", rows.to_str().unwrap(), "--plot", picture.to_str().unwrap()];
+        let run = recede(&[&vary[..], &out[..], resume].concat(), b"");
+        assert_eq!(run.status, Some(0), "{}", run.stderr);
+        fs::read_to_string(&picture).unwrap()
+    };
+    let whole = arguments(&[]);
+    let shown = texts(whole.as_bytes());
+    for text in ["force P", "half-length a", "half-length b", "p(0)", "q(0)", "radius R", "250", "1000"] {
+        assert!(shown.contains(text), "{text}: {shown}");
+    }
+    // rows that are read look like rows that are computed
+    let text = fs::read_to_string(&rows).unwrap();
+    fs::write(&rows, &text[..text.len() / 2]).unwrap();
+    assert_eq!(arguments(&["--resume"]), whole);
+}

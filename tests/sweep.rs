@@ -1,0 +1,195 @@
+//! Sweeps: the same numbers whoever computes them, a file that survives interruption, rows for scenes without solution.
+mod support;
+
+use std::fs;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+use recede::report::SweepCsv;
+use recede::{Axis, Error, Scene, Sweep};
+use support::recede;
+
+const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
+
+fn file(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sweep");
+    fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
+}
+
+fn sweep(axes: &[&str]) -> Sweep {
+    let axes = axes.iter().map(|axis| axis.parse::<Axis>().unwrap()).collect();
+    Sweep::new(Scene::read(SCENE).unwrap(), axes).unwrap()
+}
+
+/// What `recede sweep` writes to a file.
+fn written(name: &str, arguments: &[&str]) -> String {
+    let path = file(name);
+    let run = recede(&[&["sweep", SCENE, "--out", path.to_str().unwrap()], arguments].concat(), b"");
+    assert_eq!((run.status, &run.stdout[..]), (Some(0), ""), "{}", run.stderr);
+    fs::read_to_string(path).unwrap()
+}
+
+#[test]
+fn rows_are_those_of_single_scenes() {
+    let sweep = sweep(&["layer[2].beta=[-1,0.5]", "punch.radius=[250,500]", "layer[3].shear_modulus=[1,4]"]);
+    let rows: Vec<_> = sweep.rows().collect();
+    assert_eq!(rows.len(), 8);
+    assert_eq!(rows[3].values, [-1.0, 500.0, 4.0]);
+    assert_eq!(rows[4].values, [0.5, 250.0, 1.0]);
+    for row in rows {
+        let scene = sweep.scene_at(row.index).unwrap();
+        assert_eq!(row.result.unwrap(), recede::solve(&scene).unwrap(), "{:?}", row.values);
+    }
+}
+
+#[test]
+fn numbers_do_not_depend_on_threads_nor_on_where_one_begins() {
+    let sweep = Arc::new(sweep(&["punch.radius=100:1000:11", "layer[2].beta=[-1,1]", "force=0.001:0.004:9"]));
+    assert!(sweep.len() > 3 * 64, "chunks have more than one row");
+    let csv = SweepCsv::new(&sweep);
+    let alone: Vec<String> = sweep.rows().map(|row| csv.line(&row).unwrap()).collect();
+    assert_eq!(alone.len(), sweep.len());
+    for threads in [2, 4] {
+        let rows = sweep.parallel_rows(0, NonZeroUsize::new(threads).unwrap());
+        assert!(rows.map(|row| csv.line(&row).unwrap()).eq(alone.iter().cloned()), "{threads} threads");
+    }
+    for first in [7, 150, 198] {
+        assert!(sweep.rows_from(first).map(|row| csv.line(&row).unwrap()).eq(alone[first..].iter().cloned()));
+        let rows = sweep.parallel_rows(first, NonZeroUsize::MIN);
+        assert!(rows.map(|row| csv.line(&row).unwrap()).eq(alone[first..].iter().cloned()));
+    }
+    // whoever has seen enough goes away
+    assert_eq!(sweep.parallel_rows(0, NonZeroUsize::new(2).unwrap()).take(3).count(), 3);
+}
+
+#[test]
+fn a_scene_without_solution_is_a_row() {
+    let sweep = sweep(&["punch.radius=[500,0.0001]", "layer[2].beta=[-1,-60]", "layer[2].thickness=[1,2]"]);
+    let csv = SweepCsv::new(&sweep);
+    let rows: Vec<_> = sweep.rows().collect();
+    assert!(rows[0].result.is_ok());
+    assert!(matches!(rows[3].result, Err(Error::Scene(_))), "beta h = -120: {:?}", rows[3].result);
+    assert!(matches!(rows[4].result, Err(Error::NoSolution(_))), "a needle: {:?}", rows[4].result);
+    let line = csv.line(&rows[4]).unwrap();
+    assert!(line.contains("bad_input,\"") || line.contains("bad_input,the punch of radius 0.0001 cannot"), "{line}");
+    let columns = csv.header().unwrap().split(',').count();
+    for row in &rows {
+        let line = csv.line(row).unwrap();
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(line.as_bytes());
+        let fields: Vec<_> = reader.records().map(|record| record.unwrap().len()).collect();
+        assert_eq!(fields, [columns], "{line}");
+    }
+}
+
+#[test]
+fn contacts_that_only_some_rows_have_are_columns_of_all() {
+    let sweep = sweep(&["layer[2].thickness=[0,1]"]);
+    let header = SweepCsv::new(&sweep).header().unwrap();
+    for column in ["layer[2].thickness,punch.half_length,", "1|3.half_length", "2|3.peak_pressure_error"] {
+        assert!(header.contains(column), "{header}");
+    }
+    let lines: Vec<_> = sweep.rows().map(|row| row.result.unwrap().contacts().len()).collect();
+    assert_eq!(lines, [2, 2]);
+}
+
+#[test]
+fn what_cannot_vary_is_told_before_anything_is_solved() {
+    let refused = |axes: &[&str]| {
+        let arguments: Vec<&str> = axes.iter().flat_map(|axis| ["--vary", axis]).collect();
+        let run = recede(&[&["sweep", SCENE], &arguments[..]].concat(), b"");
+        assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
+        run.stderr
+    };
+    assert!(refused(&["layer[2].bta=[1]"]).contains("hint: did you mean `layer[2].beta`?"));
+    assert!(refused(&["layer[4].beta=[1]"]).contains("the scene has no quantity `layer[4].beta`"));
+    assert!(refused(&["layer[1].poisson=0:1:3"]).contains("found 1.0, allowed is -1 < poisson <= 0.5"));
+    assert!(refused(&["force=0:1:3"]).contains("found 0.0, allowed is a finite number > 0"));
+    assert!(refused(&["force=[1]", "force=[2]"]).contains("varies already"));
+    assert!(refused(&["force=1:2"]).contains("START:STOP:COUNT is expected"));
+    assert!(refused(&["force=1:2:100000", "punch.radius=1:2:100000"]).contains("more than 1000000000 points"));
+    assert!(refused(&[]).contains("nothing varies"));
+}
+
+#[test]
+fn an_interrupted_file_is_continued_to_the_same_bytes() {
+    let vary = ["--vary", "force=0.001:0.004:20", "--vary", "punch.radius=[250,500]"];
+    let whole = written("whole.csv", &vary);
+    assert_eq!(whole.lines().count(), 41);
+    let resumed = [&vary[..], &["--resume"]].concat();
+    let ends = [0, 5, 200, 700, whole.len() / 2, whole.len() - 2, whole.len()];
+    for end in ends {
+        fs::write(file("cut.csv"), &whole[..end]).unwrap();
+        assert_eq!(written("cut.csv", &resumed), whole, "cut after {end} bytes");
+    }
+    let _ = fs::remove_file(file("new.csv"));
+    assert_eq!(written("new.csv", &resumed), whole);
+
+    // and of no other sweep
+    for other in [&["--vary", "force=0.001:0.005:20", "--vary", "punch.radius=[250,500]"][..], &vary[..2]] {
+        fs::write(file("other.csv"), &whole).unwrap();
+        let path = file("other.csv");
+        let run = recede(&[&["sweep", SCENE, "--resume", "--out", path.to_str().unwrap()], other].concat(), b"");
+        assert_eq!(run.status, Some(2), "{}", run.stderr);
+        assert!(run.stderr.contains("holds something else than rows of this sweep"), "{}", run.stderr);
+        assert_eq!(fs::read_to_string(path).unwrap(), whole);
+    }
+}
+
+#[test]
+fn a_killed_sweep_leaves_whole_rows() {
+    let vary = ["--vary", "force=0.001:0.004:150"];
+    let path = file("killed.csv");
+    let _ = fs::remove_file(&path);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_recede"))
+        .args(["sweep", SCENE, "--out", path.to_str().unwrap()])
+        .args(vary)
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let lines = || fs::read_to_string(&path).unwrap_or_default().lines().count();
+    while lines() < 5 && child.try_wait().unwrap().is_none() {
+        thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let left = fs::read_to_string(&path).unwrap();
+    assert!(left.ends_with('\n') && left.lines().count() >= 5, "{left}");
+    let resumed = written("killed.csv", &[&vary[..], &["--resume"]].concat());
+    assert!(resumed.starts_with(&left));
+    assert_eq!(resumed, written("unkilled.csv", &vary));
+}
+
+#[test]
+fn a_sweep_can_be_a_file() {
+    let path = "examples/sweeps/radius_and_load.ron";
+    let run = recede(&["sweep", path, "--vary", "layer[2].beta=[-1]"], b"");
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    assert_eq!(run.stdout.lines().count(), 28);
+    assert!(run.stdout.starts_with("punch.radius,force,layer[2].beta,punch.half_length,"));
+    let refused = |text: &str| {
+        let run = recede(&["sweep", "-"], text.as_bytes());
+        assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
+        run.stderr
+    };
+    let scene = format!("Sweep(scene: \"{SCENE}\", ");
+    let error = refused(&format!("{scene}vary: [Linear(path: \"force\", start: 1, stop: 2, cont: 3)])"));
+    assert!(error.contains("stdin:1:") && error.contains("did you mean `count`?"), "{error}");
+    let error = refused(&format!("{scene}vary: [List(path: \"force\", values: [])])"));
+    assert!(error.contains("`force`: found 0 values, allowed are 1 to 100000000"), "{error}");
+    let error = refused(&format!("{scene}vary: [], tolerance: 1)"));
+    assert!(error.contains("tolerance: found 1.0"), "{error}");
+    let error = refused("Sweep(scene: \"nowhere.ron\", vary: [])");
+    assert!(error.contains("nowhere.ron: cannot be read"), "{error}");
+}
+
+#[test]
+fn layers_of_thickness_zero_keep_their_number() {
+    let run = recede(&["sweep", SCENE, "--vary", "layer[1].thickness=[0,0.5]", "--vary", "force=[0.001]"], b"");
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    assert!(run.stdout.lines().skip(1).all(|line| line.contains(",solved,")), "{}", run.stdout);
+}
