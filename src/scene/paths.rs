@@ -272,7 +272,7 @@ mod tests {
             said("punch.radius"),
             "scene:3:53: `radius` of the punch: found -1.0, allowed is a finite number > 0"
         );
-        assert!(said("layer[1].thickness").starts_with("scene:5:39: `thickness` of layer 1 (Homogeneous): found -1.0"));
+        assert!(said("layer[1].thickness").starts_with("scene:5:40: `thickness` of layer 1 (Homogeneous): found -1.0"));
     }
 
     #[test]
