@@ -2,8 +2,8 @@
 use proptest::prelude::*;
 use recede_layers::conformance::{self, LAWS};
 use recede_layers::{
-    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Isotropic, Layer, Material, Notation, Plane, Wave,
-    layer_laws,
+    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Isotropic, Layer, LayerStates, Material, Notation,
+    Plane, Wave, layer_laws,
 };
 
 const PLANES: [Plane; 2] = [Plane::Strain, Plane::Stress];
@@ -299,6 +299,29 @@ fn a_body_held_by_nothing_visible_is_caught() {
 fn swapped_faces_are_caught() {
     let flexibility = |c: &mut Flexibility, _| (c.top, c.bottom) = (-c.bottom, -c.top);
     assert_breaks(&["mirror", "short_wave"], &Spoiled { flexibility, ..Spoiled::new(exponential(1.0)) });
+}
+
+#[test]
+fn fields_of_another_depth_are_caught() {
+    #[derive(Debug)]
+    struct Displaced(Homogeneous);
+    impl Layer for Displaced {
+        fn thickness(&self) -> Option<f64> {
+            self.0.thickness()
+        }
+        fn material(&self, depth: f64, plane: Plane) -> Material {
+            self.0.material(depth, plane)
+        }
+        fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+            let depths: Vec<f64> = depths.iter().map(|depth| depth * (1.0 - 1e-5 * (2.0 - depth))).collect();
+            self.0.states(wave, &depths)
+        }
+        fn notation(&self) -> Notation {
+            self.0.notation()
+        }
+    }
+    assert_breaks(&["inside"], &Displaced(homogeneous(0.25)));
+    assert!(!broken(&Displaced(homogeneous(0.25))).contains(&"general_body"), "its faces are right");
 }
 
 #[test]

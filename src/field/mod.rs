@@ -117,7 +117,7 @@ impl Field {
             rows.push(self.row(spot, sets.len())?);
             sets.push(vec![spot.x.abs()]);
         }
-        let values = self.sum(&rows, &sets)?;
+        let values = self.sum(&rows, &sets, &waves::FULL)?;
         let of = |((spot, row), values): ((&Spot, &Row), Vec<_>)| {
             values.into_iter().map(|value| self.point(spot.x, row, value)).collect::<Vec<_>>()
         };
@@ -150,7 +150,7 @@ impl Field {
         if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
             return Err(self.outside(&Spot { x: *x, depth: 0.0, layer: None }));
         }
-        let values = self.sum(&rows, &[places])?;
+        let values = self.sum(&rows, &[places], &waves::FULL)?;
         let points = rows.iter().zip(&values).flat_map(|(row, values)| {
             xs.iter().zip(&of).filter_map(|(x, k)| Some(self.point(*x, row, *values.get(*k)?)))
         });

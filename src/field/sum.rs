@@ -8,7 +8,7 @@ use recede_layers::Wave;
 
 use super::body::{Body, Face, Stratum, components};
 use super::surface::Components;
-use super::waves::{self, Decay, Panel};
+use super::waves::{self, Decay, Panel, Precision};
 use super::{Field, Load};
 use crate::error::Error;
 
@@ -50,7 +50,7 @@ fn faces<'a>(
 
 impl Field {
     /// The wavenumber beyond which a depth feels nothing of the loads, besides what closed forms tell.
-    fn end(&self, row: &Row, most: f64) -> f64 {
+    fn end(&self, row: &Row, precision: &Precision, most: f64) -> f64 {
         let stratum = &self.strata[row.stratum];
         let body = &self.bodies[stratum.body];
         let depth = stratum.top + row.depth;
@@ -70,13 +70,23 @@ impl Field {
                 left: face.map(|face| [face.size, face.power]),
                 half_length: self.pressures[body.contact + side].half_length,
             };
-            Some(decay.end(most))
+            Some(decay.end(precision, most))
         });
         ends.fold(0.0, f64::max)
     }
 
     /// σ_xx, σ_yy, σ_xy, u, v in rows of points, `sets[row.set]` each.
-    pub(super) fn sum(&self, rows: &[Row], sets: &[Vec<f64>]) -> Result<Vec<Vec<Components>>, Error> {
+    pub(super) fn sum(
+        &self,
+        rows: &[Row],
+        sets: &[Vec<f64>],
+        precision: &Precision,
+    ) -> Result<Vec<Vec<Components>>, Error> {
+        if !precision.displacements {
+            let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
+            self.integrate(rows, sets, precision, &mut values)?;
+            return Ok(values);
+        }
         // v of a body is counted from that of the body below, where they touch
         let mut rows = rows.to_vec();
         let mut sets = sets.to_vec();
@@ -88,7 +98,7 @@ impl Field {
         }
         sets.push(vec![0.0]);
         let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
-        self.integrate(&rows, &sets, &mut values)?;
+        self.integrate(&rows, &sets, precision, &mut values)?;
         let mut lifts = vec![0.0; self.bodies.len()];
         for (row, values) in rows[asked..].iter().zip(&values[asked..]).rev() {
             let body = self.strata[row.stratum].body;
@@ -124,7 +134,13 @@ impl Field {
     }
 
     /// Adds the integrals over the wavenumber of what the closed forms leave.
-    fn integrate(&self, rows: &[Row], sets: &[Vec<f64>], values: &mut [Vec<Components>]) -> Result<(), Error> {
+    fn integrate(
+        &self,
+        rows: &[Row],
+        sets: &[Vec<f64>],
+        precision: &Precision,
+        values: &mut [Vec<Components>],
+    ) -> Result<(), Error> {
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
         let reach = farthest + longest;
@@ -132,17 +148,18 @@ impl Field {
         let mut active: Vec<Active> = rows
             .iter()
             .enumerate()
-            .map(|(index, row)| Active { row: *row, index, end: self.end(row, most), lift: 0.0 })
+            .map(|(index, row)| Active { row: *row, index, end: self.end(row, precision, most), lift: 0.0 })
             .filter(|active| active.end > 0.0)
             .collect();
         if active.is_empty() {
             return Ok(());
         }
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
-        let origins: Vec<f64> = self.bodies.iter().map(|body| self.origin_end(body, most)).collect();
+        let origins: Vec<f64> = self.bodies.iter().map(|body| self.origin_end(body, precision, most)).collect();
         let end = active.iter().map(|active| active.end).chain(origins.iter().copied()).fold(0.0, f64::max);
         let panels = waves::panels(end, reach, self.first()).ok_or(Error::TooFar { x: farthest })?;
-        let mut sums: Vec<Sums> = sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set)).collect();
+        let mut sums: Vec<Sums> =
+            sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
         // ∫ V at the reference points, panel by panel
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
@@ -168,10 +185,10 @@ impl Field {
     }
 
     /// The wavenumber beyond which the reference point of a body feels nothing.
-    fn origin_end(&self, body: &Body, most: f64) -> f64 {
-        let Some((place, depth)) = body.reference else { return 0.0 };
+    fn origin_end(&self, body: &Body, precision: &Precision, most: f64) -> f64 {
+        let Some((place, depth)) = body.reference.filter(|_| precision.displacements) else { return 0.0 };
         let stratum = self.strata.iter().position(|stratum| stratum.body == body.contact && stratum.place == place);
-        stratum.map_or(0.0, |stratum| self.end(&Row { stratum, depth, set: 0 }, most))
+        stratum.map_or(0.0, |stratum| self.end(&Row { stratum, depth, set: 0 }, precision, most))
     }
 
     /// The transformed components, times weights, in all rows that feel a panel.
@@ -184,8 +201,7 @@ impl Field {
         origins: &[f64],
     ) -> Result<Block, Error> {
         let n = wavenumbers.len();
-        let transforms: Vec<Vec<[f64; 2]>> =
-            self.pressures.iter().map(|pressure| pressure.transforms(wavenumbers)).collect();
+        let mut transforms: Vec<Vec<[f64; 2]>> = vec![Vec::new(); self.pressures.len()];
         let mut block = Block { values: vec![0.0; 5 * n * active.len()], references: vec![0.0; self.bodies.len()] };
         for (i, body) in self.bodies.iter().enumerate() {
             // (depth, row or `None` for the reference point), layer by layer
@@ -199,7 +215,13 @@ impl Field {
             if wanted.iter().all(Vec::is_empty) && origins[i] <= panel.lo {
                 continue;
             }
-            if let Some((place, depth)) = body.reference {
+            let contacts = 1 + usize::from(body.bottom.is_some());
+            for (transform, pressure) in transforms.iter_mut().zip(&self.pressures).skip(body.contact).take(contacts) {
+                if transform.is_empty() {
+                    *transform = pressure.transforms(wavenumbers);
+                }
+            }
+            if let Some((place, depth)) = body.reference.filter(|_| origins[i] > 0.0) {
                 wanted[place].push((depth, None));
             }
             wanted.iter_mut().for_each(|wanted| wanted.sort_by(|a, b| a.0.total_cmp(&b.0)));
@@ -267,15 +289,16 @@ struct Sums<'a> {
     places: &'a [f64],
     /// Rows of this set among the active ones.
     rows: std::ops::Range<usize>,
+    displacements: bool,
     values: [Vec<f64>; 5],
 }
 
 impl<'a> Sums<'a> {
-    fn new(places: &'a [f64], active: &[Active], set: usize) -> Self {
+    fn new(places: &'a [f64], active: &[Active], set: usize, displacements: bool) -> Self {
         let from = active.partition_point(|active| active.row.set < set);
         let rows = from..active.partition_point(|active| active.row.set <= set);
         let size = places.len() * rows.len();
-        Self { places, rows, values: std::array::from_fn(|_| vec![0.0; size]) }
+        Self { places, rows, displacements, values: std::array::from_fn(|_| vec![0.0; size]) }
     }
 
     /// Adds a panel that begins at the wavenumber `lo`.
@@ -296,7 +319,8 @@ impl<'a> Sums<'a> {
                 tables[1][at] = 1.0 + tables[2][at];
             }
         }
-        for (component, table) in [1, 1, 0, 0, 2].into_iter().enumerate() {
+        let wanted = if self.displacements { 5 } else { 3 };
+        for (component, table) in [1, 1, 0, 0, 2].into_iter().enumerate().take(wanted) {
             let places = MatRef::from_column_major_slice(&tables[table], m, n);
             let mut coefficients = Vec::with_capacity(n * count);
             for k in self.rows.start..self.rows.start + count {

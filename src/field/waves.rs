@@ -1,11 +1,25 @@
 //! Which wavenumbers a field is summed over: panels of Gauss points, and how far each depth has to go.
 use crate::numeric::quadrature::{self, Rule};
 
-/// What is left out beyond the last wavenumber, in parts of the peak pressure: inside, and on a loaded face.
-const INSIDE: f64 = 1e-10;
-const ON_FACE: f64 = 1e-8;
-/// Exponentially small terms are left out beyond this exponent.
-const FELT: f64 = 36.0;
+/// How closely a field is summed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Precision {
+    /// What is left out beyond the last wavenumber, in parts of the peak pressure: inside, and on a loaded face.
+    inside: f64,
+    on_face: f64,
+    /// Exponentially small terms are left out beyond this exponent.
+    felt: f64,
+    /// Whether displacements are wanted, too.
+    pub(super) displacements: bool,
+}
+
+/// All that there is.
+pub(super) const FULL: Precision = Precision { inside: 1e-10, on_face: 1e-8, felt: 36.0, displacements: true };
+/// Stresses, as closely.
+pub(super) const STRESSES: Precision = Precision { displacements: false, ..FULL };
+/// Stresses to some four digits.
+pub(super) const ROUGH: Precision = Precision { inside: 1e-5, on_face: 1e-5, felt: 14.0, displacements: false };
+
 /// Phase that a panel may span, and up to which it needs half as many points.
 const PHASE: f64 = 56.0;
 const SHORT_PHASE: f64 = 16.0;
@@ -59,15 +73,15 @@ pub(super) struct Decay {
 
 impl Decay {
     /// The wavenumber beyond which nothing is felt; `most` if there is none below.
-    pub(super) fn end(&self, most: f64) -> f64 {
-        let exponential = FELT / self.distance;
+    pub(super) fn end(&self, precision: &Precision, most: f64) -> f64 {
+        let exponential = precision.felt / self.distance;
         let Some([size, power]) = self.left else { return exponential.min(most) };
-        let tolerance = if self.distance > 0.0 { INSIDE } else { ON_FACE };
+        let tolerance = if self.distance > 0.0 { precision.inside } else { precision.on_face };
         let left = |l: f64| {
             let t = l * self.distance;
             size * l.powf(-power) * (l * self.half_length).sqrt().recip() * (1.0 + t) * (1.0 + t) * (-t).exp()
         };
-        let (mut lo, mut hi) = ((FELT / self.reflected).min(exponential).min(most), exponential.min(most));
+        let (mut lo, mut hi) = ((precision.felt / self.reflected).min(exponential).min(most), exponential.min(most));
         if size == 0.0 || left(lo) <= tolerance {
             return lo;
         }
