@@ -24,6 +24,8 @@ const GAPS: usize = 24;
 const GRIDS: usize = 2;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
 const GAP_MODES: usize = 128;
+/// Modes y_m, the first of which is 1, below this are not felt there.
+const UNFELT: f64 = 1e-7;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-7;
 
@@ -80,7 +82,13 @@ fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
     let (mut smallest, mut largest) = ((0.0, f64::INFINITY), 0.0f64);
     for k in 1..=places {
         let phi = FRAC_PI_2 * k as f64 / places as f64;
-        let pressure: f64 = coefficients.iter().enumerate().map(|(m, c)| c * (order(m) * phi).sin()).sum();
+        // sin(3φ), sin(5φ), ... from sin φ
+        let turn = 2.0 * (2.0 * phi).cos();
+        let (mut before, mut sine, mut pressure) = (-phi.sin(), phi.sin(), 0.0);
+        for c in &coefficients {
+            pressure += c * sine;
+            (before, sine) = (sine, turn * sine - before);
+        }
         largest = largest.max(pressure.abs());
         if pressure < smallest.1 {
             smallest = (phi.cos(), pressure);
@@ -94,7 +102,11 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let n = level.half_lengths.len();
     let longest = level.half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b));
     let span = 2.0 * longest + 2.0;
-    let modes: Vec<Vec<f64>> = level.modes.iter().map(|modes| modes[..modes.len().min(GAP_MODES)].to_vec()).collect();
+    let felt = |modes: &Vec<f64>| {
+        let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
+        modes[..above.min(GAP_MODES)].to_vec()
+    };
+    let modes: Vec<Vec<f64>> = level.modes.iter().map(felt).collect();
     let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;

@@ -34,16 +34,16 @@ impl Basis {
         let mut arguments: Vec<f64> = layout.zeta[..own.reach].iter().map(|zeta| zeta * half_length).collect();
         let orders = 2 * modes + 1;
         let mut table = vec![0.0; orders * rows];
-        bessel::table_with_stride(orders, &arguments, rows, &mut table);
+        bessel::scaled_table(orders, &arguments, half_length.recip(), rows, &mut table);
         let j1 = &table[rows..rows + own.reach];
-        let deficit = arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1)).collect();
+        let deficit = arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length)).collect();
         let paths: Vec<Complex64> = turned.iter().map(|zeta| zeta * half_length).collect();
 
         let mut weights = own.unit.clone();
         weights.resize(own.reach, 0.0);
         if rows > own.reach {
             let smooth: Vec<f64> = smooth.iter().map(|zeta| zeta * half_length).collect();
-            fill_tail(&own.tail, &smooth, &paths, own.reach, rows, &mut table);
+            fill_tail(&own.tail, half_length, &smooth, &paths, own.reach, rows, &mut table);
             arguments.extend(&smooth);
             arguments.extend(&smooth);
             weights.extend(smooth_weights);
@@ -51,7 +51,6 @@ impl Basis {
             weights.extend(std::iter::repeat_n(1.0, turned.len()));
             weights.extend(std::iter::repeat_n(-1.0, turned.len()));
         }
-        table.iter_mut().for_each(|value| *value /= half_length);
         Self { half_length, deficit, weights, rows, table, arguments, paths }
     }
 
@@ -120,22 +119,31 @@ impl Basis {
     }
 }
 
-/// J, Y and both parts of H in the rows of the tail, not yet divided by a.
-fn fill_tail(tail: &Tail, smooth: &[f64], paths: &[Complex64], first: usize, rows: usize, table: &mut [f64]) {
+/// J/a, Y/a and both parts of H/a in the rows of the tail.
+fn fill_tail(
+    tail: &Tail,
+    half_length: f64,
+    smooth: &[f64],
+    paths: &[Complex64],
+    first: usize,
+    rows: usize,
+    table: &mut [f64],
+) {
     let orders = table.len() / rows;
+    let scale = half_length.recip();
     let (mut j, mut y) = (vec![0.0; orders * smooth.len()], vec![0.0; orders * smooth.len()]);
     bessel::jy_table(orders, smooth, &mut j, &mut y);
     let mut h = vec![Complex64::ZERO; orders * paths.len()];
     bessel::hankel_table(orders, paths, &mut h);
     let factors = paths.iter().zip(&tail.lift).zip(&tail.turned_roots);
-    let factors: Vec<Complex64> = factors.map(|((z, lift), root)| (Complex64::I * z + lift).exp() * root).collect();
+    let factors: Vec<Complex64> = factors.map(|((z, lift), root)| (Complex64::I * z + lift).exp() * root / half_length).collect();
     for (n, column) in table.chunks_exact_mut(rows).enumerate() {
         let (count, turned) = (smooth.len(), paths.len());
         let (js, rest) = column[first..].split_at_mut(count);
         let (ys, rest) = rest.split_at_mut(count);
         let (re, im) = rest.split_at_mut(turned);
-        js.copy_from_slice(&j[n * count..(n + 1) * count]);
-        ys.copy_from_slice(&y[n * count..(n + 1) * count]);
+        let parts = js.iter_mut().zip(&j[n * count..]).chain(ys.iter_mut().zip(&y[n * count..]));
+        parts.for_each(|(out, value)| *out = value * scale);
         for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
             let value = h * factor;
             (re[i], im[i]) = (value.re, value.im);

@@ -19,7 +19,7 @@ const FARTHEST: f64 = 4.0;
 /// Rounds of iteration begin when what is left of a Newton step is below this.
 const NEARBY: f64 = 1e-5;
 /// Functions of half-lengths that move less than this need not be computed again.
-const STILL: f64 = 1e-14;
+const SHORT: f64 = 1e-8;
 /// Rounds that change more than this are not going anywhere.
 const DIVERGED: f64 = 1e-2;
 /// What is taken for the error of modes that did not settle, on top of how they fall.
@@ -92,33 +92,25 @@ impl Newton<'_> {
         let mut unsettled = last.clone();
         let plain = (all.clone(), half_lengths.clone(), step.clone());
         let mut lost = false;
-        let mut bases = Vec::new();
+        let mut bases: Vec<Basis> = Vec::new();
         let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
         for round in 0..ROUNDS {
-            let moved = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-            if round > 0 && moved > DIVERGED {
-                lost = true;
-                break;
-            }
-            half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
-            point.linearised.follow(&mut all, &step);
-            let settled = |[length, pressure]: &[f64; 2]| *length <= 0.01 * tolerance && *pressure <= 0.1 * tolerance;
-            if round > 1 && unsettled.iter().all(settled) {
-                break;
-            }
-            if bases.is_empty() || moved > STILL {
+            // a short step is taken at the end
+            if bases.is_empty() || longest(&step) > SHORT {
+                half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+                point.linearised.follow(&mut all, &step);
+                step.fill(0.0);
                 bases = (0..n).map(|i| Basis::new(&layout, &layout.own[i], half_lengths[i], modes[i])).collect();
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             }
             self.steps += 1;
             let equations = Equations::new(&layout, &bases, solved, &linked);
             let found = point.linearised.settle(&equations, &slopes, &mut all);
-            step = found.step;
             let mut slow = false;
             for i in 0..n {
-                let now = [step[i].abs(), found.changes[i]];
+                let now = [(found.step[i] - step[i]).abs(), found.changes[i]];
                 if round > 0 {
-                    shift[i] += step[i];
+                    shift[i] += found.step[i] - step[i];
                 }
                 for k in 0..2 {
                     // a geometric series goes on with the ratio of its last terms
@@ -128,10 +120,15 @@ impl Newton<'_> {
                 }
                 last[i] = now;
             }
-            if slow {
+            step = found.step;
+            lost = round > 0 && !(longest(&step) < DIVERGED);
+            let settled = |[length, pressure]: &[f64; 2]| *length <= 0.01 * tolerance && *pressure <= 0.1 * tolerance;
+            if slow || lost || round > 0 && longest(&step) <= SHORT && unsettled.iter().all(settled) {
                 break;
             }
         }
+        half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+        point.linearised.follow(&mut all, &step);
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
             (all, half_lengths, step) = plain;
@@ -181,7 +178,7 @@ impl Newton<'_> {
             let Some((pressures, linearised)) = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes) else {
                 break;
             };
-            let longest = pressures.step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+            let longest = longest(&pressures.step);
             if longest * longest < enough {
                 return Ok((Point { half_lengths, pressures, linearised }, at.0));
             }
@@ -199,6 +196,10 @@ impl Newton<'_> {
         }
         Err(not_converged(kernel, punch, &half_lengths))
     }
+}
+
+fn longest(step: &[f64]) -> f64 {
+    step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()))
 }
 
 /// Half-lengths with the solution of the equations there.

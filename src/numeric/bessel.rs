@@ -45,14 +45,14 @@ const DEEPEST: f64 = 690.0;
 /// ```
 pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
     assert_eq!(out.len(), orders * arguments.len(), "a Bessel table holds one value per order and argument");
-    table_with_stride(orders, arguments, arguments.len(), out);
+    scaled_table(orders, arguments, 1.0, arguments.len(), out);
 }
 
-/// As [`table`], into the first rows of a matrix with more rows: J_n(z_i) goes to `out[n * stride + i]`.
+/// As [`table`], into the first rows of a matrix with more rows: `factor` J_n(z_i) goes to `out[n * stride + i]`.
 ///
 /// # Panics
 /// If `stride` is less than the number of arguments, or `out` too short.
-pub fn table_with_stride(orders: usize, arguments: &[f64], stride: usize, out: &mut [f64]) {
+pub fn scaled_table(orders: usize, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
     if orders == 0 || arguments.is_empty() {
         return;
     }
@@ -67,19 +67,19 @@ pub fn table_with_stride(orders: usize, arguments: &[f64], stride: usize, out: &
         let far = z.map(|z| z >= upward_from);
         match far[..block.len()].iter().filter(|&&far| far).count() {
             0 => {
-                let scale = downward(orders, &z, &mut rows);
+                let scale = downward(orders, &z, &mut rows).map(|scale| factor * scale);
                 window.store(&rows[..orders], &scale, |_| true);
             }
             all if all == block.len() => {
                 upward(orders, &z, &mut rows);
-                window.store(&rows[..orders], &[1.0; LANES], |_| true);
+                window.store(&rows[..orders], &[factor; LANES], |_| true);
             }
             _ => {
                 let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
-                let scale = downward(orders, &near, &mut rows);
+                let scale = downward(orders, &near, &mut rows).map(|scale| factor * scale);
                 window.store(&rows[..orders], &scale, |lane| !far[lane]);
                 upward(orders, &z, &mut rows);
-                window.store(&rows[..orders], &[1.0; LANES], |lane| far[lane]);
+                window.store(&rows[..orders], &[factor; LANES], |lane| far[lane]);
             }
         }
     }
@@ -113,7 +113,7 @@ impl Window<'_> {
 
 /// Miller's recurrence: fills `rows[n]` (n = 0..orders at least) up to a factor per lane, and returns that factor.
 fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
-    let starts = z.map(|z| start_order(z, orders));
+    let starts = start_orders(z, orders);
     let two_over_z = z.map(|z| if z < TINY { 0.0 } else { 2.0 / z });
     let highest = starts.iter().copied().max().unwrap_or(0);
     if rows.len() < orders.max(highest + 1) {
@@ -179,6 +179,23 @@ fn upward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
     }
 }
 
+/// Where each lane may start: all with the largest argument, unless the smallest would overflow from there.
+fn start_orders(z: &Lanes, orders: usize) -> [usize; LANES] {
+    let (least, most) = z.iter().fold((f64::INFINITY, 0.0), |(least, most), &z| (z.min(least), z.max(most)));
+    let together = start_order(most, orders);
+    let m = together as f64;
+    if least >= TINY && together > 1 && depth(m, least, (m / least).acosh()) < DEEPEST {
+        [together; LANES]
+    } else {
+        z.map(|z| start_order(z, orders))
+    }
+}
+
+/// The exponent of J_m(z), about exp(−m (A − tanh A)) with cosh A = m/z, for the `angle` A.
+fn depth(m: f64, z: f64, angle: f64) -> f64 {
+    m * (angle - (1.0 - (z / m).powi(2)).sqrt())
+}
+
 /// The order m at which the downward recurrence may start so that the orders below `orders` are correct to rounding.
 fn start_order(z: f64, orders: usize) -> usize {
     if z.is_nan() || z < TINY {
@@ -199,7 +216,7 @@ fn start_order(z: f64, orders: usize) -> usize {
 
     // J_m, about exp(-m (A - tanh A)) with cosh A = m/z, must not be too small. The exponent is convex in m and has the
     // derivative A: Newton's method from above stays above.
-    let depth = |m: f64, angle: f64| m * (angle - (1.0 - (z / m).powi(2)).sqrt());
+    let depth = |m: f64, angle: f64| depth(m, z, angle);
     if depth(m, LN_2 * (log2_below(cosh_to_exp(m / z)) + LOG2_GAP)) > DEEPEST {
         loop {
             let angle = (m / z).acosh();
