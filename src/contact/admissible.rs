@@ -111,7 +111,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
     let bases: Vec<Basis> =
-        (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], modes[i].len())).collect();
+        (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], modes[i].len(), Vec::new())).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
     let equations = Equations::new(&layout, &bases, &counts, &linked);

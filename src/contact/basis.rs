@@ -28,12 +28,13 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    pub(super) fn new(layout: &Layout, own: &Own, half_length: f64, modes: usize) -> Self {
+    /// The modes at one half-length; `table` is storage to be used again, whatever is in it.
+    pub(super) fn new(layout: &Layout, own: &Own, half_length: f64, modes: usize, mut table: Vec<f64>) -> Self {
         let Tail { smooth, smooth_weights, turned, .. } = &own.tail;
         let rows = own.reach + 2 * (smooth.len() + turned.len());
         let mut arguments: Vec<f64> = layout.zeta[..own.reach].iter().map(|zeta| zeta * half_length).collect();
         let orders = 2 * modes + 1;
-        let mut table = vec![0.0; orders * rows];
+        table.resize(orders * rows, 0.0);
         bessel::scaled_table(orders, &arguments, half_length.recip(), rows, &mut table);
         let j1 = &table[rows..rows + own.reach];
         let deficit = arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length)).collect();
@@ -52,6 +53,11 @@ impl Basis {
             weights.extend(std::iter::repeat_n(-1.0, turned.len()));
         }
         Self { half_length, deficit, weights, rows, table, arguments, paths }
+    }
+
+    /// The storage, to be used again.
+    pub(super) fn into_table(self) -> Vec<f64> {
+        self.table
     }
 
     /// Number of rows.

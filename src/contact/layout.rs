@@ -35,12 +35,12 @@ pub(super) struct Accuracy {
 impl Accuracy {
     /// What answers with a relative error of `tolerance` need.
     pub(super) fn of(tolerance: f64) -> Self {
-        Self { negligible: (1e-4 * tolerance).min(1e-10), spare: 13.0 }
+        Self { negligible: (1e-4 * tolerance).min(1e-10), spare: 10.0 }
     }
 }
 
 /// For the first steps.
-pub(super) const COARSE: Accuracy = Accuracy { negligible: 1e-5, spare: 8.0 };
+pub(super) const COARSE: Accuracy = Accuracy { negligible: 1e-5, spare: 6.0 };
 
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`.
 pub(super) struct Layout {

@@ -56,6 +56,8 @@ pub(super) struct Newton<'a> {
     pub(super) punch: &'a Indentation<'a>,
     /// Steps and rounds taken.
     pub(super) steps: usize,
+    /// Storage of tables to be used again.
+    pub(super) spare: Vec<Vec<f64>>,
 }
 
 impl Newton<'_> {
@@ -100,7 +102,8 @@ impl Newton<'_> {
                 half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
                 point.linearised.follow(&mut all, &step);
                 step.fill(0.0);
-                bases = (0..n).map(|i| Basis::new(&layout, &layout.own[i], half_lengths[i], modes[i])).collect();
+                self.spare.extend(bases.into_iter().map(Basis::into_table));
+                bases = self.bases(&layout, &half_lengths, modes);
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             }
             self.steps += 1;
@@ -127,6 +130,7 @@ impl Newton<'_> {
                 break;
             }
         }
+        self.spare.extend(bases.into_iter().map(Basis::into_table));
         half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
         point.linearised.follow(&mut all, &step);
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
@@ -154,7 +158,7 @@ impl Newton<'_> {
         accuracy: Accuracy,
         enough: f64,
     ) -> Result<(Point, Layout), Error> {
-        let Self { kernel, punch, .. } = *self;
+        let (kernel, punch) = (self.kernel, self.punch);
         let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
         let start = half_lengths.clone();
         let mut layout: Option<(Layout, Vec<f64>)> = None;
@@ -170,14 +174,13 @@ impl Newton<'_> {
                     None => break,
                 },
             };
-            let bases: Vec<Basis> =
-                (0..half_lengths.len()).map(|i| Basis::new(&at.0, &at.0.own[i], half_lengths[i], solved[i])).collect();
+            let bases = self.bases(&at.0, &half_lengths, solved);
             let slopes = punch.slopes(half_lengths[0], solved[0]);
             let linked = ties(kernel, &half_lengths);
             self.steps += 1;
-            let Some((pressures, linearised)) = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes) else {
-                break;
-            };
+            let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes);
+            self.spare.extend(bases.into_iter().map(Basis::into_table));
+            let Some((pressures, linearised)) = found else { break };
             let longest = longest(&pressures.step);
             if longest * longest < enough {
                 return Ok((Point { half_lengths, pressures, linearised }, at.0));
@@ -195,6 +198,13 @@ impl Newton<'_> {
             layout = Some(at);
         }
         Err(not_converged(kernel, punch, &half_lengths))
+    }
+}
+
+impl Newton<'_> {
+    fn bases(&mut self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
+        let contacts = half_lengths.iter().zip(modes).zip(&layout.own);
+        contacts.map(|((a, modes), own)| Basis::new(layout, own, *a, *modes, self.spare.pop().unwrap_or_default())).collect()
     }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn refine(
 ) -> Result<(Level, Vec<String>), Error> {
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
-    let mut newton = Newton { kernel, punch, steps: *steps };
+    let mut newton = Newton { kernel, punch, steps: *steps, spare: Vec::new() };
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
     let coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
     let tolerance = options.tolerance.max(BEST);
