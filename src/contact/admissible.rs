@@ -110,8 +110,9 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
-    let bases: Vec<Basis> =
-        (0..n).map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], modes[i].len(), Vec::new())).collect();
+    let bases: Vec<Basis> = (0..n)
+        .map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], modes[i].len(), Vec::new()))
+        .collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
     let equations = Equations::new(&layout, &bases, &counts, &linked);

@@ -37,7 +37,8 @@ impl Basis {
         table.resize(orders * rows, 0.0);
         bessel::scaled_table(orders, &arguments, half_length.recip(), rows, &mut table);
         let j1 = &table[rows..rows + own.reach];
-        let deficit = arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length)).collect();
+        let deficit =
+            arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length)).collect();
         let paths: Vec<Complex64> = turned.iter().map(|zeta| zeta * half_length).collect();
 
         let mut weights = own.unit.clone();
@@ -142,7 +143,8 @@ fn fill_tail(
     let mut h = vec![Complex64::ZERO; orders * paths.len()];
     bessel::hankel_table(orders, paths, &mut h);
     let factors = paths.iter().zip(&tail.lift).zip(&tail.turned_roots);
-    let factors: Vec<Complex64> = factors.map(|((z, lift), root)| (Complex64::I * z + lift).exp() * root / half_length).collect();
+    let factors: Vec<Complex64> =
+        factors.map(|((z, lift), root)| (Complex64::I * z + lift).exp() * root / half_length).collect();
     for (n, column) in table.chunks_exact_mut(rows).enumerate() {
         let (count, turned) = (smooth.len(), paths.len());
         let (js, rest) = column[first..].split_at_mut(count);
