@@ -57,8 +57,9 @@ pub fn draw(path: &std::path::Path, diagrams: &[Diagram], columns: u32) -> Resul
         for (curve, colour) in diagram.curves.iter().zip(COLOURS) {
             // what is no number is as wrong as can be
             let shown = curve.points.iter().map(|(x, y)| (*x, if y.is_nan() { high } else { y.clamp(low, high) }));
+            let line = PathElement::new(shown.collect::<Vec<_>>(), colour.stroke_width(2));
             chart
-                .draw_series(LineSeries::new(shown, colour.stroke_width(2)))?
+                .draw_series([line])?
                 .label(curve.name)
                 .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2)));
         }
@@ -66,7 +67,7 @@ pub fn draw(path: &std::path::Path, diagrams: &[Diagram], columns: u32) -> Resul
             chart
                 .configure_series_labels()
                 .position(SeriesLabelPosition::MiddleLeft)
-                .background_style(WHITE.mix(0.85))
+                .background_style(WHITE.mix(0.0))
                 .label_font(("sans-serif", 12))
                 .draw()?;
         }
