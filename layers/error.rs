@@ -20,6 +20,49 @@ pub enum LayerError {
         /// The largest magnitude allowed.
         limit: f64,
     },
+    /// A graded layer whose modulus varies by more than double precision can carry.
+    #[error("shear_modulus varies by a factor of {found:e}; allowed is {limit:e} or less")]
+    VariesTooMuch {
+        /// The largest modulus over the smallest, dimensionless.
+        found: f64,
+        /// The largest ratio allowed.
+        limit: f64,
+    },
+    /// Two fields of which exactly one is to be given.
+    #[error("found {found} of `poisson` and `poisson_profile`; allowed is one of them")]
+    EitherOr {
+        /// How many of them.
+        found: &'static str,
+    },
+    /// Rows that make no table.
+    #[error(transparent)]
+    Table(#[from] crate::profile::TableError),
+    /// A table that does not reach the bottom of its layer.
+    #[error("{field}: the table ends at depth {depth:?}; allowed is the thickness, {thickness:?}, or more")]
+    TableEnds {
+        /// The field's name as in the scene file.
+        field: &'static str,
+        /// The last depth of the table, in length.
+        depth: f64,
+        /// The thickness of the layer, in length.
+        thickness: f64,
+    },
+    /// A Poisson's ratio too large for the Young's moduli.
+    #[error("{field}: found {found:?}, allowed is -{limit:?} < {field} < {limit:?}")]
+    Unstable {
+        /// Which of them.
+        field: &'static str,
+        /// The ratio.
+        found: f64,
+        /// Its bound, the root of a ratio of Young's moduli.
+        limit: f64,
+    },
+    /// An orthotropic material that would expand under pressure from all sides.
+    #[error("these Poisson's ratios together make a material that expands under pressure; try smaller ones")]
+    NegativeEnergy {
+        /// The determinant of the compliances, scaled; it must not be negative.
+        found: f64,
+    },
 }
 
 impl LayerError {
@@ -28,8 +71,11 @@ impl LayerError {
         Self::Field { field, reason }
     }
 
-    /// Checks the number given for `field`.
-    pub(crate) fn checked<Q: TryFrom<f64, Error = crate::quantity::OutOfRange>>(
+    /// Checks the number given for `field`: what a constructor does with its arguments.
+    ///
+    /// # Errors
+    /// [`LayerError::Field`] if it is out of its range.
+    pub fn checked<Q: TryFrom<f64, Error = crate::quantity::OutOfRange>>(
         field: &'static str,
         value: f64,
     ) -> Result<Q, Self> {

@@ -4,11 +4,12 @@ mod thick;
 mod thin;
 
 use nalgebra::Matrix4;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Finite, Flexibility, Isotropic, Layer, LayerError, LayerStates, Material, Notation, Plane, Poisson,
-    Positive, Thickness, Wave, graded,
+    FaceStates, Finite, Flexibility, Isotropic, Layer, LayerError, LayerStates, Material, Plane, Poisson, Positive,
+    Thickness, Wave, graded,
 };
 
 /// Up to this λh the amplitudes are the state at one depth; beyond, solutions that decay from either face.
@@ -27,7 +28,7 @@ const STEEPEST: f64 = 100.0;
 /// assert!((1.0 / bottom.shear_compliance - (-1.0f64).exp()).abs() < 1e-15);
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, try_from = "Fields")]
 pub struct Exponential {
     thickness: Thickness,
@@ -37,12 +38,16 @@ pub struct Exponential {
 }
 
 /// The fields as written in a scene, before they are checked together.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Exponential")]
 struct Fields {
+    /// Thickness h, in length.
     thickness: Thickness,
+    /// Shear modulus at the top face, in stress.
     shear_modulus: Positive,
+    /// Poisson's ratio ν.
     poisson: Poisson,
+    /// Grading exponent β, in 1/length: the modulus at depth d is shear_modulus exp(beta d).
     beta: Finite,
 }
 
@@ -128,6 +133,10 @@ impl Layer for Exponential {
         self.at(depth).material(plane)
     }
 
+    fn has_closed_form(&self) -> bool {
+        true
+    }
+
     fn face_states(&self, wave: &Wave) -> FaceStates {
         if wave.wavenumber * self.thickness.get() > THIN {
             self.thick(wave)
@@ -155,19 +164,6 @@ impl Layer for Exponential {
             self.mild(wave).flexibility()
         } else {
             self.steep(wave).flexibility(self.beta.get() > 0.0)
-        }
-    }
-
-    fn notation(&self) -> Notation {
-        Notation {
-            kind: "Exponential",
-            parameters: format!(
-                "thickness: {:?}, shear_modulus: {:?}, poisson: {:?}, beta: {:?}",
-                self.thickness.get(),
-                self.shear_modulus.get(),
-                self.poisson.get(),
-                self.beta.get()
-            ),
         }
     }
 }

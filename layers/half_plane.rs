@@ -1,10 +1,11 @@
 //! A homogeneous half-plane: everything below its top face.
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Notation, Plane, Poisson, Positive,
-    Wave, homogeneous,
+    FaceStates, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Plane, Poisson, Positive, Wave,
+    homogeneous,
 };
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
@@ -15,10 +16,12 @@ use crate::{
 /// assert!(HalfPlane::new(-1.0, 0.25).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HalfPlane {
+    /// Shear modulus μ, in stress.
     shear_modulus: Positive,
+    /// Poisson's ratio ν.
     poisson: Poisson,
 }
 
@@ -48,6 +51,10 @@ impl Layer for HalfPlane {
         self.isotropic().material(plane)
     }
 
+    fn has_closed_form(&self) -> bool {
+        true
+    }
+
     fn face_states(&self, wave: &Wave) -> FaceStates {
         let [first, second] = homogeneous::decaying_downwards(&self.isotropic(), wave, 0.0);
         FaceStates::HalfPlane { top: Matrix4x2::from_columns(&[first, second]) }
@@ -59,12 +66,5 @@ impl Layer for HalfPlane {
             InnerStates::thick(Matrix4::from_columns(&[a, b, Vector4::zeros(), Vector4::zeros()]))
         });
         LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
-    }
-
-    fn notation(&self) -> Notation {
-        Notation {
-            kind: "HalfPlane",
-            parameters: format!("shear_modulus: {:?}, poisson: {:?}", self.shear_modulus.get(), self.poisson.get()),
-        }
     }
 }

@@ -1,10 +1,11 @@
 //! A homogeneous, isotropic layer: closed forms at both ends of the wavenumber axis.
 use nalgebra::{Matrix4, Vector4};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Flexibility, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Notation, Plane,
-    Poisson, Positive, State, Thickness, Wave, stable,
+    FaceStates, Flexibility, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Plane, Poisson,
+    Positive, State, Thickness, Wave, stable,
 };
 
 /// Up to this λh the amplitudes are the state at mid-depth; beyond, solutions that decay from either face.
@@ -18,11 +19,14 @@ const THIN: f64 = 2.0;
 /// assert_eq!(strip.thickness(), Some(1.0));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Homogeneous {
+    /// Thickness h, in length.
     thickness: Thickness,
+    /// Shear modulus μ, in stress.
     shear_modulus: Positive,
+    /// Poisson's ratio ν.
     poisson: Poisson,
 }
 
@@ -52,6 +56,10 @@ impl Layer for Homogeneous {
 
     fn material(&self, _depth: f64, plane: Plane) -> Material {
         self.isotropic().material(plane)
+    }
+
+    fn has_closed_form(&self) -> bool {
+        true
     }
 
     fn face_states(&self, wave: &Wave) -> FaceStates {
@@ -86,18 +94,6 @@ impl Layer for Homogeneous {
             equal_top: unit * equal,
             equal_bottom: -unit * equal,
         })
-    }
-
-    fn notation(&self) -> Notation {
-        Notation {
-            kind: "Homogeneous",
-            parameters: format!(
-                "thickness: {:?}, shear_modulus: {:?}, poisson: {:?}",
-                self.thickness.get(),
-                self.shear_modulus.get(),
-                self.poisson.get()
-            ),
-        }
     }
 }
 

@@ -4,13 +4,33 @@ use std::fmt::Debug;
 
 use crate::{FaceStates, Flexibility, LayerStates, Material, Plane, Wave, graded};
 
-/// How a layer is written in the printed block matrix: symbols only, no numbers.
+/// How a layer is written in drawings and messages.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notation {
     /// Name of the layer type, e.g. `Homogeneous`.
     pub kind: &'static str,
     /// The parameters with their values, as in the scene file, e.g. `thickness: 1.0, shear_modulus: 1.0, poisson: 0.25`.
     pub parameters: String,
+}
+
+impl Notation {
+    /// The name of the type, and its fields as [`Debug`] tells them: a layer whose fields are those of the scene file is
+    /// written as there.
+    ///
+    /// ```
+    /// use recede_layers::{Homogeneous, Notation};
+    /// let notation = Notation::of(&Homogeneous::new(1.0, 1.0, 0.25)?);
+    /// assert_eq!(notation.kind, "Homogeneous");
+    /// assert_eq!(notation.parameters, "thickness: 1.0, shear_modulus: 1.0, poisson: 0.25");
+    /// # Ok::<(), recede_layers::LayerError>(())
+    /// ```
+    pub fn of<L: Debug + ?Sized>(layer: &L) -> Self {
+        let path = std::any::type_name::<L>();
+        let path = path.split_once('<').map_or(path, |(path, _)| path);
+        let fields = format!("{layer:?}").replace(" { ", "(").replace(" }", ")");
+        let inside = fields.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or_default();
+        Self { kind: path.rsplit("::").next().unwrap_or(path), parameters: inside.to_owned() }
+    }
 }
 
 /// An elastic layer, known to the solver only by its transformed fields.
@@ -22,8 +42,8 @@ pub struct Notation {
 ///
 /// # Required methods
 ///
-/// [`thickness`](Layer::thickness), [`material`](Layer::material) and [`notation`](Layer::notation). These make a layer
-/// complete: the rest follows from the material.
+/// [`thickness`](Layer::thickness) and [`material`](Layer::material). These make a layer complete: the rest follows from
+/// the material.
 ///
 /// # Laws
 ///
@@ -40,9 +60,9 @@ pub struct Notation {
 ///
 /// # When to override a provided method
 ///
-/// The provided [`face_states`](Layer::face_states) integrates the state equations: some microseconds for a thin
-/// layer, about a millisecond for a thick one, and twelve digits. Override it when there is a closed form *that
-/// keeps its digits at both ends*: for λh → 0, where a free layer bends with λ⁻⁴, and for λh → ∞, where only decaying
+/// The provided [`face_states`](Layer::face_states) integrates the state equations, to twelve digits. A stack remembers
+/// what it has integrated, and then needs some ten microseconds per wavenumber. Override it, and
+/// [`has_closed_form`](Layer::has_closed_form) with it, when there is a closed form *that keeps its digits at both ends*: for λh → 0, where a free layer bends with λ⁻⁴, and for λh → ∞, where only decaying
 /// exponentials may be formed. Where there is a closed form of the [`flexibility`](Layer::flexibility) too, e.g. for
 /// the symmetric and the antisymmetric load of a homogeneous strip, override it as well; else it is solved for.
 ///
@@ -54,7 +74,7 @@ pub struct Notation {
 /// A coating whose modulus falls from the face to a core like a power of the depth, and which is examined by all laws:
 ///
 /// ```
-/// use recede_layers::{Isotropic, Layer, Material, Notation, Plane, conformance};
+/// use recede_layers::{Isotropic, Layer, Material, Plane, conformance};
 ///
 /// /// μ(d) = μ_face (1 + d/h)^(−n).
 /// #[derive(Debug)]
@@ -73,12 +93,6 @@ pub struct Notation {
 ///         let shear_modulus = self.face_modulus * (1.0 + depth / self.thickness).powf(-self.exponent);
 ///         Isotropic { shear_modulus, poisson: 0.3 }.material(plane)
 ///     }
-///
-///     fn notation(&self) -> Notation {
-///         let Self { thickness, face_modulus, exponent } = self;
-///         let parameters = format!("thickness: {thickness:?}, face_modulus: {face_modulus:?}, exponent: {exponent:?}");
-///         Notation { kind: "PowerLaw", parameters }
-///     }
 /// }
 ///
 /// let coating = PowerLaw { thickness: 0.2, face_modulus: 80e9, exponent: 2.5 };
@@ -93,11 +107,30 @@ pub trait Layer: Debug + Send + Sync + Any {
 
     /// The material at `depth` below the top face, 0 ≤ depth ≤ thickness.
     ///
-    /// It should be smooth in the depth. Jumps are found, but cost time: two layers are better.
+    /// It should be smooth in the depth, except at the [`kinks`](Layer::kinks). Jumps elsewhere are found, but cost time.
     fn material(&self, depth: f64, plane: Plane) -> Material;
 
-    /// How the layer is written in the printed block matrix.
-    fn notation(&self) -> Notation;
+    /// How the layer is written in drawings and messages; provided by [`Notation::of`], that is by [`Debug`].
+    fn notation(&self) -> Notation {
+        Notation::of(self)
+    }
+
+    /// Depths, in any order, at which the material is not smooth; provided: none.
+    fn kinks(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Whether this is an elastic body, as is provided. A support such as springs, without a thickness, is none: it
+    /// overrides [`face_states`](Layer::face_states), and its material is [`Material::NONE`].
+    fn has_material(&self) -> bool {
+        true
+    }
+
+    /// Whether [`face_states`](Layer::face_states) is overridden; if not, as is provided, a stack keeps what the general
+    /// body computes of the layer, see [`graded::Remembering`].
+    fn has_closed_form(&self) -> bool {
+        false
+    }
 
     /// States at the faces as functions of the layer's amplitudes; provided by [`graded::face_states`].
     fn face_states(&self, wave: &Wave) -> FaceStates {

@@ -23,36 +23,56 @@
 #![deny(missing_docs)]
 
 pub mod conformance;
+pub mod description;
 mod error;
 mod exponential;
 mod flexibility;
 pub mod graded;
+mod graded_half_plane;
+mod graded_layer;
 mod half_plane;
 mod homogeneous;
 mod layer;
 mod linear;
 mod material;
+mod orthotropic;
+mod power_half_plane;
+mod profile;
 mod quantity;
 mod registry;
 mod stable;
 mod state;
+mod winkler;
 
 pub use error::LayerError;
 pub use exponential::Exponential;
 pub use flexibility::Flexibility;
+pub use graded_half_plane::GradedHalfPlane;
+pub use graded_layer::Graded;
 pub use half_plane::HalfPlane;
 pub use homogeneous::Homogeneous;
 pub use layer::{Layer, Notation};
 pub use linear::solve_equilibrated;
 pub use material::{Isotropic, Material, Plane};
-pub use quantity::{Finite, OutOfRange, Poisson, Positive, Thickness};
+pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, PoissonRatios, Young};
+pub use power_half_plane::PowerHalfPlane;
+pub use profile::{Profile, Table, TableError};
+pub use quantity::{Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
 pub use registry::{Entry, ReadError, ReadLayer, Registry, read_ron};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
+pub use winkler::Winkler;
 
 /// Registers the layer types that ship with `recede`: the one list that feeds the RON reader, its error
 /// messages, and the tests of the laws.
 fn register_shipped(registry: &mut Registry) {
-    registry.register::<Homogeneous>("Homogeneous", "one material through the thickness");
-    registry.register::<Exponential>("Exponential", "shear modulus varies as exp(beta * depth)");
-    registry.register::<HalfPlane>("HalfPlane", "homogeneous, fills everything below; only as the base");
+    registry.register_described::<Homogeneous>("Homogeneous", "One isotropic material through the thickness.");
+    registry.register_described::<Exponential>("Exponential", "Shear modulus varies as exp(beta d) with the depth d.");
+    registry.register_described::<Graded>("Graded", "Shear modulus and Poisson's ratio vary in any way.");
+    registry.register_described::<Orthotropic>("Orthotropic", "One orthotropic material through the thickness.");
+    registry.register_described::<HalfPlane>("HalfPlane", "One isotropic material, down to any depth.");
+    registry.register_described::<GradedHalfPlane>("GradedHalfPlane", "Shear modulus grows as exp(beta d).");
+    registry.register_described::<PowerHalfPlane>("PowerHalfPlane", "Shear modulus grows as (1 + d/length)^exponent.");
+    registry.register_described::<OrthotropicHalfPlane>("OrthotropicHalfPlane", "One orthotropic material.");
+    registry
+        .register_described::<Winkler>("Winkler", "Springs on rigid ground; the layer above is to be bonded to them.");
 }

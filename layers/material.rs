@@ -1,10 +1,11 @@
 //! What the state equations need to know of a material at one depth.
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{LayerError, Poisson, Positive};
 
 /// Whether the plane problem is one of plane strain or of plane stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 pub enum Plane {
     /// Plane strain, ε_zz = 0: κ = 3 − 4ν.
     #[default]
@@ -27,6 +28,12 @@ pub struct Material {
     pub coupling: f64,
     /// c11 − c12²/c22 = 8 μ/(κ + 1), the modulus of a plate stretched along x, in stress.
     pub axial_stiffness: f64,
+}
+
+impl Material {
+    /// That of a support which is no elastic body, see [`Layer::has_material`](crate::Layer::has_material): no numbers.
+    pub const NONE: Self =
+        Self { shear_compliance: f64::NAN, normal_compliance: f64::NAN, coupling: f64::NAN, axial_stiffness: f64::NAN };
 }
 
 /// An isotropic elastic material: shear modulus μ and Poisson's ratio ν.

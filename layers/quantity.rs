@@ -1,5 +1,11 @@
 //! Checked numbers: rejected with a reason where they are read, so that a scene's error names its column.
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
+
+use crate::description::Value;
 
 /// A number outside the range of its quantity.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -14,9 +20,25 @@ pub struct OutOfRange {
 macro_rules! quantity {
     ($(#[$doc:meta])* $name:ident, $allowed:literal, $test:expr) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
+        #[derive(Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
         #[serde(try_from = "f64", into = "f64")]
         pub struct $name(f64);
+
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                Value::plain_schema($allowed)
+            }
+        }
+
+        impl fmt::Debug for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                fmt::Debug::fmt(&self.0, f)
+            }
+        }
 
         impl $name {
             /// The number itself.
@@ -53,3 +75,7 @@ quantity!(
 quantity!(
     /// Any finite number, such as a grading exponent.
     Finite, "a finite number", f64::is_finite);
+quantity!(
+    /// How fast a half-plane stiffens with depth.
+    Stiffening, "a finite number >= 0 (a half-plane that softens without end carries no force)",
+    |x| x >= 0.0 && x.is_finite());

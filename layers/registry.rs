@@ -1,11 +1,13 @@
 //! Layer types by name: what a scene file may contain, and how it is read.
 use ron::error::SpannedError;
 use ron::extensions::Extensions;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Deserializer, Segment, Track};
 
 use crate::Layer;
+use crate::description::Value;
 
 /// Reads one layer from its fields as written in a scene file, `(thickness: 1.0, shear_modulus: ...)`.
 pub type ReadLayer = fn(&str) -> Result<Box<dyn Layer>, ReadError>;
@@ -19,6 +21,8 @@ pub struct Entry {
     pub summary: &'static str,
     /// Reads the fields.
     pub read: ReadLayer,
+    /// Tells the fields, if the type does, see [`Registry::register_described`].
+    pub describe: Option<fn() -> Value>,
 }
 
 /// Layer types by name. [`Registry::default`] holds those that ship; [`Registry::register`] adds one's own.
@@ -51,7 +55,19 @@ impl Registry {
     pub fn register<L: Layer + DeserializeOwned>(&mut self, name: &'static str, summary: &'static str) {
         self.entries.retain(|entry| entry.name != name);
         let read: ReadLayer = |fields| Ok(Box::new(read_ron::<L>(fields)?));
-        self.entries.push(Entry { name, summary, read });
+        self.entries.push(Entry { name, summary, read, describe: None });
+    }
+
+    /// The same for a layer type that also derives [`JsonSchema`]: its fields, with their documentation, are listed by
+    /// [`Entry::describe`].
+    pub fn register_described<L>(&mut self, name: &'static str, summary: &'static str)
+    where
+        L: Layer + DeserializeOwned + JsonSchema,
+    {
+        self.register::<L>(name, summary);
+        if let Some(entry) = self.entries.last_mut() {
+            entry.describe = Some(Value::of::<L>);
+        }
     }
 
     /// The entries in the order of registration.

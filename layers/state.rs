@@ -58,6 +58,18 @@ pub struct InnerStates {
     pub uniform: State,
 }
 
+impl LayerStates {
+    /// The same in units of another modulus: displacements times `factor`.
+    pub(crate) fn with_displacements_times(self, factor: f64) -> Self {
+        let mut inside = self.inside;
+        for states in &mut inside {
+            states.columns.fixed_rows_mut::<2>(0).scale_mut(factor);
+            states.uniform.fixed_rows_mut::<2>(0).scale_mut(factor);
+        }
+        Self { faces: self.faces.with_displacements_times(factor), inside }
+    }
+}
+
 impl InnerStates {
     /// States inside a layer so thick that the field close to uniform pressure is no field at all.
     pub fn thick(columns: Matrix4<f64>) -> Self {
@@ -66,6 +78,19 @@ impl InnerStates {
 }
 
 impl FaceStates {
+    /// The same in units of another modulus: displacements times `factor`.
+    pub(crate) fn with_displacements_times(mut self, factor: f64) -> Self {
+        match &mut self {
+            Self::Finite { top, bottom, uniform } => {
+                top.fixed_rows_mut::<2>(0).scale_mut(factor);
+                bottom.fixed_rows_mut::<2>(0).scale_mut(factor);
+                uniform.iter_mut().for_each(|state| state.fixed_rows_mut::<2>(0).scale_mut(factor));
+            }
+            Self::HalfPlane { top } => top.fixed_rows_mut::<2>(0).scale_mut(factor),
+        }
+        self
+    }
+
     /// Face states of a layer so thick that uniform pressure needs no care: the field "close to it" is no field at
     /// all.
     pub fn thick(top: Matrix4<f64>, bottom: Matrix4<f64>) -> Self {

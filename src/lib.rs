@@ -76,10 +76,11 @@ pub use options::{Method, Options};
 /// The layers' own crate: for layer types of one's own, and the laws they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{
-    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Isotropic, Layer, LayerError, Material, Notation,
-    Plane, Registry, Wave,
+    EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane, Homogeneous,
+    Isotropic, Layer, LayerError, Material, Notation, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane,
+    Profile, Registry, Wave, Winkler,
 };
-pub use scene::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units};
+pub use scene::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Units, Vocabulary};
 pub use solution::{Contact, Interface, Solution};
 pub use stack::{
     Base, Foundation, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError, StackProblem,

@@ -12,8 +12,6 @@ use std::process::{Command, Stdio};
 
 #[path = "docs/library.rs"]
 mod library;
-#[path = "docs/own_layer.rs"]
-mod own_layer;
 
 /// Commands that are shown and not run: what they do is done by whoever runs these tests.
 const NOT_RUN: [&str; 6] = [
@@ -73,7 +71,7 @@ fn scenes_are_legal() {
 
 #[test]
 fn programs_are_those_that_are_compiled() {
-    let sources: Vec<String> = ["tests/docs/library.rs", "tests/docs/own_layer.rs"]
+    let sources: Vec<String> = ["tests/docs/library.rs", "examples/custom_layer.rs"]
         .iter()
         .map(|name| {
             let text = read(&root().join(name));
@@ -84,7 +82,7 @@ fn programs_are_those_that_are_compiled() {
     for document in documents() {
         for block in blocks(&document).iter().filter(|block| block.language == "rust") {
             let part = sources.iter().any(|source| source.contains(block.text.trim()));
-            assert!(part, "{}:{}: no such program in tests/docs", document.display(), block.line);
+            assert!(part, "{}:{}: no such program", document.display(), block.line);
         }
     }
     assert!(read(&root().join("README.md")).contains(&sources[0]), "README.md shows another program");

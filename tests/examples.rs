@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 
 use recede::Scene;
 
+#[path = "../examples/custom_layer.rs"]
+mod custom_layer;
 #[path = "../examples/figures.rs"]
 #[allow(dead_code, reason = "its main function writes into docs/")]
 mod figures;
@@ -66,7 +68,8 @@ fn scenes_say_what_they_show() {
 
 #[test]
 fn programs_assert_their_answers() {
-    let programs: [(&str, Program); 5] = [
+    let programs: [(&str, Program); 6] = [
+        ("custom_layer", || Ok(custom_layer::main()?)),
         ("figures", figures_as_in_the_documents),
         ("full_model", || Ok(full_model::main()?)),
         ("library", || Ok(library::main()?)),

@@ -55,7 +55,7 @@ fn stacks_that_are_none() {
     hint: end the stack with `HalfPlane(...)` or `Rigid`
     "#);
     insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", STRIP])), @r#"
-    error: stdin:8:9: the stack ends with layer 2 (Homogeneous), which is no base; allowed are `HalfPlane` and `Rigid`
+    error: stdin:8:9: the stack ends with layer 2 (Homogeneous), which is no base; allowed are `Rigid` and layers without a thickness, such as `HalfPlane`
       8 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
         |         ^
     hint: add an interface and `HalfPlane(...)` or `Rigid` below it

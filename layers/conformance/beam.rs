@@ -9,7 +9,7 @@ impl Trial<'_> {
     pub fn beam(&self) -> Option<Beam> {
         let h = self.thickness?;
         let material = |depth| self.layer.material(depth, self.plane);
-        let profile = Profile { thickness: self.thickness, material: &material };
+        let profile = Profile { thickness: self.thickness, material: &material, kinks: &[] };
         let [stretching, first, compliance] = profile.integrate(|m, depth| {
             [m.axial_stiffness, m.axial_stiffness * depth, m.shear_compliance + m.normal_compliance]
         });

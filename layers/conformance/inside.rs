@@ -3,7 +3,7 @@ use nalgebra::{Matrix4, Vector4};
 
 use super::trial::{Trial, USUAL, size_over, work};
 use super::{DIGITS, Violation};
-use crate::graded::Profile;
+use crate::graded::{Profile, Tree};
 use crate::{FaceStates, InnerStates, Layer, Plane, State, Wave};
 
 /// Depths in parts of the thickness; of 1/λ for a half-plane.
@@ -17,7 +17,7 @@ const UNFELT: f64 = 1e-12;
 /// # Errors
 /// The first number that differs.
 pub fn inside(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(trial) = Trial::new("inside", layer, plane) else { return Ok(()) };
+    let Some(trial) = Trial::of_material("inside", layer, plane) else { return Ok(()) };
     for wave in USUAL.map(|z| trial.wave(z)) {
         let unit = trial.thickness.unwrap_or(1.0 / wave.wavenumber);
         let depths = DEPTHS.map(|part| part * unit);
@@ -28,12 +28,12 @@ pub fn inside(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
         for (depth, found) in depths.into_iter().zip(&states.inside) {
             // the whole layer once, from its top face down
             if depth < unit || faces.len() == 1 {
-                let above = Profile { thickness: Some(depth), material: &material };
+                let above = Profile { thickness: Some(depth), material: &material, kinks: &[] };
                 part(&trial, &wave, above, [&faces[0], found], &faces)?;
             }
             if let Some(bottom) = faces.get(1) {
                 let material = |d: f64| material(depth + d);
-                let below = Profile { thickness: Some(unit - depth), material: &material };
+                let below = Profile { thickness: Some(unit - depth), material: &material, kinks: &[] };
                 part(&trial, &wave, below, [found, bottom], &faces)?;
             }
         }
@@ -80,7 +80,7 @@ fn part(
         }
         return Ok(());
     }
-    let FaceStates::Finite { top, bottom, .. } = between.face_states(wave) else { return Ok(()) };
+    let FaceStates::Finite { top, bottom, .. } = between.face_states(wave, &Tree::default()) else { return Ok(()) };
     let [upper, lower] = ends.map(fields);
     let at_faces: Vec<Vec<State>> = faces.iter().map(fields).collect();
     for (k, (upper, lower)) in upper.iter().zip(&lower).enumerate() {

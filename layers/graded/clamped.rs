@@ -85,12 +85,9 @@ impl Clamped {
     }
 }
 
-/// The states of a layer that is turned upside down: V and T change their signs.
-pub(super) fn upside_down(mut states: Matrix4x2<f64>) -> Matrix4x2<f64> {
-    for i in [1, 3] {
-        states.row_mut(i).neg_mut();
-    }
-    states
+/// The flexibility of a face that looks down rather than up: V and T change their signs.
+pub(super) fn upside_down(flexibility: Matrix2<f64>) -> Matrix2<f64> {
+    Matrix2::from_fn(|i, j| if i == j { flexibility[(i, j)] } else { -flexibility[(i, j)] })
 }
 
 fn stacked(upper: &Matrix2<f64>, lower: &Matrix2<f64>) -> Matrix4x2<f64> {

@@ -1,61 +1,77 @@
-//! States inside a layer: slices end at the depths asked for, and states are kept where slices meet.
+//! States at the faces, and inside a layer: slices end at the depths asked for, and states are kept where slices meet.
 use nalgebra::{Matrix2, Matrix4, Matrix4x2};
 
 use super::clamped::{Clamped, beside, step, upside_down};
-use super::slices::inverse;
+use super::slices::{Slices, inverse};
 use super::surface::surface_flexibility;
+use super::tree::{From, Tree};
 use super::{FELT, Profile, THIN, thin};
 use crate::{FaceStates, InnerStates, LayerStates, State, Wave};
 
 impl Profile<'_> {
-    /// States at the faces and at ascending depths, in common amplitudes.
-    pub(super) fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    /// States at the faces and at ascending depths, which are among the kinks, in common amplitudes.
+    pub(super) fn states(&self, wave: &Wave, tree: &Tree, depths: &[f64]) -> LayerStates {
+        self.in_units_of_tree(wave.wavenumber, tree, depths).with_displacements_times(wave.modulus / tree.modulus(self))
+    }
+
+    fn in_units_of_tree(&self, wavenumber: f64, tree: &Tree, depths: &[f64]) -> LayerStates {
+        let mut slices = self.slices(tree, wavenumber, From::Top, FELT);
+        let zero = Matrix4x2::zeros();
         let Some(thickness) = self.thickness else {
-            let (top, inside) = self.surface(wave, depths);
-            let zero = Matrix4x2::zeros();
-            let inside = inside.iter().map(|states| InnerStates::thick(beside(states, &zero))).collect();
-            return LayerStates { faces: FaceStates::HalfPlane { top }, inside };
+            let states = self.surface(&slices, From::Top, tree);
+            let inside = depths.iter().map(|depth| {
+                let down = if *depth > slices.depth { zero } else { states[slices.above(*depth)] };
+                InnerStates::thick(beside(&down, &zero))
+            });
+            return LayerStates { inside: inside.collect(), faces: FaceStates::HalfPlane { top: states[0] } };
         };
-        let mirrored = |depth: f64| (self.material)((thickness - depth).max(0.0));
-        let mirrored = Profile { thickness: self.thickness, material: &mirrored };
-        let mut slices = self.slices(wave, FELT, depths);
         if slices.depth < thickness {
-            let heights: Vec<f64> = depths.iter().rev().map(|depth| (thickness - depth).max(0.0)).collect();
-            if slices.depth + mirrored.slices(wave, FELT, &heights).depth <= thickness {
+            let below = self.slices(tree, wavenumber, From::Bottom, FELT);
+            if slices.depth + below.depth <= thickness {
                 // the faces do not feel each other; each is the surface of a half-plane
-                let (top, from_top) = self.surface(wave, depths);
-                let (bottom, from_bottom) = mirrored.surface(wave, &heights);
-                let zero = Matrix4x2::zeros();
-                let pairs = from_top.iter().zip(from_bottom.iter().rev());
-                let inside = pairs.map(|(down, up)| InnerStates::thick(beside(down, &upside_down(*up)))).collect();
-                let faces = FaceStates::thick(beside(&top, &zero), beside(&zero, &upside_down(bottom)));
-                return LayerStates { faces, inside };
+                let down = self.surface(&slices, From::Top, tree);
+                let up = self.surface(&below, From::Bottom, tree);
+                let inside = depths.iter().map(|depth| {
+                    let down = if *depth > slices.depth { zero } else { down[slices.above(*depth)] };
+                    let up = if *depth < thickness - below.depth { zero } else { up[below.below(*depth)] };
+                    InnerStates::thick(beside(&down, &up))
+                });
+                let faces = FaceStates::thick(beside(&down[0], &zero), beside(&zero, &up[0]));
+                return LayerStates { inside: inside.collect(), faces };
             }
-            slices = self.slices(wave, f64::INFINITY, depths);
+            slices = self.slices(tree, wavenumber, From::Top, f64::INFINITY);
         }
-        let at: Vec<usize> = depths.iter().map(|depth| slices.above(*depth)).collect();
+        let places: Vec<usize> = depths.iter().map(|depth| slices.above(*depth)).collect();
         let thick = Clamped::new(slices.list.iter().map(|slice| &slice.transfer));
         let length = slices.list.iter().map(|slice| slice.length).sum::<f64>();
         if length <= THIN && !thick.is_independent() {
-            return thin::states(&slices.list, &at);
+            return thin::states(&slices.list, &places);
         }
         let uniform =
             if length > THIN { vec![-State::z(); slices.list.len() + 1] } else { thin::uniform(&slices.list) };
-        let columns = clamped_inside(slices.list.iter().map(|slice| slice.transfer).collect());
-        let inside = at.iter().map(|i| InnerStates { columns: columns[*i], uniform: uniform[*i] }).collect();
+        let inside = if places.is_empty() {
+            Vec::new()
+        } else {
+            let columns = clamped_inside(slices.list.iter().map(|slice| slice.transfer).collect());
+            places.iter().map(|i| InnerStates { columns: columns[*i], uniform: uniform[*i] }).collect()
+        };
         let ends = [0, slices.list.len()];
         LayerStates { faces: thick.face_states(ends.map(|i| uniform[i])), inside }
     }
 
-    /// Two columns (λμ₀U, λμ₀V, S, T) at the top face of a layer whose bottom is not felt, for S = 1 and for T = 1, and
-    /// at depths.
-    pub(super) fn surface(&self, wave: &Wave, depths: &[f64]) -> (Matrix4x2<f64>, Vec<Matrix4x2<f64>>) {
-        let slices = self.slices(wave, FELT, depths);
-        let end = slices.depth.min(self.thickness.unwrap_or(f64::INFINITY));
-        let far = surface_flexibility(&(self.material)(end), wave.modulus);
-        let states = inwards(far, slices.list.iter().rev().map(|slice| slice.transfer));
-        let at = |depth: f64| if depth > slices.depth { Matrix4x2::zeros() } else { states[slices.above(depth)] };
-        (states[0], depths.iter().map(|depth| at(*depth)).collect())
+    /// Two columns (λμ₀U, λμ₀V, S, T) at a face from which nothing is felt beyond the slices, for S = 1 and for T = 1 on it,
+    /// and at all ends of slices from there on.
+    fn surface(&self, slices: &Slices, from: From, tree: &Tree) -> Vec<Matrix4x2<f64>> {
+        let end = match from {
+            From::Top => slices.depth,
+            From::Bottom => self.thickness.unwrap_or(0.0) - slices.depth,
+        };
+        let far = surface_flexibility(&(self.material)(end), tree.modulus(self));
+        let transfers = slices.list.iter().rev().map(|slice| &slice.transfer);
+        match from {
+            From::Top => inwards(far, transfers.copied()),
+            From::Bottom => inwards(upside_down(far), transfers.map(inverse)),
+        }
     }
 }
 

@@ -1,78 +1,71 @@
-//! A layer cut into slices.
+//! A layer cut into slices, for one wavenumber.
 use nalgebra::Matrix4;
 
 use super::Profile;
-use super::points::Points;
 use super::rule::NODES;
-use crate::Wave;
+use super::tree::{From, Tree};
 
-/// Slices around a jump of the material are halved down to this part of the thickness.
-const THINNEST: f64 = 1e-14;
-/// A material that is still not resolved after so many slices is taken as it is.
-const MANY: usize = 10_000;
-
-/// Consecutive slices from the top face down to `depth`.
+/// Consecutive slices from one face on.
 pub(super) struct Slices {
     pub list: Vec<Slice>,
-    /// The depth at which each slice ends.
-    ends: Vec<f64>,
+    /// How far they reach from that face.
     pub depth: f64,
 }
 
 impl Slices {
-    /// How many slices lie above one of the depths at which the layer was cut.
+    /// How many slices lie between the top face, from which they begin, and one of the depths at which the layer was cut.
     pub fn above(&self, depth: f64) -> usize {
-        self.ends.partition_point(|end| *end <= depth)
+        self.list.partition_point(|slice| slice.to <= depth)
+    }
+
+    /// The same between the bottom face and a depth.
+    pub fn below(&self, depth: f64) -> usize {
+        self.list.partition_point(|slice| slice.from >= depth)
     }
 }
 
 pub(super) struct Slice {
     pub thickness: f64,
+    /// Depth at which it begins.
+    pub from: f64,
+    /// Depth at which it ends.
+    pub to: f64,
     /// In units of the material's shortest decay length.
     pub length: f64,
-    /// Mean shear compliance, times μ₀.
+    /// Mean shear compliance, in units of the [`Tree`]'s modulus.
     pub softness: f64,
     /// State at the top from the state at the bottom, less identity.
     pub transfer: Matrix4<f64>,
 }
 
 impl Profile<'_> {
-    /// Slices from the top face down to the bottom or to where `felt` decay lengths are passed; in a half-plane also
-    /// to where the material is so stiff that it does not move. At the `cuts`, depths in ascending order, slices end.
-    pub(super) fn slices(&self, wave: &Wave, felt: f64, cuts: &[f64]) -> Slices {
-        let end = self.thickness.unwrap_or(f64::INFINITY);
-        let largest = (1.0 / wave.wavenumber).min(0.5 * end);
-        let thinnest = THINNEST * largest;
-        let mut slices = Slices { list: Vec::new(), ends: Vec::new(), depth: 0.0 };
+    /// Slices from a face on to the other one or to where `felt` decay lengths are passed; in a half-plane also
+    /// to where the material is so stiff that it does not move.
+    pub(super) fn slices(&self, tree: &Tree, wavenumber: f64, from: From, felt: f64) -> Slices {
+        let mut slices = Slices { list: Vec::new(), depth: 0.0 };
         let (mut decay, mut softest) = (0.0, 0.0_f64);
-        let mut guess = largest;
-        let mut cuts = cuts.iter().copied().peekable();
-        while slices.depth < end && decay < felt {
-            while cuts.next_if(|cut| *cut <= slices.depth).is_some() {}
-            let stop = cuts.peek().map_or(end, |cut| cut.min(end));
-            let left = stop - slices.depth;
-            // what is left is shared evenly if a second slice would do
-            let mut thickness = if guess >= left { left } else { guess.min(0.5 * left).max(thinnest.min(left)) };
-            let mut points = Points::new(self, wave, slices.depth, thickness);
-            while !points.resolved(wave.wavenumber * thickness) && thickness > thinnest && slices.list.len() < MANY {
-                thickness *= 0.5;
-                points = Points::new(self, wave, slices.depth, thickness);
-            }
-            slices.depth = if thickness >= left { stop } else { slices.depth + thickness };
-            slices.ends.push(slices.depth);
-            let zeta = wave.wavenumber * thickness;
-            decay += zeta * points.slowest();
+        let modulus = tree.modulus(self);
+        tree.parts(self, wavenumber, from, |part| {
+            let points = part.points(self, modulus);
+            let zeta = wavenumber * part.thickness;
+            slices.depth += part.thickness;
+            decay += zeta * points.slowest;
             if self.thickness.is_none() {
                 softest = softest.max(points.shear[NODES - 1]);
                 decay = decay.max(0.5 * (softest / points.shear[0]).ln());
             }
             slices.list.push(Slice {
-                thickness,
-                length: zeta * points.fastest(),
+                thickness: part.thickness,
+                from: part.from,
+                to: part.to,
+                length: zeta * points.fastest,
                 softness: points.shear.mean(),
-                transfer: points.transfer(zeta),
+                transfer: part.series(points, tree).at(zeta),
             });
-            guess = (2.0 * thickness).min(largest);
+            decay < felt
+        });
+        if decay < felt {
+            slices.depth = self.thickness.unwrap_or(slices.depth);
         }
         slices
     }
@@ -90,16 +83,13 @@ mod tests {
     use super::*;
     use crate::{Exponential, Isotropic, Layer, Plane};
 
-    fn wave(wavenumber: f64) -> Wave {
-        Wave { wavenumber, modulus: 1.0, plane: Plane::Strain }
-    }
-
     #[test]
     fn a_slice_and_its_inverse_compose_to_nothing() {
         let material =
             |depth: f64| Isotropic { shear_modulus: (0.8 * depth).exp(), poisson: 0.3 }.material(Plane::Strain);
-        let profile = Profile { thickness: Some(1.0), material: &material };
-        let transfer = Points::new(&profile, &wave(0.5), 0.0, 1.0).transfer(0.5);
+        let profile = Profile { thickness: Some(1.0), material: &material, kinks: &[] };
+        let slices = profile.slices(&Tree::default(), 0.5, From::Top, FELT);
+        let transfer = slices.list[0].transfer;
         let back = inverse(&transfer);
         assert!((transfer + back + back * transfer).amax() < 1e-15);
     }
@@ -110,10 +100,23 @@ mod tests {
         let count = |beta: f64, wavenumber: f64| {
             let layer = Exponential::new(1.0, 1.0, 0.25, beta).expect("legal");
             let material = |depth| layer.material(depth, Plane::Strain);
-            let profile = Profile { thickness: Some(1.0), material: &material };
-            profile.slices(&wave(wavenumber), FELT, &[]).list.len()
+            let profile = Profile { thickness: Some(1.0), material: &material, kinks: &[] };
+            profile.slices(&Tree::default(), wavenumber, From::Top, FELT).list.len()
         };
-        assert_eq!([count(0.0, 1e-8), count(0.0, 1.0), count(30.0, 1e-8)], [2, 2, 33]);
-        assert!([1e3, 1e8, 1e150].map(|wavenumber| count(1.0, wavenumber)).iter().all(|n| (60..=61).contains(n)));
+        assert_eq!([count(0.0, 1e-8), count(0.0, 1.0), count(30.0, 1e-8)], [2, 2, 32]);
+        assert!([1e3, 1e8, 1e150].map(|wavenumber| count(1.0, wavenumber)).iter().all(|n| (15..=31).contains(n)));
+    }
+
+    #[test]
+    fn what_was_asked_before_makes_no_difference() {
+        let material =
+            |depth: f64| Isotropic { shear_modulus: 1.0 + depth.sin(), poisson: 0.3 }.material(Plane::Strain);
+        let profile = Profile { thickness: Some(2.0), material: &material, kinks: &[0.7] };
+        let tree = Tree::default();
+        for wavenumber in [30.0, 0.1, 1e5, 3.0, 30.0] {
+            let [used, fresh] =
+                [&tree, &Tree::default()].map(|tree| profile.slices(tree, wavenumber, From::Bottom, FELT).list);
+            assert!(used.iter().zip(&fresh).all(|(a, b)| a.transfer == b.transfer) && used.len() == fresh.len());
+        }
     }
 }

@@ -3,6 +3,7 @@ mod check;
 mod field;
 mod generate;
 mod init;
+mod list;
 mod plot;
 mod rows_file;
 mod show;
@@ -37,6 +38,7 @@ Examples:
   recede sweep scene.ron --vary force=1:9:5  contacts for five forces
   recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
   recede init scene.ron                      a scene to begin with
+  recede list                                all that may be written in a scene
 
 Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
 
@@ -46,6 +48,7 @@ enum Command {
     Check(check::Check),
     Show(show::Show),
     Field(field::Field),
+    List(list::List),
     Stress(stress::Stress),
     Sweep(sweep::Command),
     Plot(plot::Plot),
@@ -119,6 +122,7 @@ impl Arguments {
             Command::Check(command) => command.run(&mut out),
             Command::Show(command) => command.run(&mut out),
             Command::Field(command) => command.run(&mut out),
+            Command::List(command) => command.run(&mut out),
             Command::Stress(command) => command.run(&mut out),
             Command::Sweep(command) => command.run(&mut out),
             Command::Plot(command) => command.run(),

@@ -84,7 +84,9 @@ pub(super) fn strata(stack: &Stack) -> Vec<Stratum> {
     }
     let (body, base) = (stack.laminates().len(), stack.base());
     base.layers().iter().enumerate().for_each(|(place, placed)| add(body, place, placed));
-    if let Foundation::HalfPlane(placed) = base.foundation() {
+    if let Foundation::HalfPlane(placed) = base.foundation()
+        && placed.layer.has_material()
+    {
         add(body, base.layers().len(), placed);
     }
     strata

@@ -40,7 +40,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     // points per length
     let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
     let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: 26.0 + PUNCH };
-    let rigid = matches!(stack.base().foundation(), Foundation::Rigid { .. });
+    let rigid = elastic_base(stack).is_none();
     let bottom = drawing.top + scale * total + if rigid { 12.0 } else { BASE };
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
@@ -91,18 +91,22 @@ impl Drawing<'_> {
             y += height;
         }
         match self.stack.base().foundation() {
-            Foundation::HalfPlane(placed) => {
+            Foundation::HalfPlane(placed) if placed.layer.has_material() => {
                 canvas.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0))?;
                 labels.push((y + 0.4 * BASE, self.name(placed)));
             }
-            Foundation::Rigid { .. } => {
+            ground => {
                 let mut x = left;
                 while x < right {
                     let end = (x + 9.0).min(right);
                     canvas.line(&[(end, y), (end - 9.0, y + 9.0)], hair(INK))?;
                     x += 9.0;
                 }
-                labels.push((y + 6.0, "rigid".to_owned()));
+                let name = match ground {
+                    Foundation::HalfPlane(support) => self.name(support),
+                    Foundation::Rigid { .. } => "rigid".to_owned(),
+                };
+                labels.push((y + 6.0, name));
             }
         }
         for y in self.bonds() {
@@ -121,8 +125,12 @@ impl Drawing<'_> {
         Ok(())
     }
 
-    /// Thickness and modulus of a layer.
+    /// Thickness and modulus of a layer; a support without a material as it is written.
     fn name(&self, placed: &Placed) -> String {
+        if !placed.layer.has_material() {
+            let notation = placed.layer.notation();
+            return format!("{}({})", notation.kind, notation.parameters);
+        }
         let modulus = placed.layer.material(0.0, self.scene.plane).shear_compliance.recip();
         let with = |dimension| unit(self.scene, dimension).map_or(String::new(), |unit| format!(" {unit}"));
         let (stress, length) = (with(Dimension::Stress), with(Dimension::Length));
@@ -214,7 +222,7 @@ impl Drawing<'_> {
             y += self.scale * placed.layer.thickness().unwrap_or(0.0);
             bonds.push(y);
         }
-        let rigid = matches!(self.stack.base().foundation(), Foundation::Rigid { .. });
+        let rigid = elastic_base(self.stack).is_none();
         let last = bonds.len();
         let is_bond = |(i, y): (usize, f64)| {
             let contact = contacts.iter().any(|contact| (contact - y).abs() < 1e-6);
@@ -287,6 +295,14 @@ fn short(value: f64) -> String {
     label(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
+/// The half-plane below the layers, if the foundation is one.
+fn elastic_base(stack: &Stack) -> Option<&Placed> {
+    match stack.base().foundation() {
+        Foundation::HalfPlane(placed) => Some(placed).filter(|placed| placed.layer.has_material()),
+        Foundation::Rigid { .. } => None,
+    }
+}
+
 /// How stiff the layers are compared with each other.
 struct Stiffness<'a> {
     scene: &'a Scene,
@@ -297,11 +313,7 @@ struct Stiffness<'a> {
 impl<'a> Stiffness<'a> {
     fn of(scene: &'a Scene, stack: &Stack, layers: &[&Placed]) -> Self {
         let mut found = Self { scene, softest: f64::INFINITY, stiffest: 0.0 };
-        let base = match stack.base().foundation() {
-            Foundation::HalfPlane(placed) => Some(placed),
-            Foundation::Rigid { .. } => None,
-        };
-        for placed in layers.iter().copied().chain(base) {
+        for placed in layers.iter().copied().chain(elastic_base(stack)) {
             let thickness = placed.layer.thickness().unwrap_or(0.0);
             for depth in [0.0, 0.5 * thickness, thickness] {
                 let modulus = found.modulus(placed, depth);

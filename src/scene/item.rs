@@ -32,14 +32,23 @@ impl Item {
         }
     }
 
+    /// The items written by a name alone, with what they mean.
+    pub(super) fn plain_items() -> [(Self, &'static str); 3] {
+        [
+            (Self::Bonded, "All displacements and stresses are continuous."),
+            (Self::Receding, "No friction, no adhesion, free to open: where closed it transmits pressure only."),
+            (Self::Rigid, "A rigid base, to which the layer above is bonded or on which it lies loose."),
+        ]
+    }
+
     /// The item written by a name alone, if there is one of that name.
     pub(super) fn plain(name: &str) -> Option<Self> {
-        [Self::Bonded, Self::Receding, Self::Rigid].into_iter().find(|item| item.name() == name)
+        Self::plain_items().into_iter().map(|(item, _)| item).find(|item| item.name() == name)
     }
 
     /// All names that may stand in a stack.
     pub(super) fn names(registry: &Registry) -> Vec<&'static str> {
-        let plain = [Self::Bonded, Self::Receding, Self::Rigid].map(|item| item.name());
+        let plain = Self::plain_items().map(|(item, _)| item.name());
         registry.iter().map(|entry| entry.name).chain(plain).collect()
     }
 }

@@ -5,16 +5,19 @@ mod origin;
 mod paths;
 mod punch;
 mod read;
+mod vocabulary;
 mod write;
 
 use std::sync::Arc;
 
 use recede_layers::Plane;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 pub use item::Item;
 pub use origin::SceneError;
 pub use punch::Punch;
+pub use vocabulary::Vocabulary;
 
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Owner, Slot};
@@ -69,7 +72,7 @@ pub struct Scene {
 }
 
 /// Labels of the units in which a scene is written; nothing is converted.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Units {
     /// Label of the unit of length, e.g. `mm`.

@@ -1,5 +1,6 @@
 //! Rigid, symmetric, frictionless punches.
 use recede_layers::Positive;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::error::Error;
@@ -15,7 +16,7 @@ use crate::error::Error;
 /// assert!(Punch::parabola(f64::NAN).is_err());
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub enum Punch {
     /// A circular cylinder, exactly: height R − √(R² − x²), slope x/√(R² − x²).

@@ -2,6 +2,7 @@
 //!
 //! The scene is read in two steps. The first finds the text of the punch and of every item of the stack; the second
 //! reads each of them on its own, a layer through the [`Registry`]. So each has a place in the text from the start.
+use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
@@ -9,9 +10,11 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+use recede_layers::description::{Field, Value};
 use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{DeserializeOwned, Visitor};
 use serde::{Deserialize, Deserializer};
 
@@ -21,21 +24,51 @@ use super::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
 use crate::error::Error;
 
 /// The scene with punch and stack still unread.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Scene")]
 struct Draft<'a> {
+    /// A name for reports.
     #[serde(default)]
     name: Option<String>,
+    /// What the scene shows.
     #[serde(default)]
     description: Option<String>,
+    /// Labels of the units; nothing is converted.
     #[serde(default)]
     units: Option<Units>,
+    /// How Poisson's ratio becomes κ.
     plane: Plane,
+    /// The rigid punch on top.
     #[serde(borrow)]
+    #[schemars(with = "Punch")]
     punch: &'a RawValue,
+    /// Line load P that presses the punch down: force per unit length out of the plane.
     force: Positive,
+    /// Layers and the interfaces between them from the top down, ending in a base.
     #[serde(borrow)]
+    #[schemars(with = "StackText")]
     stack: &'a RawValue,
+}
+
+/// The form of a stack in a scene.
+struct StackText;
+
+impl JsonSchema for StackText {
+    fn schema_name() -> Cow<'static, str> {
+        "Stack".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        Value::plain_schema("a list in `[` and `]` of layers and interfaces in turn")
+    }
+}
+
+/// The fields of a scene.
+pub(super) fn fields_of_scene() -> Vec<Field> {
+    match Value::of::<Draft>() {
+        Value::Fields(fields) => fields,
+        _ => Vec::new(),
+    }
 }
 
 impl Scene {

@@ -84,6 +84,11 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
     if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
         return Err(at(items.len() - 1, StackProblem::NothingElastic));
     }
+    if let (Foundation::HalfPlane(support), true) = (&foundation, layers.is_empty())
+        && !support.layer.has_material()
+    {
+        return Err(at(items.len() - 1, StackProblem::NotBonded { base: support.name() }));
+    }
     let whole = |problem| Err(StackError { item: None, problem });
     let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + layers.len();
     if found > MAX_LAYERS {

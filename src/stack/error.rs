@@ -61,7 +61,9 @@ pub enum StackProblem {
         interface: &'static str,
     },
     /// The last item is neither a half-plane nor rigid.
-    #[error("the stack ends with {last}, which is no base; allowed are `HalfPlane` and `Rigid`")]
+    #[error(
+        "the stack ends with {last}, which is no base; allowed are `Rigid` and layers without a thickness, such as `HalfPlane`"
+    )]
     NoBase {
         /// The last layer.
         last: String,
@@ -75,6 +77,12 @@ pub enum StackProblem {
     /// Nothing between the punch and the rigid base.
     #[error("nothing can deform between the punch and the rigid base")]
     NothingElastic,
+    /// A support that is no elastic body, with nothing bonded to it.
+    #[error("nothing is bonded to {base}")]
+    NotBonded {
+        /// The support.
+        base: String,
+    },
     /// A thickness that is negative or not finite, reported by a layer type of one's own.
     #[error("{layer} has thickness {found:?}; allowed is a finite number >= 0")]
     Thickness {
@@ -113,6 +121,9 @@ impl StackProblem {
             Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
             Self::TooManyLayers { .. } => "a layer that is graded through its thickness replaces many slices",
             Self::TooManyReceding { .. } => "bond those that do not open under the load",
+            Self::NotBonded { .. } => {
+                "springs carry a layer that is bonded to them; below a loose layer, put a thin one and `Bonded` between"
+            }
             Self::Thickness { .. } | Self::TooThick => return None,
         })
     }

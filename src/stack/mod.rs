@@ -114,7 +114,7 @@ impl Base {
 /// What everything rests on.
 #[derive(Clone, Debug)]
 pub enum Foundation {
-    /// An elastic layer that fills everything below.
+    /// A layer without a thickness: an elastic one that fills everything below, or a support such as springs.
     HalfPlane(Placed),
     /// A rigid body.
     Rigid {

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, RowVector2, Vector2};
+use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, State, Wave, solve_equilibrated};
 
 use crate::stack::{Base, Foundation, Laminate, Placed};
@@ -82,33 +83,38 @@ impl FreeChain {
 impl BaseChain {
     /// The chain of a base.
     pub fn new(base: &Base) -> Self {
-        Self { layers: shared(base.layers()), foundation: base.foundation().clone() }
+        let foundation = match base.foundation() {
+            Foundation::HalfPlane(placed) => {
+                Foundation::HalfPlane(Placed { number: placed.number, layer: Remembering::of(placed.layer.clone()) })
+            }
+            rigid @ Foundation::Rigid { .. } => rigid.clone(),
+        };
+        Self { layers: shared(base.layers()), foundation }
     }
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` as for a laminate.
     pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
         let felt = felt(self.layers.iter(), wave);
-        let mut flexibility = match &self.foundation {
+        // what the face of the foundation allows: two columns (λμ₀U, λμ₀V, S, T)
+        let mut allowed = match &self.foundation {
             Foundation::HalfPlane(placed) if felt == self.layers.len() => match placed.layer.face_states(wave) {
-                FaceStates::HalfPlane { top } => {
-                    let stress: Matrix2<f64> = top.fixed_rows::<2>(2).into_owned();
-                    top.fixed_rows::<2>(0) * solve_equilibrated(stress, Matrix2::identity())?
-                }
+                FaceStates::HalfPlane { top } => top,
                 FaceStates::Finite { .. } => return None,
             },
             // a rigid foundation, or one too deep to be felt
-            _ => Matrix2::zeros(),
+            _ => with_unit_stress(&Matrix2::zeros()),
         };
         for layer in self.layers[..felt].iter().rev() {
             let FaceStates::Finite { top, bottom, .. } = layer.face_states(wave) else { return None };
-            let condition = displacement(&bottom) - flexibility * stress(&bottom);
             let amplitudes: Matrix4x2<f64> = solve_equilibrated(
-                stacked(&condition, &stress(&top)),
+                stacked(&(reciprocal(&allowed) * bottom), &stress(&top)),
                 Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
             )?;
-            flexibility = displacement(&top) * amplitudes;
+            allowed = with_unit_stress(&(displacement(&top) * amplitudes));
         }
-        Some(flexibility[(1, 0)])
+        let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
+        let unit = solve_equilibrated(stress, Vector2::new(1.0, 0.0))?;
+        Some((allowed.row(1) * unit)[0])
     }
 
     /// The layers bonded to the foundation, top down.
@@ -123,7 +129,7 @@ impl BaseChain {
 }
 
 fn shared(placed: &[Placed]) -> Vec<Arc<dyn Layer>> {
-    placed.iter().map(|placed| placed.layer.clone()).collect()
+    placed.iter().map(|placed| Remembering::of(placed.layer.clone())).collect()
 }
 
 /// How many of the layers, counted from a face, the face can feel.
@@ -234,6 +240,20 @@ impl Half {
         };
         Some((half, amplitudes))
     }
+}
+
+/// The states for S = 1 and for T = 1, from the displacements under them.
+pub(super) fn with_unit_stress(flexibility: &Matrix2<f64>) -> Matrix4x2<f64> {
+    let mut states = Matrix4x2::zeros();
+    states.fixed_rows_mut::<2>(0).copy_from(flexibility);
+    states.fixed_rows_mut::<2>(2).fill_with_identity();
+    states
+}
+
+/// Two rows that vanish on what a base allows, and on nothing else: by reciprocity its states do no work on each other,
+/// U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂ = 0. Unlike a flexibility they exist for any base, be it rigid or free to slide.
+pub(super) fn reciprocal(allowed: &Matrix4x2<f64>) -> Matrix2x4<f64> {
+    Matrix2x4::from_fn(|i, j| if j < 2 { -allowed[(3 - j, i)] } else { allowed[(3 - j, i)] })
 }
 
 pub(super) fn displacement(states: &Matrix4<f64>) -> Matrix2x4<f64> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2, Vector2, Vector4};
 use recede_layers::{FaceStates, InnerStates, Layer, LayerStates, State, Wave, solve_equilibrated};
 
-use super::evaluate::{BaseChain, FreeChain, Half, displacement, felt, stacked, stress};
+use super::evaluate::{BaseChain, FreeChain, Half, displacement, felt, reciprocal, stacked, stress, with_unit_stress};
 use crate::stack::Foundation;
 
 /// Amplitudes S of loads on the shear-free faces of a chain.
@@ -118,26 +118,27 @@ impl BaseChain {
     pub fn states(&self, wave: &Wave, depths: &Depths, load: f64) -> Option<Vec<Vec<State>>> {
         let felt = felt(self.layers.iter(), wave);
         let mut found: Vec<Vec<State>> = depths.iter().map(|depths| vec![State::zeros(); depths.len()]).collect();
-        let (mut flexibility, mut ground) = (Matrix2::zeros(), None);
+        let (mut allowed, mut ground) = (with_unit_stress(&Matrix2::zeros()), None);
         if let (Foundation::HalfPlane(placed), true) = (&self.foundation, felt == self.layers.len()) {
             let depths = depths.last().map_or(&[][..], Vec::as_slice);
             let states = placed.layer.states(wave, depths);
             let FaceStates::HalfPlane { top } = states.faces else { return None };
-            let stress: Matrix2<f64> = top.fixed_rows::<2>(2).into_owned();
-            let amplitudes = solve_equilibrated(stress, Matrix2::identity())?;
-            flexibility = top.fixed_rows::<2>(0) * amplitudes;
-            ground = Some((states.inside, amplitudes));
+            allowed = top;
+            if placed.layer.has_material() {
+                let stress: Matrix2<f64> = top.fixed_rows::<2>(2).into_owned();
+                ground = Some((states.inside, solve_equilibrated(stress, Matrix2::identity())?));
+            }
         }
         let mut eliminated = Vec::with_capacity(felt);
         for (layer, depths) in self.layers[..felt].iter().zip(depths).rev() {
             let states = layer.states(wave, depths);
             let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
-            let condition = displacement(bottom) - flexibility * stress(bottom);
+            let condition = reciprocal(&allowed) * bottom;
             let amplitudes: Matrix4x2<f64> = solve_equilibrated(
                 stacked(&condition, &stress(top)),
                 Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
             )?;
-            flexibility = displacement(top) * amplitudes;
+            allowed = with_unit_stress(&(displacement(top) * amplitudes));
             let handed_on = stress(bottom) * amplitudes;
             eliminated.push((states.inside, amplitudes, handed_on));
         }

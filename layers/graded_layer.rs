@@ -1,0 +1,160 @@
+//! An isotropic layer graded in any way, left to the general body.
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::Arc;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::Deserialize;
+
+use crate::{Isotropic, Layer, LayerError, Material, Plane, Poisson, Positive, Profile, Thickness};
+
+/// Layers whose modulus varies by a larger factor are refused: digits would be lost where they are soft.
+const MOST: f64 = 1e13;
+
+/// Isotropic layer whose shear modulus, and Poisson's ratio too if need be, vary with depth.
+///
+/// ```
+/// use recede_layers::{Graded, Isotropic, Layer, Plane, Profile};
+/// let powdery = Graded::new(1.0, Profile::power(1.0, 0.5, 2.0)?, Profile::linear(0.2, 0.4)?)?;
+/// let function = Graded::with(1.0, |depth| Isotropic {
+///     shear_modulus: (1.0 + 2.0 * depth).powi(2),
+///     poisson: 0.2 + 0.2 * depth,
+/// })?;
+/// let [a, b] = [&powdery, &function].map(|layer| layer.material(0.5, Plane::Strain).axial_stiffness);
+/// assert!((a / b - 1.0).abs() < 1e-15);
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Deserialize)]
+#[serde(try_from = "Fields")]
+pub struct Graded {
+    thickness: Thickness,
+    variation: Variation,
+}
+
+#[derive(Clone)]
+enum Variation {
+    Written { shear_modulus: Profile<Positive>, poisson: Profile<Poisson> },
+    Function(Arc<dyn Fn(f64) -> Isotropic + Send + Sync>),
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename = "Graded")]
+struct Fields {
+    /// Thickness h, in length.
+    thickness: Thickness,
+    /// Shear modulus as a function of the depth d, in stress.
+    shear_modulus: Profile<Positive>,
+    /// Poisson's ratio, if it is the same at any depth.
+    #[serde(default)]
+    poisson: Option<Poisson>,
+    /// Poisson's ratio as a function of depth, in place of `poisson`.
+    #[serde(default)]
+    poisson_profile: Option<Profile<Poisson>>,
+}
+
+impl JsonSchema for Graded {
+    fn schema_name() -> Cow<'static, str> {
+        "Graded".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        Fields::json_schema(generator)
+    }
+}
+
+impl TryFrom<Fields> for Graded {
+    type Error = LayerError;
+
+    fn try_from(fields: Fields) -> Result<Self, LayerError> {
+        let Fields { thickness, shear_modulus, poisson, poisson_profile } = fields;
+        let poisson = match (poisson, poisson_profile) {
+            (Some(constant), None) => Profile::Constant(constant),
+            (None, Some(profile)) => profile,
+            (one, _) => return Err(LayerError::EitherOr { found: one.map_or("none", |_| "both") }),
+        };
+        Self::checked(thickness, shear_modulus, poisson)
+    }
+}
+
+impl Graded {
+    /// A layer of thickness h ≥ 0 (length; 0 means "not there"), with shear modulus μ(d) > 0 (stress) and Poisson's ratio
+    /// −1 < ν(d) ≤ 1/2 as functions of depth.
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite, anywhere in the layer; if a table does not reach its
+    /// bottom; if the modulus varies by a factor of more than 1e13.
+    pub fn new(
+        thickness: f64,
+        shear_modulus: Profile<Positive>,
+        poisson: Profile<Poisson>,
+    ) -> Result<Self, LayerError> {
+        Self::checked(LayerError::checked("thickness", thickness)?, shear_modulus, poisson)
+    }
+
+    /// A layer of thickness h ≥ 0 (length) whose material is a function of the depth below its top face. The function is
+    /// to be smooth, and legal: a Poisson's ratio of 0.6, say, is not found out.
+    ///
+    /// # Errors
+    /// [`LayerError`] if the thickness is negative or not finite.
+    pub fn with(
+        thickness: f64,
+        material: impl Fn(f64) -> Isotropic + Send + Sync + 'static,
+    ) -> Result<Self, LayerError> {
+        let thickness = LayerError::checked("thickness", thickness)?;
+        Ok(Self { thickness, variation: Variation::Function(Arc::new(material)) })
+    }
+
+    fn checked(
+        thickness: Thickness,
+        shear_modulus: Profile<Positive>,
+        poisson: Profile<Poisson>,
+    ) -> Result<Self, LayerError> {
+        let [least, most] = shear_modulus.extremes("shear_modulus", thickness.get())?;
+        poisson.extremes("poisson", thickness.get())?;
+        if most / least > MOST {
+            return Err(LayerError::VariesTooMuch { found: most / least, limit: MOST });
+        }
+        Ok(Self { thickness, variation: Variation::Written { shear_modulus, poisson } })
+    }
+}
+
+impl fmt::Debug for Graded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("Graded");
+        out.field("thickness", &self.thickness);
+        match &self.variation {
+            Variation::Written { shear_modulus, poisson: Profile::Constant(poisson) } => {
+                out.field("shear_modulus", shear_modulus).field("poisson", poisson).finish()
+            }
+            Variation::Written { shear_modulus, poisson } => {
+                out.field("shear_modulus", shear_modulus).field("poisson_profile", poisson).finish()
+            }
+            Variation::Function(_) => out.field("material", &format_args!("a function")).finish(),
+        }
+    }
+}
+
+impl Layer for Graded {
+    fn thickness(&self) -> Option<f64> {
+        Some(self.thickness.get())
+    }
+
+    fn material(&self, depth: f64, plane: Plane) -> Material {
+        let thickness = self.thickness.get();
+        match &self.variation {
+            Variation::Written { shear_modulus, poisson } => {
+                Isotropic { shear_modulus: shear_modulus.at(depth, thickness), poisson: poisson.at(depth, thickness) }
+            }
+            Variation::Function(material) => material(depth),
+        }
+        .material(plane)
+    }
+
+    fn kinks(&self) -> Vec<f64> {
+        match &self.variation {
+            Variation::Written { shear_modulus, poisson } => [shear_modulus.kinks(), poisson.kinks()].concat(),
+            Variation::Function(_) => Vec::new(),
+        }
+    }
+}

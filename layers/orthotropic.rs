@@ -1,0 +1,296 @@
+//! Orthotropic material with axes along and across the layers: a homogeneous layer, and a half-plane.
+use std::fmt;
+
+use nalgebra::{Matrix2, Matrix4x2};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::graded::surface_flexibility;
+use crate::{FaceStates, Finite, Layer, LayerError, Material, Plane, Positive, Thickness, Wave};
+
+/// By how much the determinant of a material on the verge of instability may be negative for rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Young's moduli of an orthotropic material: x along the layers, y across them, z out of the plane.
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Young {
+    /// E_x, in stress.
+    pub x: Positive,
+    /// E_y, in stress.
+    pub y: Positive,
+    /// E_z, in stress; it matters in plane strain only.
+    pub z: Positive,
+}
+
+/// Poisson's ratios of an orthotropic material: ν_ij is −ε_j/ε_i under a stress along i, so that ν_ij/E_i = ν_ji/E_j.
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoissonRatios {
+    /// ν_xy, dimensionless.
+    pub xy: Finite,
+    /// ν_xz, dimensionless; it matters in plane strain only.
+    pub xz: Finite,
+    /// ν_yz, dimensionless; it matters in plane strain only.
+    pub yz: Finite,
+}
+
+impl fmt::Debug for Young {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "(x: {:?}, y: {:?}, z: {:?})", self.x, self.y, self.z)
+    }
+}
+
+impl fmt::Debug for PoissonRatios {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "(xy: {:?}, xz: {:?}, yz: {:?})", self.xy, self.xz, self.yz)
+    }
+}
+
+/// The engineering constants of an orthotropic material.
+///
+/// ```
+/// use recede_layers::{EngineeringConstants, Isotropic, Plane};
+/// let (mu, nu) = (80.0, 0.25);
+/// let young = 2.0 * mu * (1.0 + nu);
+/// let steel = EngineeringConstants::new([young; 3], [nu; 3], mu)?.material(Plane::Strain);
+/// let isotropic = Isotropic::new(mu, nu)?.material(Plane::Strain);
+/// assert!((steel.axial_stiffness / isotropic.axial_stiffness - 1.0).abs() < 1e-15);
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EngineeringConstants {
+    young: Young,
+    poisson: PoissonRatios,
+    shear_modulus: Positive,
+}
+
+impl EngineeringConstants {
+    /// Young's moduli E_x, E_y, E_z > 0 (stress), Poisson's ratios ν_xy, ν_xz, ν_yz and the shear modulus G_xy > 0
+    /// (stress).
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite, or if some deformation of the material would set
+    /// energy free.
+    pub fn new(young: [f64; 3], poisson: [f64; 3], shear_modulus: f64) -> Result<Self, LayerError> {
+        let [x, y, z] = young.map(|value| LayerError::checked("young", value));
+        let [xy, xz, yz] = poisson.map(|value| LayerError::checked("poisson", value));
+        let shear_modulus = LayerError::checked("shear_modulus", shear_modulus)?;
+        Self {
+            young: Young { x: x?, y: y?, z: z? },
+            poisson: PoissonRatios { xy: xy?, xz: xz?, yz: yz? },
+            shear_modulus,
+        }
+        .check()
+    }
+
+    /// The coefficients of the state equations.
+    pub fn material(&self, plane: Plane) -> Material {
+        let ([ex, ey, ez], [xy, xz, yz]) = self.numbers();
+        // strains (x, y) from stresses: in plane strain σ_zz adds its share
+        let share = if plane == Plane::Strain { ez } else { 0.0 };
+        let along = (1.0 - xz * xz * share / ex) / ex;
+        let across = (1.0 - yz * yz * share / ey) / ey;
+        let mixed = (xy + xz * yz * share / ey) / ex;
+        Material {
+            shear_compliance: self.shear_modulus.get().recip(),
+            // zero, and no less, if incompressible
+            normal_compliance: (across - mixed * (mixed / along)).max(0.0),
+            coupling: mixed / along,
+            axial_stiffness: along.recip(),
+        }
+    }
+
+    fn numbers(&self) -> ([f64; 3], [f64; 3]) {
+        let Self { young, poisson, .. } = self;
+        ([young.x, young.y, young.z].map(Positive::get), [poisson.xy, poisson.xz, poisson.yz].map(Finite::get))
+    }
+
+    /// Any deformation takes work, or at least, like that of an incompressible material, gives none back.
+    fn check(self) -> Result<Self, LayerError> {
+        let ([ex, ey, ez], [xy, xz, yz]) = self.numbers();
+        for (field, found, ratio) in
+            [("poisson.xy", xy, ex / ey), ("poisson.xz", xz, ex / ez), ("poisson.yz", yz, ey / ez)]
+        {
+            if found * found >= ratio {
+                return Err(LayerError::Unstable { field, found, limit: ratio.sqrt() });
+            }
+        }
+        let squares = xy * xy * ey / ex + yz * yz * ez / ey + xz * xz * ez / ex;
+        let found = 1.0 - squares - 2.0 * xy * yz * xz * ez / ex;
+        if found >= -ROUNDING { Ok(self) } else { Err(LayerError::NegativeEnergy { found }) }
+    }
+}
+
+/// Homogeneous orthotropic layer with axes along and across it.
+///
+/// It is left to the general body, in which roots that coincide, as those of an isotropic material do, are nothing special.
+///
+/// ```
+/// use recede_layers::{EngineeringConstants, Layer, Orthotropic};
+/// let ply = EngineeringConstants::new([140.0, 10.0, 10.0], [0.3, 0.3, 0.4], 5.0)?;
+/// assert_eq!(Orthotropic::new(0.125, ply)?.thickness(), Some(0.125));
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(try_from = "LayerFields")]
+pub struct Orthotropic {
+    thickness: Thickness,
+    young: Young,
+    poisson: PoissonRatios,
+    shear_modulus: Positive,
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename = "Orthotropic")]
+struct LayerFields {
+    /// Thickness h, in length.
+    thickness: Thickness,
+    /// Young's moduli.
+    young: Young,
+    /// Poisson's ratios.
+    poisson: PoissonRatios,
+    /// Shear modulus G_xy, in stress.
+    shear_modulus: Positive,
+}
+
+impl TryFrom<LayerFields> for Orthotropic {
+    type Error = LayerError;
+
+    fn try_from(fields: LayerFields) -> Result<Self, LayerError> {
+        let LayerFields { thickness, young, poisson, shear_modulus } = fields;
+        Ok(Self::of(thickness, EngineeringConstants { young, poisson, shear_modulus }.check()?))
+    }
+}
+
+impl Orthotropic {
+    /// A layer of thickness h ≥ 0 (length; 0 means "not there").
+    ///
+    /// # Errors
+    /// [`LayerError`] if the thickness is negative or not finite.
+    pub fn new(thickness: f64, constants: EngineeringConstants) -> Result<Self, LayerError> {
+        Ok(Self::of(LayerError::checked("thickness", thickness)?, constants))
+    }
+
+    fn of(thickness: Thickness, constants: EngineeringConstants) -> Self {
+        let EngineeringConstants { young, poisson, shear_modulus } = constants;
+        Self { thickness, young, poisson, shear_modulus }
+    }
+}
+
+impl Layer for Orthotropic {
+    fn thickness(&self) -> Option<f64> {
+        Some(self.thickness.get())
+    }
+
+    fn material(&self, _depth: f64, plane: Plane) -> Material {
+        let Self { young, poisson, shear_modulus, .. } = *self;
+        EngineeringConstants { young, poisson, shear_modulus }.material(plane)
+    }
+}
+
+/// Homogeneous orthotropic half-plane with axes along and across its face.
+///
+/// ```
+/// use recede_layers::{EngineeringConstants, OrthotropicHalfPlane};
+/// let wood = OrthotropicHalfPlane::new(EngineeringConstants::new([12.0, 0.8, 0.5], [0.4, 0.45, 0.6], 0.7)?);
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(try_from = "HalfPlaneFields")]
+pub struct OrthotropicHalfPlane {
+    young: Young,
+    poisson: PoissonRatios,
+    shear_modulus: Positive,
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename = "OrthotropicHalfPlane")]
+struct HalfPlaneFields {
+    /// Young's moduli.
+    young: Young,
+    /// Poisson's ratios.
+    poisson: PoissonRatios,
+    /// Shear modulus G_xy, in stress.
+    shear_modulus: Positive,
+}
+
+impl TryFrom<HalfPlaneFields> for OrthotropicHalfPlane {
+    type Error = LayerError;
+
+    fn try_from(fields: HalfPlaneFields) -> Result<Self, LayerError> {
+        let HalfPlaneFields { young, poisson, shear_modulus } = fields;
+        Ok(Self::new(EngineeringConstants { young, poisson, shear_modulus }.check()?))
+    }
+}
+
+impl OrthotropicHalfPlane {
+    /// A half-plane of this material.
+    pub fn new(constants: EngineeringConstants) -> Self {
+        let EngineeringConstants { young, poisson, shear_modulus } = constants;
+        Self { young, poisson, shear_modulus }
+    }
+}
+
+impl Layer for OrthotropicHalfPlane {
+    fn thickness(&self) -> Option<f64> {
+        None
+    }
+
+    fn material(&self, _depth: f64, plane: Plane) -> Material {
+        let Self { young, poisson, shear_modulus } = *self;
+        EngineeringConstants { young, poisson, shear_modulus }.material(plane)
+    }
+
+    fn has_closed_form(&self) -> bool {
+        true
+    }
+
+    /// Amplitudes = (S, T) on the face.
+    fn face_states(&self, wave: &Wave) -> FaceStates {
+        let flexibility = surface_flexibility(&self.material(0.0, wave.plane), wave.modulus);
+        let mut top = Matrix4x2::zeros();
+        top.fixed_rows_mut::<2>(0).copy_from(&flexibility);
+        top.fixed_rows_mut::<2>(2).copy_from(&Matrix2::identity());
+        FaceStates::HalfPlane { top }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Isotropic;
+
+    #[test]
+    fn isotropic_constants_are_those_of_an_isotropic_material() {
+        for poisson in [-0.9, 0.0, 0.3, 0.499_999, 0.5] {
+            for plane in [Plane::Strain, Plane::Stress] {
+                let young = 2.0 * 3.0 * (1.0 + poisson);
+                let found = EngineeringConstants::new([young; 3], [poisson; 3], 3.0).expect("legal").material(plane);
+                let expected = Isotropic { shear_modulus: 3.0, poisson }.material(plane);
+                for (a, b) in [
+                    (found.shear_compliance, expected.shear_compliance),
+                    (found.normal_compliance, expected.normal_compliance),
+                    (found.coupling, expected.coupling),
+                    (found.axial_stiffness / 9.0, expected.axial_stiffness / 9.0),
+                ] {
+                    assert!((a - b).abs() < 2e-15 * (1.0 + b.abs()), "{poisson} {plane:?} {a} {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn impossible_materials_are_refused() {
+        for (young, poisson, message) in [
+            ([1.0, 1.0, 1.0], [1.0, 0.0, 0.0], "poisson.xy: found 1.0, allowed is -1.0 < poisson.xy < 1.0"),
+            ([4.0, 1.0, 1.0], [2.5, 0.0, 0.0], "poisson.xy: found 2.5, allowed is -2.0 < poisson.xy < 2.0"),
+            ([1.0, 1.0, 1.0], [0.6, 0.6, 0.6], "these Poisson's ratios together"),
+        ] {
+            let error = EngineeringConstants::new(young, poisson, 1.0).expect_err("unstable").to_string();
+            assert!(error.starts_with(message), "{error}");
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Springs on rigid ground, the simplest foundation.
+use std::fmt;
+
+use nalgebra::{Matrix4, Matrix4x2};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::{FaceStates, InnerStates, Layer, LayerError, LayerStates, Material, Plane, Positive, State, Wave};
+
+/// Winkler's foundation: springs side by side, none of which feels its neighbours, under the lowest layer of a stack.
+///
+/// They push and pull with σ_yy = k v, where v is the displacement of the layer's bottom face. Along the face they either
+/// resist nothing, σ_xy = 0, or, with a shear stiffness, σ_xy = k_t u.
+///
+/// A layer has to be bonded to them: a loose one, or a punch, would have a pressure on them that is not that of an elastic
+/// body, p = −k v place by place.
+///
+/// ```
+/// use recede_layers::{Layer, Winkler};
+/// let springs = Winkler::new(0.1)?;
+/// assert!(springs.thickness().is_none() && !springs.has_material());
+/// # Ok::<(), recede_layers::LayerError>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Winkler {
+    /// Stiffness k, in stress/length.
+    stiffness: Positive,
+    /// Stiffness k_t along the face, in stress/length; without it, the layer slides freely.
+    #[serde(default)]
+    shear_stiffness: Option<Positive>,
+}
+
+impl Winkler {
+    /// Springs of stiffness k > 0 (stress/length), on which the layer slides freely.
+    ///
+    /// # Errors
+    /// [`LayerError`] if the stiffness is not positive and finite.
+    pub fn new(stiffness: f64) -> Result<Self, LayerError> {
+        Ok(Self { stiffness: LayerError::checked("stiffness", stiffness)?, shear_stiffness: None })
+    }
+
+    /// The same with a stiffness k_t > 0 (stress/length) along the face.
+    ///
+    /// # Errors
+    /// [`LayerError`] if the stiffness is not positive and finite.
+    pub fn sticking(self, shear_stiffness: f64) -> Result<Self, LayerError> {
+        let shear_stiffness = Some(LayerError::checked("shear_stiffness", shear_stiffness)?);
+        Ok(Self { shear_stiffness, ..self })
+    }
+}
+
+impl fmt::Debug for Winkler {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("Winkler");
+        out.field("stiffness", &self.stiffness);
+        if let Some(stiffness) = &self.shear_stiffness {
+            out.field("shear_stiffness", stiffness);
+        }
+        out.finish()
+    }
+}
+
+impl Layer for Winkler {
+    fn thickness(&self) -> Option<f64> {
+        None
+    }
+
+    fn has_material(&self) -> bool {
+        false
+    }
+
+    fn material(&self, _depth: f64, _plane: Plane) -> Material {
+        Material::NONE
+    }
+
+    fn has_closed_form(&self) -> bool {
+        true
+    }
+
+    /// Amplitudes: of the motion along the face, and of that across it, each with the stress that belongs to it.
+    fn face_states(&self, wave: &Wave) -> FaceStates {
+        // λμ₀ and k may be of any size: only their ratio counts
+        let pair = |stiffness: f64| {
+            let displacement = wave.wavenumber * wave.modulus;
+            let largest = displacement.max(stiffness);
+            (displacement / largest, stiffness / largest)
+        };
+        let (u, t) = pair(self.shear_stiffness.map_or(0.0, Positive::get));
+        let (v, s) = pair(self.stiffness.get());
+        FaceStates::HalfPlane {
+            top: Matrix4x2::from_columns(&[State::new(u, 0.0, 0.0, t), State::new(0.0, v, s, 0.0)]),
+        }
+    }
+
+    /// Springs have no inside: no states at any depth.
+    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        let nothing = InnerStates { columns: Matrix4::zeros(), uniform: State::zeros() };
+        LayerStates { faces: self.face_states(wave), inside: vec![nothing; depths.len()] }
+    }
+}

@@ -1,0 +1,65 @@
+//! All that may be written in a scene, told by what reads it.
+use recede_layers::Registry;
+use recede_layers::description::{Field, Form, Value};
+
+use super::read::fields_of_scene;
+use super::{Item, Punch};
+
+/// The field that a layer has and a base has not.
+const THICKNESS: &str = "thickness";
+
+/// Names that may be written in a scene, with their fields and what they mean. Made of the definitions that read scenes, so
+/// that it says what they do.
+///
+/// ```
+/// use recede::{Registry, Vocabulary};
+/// let vocabulary = Vocabulary::new(&Registry::default());
+/// assert!(vocabulary.layers.iter().any(|layer| layer.name == "Homogeneous"));
+/// assert!(vocabulary.interfaces.iter().all(|interface| interface.value.is_none()));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Vocabulary {
+    /// The fields of a scene.
+    pub scene: Vec<Field>,
+    /// Punches.
+    pub punches: Vec<Form>,
+    /// Layers of finite thickness.
+    pub layers: Vec<Form>,
+    /// Interfaces between layers.
+    pub interfaces: Vec<Form>,
+    /// What may stand last in a stack.
+    pub bases: Vec<Form>,
+}
+
+impl Vocabulary {
+    /// The words of scenes whose layers are those of `registry`. A type without a field `thickness` counts as a base, and of
+    /// one that was registered without a [description](Registry::register_described) only the name is known.
+    pub fn new(registry: &Registry) -> Self {
+        let registered = registry.iter().map(|entry| Form {
+            name: entry.name.to_owned(),
+            meaning: entry.summary.to_owned(),
+            value: entry.describe.map(|describe| describe()),
+        });
+        let is_base = |form: &Form| match &form.value {
+            Some(Value::Fields(fields)) => fields.iter().all(|field| field.name != THICKNESS),
+            _ => false,
+        };
+        let (mut bases, layers): (Vec<Form>, Vec<Form>) = registered.partition(is_base);
+        let plain = Item::plain_items().map(|(item, meaning)| {
+            let form = Form { name: item.name().to_owned(), meaning: meaning.to_owned(), value: None };
+            (matches!(item, Item::Rigid), form)
+        });
+        let (rigid, interfaces): (Vec<_>, Vec<_>) = plain.into_iter().partition(|(is_base, _)| *is_base);
+        bases.extend(rigid.into_iter().map(|(_, form)| form));
+        Self {
+            scene: fields_of_scene(),
+            punches: match Value::of::<Punch>() {
+                Value::OneOf(punches) => punches,
+                _ => Vec::new(),
+            },
+            layers,
+            interfaces: interfaces.into_iter().map(|(_, form)| form).collect(),
+            bases,
+        }
+    }
+}
