@@ -138,8 +138,6 @@ proptest! {
             if let Some(at) = text.find(field) {
                 let at = at + field.len();
                 let end = at + text[at..].find([',', ')']).unwrap();
-                // a search of the solver does not end if the radius is huge
-                let number = if which == 3 && number.parse::<f64>().is_ok_and(|r| r > 1e100) { "1e100" } else { number };
                 text.replace_range(at..end, number);
             }
         }

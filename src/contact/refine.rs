@@ -59,10 +59,28 @@ pub(super) fn refine(
         }
     }
     let mut warnings = Vec::new();
+    let mut before: Option<Level> = None;
     loop {
-        let found = newton.converge(half_lengths, &solved, &modes, tolerance)?;
-        let level = Level::new(found, kernel, Accuracy::of(tolerance).negligible);
+        let found = newton.converge(half_lengths.clone(), &solved, &modes, tolerance);
         *steps = newton.steps;
+        let level = match (found, before.take()) {
+            (Ok(found), _) => Level::new(found, kernel, Accuracy::of(tolerance).negligible),
+            // what memory or rounding do not allow leaves the level before, or one of few digits
+            (Err(_), Some(level)) => {
+                warnings.push(not_met(options, &modes));
+                return Ok((level, warnings));
+            }
+            (Err(_), None) => {
+                let modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
+                let found = newton.converge(half_lengths, &coarse, &modes, FEW_DIGITS)?;
+                *steps = newton.steps;
+                let level = Level::new(found, kernel, Accuracy::of(FEW_DIGITS).negligible);
+                if level.worst_error() > tolerance {
+                    warnings.push(not_met(options, &modes));
+                }
+                return Ok((level, warnings));
+            }
+        };
         if level.settled.iter().all(|settled| *settled) {
             admissible::pushes(kernel, interfaces, &level)?;
         }
@@ -78,11 +96,7 @@ pub(super) fn refine(
         let error = |i: usize| level.errors[i][0].max(level.errors[i][1]);
         let enough = |i: usize| error(i) <= 0.1 * tolerance;
         if (0..n).all(|i| solved[i] >= finest || enough(i)) {
-            warnings.push(format!(
-                "the tolerance {:e} is not met with {} modes; the error estimates tell what was reached",
-                options.tolerance,
-                modes.iter().max().unwrap_or(&0)
-            ));
+            warnings.push(not_met(options, &modes));
             return Ok((level, warnings));
         }
         for i in (0..n).filter(|i| !enough(*i)) {
@@ -93,8 +107,17 @@ pub(super) fn refine(
             solved[i] = wanted(solved[i]).min(finest);
             modes[i] = wanted(modes[i]).max(with_more(solved[i], tolerance)).min(with_more(finest, tolerance));
         }
-        half_lengths = level.half_lengths;
+        half_lengths = level.half_lengths.clone();
+        before = Some(level);
     }
+}
+
+fn not_met(options: &Options, modes: &[usize]) -> String {
+    format!(
+        "the tolerance {:e} is not met with {} modes; the error estimates tell what was reached",
+        options.tolerance,
+        modes.iter().max().unwrap_or(&0)
+    )
 }
 
 /// Modes that are solved for, and those that follow row by row.

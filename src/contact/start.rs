@@ -21,14 +21,14 @@ pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f
         low = low.min(0.5 * high);
     }
     while high / low > 1.0 + 1e-4 {
-        let a = (low * high).sqrt();
+        let a = low.sqrt() * high.sqrt();
         let compliance = compliances(kernel, TYPICAL / a)?[0];
         if punch.first_row(a) < compliance / a { low = a } else { high = a }
     }
     if let Some(error) = punch.too_small(low) {
         return Err(error);
     }
-    let mut half_lengths = vec![(low * high).sqrt()];
+    let mut half_lengths = vec![low.sqrt() * high.sqrt()];
     for (laminate, (thickness, rigidity)) in kernel.laminates()?.into_iter().enumerate() {
         let mut local = ON_RIGID_BASE * thickness;
         for _ in 0..4 {
