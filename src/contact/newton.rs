@@ -18,12 +18,14 @@ const STEPS: usize = 40;
 const FARTHEST: f64 = 4.0;
 /// Rounds of iteration begin when what is left of a Newton step is below this.
 const NEARBY: f64 = 1e-5;
-/// Functions of half-lengths that move less than this need not be computed again.
-const SHORT: f64 = 1e-8;
+/// Derivatives from few modes are right to about this part.
+const DERIVATIVES: f64 = 1e-2;
 /// Rounds that change more than this are not going anywhere.
 const DIVERGED: f64 = 1e-2;
 /// What is taken for the error of modes that did not settle, on top of how they fall.
 const UNKNOWN: f64 = 1e-4;
+/// A round is taken to leave at least this part of what it changed.
+const LEAST_LEFT: f64 = 0.1;
 /// Changes below this are rounding.
 const NOISE: f64 = 1e-13;
 /// A laminate that bends this much more easily than its contacts are squeezed ties their pressures together.
@@ -93,12 +95,13 @@ impl Newton<'_> {
         let mut last = vec![[f64::INFINITY; 2]; n];
         let mut unsettled = last.clone();
         let plain = (all.clone(), half_lengths.clone(), step.clone());
+        let short = tolerance.min(NEARBY);
         let mut lost = false;
         let mut bases: Vec<Basis> = Vec::new();
         let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
         for round in 0..ROUNDS {
-            // a short step is taken at the end
-            if bases.is_empty() || longest(&step) > SHORT {
+            // a step so short that its derivatives do not matter is taken at the end
+            if bases.is_empty() || longest(&step) > short {
                 half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
                 point.linearised.follow(&mut all, &step);
                 step.fill(0.0);
@@ -118,21 +121,24 @@ impl Newton<'_> {
                 for k in 0..2 {
                     // a geometric series goes on with the ratio of its last terms
                     let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / last[i][k] };
-                    unsettled[i][k] = now[k] * (ratio / (1.0 - ratio.min(0.9))).max(0.01);
+                    unsettled[i][k] = now[k] * (ratio / (1.0 - ratio.min(0.9))).max(LEAST_LEFT);
                     slow |= round > 1 && ratio > SLOW && now[k] > NOISE;
                 }
                 last[i] = now;
             }
             step = found.step;
-            lost = round > 0 && !(longest(&step) < DIVERGED);
+            lost = round > 0 && (longest(&step) >= DIVERGED || longest(&step).is_nan());
             let settled = |[length, pressure]: &[f64; 2]| *length <= 0.01 * tolerance && *pressure <= 0.1 * tolerance;
-            if slow || lost || round > 0 && longest(&step) <= SHORT && unsettled.iter().all(settled) {
+            if slow || lost || round > 0 && longest(&step) <= short && unsettled.iter().all(settled) {
                 break;
             }
         }
         self.spare.extend(bases.into_iter().map(Basis::into_table));
         half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
         point.linearised.follow(&mut all, &step);
+        for (unsettled, step) in unsettled.iter_mut().zip(&step) {
+            unsettled[0] += DERIVATIVES * step.abs();
+        }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
             (all, half_lengths, step) = plain;
