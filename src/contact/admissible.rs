@@ -20,8 +20,6 @@ use super::punch::Indentation;
 const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places per contact.
 const GAPS: usize = 24;
-/// On so many grids.
-const GRIDS: usize = 2;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
 const GAP_MODES: usize = 128;
 /// Modes y_m, the first of which is 1, below this are not felt there.
@@ -124,7 +122,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
         if let (0, Some(edge)) = (i, punch.max_half_length()) {
             end = end.min(edge);
         }
-        let mut own = Vec::with_capacity(GRIDS * GAPS);
+        let mut own = Vec::new();
         // next to the contact, and far from it
         for reach in [0.5 * a.min(end - a), end - a] {
             let step = reach / GAPS as f64;

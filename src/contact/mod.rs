@@ -33,36 +33,50 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, Error> {
-    if options.method == Method::Collocation {
-        return collocation::press(kernel, interfaces, punch, force, options);
-    }
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
     let starts = start::half_lengths(kernel, &indentation)?;
+    if options.method == Method::Collocation {
+        return collocation::press(kernel, interfaces, indentation, &starts, options);
+    }
     let mut steps = 0;
+    first_admissible(&starts, &ATTEMPTS, |half_lengths, finer, root| {
+        // a root that was found needs no finer start
+        if root && finer > 1 {
+            return None;
+        }
+        let found = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps);
+        Some(found.and_then(|(level, warnings)| {
+            let check = admissible::check(kernel, interfaces, &indentation, &level)?;
+            Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
+        }))
+    })
+}
+
+/// Tries multiples of the receding half-lengths one after the other until an answer is admissible, or the punch too
+/// small. `solve` is told how much finer to begin and whether a root was found before; it may pass.
+fn first_admissible(
+    starts: &[f64],
+    attempts: &[(f64, usize)],
+    mut solve: impl FnMut(Vec<f64>, usize, bool) -> Option<Result<Solution, Error>>,
+) -> Result<Solution, Error> {
     let mut failure: Option<NoSolution> = None;
-    for (factor, finer) in ATTEMPTS {
-        // a single contact has no receding ones to start differently, and a root that was found needs no finer start
-        let found = !matches!(failure, None | Some(NoSolution::NotConverged { .. }));
-        if kernel.contacts() == 1 && factor != 1.0 || found && finer > 1 {
+    for &(factor, finer) in attempts {
+        // a single contact has no receding ones to start differently
+        if starts.len() == 1 && factor != 1.0 {
             continue;
         }
         let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
-        let found = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps).and_then(
-            |(level, warnings)| {
-                let check = admissible::check(kernel, interfaces, &indentation, &level)?;
-                Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
-            },
-        );
-        match found {
+        let root = !matches!(failure, None | Some(NoSolution::NotConverged { .. }));
+        match solve(half_lengths, finer, root) {
             // a root that is not admissible says more than none
-            Err(Error::NoSolution(found)) if !matches!(found, NoSolution::PunchTooSmall { .. }) => match failure {
-                Some(NoSolution::NotConverged { .. }) | None => failure = Some(found),
-                Some(_) => {}
-            },
-            decided => return decided,
+            Some(Err(Error::NoSolution(found))) if !matches!(found, NoSolution::PunchTooSmall { .. }) => {
+                failure = failure.filter(|_| root).or(Some(found));
+            }
+            Some(decided) => return decided,
+            None => {}
         }
     }
-    Err(Error::NoSolution(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts })))
+    Err(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts.to_vec() }).into())
 }
 
 /// The answer in the units of the scene.

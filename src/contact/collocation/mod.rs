@@ -14,12 +14,12 @@ use faer::linalg::solvers::Solve;
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 
+use super::first_admissible;
+use super::galerkin::alternating;
 use super::newton::not_converged;
 use super::punch::Indentation;
-use super::start;
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -55,34 +55,18 @@ struct Level {
     last_step: f64,
 }
 
-/// Presses a punch with a force on a stack: the answer in the units of the scene.
+/// Presses a punch on a stack, half-lengths being about `starts` in units of L: the answer in the units of the scene.
 pub(super) fn press(
     kernel: &Kernel,
     interfaces: &[Interface],
-    punch: &Punch,
-    force: f64,
+    punch: Indentation,
+    starts: &[f64],
     options: &Options,
 ) -> Result<Solution, Error> {
-    let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
-    let starts = start::half_lengths(kernel, &indentation)?;
-    let mut problem = Problem { kernel, interfaces, punch: indentation, spatial: Spatial::new(kernel)?, steps: 0 };
-    let mut failure = None;
-    for (factor, finer) in ATTEMPTS {
-        if kernel.contacts() == 1 && factor != 1.0 {
-            continue;
-        }
-        let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
-        match problem.refine(half_lengths, finer * COARSEST, options) {
-            Err(Error::NoSolution(found)) if !matches!(found, NoSolution::PunchTooSmall { .. }) => {
-                // a root that is not admissible says more than none
-                if matches!(failure, None | Some(NoSolution::NotConverged { .. })) {
-                    failure = Some(found);
-                }
-            }
-            decided => return decided,
-        }
-    }
-    Err(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts }).into())
+    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: 0 };
+    first_admissible(starts, &ATTEMPTS, |half_lengths, finer, _| {
+        Some(problem.refine(half_lengths, finer * COARSEST, options))
+    })
 }
 
 struct Problem<'a> {
@@ -254,6 +238,5 @@ impl Problem<'_> {
 
 /// φ at s = 0.
 fn peak(nodes: &Nodes, phi: &[f64]) -> f64 {
-    let alternating = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
     nodes.coefficients(phi).iter().enumerate().map(|(m, c)| alternating(m) * c).sum()
 }
