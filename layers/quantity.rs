@@ -79,3 +79,6 @@ quantity!(
     /// How fast a half-plane stiffens with depth.
     Stiffening, "a finite number >= 0 (a half-plane that softens without end carries no force)",
     |x| x >= 0.0 && x.is_finite());
+quantity!(
+    /// An exponent, such as that of a profile |x|^n.
+    Exponent, "a number from 1 to 100", |x| (1.0..=100.0).contains(&x));

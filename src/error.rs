@@ -2,6 +2,7 @@
 use recede_layers::{LayerError, OutOfRange};
 
 use crate::options::Options;
+use crate::scene::HeightsError;
 use crate::scene::SceneError;
 use crate::solution::Interface;
 use crate::stack::StackError;
@@ -19,6 +20,9 @@ pub enum Error {
     /// A layer cannot be made of these numbers.
     #[error(transparent)]
     Layer(#[from] LayerError),
+    /// Heights that do not describe a punch.
+    #[error(transparent)]
+    Heights(#[from] HeightsError),
     /// Something is no axis of a sweep.
     #[error(transparent)]
     Axis(#[from] AxisError),
@@ -66,12 +70,12 @@ pub enum Error {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoSolution {
     /// The contact would reach past the edge of the punch.
-    #[error("the punch of radius {radius:?} cannot carry the force: {reason}")]
+    #[error("the punch {punch} cannot carry the force: the contact would reach its edge at x = {edge:?}")]
     PunchTooSmall {
-        /// The radius of the punch, in length.
-        radius: f64,
-        /// How that shows.
-        reason: String,
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// Half-width of the punch, in length.
+        edge: f64,
     },
     /// The half-lengths of the contacts did not settle.
     #[error("the half-lengths of the contacts did not converge; the last were {half_lengths:?}")]
@@ -112,7 +116,7 @@ impl Error {
     /// ```
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Axis(_) => true,
+            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Axis(_) => true,
             Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
             Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,

@@ -34,7 +34,7 @@ pub struct Contact {
     pub half_length: f64,
     /// The solver's estimate of the absolute error of `half_length`.
     pub half_length_error: f64,
-    /// Pressure at x = 0 (compression positive).
+    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge.
     pub peak_pressure: f64,
     /// The solver's estimate of the absolute error of `peak_pressure`.
     pub peak_pressure_error: f64,
@@ -42,6 +42,9 @@ pub struct Contact {
     pub resultant: f64,
     /// p(x) = Σ_m coefficients[m] sin((2m + 1) φ) with x = a cos φ, in stress.
     pub(crate) coefficients: Vec<f64>,
+    /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
+    /// where the punch is not smooth.
+    pub(crate) found: usize,
 }
 
 impl Contact {
@@ -51,6 +54,9 @@ impl Contact {
         // NaN is outside, too
         if s.is_nan() || s.abs() >= 1.0 {
             return 0.0;
+        }
+        if s == 0.0 && self.peak_pressure.is_infinite() {
+            return self.peak_pressure;
         }
         let phi = s.acos();
         self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin()).sum()

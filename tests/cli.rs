@@ -250,7 +250,7 @@ fn a_punch_too_small_for_its_force_is_named_with_its_place() {
     let run = recede(&["solve", "-"], text.as_bytes());
     assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
     assert!(
-        run.stderr.starts_with("error: stdin:3:12: the punch of radius 1.0 cannot carry the force"),
+        run.stderr.starts_with("error: stdin:3:12: the punch Cylinder(radius: 1.0) cannot carry the force"),
         "{}",
         run.stderr
     );

@@ -194,10 +194,10 @@ fn a_strip_that_bends_down_enough_never_lifts_off() {
 fn a_stiff_half_plane_is_a_rigid_base() {
     for punch in [Punch::cylinder(500.0).unwrap(), Punch::cylinder(10.0).unwrap()] {
         let strip = || Stack::builder(Plane::Strain).layer(strip((1.0, 0.25))).receding();
-        let rigid = press(strip().rigid(), punch, 0.002);
+        let rigid = press(strip().rigid(), punch.clone(), 0.002);
         let mut last = f64::INFINITY;
         for modulus in [1e3, 1e6, 1e9, 1e12] {
-            let stiff = press(strip().layer(HalfPlane::new(modulus, 0.25).unwrap()), punch, 0.002);
+            let stiff = press(strip().layer(HalfPlane::new(modulus, 0.25).unwrap()), punch.clone(), 0.002);
             let off = |(a, b): (&Contact, &Contact)| {
                 (a.half_length / b.half_length - 1.0).abs().max((a.peak_pressure / b.peak_pressure - 1.0).abs())
             };

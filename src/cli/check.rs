@@ -18,8 +18,7 @@ impl Check {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
         let stack = scene.stack()?;
-        let (punch, radius, force) = (scene.punch.name(), scene.punch.radius(), scene.force);
-        let label = format!("{punch}(radius: {radius:?}), force {force:?}");
+        let label = format!("{}, force {:?}", scene.punch.label(), scene.force);
         writeln!(out, "{}", stack.drawing(Some(&label)))?;
         Ok(())
     }

@@ -6,6 +6,7 @@ use crate::kernel::Kernel;
 use super::galerkin::{Modes, alternating, order};
 use super::newton::Converged;
 use super::pressures::weight;
+use super::punch::{Indentation, Local, continued};
 
 /// What rounding leaves of a half-length, relative: kernels are resolved to 1e-13 of themselves.
 const ROUNDING: f64 = 1e-13;
@@ -14,59 +15,85 @@ pub(super) const BEST: f64 = 5.0 * ROUNDING;
 /// What is missing is estimated from how the last modes fall, and then taken so many times.
 const SAFETY: f64 = 3.0;
 
+/// Pressures under punches that are not smooth are continued with so many modes.
+const CONTINUED: usize = 2048;
+
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {
     /// Half-lengths in units of L.
     pub(super) half_lengths: Vec<f64>,
-    /// y_im of contact i, y_i0 = 1, see [`super::galerkin`].
+    /// y_im of contact i, y_i0 = 1, see [`super::galerkin`]; under a punch that is not smooth continued by what it does to
+    /// a half-plane.
     pub(super) modes: Modes,
+    /// How many of them were found.
+    pub(super) counts: Vec<usize>,
+    /// Σ y_m/(πj), p(0) a/(2 μ₀P'), per contact; infinite under a sharp tip.
+    pub(super) peaks: Vec<f64>,
     /// Whether the iteration was done with the modes.
     pub(super) settled: Vec<bool>,
     /// Relative errors of half-lengths and of pressures at x = 0, estimated.
     pub(super) errors: Vec<[f64; 2]>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
-    /// Where modes fall like a power, the terms of the pressure at x = 0 are averaged.
-    pub(super) averaged: Vec<bool>,
 }
 
 impl Level {
-    /// Errors are judged by what the iterated modes have changed, and by how fast the highest of them fall.
+    /// Errors are judged by what the iterated modes have changed, and by how fast the highest of them fall, less those
+    /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
-    pub(super) fn new(found: Converged, kernel: &Kernel, negligible: f64) -> Self {
-        let Converged { half_lengths, modes, solved, shift, unsettled, rounding } = found;
-        let averaged: Vec<bool> = (0..modes.len()).map(|i| !kernel.far(i).is_constant()).collect();
-        let (mut errors, mut tails, mut settled) = (Vec::new(), Vec::new(), Vec::new());
+    pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
+        let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding } = found;
+        let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+        let local = punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]));
+        let (mut errors, mut tails, mut settled, mut peaks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (i, y) in modes.iter().enumerate() {
-            let quarter = |k: usize| (y.len() * k) / 4;
-            let (third, fourth) = (weight(y, quarter(2)..quarter(3)), weight(y, quarter(3)..y.len()));
-            let iterated = weight(y, solved[i]..y.len());
+            let local = local.as_ref().filter(|_| i == 0);
+            let own = without(y, local);
+            // where modes fall like a power, the terms of the pressure at x = 0 are averaged
+            let averaged = !kernel.far(i).is_constant();
+            let quarter = |k: usize| (own.len() * k) / 4;
+            let (third, fourth) = (weight(&own, quarter(2)..quarter(3)), weight(&own, quarter(3)..own.len()));
+            let iterated = weight(&own, solved[i]..own.len());
             let fall = ratio(third, fourth);
             let beyond = SAFETY * fourth * fall / (1.0 - fall);
-            let peak = peak(y, averaged[i]);
-            // half-lengths feel what is missing squared, and no more than pressures do
-            let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(2);
-            let beyond_length = (shift[i].abs() * further).min(beyond / (PI * peak.abs()));
+            let peak = peak(&own, averaged) + local.map_or(0.0, |local| local.peak);
+            // an infinite pressure is known, and others are judged by that of a mean pressure
+            let size = if peak.is_finite() { peak.abs() } else { PI.recip() };
+            // half-lengths feel what is missing squared, and no more than pressures do; but where a known load falls
+            // slowly, only what it meets of the kernels falls fast
+            let power = if local.is_some() { 1 } else { 2 };
+            let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(power);
+            let beyond_length = (shift[i].abs() * further).min(beyond / (PI * size));
             let length = beyond_length + unsettled[i][0] + negligible + ROUNDING + rounding[i];
-            let missing = if averaged[i] {
+            let missing = if averaged {
                 // an averaged sum is as good as the next one differs from it
-                let change = (self::peak(&y[..quarter(3)], true) - peak).abs();
+                let change = (self::peak(&own[..quarter(3)], true) - self::peak(&own, true)).abs();
                 (change * SAFETY * fall).min(beyond / PI)
             } else {
                 beyond / PI
             };
-            let pressure = (missing + unsettled[i][1] / PI) / peak.abs();
+            let pressure = (missing + unsettled[i][1] / PI) / size;
             errors.push([length, pressure + 3.0 * length]);
-            settled.push(unsettled[i][0] < 0.1 * length && unsettled[i][1] < 0.1 * pressure * peak.abs() * PI);
-            tails.push(weight(y, y.len() / 2..y.len()) / (PI * peak.abs()));
+            settled.push(unsettled[i][0] < 0.1 * length && unsettled[i][1] < 0.1 * pressure * size * PI);
+            tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size));
+            peaks.push(peak);
         }
-        Self { half_lengths, modes, settled, errors, tails, averaged }
+        if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
+            continued(under_punch, &local.modes);
+        }
+        Self { half_lengths, modes, counts, peaks, settled, errors, tails }
     }
 
     /// The largest of the error estimates.
     pub(super) fn worst_error(&self) -> f64 {
         self.errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error))
     }
+}
+
+/// Modes less those of a half-plane.
+fn without(modes: &[f64], local: Option<&Local>) -> Vec<f64> {
+    let Some(local) = local else { return modes.to_vec() };
+    modes.iter().zip(&local.modes).map(|(y, local)| y - local).collect()
 }
 
 /// last/before, not quite 1 at most.
@@ -83,7 +110,7 @@ fn ratio(before: f64, last: f64) -> f64 {
 
 /// p(0) a/(2 μ₀P'), Σ y_m/(πj). Next to a graded face the terms fall like ± j⁻⁴, alternating, since the pressure
 /// has a logarithm at its ends: the last partial sums are averaged, which leaves little of what is missing.
-pub(super) fn peak(modes: &[f64], averaged: bool) -> f64 {
+fn peak(modes: &[f64], averaged: bool) -> f64 {
     const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
     let last = if averaged { modes.len().saturating_sub(AVERAGED.len()) } else { modes.len() };
     let terms = modes.iter().enumerate().map(|(m, y)| {

@@ -17,7 +17,7 @@ use crate::options::{Method, Options};
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 
-use level::{Level, coefficients, peak};
+use level::{Level, coefficients};
 use punch::Indentation;
 use refine::refine;
 
@@ -33,6 +33,8 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, Error> {
+    let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
+    let kernel = with_punch.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
     let starts = start::half_lengths(kernel, &indentation)?;
     if options.method == Method::Collocation {
@@ -98,16 +100,17 @@ fn solution(
             let pressure_unit = pressure_unit * 2.0 / level.half_lengths[i];
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
-            let peak_pressure = peak(&level.modes[i], level.averaged[i]) * pressure_unit;
+            let peak_pressure = level.peaks[i] * pressure_unit;
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
                 half_length,
                 half_length_error: length_error * half_length,
                 peak_pressure,
-                peak_pressure_error: pressure_error * peak_pressure,
+                peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
                 coefficients,
+                found: level.counts[i],
             }
         })
         .collect();
@@ -115,7 +118,7 @@ fn solution(
         contacts,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
-        modes: level.modes.iter().map(Vec::len).max().unwrap_or(0),
+        modes: level.counts.iter().copied().max().unwrap_or(0),
         wavenumbers: kernel.samples(),
         newton_steps,
         warnings,

@@ -196,11 +196,7 @@ impl Newton<'_> {
             for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
                 *a *= (shorten * step).exp();
             }
-            if let Some(limit) = punch.max_half_length()
-                && half_lengths[0] >= limit
-            {
-                half_lengths[0] = 0.5 * (limit + before);
-            }
+            half_lengths[0] = punch.within(before, half_lengths[0]);
             layout = Some(at);
         }
         Err(not_converged(kernel, punch, &half_lengths))

@@ -64,7 +64,7 @@ pub(super) fn refine(
         let found = newton.converge(half_lengths.clone(), &solved, &modes, tolerance);
         *steps = newton.steps;
         let level = match (found, before.take()) {
-            (Ok(found), _) => Level::new(found, kernel, Accuracy::of(tolerance).negligible),
+            (Ok(found), _) => Level::new(found, kernel, punch, Accuracy::of(tolerance).negligible),
             // what memory or rounding do not allow leaves the level before, or one of few digits
             (Err(_), Some(level)) => {
                 warnings.push(not_met(options, &modes));
@@ -74,7 +74,7 @@ pub(super) fn refine(
                 let modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
                 let found = newton.converge(half_lengths, &coarse, &modes, FEW_DIGITS)?;
                 *steps = newton.steps;
-                let level = Level::new(found, kernel, Accuracy::of(FEW_DIGITS).negligible);
+                let level = Level::new(found, kernel, punch, Accuracy::of(FEW_DIGITS).negligible);
                 if level.worst_error() > tolerance {
                     warnings.push(not_met(options, &modes));
                 }

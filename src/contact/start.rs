@@ -54,5 +54,6 @@ fn compliances(kernel: &Kernel, zeta: f64) -> Result<Vec<f64>, Error> {
         compliances.push(below);
     }
     compliances.reverse();
+    compliances[0] += kernel.punch();
     Ok(compliances)
 }

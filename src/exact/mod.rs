@@ -8,6 +8,7 @@
 //! | [`hertz`] | rigid parabola and rigid cylinder on a half-plane |
 //! | [`line_load`] | a strip pressed on its base by a line load: how far the contact recedes |
 //! | [`mcewen`] | stresses in a half-plane under the pressure of Hertz |
+//! | [`punches`] | powers, wedge, flat punches with round and with sharp corners on a half-plane |
 //! | [`strip`] | flexibility of a free strip |
 //!
 //! The theory is that of K. L. Johnson, Contact Mechanics, Cambridge University Press, 1985.
@@ -15,6 +16,7 @@
 pub mod hertz;
 pub mod line_load;
 pub mod mcewen;
+pub mod punches;
 pub mod strip;
 
 /// An isotropic elastic material in the plane.

@@ -15,6 +15,8 @@ pub(super) struct Pressure {
     pub(super) half_length: f64,
     /// (−1)^m c_j.
     series: Vec<f64>,
+    /// How many terms are felt farther off than where they are smooth.
+    felt: usize,
 }
 
 /// G_n = (1/π) ∫ p̂ λⁿ e^(−λd + iλx) dλ at one point, n = 0, 1, 2: real parts belong to cos λx, imaginary ones to sin λx.
@@ -25,7 +27,7 @@ impl Pressure {
     pub(super) fn new(contact: &Contact) -> Self {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let series = contact.coefficients.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
-        Self { half_length: contact.half_length, series }
+        Self { half_length: contact.half_length, series, felt: contact.found }
     }
 
     /// The resultant P = p̂(0).
@@ -37,11 +39,12 @@ impl Pressure {
     pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
         let n = arguments.len();
-        let mut bessel = vec![0.0; 2 * self.series.len() * n];
-        bessel::table(2 * self.series.len(), &arguments, &mut bessel);
+        let felt = &self.series[..self.felt.min(self.series.len())];
+        let mut bessel = vec![0.0; 2 * felt.len() * n];
+        bessel::table(2 * felt.len(), &arguments, &mut bessel);
         let resultant = self.resultant();
         let at = |i: usize| {
-            let higher = self.series.iter().enumerate().skip(1);
+            let higher = felt.iter().enumerate().skip(1);
             let sum: f64 = higher.map(|(m, c)| (2 * m + 1) as f64 * c * bessel[(2 * m + 1) * n + i]).sum();
             let excess = resultant * bessel::jinc_deficit_from(arguments[i], bessel[n + i]) + PI * sum / wavenumbers[i];
             [resultant + excess, excess]
@@ -101,7 +104,7 @@ mod tests {
     use super::*;
 
     fn pressure() -> Pressure {
-        Pressure { half_length: 0.7, series: vec![1.3, 0.4, -0.1, 0.02] }
+        Pressure { half_length: 0.7, series: vec![1.3, 0.4, -0.1, 0.02], felt: 4 }
     }
 
     #[test]

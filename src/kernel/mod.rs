@@ -7,7 +7,7 @@ mod panel;
 
 use std::sync::Arc;
 
-use recede_layers::{Flexibility, Layer, Plane, Wave};
+use recede_layers::{Flexibility, Isotropic, Layer, Plane, Wave};
 
 use crate::Error;
 use crate::stack::{Foundation, Stack};
@@ -35,6 +35,8 @@ pub(crate) struct Kernel {
     panels: Vec<Panel>,
     far: Vec<Far>,
     samples: usize,
+    /// λμ₀C of an elastic punch, which is flattened like a half-plane; part of contact 0.
+    punch: f64,
 }
 
 /// The chains of the block system, and the units in which they are evaluated.
@@ -114,7 +116,7 @@ impl Kernel {
     pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
         let chains = Chains::new(stack);
         let n = chains.contacts();
-        let mut kernel = Self { panels: Vec::new(), far: Vec::new(), samples: 0, chains };
+        let mut kernel = Self { panels: Vec::new(), far: Vec::new(), samples: 0, punch: 0.0, chains };
         let mut far: Vec<Option<Far>> = vec![None; n];
         let mut edge = 0.0;
         for doubling in 0..DOUBLINGS {
@@ -143,6 +145,20 @@ impl Kernel {
             edge = next;
         }
         Err(Error::Unresolved { wavenumber: edge / kernel.chains.length })
+    }
+
+    /// The same with a half-plane of another material on contact 0: all wavenumbers feel the same of it.
+    pub(crate) fn under_half_plane(&self, material: &Isotropic) -> Self {
+        let punch = 0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus;
+        let mut kernel = Self { punch, ..self.clone() };
+        kernel.panels.iter_mut().for_each(|panel| panel.add_to_first(punch));
+        kernel.far.iter_mut().take(1).for_each(|far| far.limit += punch);
+        kernel
+    }
+
+    /// λμ₀C of the punch, 0 of a rigid one.
+    pub(crate) fn punch(&self) -> f64 {
+        self.punch
     }
 
     /// Number of contacts: the punch and the receding interfaces.

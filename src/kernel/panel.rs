@@ -84,6 +84,16 @@ impl Panel {
         Ok(panel)
     }
 
+    /// Adds a flexibility that is the same for all wavenumbers to contact 0.
+    pub(super) fn add_to_first(&mut self, flexibility: f64) {
+        for component in [0, self.contacts] {
+            let power = powers(self.contacts, component);
+            for ((zeta, _), value) in quadrature::rule(POINTS).on(self.from, self.to).zip(&mut self.values[component]) {
+                *value += flexibility * zeta.powi(power);
+            }
+        }
+    }
+
     fn size(&self, c: usize) -> f64 {
         self.values[c].iter().fold(0.0, |size, value| size.max(value.abs()))
     }

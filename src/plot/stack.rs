@@ -45,7 +45,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
     let peaks = contacts.iter().map(|contact| format!("12345678{}", short(contact.peak_pressure)));
-    let longest = names.chain(peaks).chain([drawing.radius()]).map(|name| name.chars().count()).max().unwrap_or(0);
+    let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
     svg(SIDES.0 + WIDTH + right, height, |canvas| {
         drawing.layers(canvas)?;
@@ -176,15 +176,8 @@ impl Drawing<'_> {
         )?;
         let force = format!("{} = {}{line_load}", italic("P"), label(self.scene.force));
         canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)?;
-        let radius = self.radius();
-        canvas.text((right + 9.0, self.top - 0.5 * highest), &radius, SMALL, INK, Anchor::Left)
-    }
-
-    /// Kind and radius of the punch.
-    fn radius(&self) -> String {
-        let length = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
-        let punch = &self.scene.punch;
-        format!("{}, {} = {}{length}", punch.name().to_lowercase(), italic("R"), label(punch.radius()))
+        let kind = self.scene.punch.label();
+        canvas.text((right + 9.0, self.top - 0.5 * highest), &kind, SMALL, INK, Anchor::Left)
     }
 
     /// A thick line where bodies touch, and its half-length.
@@ -259,12 +252,20 @@ impl Drawing<'_> {
         if longest < SMALLEST * half {
             half = longest / FILLED;
         }
-        let highest = self.contacts.iter().map(|contact| contact.peak_pressure);
+        // an infinite pressure is drawn as far as its curve goes
+        let drawn = |contact: &Contact| pressure(contact).into_iter().map(|(_, p)| p).fold(0.0, f64::max);
+        let highest = self
+            .contacts
+            .iter()
+            .map(|contact| Some(contact.peak_pressure).filter(|p| p.is_finite()).unwrap_or_else(|| drawn(contact)));
         let (left, right) = self.ends();
         let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
             points: pressure(contact),
             stroke: Stroke { width: BOLD, ..curve(i, self.contacts.len()) },
-            label: format!("{symbol}(0) = {}", short(contact.peak_pressure)),
+            label: match contact.peak_pressure.is_finite() {
+                true => format!("{symbol}(0) = {}", short(contact.peak_pressure)),
+                false => format!("{symbol}(0) = ∞"),
+            },
         });
         let chart = Chart {
             frame: Frame { left, top, right, bottom: top + PRESSURES },

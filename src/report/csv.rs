@@ -2,6 +2,7 @@
 use std::io;
 
 use super::Report;
+use super::sweep::number;
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "interface,half_length,half_length_error,peak_pressure,peak_pressure_error,resultant")?;
@@ -9,12 +10,12 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         // neither names nor numbers need quotes; `{:?}` prints as many digits as tell the number from all others
         writeln!(
             out,
-            "{},{:?},{:?},{:?},{:?},{:?}",
+            "{},{:?},{:?},{},{},{:?}",
             contact.interface,
             contact.half_length,
             contact.half_length_error,
-            contact.peak_pressure,
-            contact.peak_pressure_error,
+            number(contact.peak_pressure),
+            number(contact.peak_pressure_error),
             contact.resultant
         )?;
     }

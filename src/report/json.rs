@@ -33,8 +33,9 @@ struct Contact {
     interface: String,
     half_length: f64,
     half_length_error: f64,
-    peak_pressure: f64,
-    peak_pressure_error: f64,
+    /// `null` if it is infinite.
+    peak_pressure: Option<f64>,
+    peak_pressure_error: Option<f64>,
     resultant: f64,
 }
 
@@ -44,8 +45,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         interface: contact.interface.to_string(),
         half_length: contact.half_length,
         half_length_error: contact.half_length_error,
-        peak_pressure: contact.peak_pressure,
-        peak_pressure_error: contact.peak_pressure_error,
+        peak_pressure: finite(contact.peak_pressure),
+        peak_pressure_error: finite(contact.peak_pressure).map(|_| contact.peak_pressure_error),
         resultant: contact.resultant,
     });
     let document = Document {
@@ -67,4 +68,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     };
     serde_json::to_writer_pretty(&mut *out, &document)?;
     writeln!(out)
+}
+
+/// JSON knows no infinite numbers.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
 }

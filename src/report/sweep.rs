@@ -92,9 +92,9 @@ fn status(error: &Error) -> &'static str {
     if error.is_input() { "bad_input" } else { "no_solution" }
 }
 
-/// With as many digits as tell the number from all others; empty if there is none.
-fn number(value: f64) -> String {
-    if value.is_nan() { String::new() } else { format!("{value:?}") }
+/// With as many digits as tell the number from all others; empty if there is none, or if it is infinite.
+pub(super) fn number(value: f64) -> String {
+    if !value.is_finite() { String::new() } else { format!("{value:?}") }
 }
 
 fn line(fields: impl Iterator<Item = String>) -> io::Result<String> {

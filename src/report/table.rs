@@ -19,12 +19,11 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let line_load = unit(&|length, force| format!(" {force}/{length}"));
     let header = |name: &str, label: String| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
 
-    let (punch, radius, force) = (scene.punch.name(), plain(scene.punch.radius()), plain(scene.force));
     writeln!(out, "{}", printable(scene.title()))?;
     if let Some(description) = &scene.description {
         writeln!(out, "{}", printable(description))?;
     }
-    writeln!(out, "{punch} of radius {radius}{length}, force {force}{line_load}",)?;
+    writeln!(out, "{}, force {}{line_load}", scene.punch.label(), plain(scene.force))?;
 
     let mut table = Table::new();
     table.load_style(RULES);
@@ -38,11 +37,17 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         table.add_row([
             contact.interface.to_string(),
             with_error(contact.half_length, contact.half_length_error),
-            with_error(contact.peak_pressure, contact.peak_pressure_error),
+            match contact.peak_pressure.is_finite() {
+                true => with_error(contact.peak_pressure, contact.peak_pressure_error),
+                false => "infinite".to_owned(),
+            },
             rounded(contact.resultant),
         ]);
     }
     writeln!(out, "{table}")?;
+    if solution.contacts().iter().any(|contact| contact.peak_pressure.is_infinite()) {
+        writeln!(out, "infinite: next to the sharp tip the pressure grows like the logarithm of 1/|x|")?;
+    }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
         let stress = unit(&|length, force| format!(" {force}/{length}²"));

@@ -1,10 +1,12 @@
 //! A scene: what is pressed by what, as read from a text.
 mod explain;
+mod heights;
 mod item;
 mod origin;
 mod paths;
 mod punch;
 mod read;
+mod shape;
 mod vocabulary;
 mod write;
 
@@ -14,6 +16,7 @@ use recede_layers::Plane;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+pub use heights::HeightsError;
 pub use item::Item;
 pub use origin::SceneError;
 pub use punch::Punch;
@@ -22,6 +25,7 @@ pub use vocabulary::Vocabulary;
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Owner, Slot};
 pub(crate) use read::{first_name, read_document};
+pub(crate) use shape::{Piece, Shape};
 
 use origin::Origin;
 
@@ -62,7 +66,7 @@ pub struct Scene {
     pub units: Option<Units>,
     /// Plane strain or plane stress.
     pub plane: Plane,
-    /// The rigid punch on top.
+    /// The punch on top.
     pub punch: Punch,
     /// Line load P > 0 pressing the punch down: force per unit length out of plane.
     pub force: f64,
@@ -111,7 +115,7 @@ impl Scene {
                 origin.error(Some(place), message, hint).because(cause).into()
             }
             Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
-                let hint = Some("a larger radius or a smaller force keeps the contact within the punch".into());
+                let hint = Some("a larger punch or a smaller force keeps the contact within the punch".into());
                 origin.error(Some(origin.places.punch.start), cause.to_string(), hint).because(cause).into()
             }
             other => other,

@@ -63,7 +63,7 @@ impl Scene {
     /// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
     ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     /// let scene = recede::Scene::from_ron(text)?.with("punch.radius", 250.0)?;
-    /// assert_eq!(scene.punch.radius(), 250.0);
+    /// assert_eq!(scene.punch.to_string(), "Parabola(radius: 250.0)");
     /// let error = scene.with("layer[1].poisson", 0.7).unwrap_err();
     /// assert!(error.to_string().ends_with("`poisson` of layer 1 (HalfPlane): found 0.7, allowed is -1 < poisson <= 0.5"));
     /// # Ok::<(), recede::Error>(())
@@ -119,7 +119,9 @@ impl Scene {
     /// The punch with other values; nothing but the punch is read again.
     pub(crate) fn punch_with(&self, changes: &[Change]) -> Result<Punch, Error> {
         let own = of(Owner::Punch, changes);
-        let Some(origin) = self.origin.as_deref().filter(|_| !own.is_empty()) else { return Ok(self.punch) };
+        let Some(origin) = self.origin.as_deref().filter(|_| !own.is_empty()) else {
+            return Ok(self.punch.clone());
+        };
         let at = &origin.places.punch;
         match read_ron(&changed(&origin.text, at.start..at.end, &own)) {
             Ok(punch) => Ok(punch),
@@ -247,7 +249,7 @@ mod tests {
         let values = [0.004, 250.0, 3.0, 1e-7, 0.5];
         let changes: Vec<Change> = slots.iter().zip(values).collect();
         let changed = scene.with_changes(&changes).unwrap();
-        assert_eq!((changed.force, changed.punch.radius()), (0.004, 250.0));
+        assert_eq!((changed.force, changed.punch.clone()), (0.004, Punch::cylinder(250.0).unwrap()));
         assert_eq!(changed.paths(), paths);
         // bit by bit is the same
         assert_eq!(scene.force_with(&changes).unwrap(), changed.force);

@@ -1,11 +1,19 @@
-//! Rigid, symmetric, frictionless punches.
-use recede_layers::Positive;
-use schemars::JsonSchema;
-use serde::Deserialize;
+//! Symmetric, frictionless punches, as they are written.
+//!
+//! A punch is one variant here with its documentation, from which it is read, written and listed, and one line in
+//! [`Punch::shape`], which says what its profile is made of.
+use std::borrow::Cow;
+use std::fmt;
 
+use recede_layers::{Exponent, Finite, Isotropic, Poisson, Positive, Thickness};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::heights::{Heights, PolynomialHeights};
+use super::shape::{Piece, Shape};
 use crate::error::Error;
 
-/// A rigid, frictionless punch with its tip at x = 0.
+/// A frictionless punch with its tip at x = 0, rigid unless it says otherwise.
 ///
 /// ```
 /// use recede::Punch;
@@ -13,10 +21,11 @@ use crate::error::Error;
 /// assert!((cylinder.slope(300.0) - 0.75).abs() < 1e-15);
 /// assert!((cylinder.profile(300.0) - 100.0).abs() < 1e-12);
 /// assert_eq!(cylinder.max_half_length(), Some(500.0));
+/// assert_eq!(cylinder.to_string(), "Cylinder(radius: 500.0)");
 /// assert!(Punch::parabola(f64::NAN).is_err());
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub enum Punch {
     /// A circular cylinder, exactly: height R − √(R² − x²), slope x/√(R² − x²).
@@ -28,6 +37,46 @@ pub enum Punch {
     Parabola {
         /// Radius of curvature R at the tip, in length.
         radius: Positive,
+    },
+    /// A power of the distance from the tip: height (|x|/half_width)^exponent · height.
+    Power {
+        /// Exponent, 1 for a wedge, 2 for a parabola; dimensionless.
+        exponent: Exponent,
+        /// Where the height is given, in length.
+        half_width: Positive,
+        /// Height there above the tip, in length.
+        height: Positive,
+    },
+    /// A polynomial in even powers: height h₁ s² + h₂ s⁴ + h₃ s⁶ + ..., s = x/half_width.
+    Polynomial {
+        /// Where s is 1, in length.
+        half_width: Positive,
+        /// h₁, h₂, h₃ and so on, in length.
+        heights: PolynomialHeights,
+    },
+    /// A wedge: height slope · |x|. The pressure is infinite at the tip, like a logarithm.
+    Wedge {
+        /// Slope of its faces, dimensionless.
+        slope: Positive,
+    },
+    /// A flat punch with rounded corners: height 0 up to half_width, from there on (|x| − half_width)²/(2R).
+    RoundedFlat {
+        /// Half-width of the flat part, in length.
+        half_width: Thickness,
+        /// Radius of curvature R of the corners, in length.
+        radius: Positive,
+    },
+    /// Heights at distances from the tip, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
+    /// them.
+    Table(Heights),
+    /// A circular cylinder of an elastic material: it is flattened like a half-plane.
+    ElasticCylinder {
+        /// Radius R, in length.
+        radius: Positive,
+        /// Shear modulus of the cylinder, in stress.
+        shear_modulus: Positive,
+        /// Poisson's ratio of the cylinder, dimensionless.
+        poisson: Poisson,
     },
 }
 
@@ -48,69 +97,164 @@ impl Punch {
         Ok(Self::Parabola { radius: Error::checked("radius", radius)? })
     }
 
-    /// The name by which the punch is written in a scene.
-    pub fn name(&self) -> &'static str {
+    /// The height (|x|/half_width)^exponent · height, lengths > 0, exponent from 1 to 100.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if a number is not legal.
+    pub fn power(exponent: f64, half_width: f64, height: f64) -> Result<Self, Error> {
+        Ok(Self::Power {
+            exponent: Error::checked("exponent", exponent)?,
+            half_width: Error::checked("half_width", half_width)?,
+            height: Error::checked("height", height)?,
+        })
+    }
+
+    /// The height Σ heights[k] (x/half_width)^(2k + 2), all in length.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if a number is not legal, [`Error::Heights`] if all heights are zero or there are none.
+    pub fn polynomial(half_width: f64, heights: &[f64]) -> Result<Self, Error> {
+        let heights: Vec<Finite> = heights.iter().map(|h| Error::checked("heights", *h)).collect::<Result<_, _>>()?;
+        Ok(Self::Polynomial { half_width: Error::checked("half_width", half_width)?, heights: heights.try_into()? })
+    }
+
+    /// A wedge with faces of this slope > 0, dimensionless.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if the slope is not positive and finite.
+    pub fn wedge(slope: f64) -> Result<Self, Error> {
+        Ok(Self::Wedge { slope: Error::checked("slope", slope)? })
+    }
+
+    /// A flat punch of half-width ≥ 0 with corners of radius > 0, in length.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if a number is not legal.
+    pub fn rounded_flat(half_width: f64, radius: f64) -> Result<Self, Error> {
+        Ok(Self::RoundedFlat {
+            half_width: Error::checked("half_width", half_width)?,
+            radius: Error::checked("radius", radius)?,
+        })
+    }
+
+    /// A smooth curve through (x, height), in length, from x = 0 to the edge of the punch.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if a number is not legal, [`Error::Heights`] if the distances do not increase from 0.
+    pub fn table(rows: &[(f64, f64)]) -> Result<Self, Error> {
+        let checked = |(x, height): &(f64, f64)| Ok((Error::checked("x", *x)?, Error::checked("height", *height)?));
+        let rows: Vec<(Thickness, Finite)> = rows.iter().map(checked).collect::<Result<_, Error>>()?;
+        Ok(Self::Table(rows.try_into()?))
+    }
+
+    /// A circular cylinder of radius R > 0, in length, of an elastic material.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if a number is not legal.
+    pub fn elastic_cylinder(radius: f64, shear_modulus: f64, poisson: f64) -> Result<Self, Error> {
+        Ok(Self::ElasticCylinder {
+            radius: Error::checked("radius", radius)?,
+            shear_modulus: Error::checked("shear_modulus", shear_modulus)?,
+            poisson: Error::checked("poisson", poisson)?,
+        })
+    }
+
+    /// What the profile is made of.
+    pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
-            Self::Cylinder { .. } => "Cylinder",
-            Self::Parabola { .. } => "Parabola",
+            Self::Cylinder { radius } | Self::ElasticCylinder { radius, .. } => Shape::Circle(radius.get()),
+            Self::Parabola { radius } => Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())] },
+            Self::Power { exponent, half_width, height } => {
+                Shape::Powers { length: half_width.get(), terms: vec![(exponent.get(), height.get())] }
+            }
+            Self::Polynomial { half_width, heights } => {
+                Shape::Powers { length: half_width.get(), terms: heights.terms() }
+            }
+            Self::Wedge { slope } => Shape::Powers { length: 1.0, terms: vec![(1.0, slope.get())] },
+            Self::RoundedFlat { half_width, radius } => {
+                let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
+                let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
+                Shape::Pieces { pieces: vec![flat, corner].into(), end: None }
+            }
+            Self::Table(heights) => Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), end: Some(heights.end()) },
         }
     }
 
-    /// Radius of curvature R at the tip, in length.
-    pub fn radius(&self) -> f64 {
+    /// Of what a punch is that is not rigid.
+    pub fn material(&self) -> Option<Isotropic> {
         match self {
-            Self::Cylinder { radius } | Self::Parabola { radius } => radius.get(),
+            Self::ElasticCylinder { shear_modulus, poisson, .. } => {
+                Some(Isotropic { shear_modulus: shear_modulus.get(), poisson: poisson.get() })
+            }
+            _ => None,
         }
+    }
+
+    /// As it is written in a scene, or its name alone if that is long.
+    pub fn label(&self) -> String {
+        const LONGEST: usize = 80;
+        let text = self.to_string();
+        match text.split_once('(') {
+            Some((name, _)) if text.chars().count() > LONGEST => format!("{name}(...)"),
+            _ => text,
+        }
+    }
+
+    /// Whether the pressure is infinite at the tip.
+    pub fn is_sharp(&self) -> bool {
+        matches!(self.shape(), Shape::Powers { terms, .. } if terms.iter().any(|(exponent, _)| *exponent == 1.0))
     }
 
     /// Slope f'(x) of the punch at x, dimensionless; infinite at and beyond a cylinder's edge.
     pub fn slope(&self, x: f64) -> f64 {
-        let s = x / self.radius();
-        match self {
-            Self::Cylinder { .. } if s.abs() >= 1.0 => f64::INFINITY.copysign(s),
-            Self::Cylinder { .. } => s / cosine(s),
-            Self::Parabola { .. } => s,
-        }
+        self.shape().slope(x)
     }
 
     /// Derivative f''(x) of the slope, in 1/length; infinite at and beyond a cylinder's edge.
     pub fn curvature(&self, x: f64) -> f64 {
-        let s = x / self.radius();
-        match self {
-            Self::Cylinder { .. } if s.abs() >= 1.0 => f64::INFINITY,
-            Self::Cylinder { .. } => self.radius().recip() / cosine(s).powi(3),
-            Self::Parabola { .. } => self.radius().recip(),
-        }
+        self.shape().curvature(x)
     }
 
     /// Height f(x) of the punch above its tip, in length; infinite beyond a cylinder's edge.
     pub fn profile(&self, x: f64) -> f64 {
-        let s = x / self.radius();
-        match self {
-            Self::Cylinder { .. } if s.abs() > 1.0 => f64::INFINITY,
-            // R − √(R² − x²) without the difference of two large numbers
-            Self::Cylinder { .. } => x * s / (1.0 + cosine(s)),
-            Self::Parabola { .. } => 0.5 * x * s,
-        }
+        self.shape().height(x)
     }
 
-    /// Half-length that no contact can exceed: a cylinder's radius; `None` if there is no such limit.
+    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {
-        match self {
-            Self::Cylinder { radius } => Some(radius.get()),
-            Self::Parabola { .. } => None,
-        }
+        self.shape().edge()
     }
 }
 
-/// √(1 − s²), accurate also near |s| = 1.
-fn cosine(s: f64) -> f64 {
-    ((1.0 - s) * (1.0 + s)).sqrt()
+impl fmt::Display for Punch {
+    /// As it is written in a scene.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let style = ron::ser::PrettyConfig::new()
+            .compact_structs(true)
+            .compact_arrays(true)
+            .extensions(ron::extensions::Extensions::UNWRAP_VARIANT_NEWTYPES);
+        let text = ron::ser::to_string_pretty(self, style).map_err(|_| fmt::Error)?;
+        // extensions are announced in a first line
+        f.write_str(text.rsplit('\n').next().unwrap_or(&text))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn all() -> Vec<Punch> {
+        vec![
+            Punch::cylinder(2.0).unwrap(),
+            Punch::parabola(2.0).unwrap(),
+            Punch::power(2.5, 1.5, 0.2).unwrap(),
+            Punch::polynomial(1.5, &[0.3, 0.0, 0.1]).unwrap(),
+            Punch::wedge(0.1).unwrap(),
+            Punch::rounded_flat(0.7, 3.0).unwrap(),
+            Punch::table(&[(0.0, 0.0), (0.5, 0.1), (1.0, 0.5), (1.5, 1.0)]).unwrap(),
+            Punch::elastic_cylinder(2.0, 3.0, 0.25).unwrap(),
+        ]
+    }
 
     #[test]
     fn near_its_tip_a_cylinder_is_a_parabola() {
@@ -123,27 +267,39 @@ mod tests {
 
     #[test]
     fn heights_are_even_and_slopes_odd_up_to_the_edge_and_beyond() {
-        let cylinder = Punch::cylinder(2.0).unwrap();
-        for x in [0.0, 0.5, 2.0, 3.0] {
-            assert_eq!(cylinder.profile(-x), cylinder.profile(x));
-            assert_eq!(cylinder.slope(-x), -cylinder.slope(x));
+        for punch in all() {
+            for x in [0.0, 0.5, 2.0, 3.0] {
+                assert_eq!(punch.profile(-x), punch.profile(x));
+                assert_eq!(punch.slope(-x), -punch.slope(x));
+            }
         }
+        let cylinder = Punch::cylinder(2.0).unwrap();
         assert_eq!(cylinder.profile(2.0), 2.0);
         assert_eq!(cylinder.slope(2.0), f64::INFINITY);
         assert_eq!(cylinder.profile(2.1), f64::INFINITY);
     }
 
     #[test]
-    fn curvature_is_the_derivative_of_the_slope() {
-        for punch in [Punch::cylinder(2.0).unwrap(), Punch::parabola(2.0).unwrap()] {
+    fn slopes_and_curvatures_are_derivatives() {
+        for punch in all() {
             let (x, step) = (1.2, 1e-5);
+            let difference = (punch.profile(x + step) - punch.profile(x - step)) / (2.0 * step);
+            assert!((difference / punch.slope(x) - 1.0).abs() < 1e-8, "{punch}");
             let difference = (punch.slope(x + step) - punch.slope(x - step)) / (2.0 * step);
-            assert!((difference / punch.curvature(x) - 1.0).abs() < 1e-8);
+            assert!((difference - punch.curvature(x)).abs() < 1e-8, "{punch}");
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        for punch in all() {
+            assert_eq!(recede_layers::read_ron::<Punch>(&punch.to_string()).unwrap(), punch, "{punch}");
         }
     }
 
     #[test]
     fn huge_radii_do_not_overflow() {
         assert!((Punch::cylinder(1e308).unwrap().slope(1e300) / 1e-8 - 1.0).abs() < 1e-15);
+        assert!((Punch::parabola(1e308).unwrap().slope(1e300) / 1e-8 - 1.0).abs() < 1e-15);
     }
 }

@@ -34,7 +34,7 @@ impl Scene {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
         field("plane", format!("{:?}", self.plane));
-        field("punch", format!("{}(radius: {:?})", self.punch.name(), self.punch.radius()));
+        field("punch", self.punch.to_string());
         field("force", format!("{:?}", self.force));
         text += "    stack: [\n";
         for item in &self.stack {
@@ -81,7 +81,7 @@ mod tests {
         scene.description = Some("µ\u{1}\ttwo\r\nlines\u{7f}".into());
         let again = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!((&again.name, &again.description), (&scene.name, &scene.description));
-        assert_eq!((again.units.clone(), again.plane, again.punch), (scene.units.clone(), scene.plane, scene.punch));
+        assert_eq!((again.units, again.plane, again.punch), (scene.units, scene.plane, scene.punch));
         assert_eq!(again.force, scene.force);
         assert_eq!(format!("{:?}", again.stack), format!("{:?}", scene.stack));
     }

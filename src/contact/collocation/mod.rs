@@ -213,14 +213,19 @@ impl Problem<'_> {
                 min_gap = min_gap.min(gap);
             }
             let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a * pressure_unit).collect();
-            let (half_length, peak_pressure) = (a * length, level.peaks[i] * pressure_unit);
+            let (half_length, mut peak_pressure) = (a * length, level.peaks[i] * pressure_unit);
+            let mut peak_pressure_error = errors[i][1] * peak_pressure;
+            if i == 0 && self.punch.is_sharp() {
+                (peak_pressure, peak_pressure_error) = (f64::INFINITY, 0.0);
+            }
             contacts.push(Contact {
                 interface: *interface,
                 half_length,
                 half_length_error: errors[i][0] * half_length,
                 peak_pressure,
-                peak_pressure_error: errors[i][1] * peak_pressure,
+                peak_pressure_error,
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                found: coefficients.len(),
                 coefficients,
             });
         }

@@ -1,0 +1,221 @@
+//! Punches of any profile.
+//!
+//! Goal: on a homogeneous half-plane, whatever it is made of, each punch makes the contact of its closed form; on layers
+//! punches that are the same by another name make the same contact; and where nothing is known in closed form, both methods
+//! agree.
+//!
+//! Source: `recede::exact::punches` and `recede::exact::hertz`.
+use recede::exact::{Elastic, hertz, punches};
+use recede::{Exponential, HalfPlane, Homogeneous, Method, Model, Options, Plane, Punch, Solution, Stack};
+
+const MATERIAL: Elastic = Elastic { shear_modulus: 2.0, kappa: 1.8 };
+
+fn ground() -> HalfPlane {
+    HalfPlane::new(2.0, 0.3).unwrap()
+}
+
+/// A half-plane by three names: alone, below a layer of its own material, below slices.
+fn half_planes() -> Vec<Model> {
+    let layer = |h: f64| Homogeneous::new(h, 2.0, 0.3).unwrap();
+    let stack = || Stack::builder(Plane::Strain);
+    [
+        stack().layer(ground()),
+        stack().layer(layer(0.2)).bonded().layer(ground()),
+        stack().layer(layer(0.5)).bonded().layer(layer(1.5)).bonded().layer(ground()),
+    ]
+    .map(|stack| Model::new(stack.build().unwrap()).unwrap())
+    .into()
+}
+
+/// Layers that recede, also a graded one.
+fn layered() -> Vec<Model> {
+    let stack = || Stack::builder(Plane::Strain);
+    let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+    [
+        stack().layer(strip()).receding().layer(HalfPlane::new(0.5, 0.3).unwrap()),
+        stack().layer(Exponential::new(1.0, 1.0, 0.3, 1.2).unwrap()).receding().layer(strip()).receding().rigid(),
+        stack().layer(Exponential::new(0.8, 2.0, 0.25, -1.5).unwrap()).bonded().layer(ground()),
+    ]
+    .map(|stack| Model::new(stack.build().unwrap()).unwrap())
+    .into()
+}
+
+fn close(found: f64, expected: f64, error: f64, what: &str) {
+    assert!(
+        (found / expected - 1.0).abs() <= error,
+        "{what}: {found:e}, expected {expected:e}, error allowed {error:e}"
+    );
+}
+
+/// Half-length and pressure at x = 0 with their estimated errors cover what is expected, and the estimates are small.
+fn assert_contact(solution: &Solution, half_length: f64, peak: f64, what: &str) {
+    let contact = &solution.contacts()[0];
+    let allowed = contact.half_length_error / contact.half_length + 1e-12;
+    assert!(allowed < 1e-10, "{what}: {contact:?}");
+    close(contact.half_length, half_length, allowed, what);
+    if peak.is_finite() {
+        let allowed = contact.peak_pressure_error / contact.peak_pressure + 1e-12;
+        assert!(allowed < 1e-9, "{what}: {allowed}");
+        close(contact.peak_pressure, peak, allowed, what);
+    } else {
+        assert_eq!((contact.peak_pressure, contact.peak_pressure_error), (f64::INFINITY, 0.0), "{what}");
+    }
+    assert_eq!(solution.warnings(), [""; 0], "{what}");
+}
+
+#[test]
+fn powers_make_the_contacts_of_steuermann() {
+    for model in half_planes() {
+        for (exponent, half_length) in
+            [(1.25, 0.3), (1.5, 2.0), (2.0, 0.7), (3.0, 0.05), (4.0, 1.3), (7.3, 0.8), (20.0, 1.0)]
+        {
+            let (half_width, height) = (1.7f64, 0.01);
+            let coefficient = height / half_width.powf(exponent);
+            let force = punches::power_force(MATERIAL, exponent, coefficient, half_length);
+            let punch = Punch::power(exponent, half_width, height).unwrap();
+            let peak = punches::power_central_pressure(MATERIAL, exponent, coefficient, half_length);
+            assert_contact(&model.press(&punch, force).unwrap(), half_length, peak, &punch.to_string());
+        }
+    }
+}
+
+#[test]
+fn polynomials_are_sums_of_powers() {
+    let (a, half_width, heights) = (0.9, 1.2, [0.01, 0.0, 0.004, 0.002]);
+    let terms = || heights.iter().zip([2i32, 4, 6, 8]).map(|(h, n)| (f64::from(n), h / f64::powi(half_width, n)));
+    let force: f64 = terms().map(|(n, c)| punches::power_force(MATERIAL, n, c, a)).sum();
+    let peak: f64 = terms().map(|(n, c)| punches::power_central_pressure(MATERIAL, n, c, a)).sum();
+    let punch = Punch::polynomial(half_width, &heights).unwrap();
+    for model in half_planes() {
+        assert_contact(&model.press(&punch, force).unwrap(), a, peak, "polynomial");
+    }
+}
+
+#[test]
+fn under_a_wedge_the_pressure_is_a_logarithm() {
+    let punch = Punch::wedge(0.02).unwrap();
+    for model in half_planes() {
+        for force in [0.003, 0.1] {
+            let a = punches::wedge_half_length(MATERIAL, 0.02, force);
+            let solution = model.press(&punch, force).unwrap();
+            assert_contact(&solution, a, f64::INFINITY, "wedge");
+            for s in [0.02, 0.1, 0.5, 0.9, 0.999] {
+                let known = punches::wedge_pressure(MATERIAL, 0.02, a, s * a);
+                close(solution.contacts()[0].pressure(s * a), known, 1e-6, &format!("pressure of a wedge at {s}"));
+            }
+            assert_eq!(solution.contacts()[0].pressure(0.0), f64::INFINITY);
+        }
+    }
+}
+
+#[test]
+fn flat_punches_with_round_corners_are_those_of_schubert() {
+    for model in half_planes() {
+        for (flat, a) in [(0.0, 0.4), (0.1, 0.4), (0.5, 0.8), (1.0, 1.05), (2.0, 2.001), (1e-4, 0.7)] {
+            let force = punches::rounded_flat_force(MATERIAL, flat, 50.0, a);
+            let solution = model.press(&Punch::rounded_flat(flat, 50.0).unwrap(), force).unwrap();
+            let at = |x: f64| punches::rounded_flat_pressure(MATERIAL, flat, 50.0, a, x);
+            assert_contact(&solution, a, at(0.0), &format!("flat to {flat} of {a}"));
+            for s in [0.2, 0.77, 0.97] {
+                close(
+                    solution.contacts()[0].pressure(s * a),
+                    at(s * a),
+                    1e-4,
+                    &format!("flat to {flat} of {a} at {s}"),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn elastic_cylinders_share_the_flattening() {
+    // compliances add up: as if the half-plane were softer
+    let material = Elastic::plane_strain(3.0, 0.2);
+    let together = 1.0 / (1.0 / MATERIAL.plane_modulus() + 1.0 / material.plane_modulus());
+    let equivalent = Elastic { shear_modulus: 0.25 * together, kappa: 1.0 };
+    for model in half_planes() {
+        let exact = hertz::cylinder(equivalent, 20.0, 0.05).unwrap();
+        let punch = Punch::elastic_cylinder(20.0, 3.0, 0.2).unwrap();
+        for method in [Method::Galerkin, Method::Collocation] {
+            let options = Options { method, tolerance: 1e-10 };
+            let solution = model.press_with(&punch, 0.05, &options).unwrap();
+            close(solution.contacts()[0].half_length, exact.half_length(), 1e-10, "elastic cylinder");
+            close(solution.contacts()[0].peak_pressure, exact.central_pressure(), 1e-9, "elastic cylinder");
+        }
+    }
+    for model in layered() {
+        let rigid = model.press(&Punch::cylinder(100.0).unwrap(), 0.01).unwrap();
+        let stiff = model.press(&Punch::elastic_cylinder(100.0, 1e14, 0.3).unwrap(), 0.01).unwrap();
+        assert_same(&stiff, &rigid, 1e-11, "stiff cylinder");
+    }
+}
+
+fn assert_same(found: &Solution, expected: &Solution, error: f64, what: &str) {
+    for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
+        close(found.half_length, expected.half_length, error, what);
+        close(found.peak_pressure, expected.peak_pressure, 10.0 * error, what);
+    }
+}
+
+#[test]
+fn on_layers_a_punch_is_the_same_by_any_name() {
+    let parabola = Punch::parabola(50.0).unwrap();
+    let rows: Vec<(f64, f64)> = (0..40).map(|i| 0.1 * f64::from(i)).map(|x| (x, 3.0 + 0.01 * x * x)).collect();
+    let names = [
+        Punch::power(2.0, 3.0, 0.09).unwrap(),
+        Punch::polynomial(3.0, &[0.09]).unwrap(),
+        Punch::polynomial(1.0, &[0.01, 0.0]).unwrap(),
+        Punch::rounded_flat(0.0, 50.0).unwrap(),
+        Punch::table(&rows).unwrap(),
+    ];
+    for model in layered() {
+        let expected = model.press(&parabola, 0.02).unwrap();
+        for punch in &names {
+            assert_same(&model.press(punch, 0.02).unwrap(), &expected, 1e-10, &punch.label());
+        }
+        let (power, polynomial) = (Punch::power(4.0, 2.0, 0.3).unwrap(), Punch::polynomial(2.0, &[0.0, 0.3]).unwrap());
+        assert_same(&model.press(&power, 0.1).unwrap(), &model.press(&polynomial, 0.1).unwrap(), 1e-10, "fourth power");
+        let (wedge, power) = (Punch::wedge(0.05).unwrap(), Punch::power(1.0, 2.0, 0.1).unwrap());
+        let found = [wedge, power].map(|punch| model.press(&punch, 0.02).unwrap());
+        assert_eq!(found[0].contacts()[0].half_length, found[1].contacts()[0].half_length);
+    }
+}
+
+#[test]
+fn punches_depend_continuously_on_their_form() {
+    for model in layered() {
+        let parabola = model.press(&Punch::parabola(50.0).unwrap(), 0.02).unwrap();
+        for (error, punch) in [
+            (1e-5, Punch::power(2.000_001, 1.0, 0.01).unwrap()),
+            (1e-5, Punch::rounded_flat(1e-6, 50.0).unwrap()),
+            (1e-5, Punch::polynomial(1.0, &[0.01, 1e-9]).unwrap()),
+        ] {
+            assert_same(&model.press(&punch, 0.02).unwrap(), &parabola, error, &punch.to_string());
+        }
+    }
+}
+
+#[test]
+fn both_methods_agree_on_layers() {
+    for (i, model) in layered().iter().enumerate() {
+        for (error, punch) in [
+            (1e-9, Punch::power(4.0, 2.0, 0.3).unwrap()),
+            (1e-4, Punch::power(1.5, 2.0, 0.1).unwrap()),
+            (1e-4, Punch::wedge(0.03).unwrap()),
+            (1e-4, Punch::rounded_flat(0.4, 20.0).unwrap()),
+        ] {
+            let found = model.press(&punch, 0.02).unwrap();
+            let contacts = found.contacts();
+            assert!(
+                contacts.iter().all(|c| c.half_length_error < 1e-9 * c.half_length),
+                "stack {i}, {punch}: {found:?}"
+            );
+            let options = Options { method: Method::Collocation, tolerance: 0.1 * error };
+            let other = model.press_with(&punch, 0.02, &options).unwrap();
+            for (found, other) in contacts.iter().zip(other.contacts()) {
+                close(found.half_length, other.half_length, error, &format!("stack {i}, {punch}"));
+            }
+        }
+    }
+}
