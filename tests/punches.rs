@@ -211,7 +211,7 @@ fn both_methods_agree_on_layers() {
                 contacts.iter().all(|c| c.half_length_error < 1e-9 * c.half_length),
                 "stack {i}, {punch}: {found:?}"
             );
-            let options = Options { method: Method::Collocation, tolerance: 0.1 * error };
+            let options = Options { method: Method::Collocation, tolerance: error };
             let other = model.press_with(&punch, 0.02, &options).unwrap();
             for (found, other) in contacts.iter().zip(other.contacts()) {
                 close(found.half_length, other.half_length, error, &format!("stack {i}, {punch}"));

@@ -40,7 +40,7 @@ fn numbers_out_of_range_are_told_with_what_is_allowed() {
         ),
         ("Table([(0, 1), (2, 1)])", 12, "all heights are the same; allowed are heights that rise from the tip"),
         ("Table([(0, 0), (1e-300, 1e300)])", 12, "the heights rise too steeply for double precision"),
-        ("Table([(0, 0), (1, NaN)])", 31, "found NaN, allowed is a finite number"),
+        ("Table([(0, 0), (1, NaN)])", 12, "found NaN, allowed is a finite number"),
         ("ElasticCylinder(radius: 1, shear_modulus: 0, poisson: 0.3)", 54, "`shear_modulus` of the punch: found 0.0"),
         (
             "ElasticCylinder(radius: 1, shear_modulus: 1, poisson: 0.6)",
