@@ -109,7 +109,7 @@ impl Punch {
         })
     }
 
-    /// The height Σ heights[k] (x/half_width)^(2k + 2), all in length.
+    /// The height Σ h_k (x/half_width)^(2k), k = 1, 2, ..., all in length.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if a number is not legal, [`Error::Heights`] if all heights are zero or there are none.
