@@ -24,7 +24,7 @@ pub(crate) use self::clamped::Clamped;
 pub use self::remembering::Remembering;
 use self::rule::RULE;
 pub(crate) use self::slices::inverse;
-pub(crate) use self::surface::surface_flexibility;
+pub(crate) use self::surface::{surface_flexibility, surface_states};
 use self::tree::From;
 pub(crate) use self::tree::Tree;
 use crate::{FaceStates, Layer, LayerStates, Material, Wave};
@@ -66,9 +66,20 @@ pub(crate) fn of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) 
 /// States of any layer at its faces and at `depths` in ascending order, in common amplitudes: the provided body of
 /// [`Layer::states`]. Slices end at these depths, so that their number adds to the cost.
 pub fn states(layer: &(impl Layer + ?Sized), wave: &Wave, depths: &[f64]) -> LayerStates {
+    states_of_layer(layer, wave, &Tree::default(), depths, depths)
+}
+
+/// `tree` is that of the layer in the plane of the wave, cut at `cuts`, of which `depths` are some.
+pub(crate) fn states_of_layer(
+    layer: &(impl Layer + ?Sized),
+    wave: &Wave,
+    tree: &Tree,
+    cuts: &[f64],
+    depths: &[f64],
+) -> LayerStates {
     let material = |depth| layer.material(depth, wave.plane);
-    let cuts = [&layer.kinks(), depths].concat();
-    Profile { thickness: layer.thickness(), material: &material, kinks: &cuts }.states(wave, &Tree::default(), depths)
+    let cuts = [&layer.kinks(), cuts].concat();
+    Profile { thickness: layer.thickness(), material: &material, kinks: &cuts }.states(wave, tree, depths)
 }
 
 /// All that the general body knows of a layer.

@@ -1,4 +1,5 @@
 //! What the state equations need to know of a material at one depth.
+use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +14,9 @@ pub enum Plane {
     /// Plane stress, σ_zz = 0: κ = (3 − ν)/(1 + ν).
     Stress,
 }
+
+/// Roots this close to 1 are those of an isotropic material: what is rounded away there appears in them as its root.
+const DOUBLE: f64 = 1e-6;
 
 /// The four coefficients of the state equations at one depth.
 ///
@@ -34,6 +38,39 @@ impl Material {
     /// That of a support which is no elastic body, see [`Layer::has_material`](crate::Layer::has_material): no numbers.
     pub const NONE: Self =
         Self { shear_compliance: f64::NAN, normal_compliance: f64::NAN, coupling: f64::NAN, axial_stiffness: f64::NAN };
+
+    /// How fast the slowest field decays with λ·depth, dimensionless: the smaller real part of the roots of
+    /// s⁴ − (em − 2c) s² + c² + ed = 0, in which the coefficients are those of this material in the order m, d, c, e. 1 for
+    /// any isotropic material, less for one that is stiff along the layers.
+    ///
+    /// ```
+    /// use recede_layers::{EngineeringConstants, Isotropic, Plane};
+    /// assert_eq!(Isotropic::new(3.0, 0.3)?.material(Plane::Strain).slowest_decay(), 1.0);
+    /// let ply = EngineeringConstants::new([140.0, 10.0, 10.0], [0.3, 0.3, 0.4], 5.0)?;
+    /// assert!(ply.material(Plane::Strain).slowest_decay() < 0.7);
+    /// # Ok::<(), recede_layers::LayerError>(())
+    /// ```
+    pub fn slowest_decay(&self) -> f64 {
+        let [first, second] = self.squared_roots();
+        // of an isotropic material both are 1, up to the root of rounding
+        let slowest = if first.im != 0.0 { first.sqrt().re } else { first.re.min(second.re).max(0.0).sqrt() };
+        if (slowest - 1.0).abs() < DOUBLE { 1.0 } else { slowest }
+    }
+
+    /// The squares of the roots s of the characteristic equation, both real or conjugate.
+    pub fn squared_roots(&self) -> [Complex64; 2] {
+        let (e, m) = (self.axial_stiffness, self.shear_compliance);
+        let half = 0.5 * (e * m - 2.0 * self.coupling);
+        let product = self.coupling * self.coupling + e * self.normal_compliance;
+        let square = half * half - product;
+        if square < 0.0 {
+            let root = Complex64::new(half, (-square).sqrt());
+            return [root, root.conj()];
+        }
+        // the larger one without cancellation, the other one from the product
+        let large = if half < 0.0 { half - square.sqrt() } else { half + square.sqrt() };
+        [large, if large == 0.0 { 0.0 } else { product / large }].map(Complex64::from)
+    }
 }
 
 /// An isotropic elastic material: shear modulus μ and Poisson's ratio ν.

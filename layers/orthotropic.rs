@@ -1,12 +1,14 @@
 //! Orthotropic material with axes along and across the layers: a homogeneous layer, and a half-plane.
 use std::fmt;
 
-use nalgebra::{Matrix2, Matrix4x2};
+use nalgebra::Matrix4;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::graded::surface_flexibility;
-use crate::{FaceStates, Finite, Layer, LayerError, Material, Plane, Positive, Thickness, Wave};
+use crate::graded::surface_states;
+use crate::{
+    FaceStates, Finite, InnerStates, Layer, LayerError, LayerStates, Material, Plane, Positive, Thickness, Wave,
+};
 
 /// By how much the determinant of a material on the verge of instability may be negative for rounding.
 const ROUNDING: f64 = 1e-12;
@@ -250,11 +252,16 @@ impl Layer for OrthotropicHalfPlane {
 
     /// Amplitudes = (S, T) on the face.
     fn face_states(&self, wave: &Wave) -> FaceStates {
-        let flexibility = surface_flexibility(&self.material(0.0, wave.plane), wave.modulus);
-        let mut top = Matrix4x2::zeros();
-        top.fixed_rows_mut::<2>(0).copy_from(&flexibility);
-        top.fixed_rows_mut::<2>(2).copy_from(&Matrix2::identity());
-        FaceStates::HalfPlane { top }
+        FaceStates::HalfPlane { top: surface_states(&self.material(0.0, wave.plane), wave.modulus, 0.0) }
+    }
+
+    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        let material = self.material(0.0, wave.plane);
+        let inside = depths.iter().map(|depth| {
+            let states = surface_states(&material, wave.modulus, wave.wavenumber * depth);
+            InnerStates::thick(Matrix4::from_fn(|i, j| if j < 2 { states[(i, j)] } else { 0.0 }))
+        });
+        LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
     }
 }
 

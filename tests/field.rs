@@ -1,8 +1,8 @@
 //! Fields inside the stack: what equilibrium, the contacts and closed forms demand of them.
 //!
 //! Tolerances are parts of the peak pressure: 1e-8 inside, 1e-6 on the faces.
+use recede::{EngineeringConstants, FieldPoint, Layer, Orthotropic, OrthotropicHalfPlane};
 use recede::{Exponential, Field, HalfPlane, Homogeneous, Model, Plane, Punch, Scene, Solution, Spot, Stack};
-use recede::{FieldPoint, Layer};
 
 const INSIDE: f64 = 1e-8;
 const ON_FACE: f64 = 1e-6;
@@ -38,6 +38,15 @@ fn graded(thickness: f64, beta: f64) -> Exponential {
 
 fn ground(modulus: f64) -> HalfPlane {
     HalfPlane::new(modulus, 0.2).expect("legal")
+}
+
+/// A fibre composite, fibres along it; its fields decay with real roots, those of `wood` with complex ones.
+fn ply() -> EngineeringConstants {
+    EngineeringConstants::new([14.0, 1.0, 1.0], [0.3, 0.3, 0.4], 0.5).expect("stable")
+}
+
+fn wood() -> EngineeringConstants {
+    EngineeringConstants::new([1.2, 1.0, 0.5], [0.2, 0.25, 0.3], 1.7).expect("stable")
 }
 
 fn cases() -> Vec<Case> {
@@ -77,6 +86,32 @@ fn cases() -> Vec<Case> {
             ),
             300.0,
             0.003,
+        ),
+        Case::new(
+            "composite on wood",
+            built(
+                stack()
+                    .layer(Orthotropic::new(0.8, ply()).expect("legal"))
+                    .receding()
+                    .layer(OrthotropicHalfPlane::new(wood())),
+            ),
+            500.0,
+            0.002,
+        ),
+        Case::new(
+            "plywood on composite",
+            built(
+                stack()
+                    .layer(Orthotropic::new(0.3, wood()).expect("legal"))
+                    .bonded()
+                    .layer(Orthotropic::new(0.4, ply()).expect("legal"))
+                    .receding()
+                    .layer(strip(0.3, 1.0))
+                    .bonded()
+                    .layer(OrthotropicHalfPlane::new(ply())),
+            ),
+            500.0,
+            0.002,
         ),
         Case::new(
             "bonded to rigid base",

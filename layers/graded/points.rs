@@ -4,6 +4,7 @@ use nalgebra::SVector;
 use super::Profile;
 use super::rule::{ENDS, NODES, RULE};
 use super::surface::Coefficients;
+use crate::Material;
 
 /// A material counts as resolved when the last Legendre coefficients on a slice are this small: their squares, which
 /// is what Gauss points leave, are below rounding.
@@ -21,17 +22,19 @@ pub(super) struct Points {
     pub axial: SVector<f64, NODES>,
     /// Whether the slice is short enough for the variation of the material.
     pub resolved: bool,
-    /// How fast the fastest field varies with ζ = λy: the modulus of the larger root, see [`super::surface_flexibility`].
+    /// How fast the fastest field varies with ζ = λy: the modulus of the larger root, see [`Material::squared_roots`].
     pub fastest: f64,
-    /// How fast the slowest field decays with ζ: the real part of the smaller root.
+    /// See [`Material::slowest_decay`].
     pub slowest: f64,
 }
 
 impl Points {
     pub fn new(profile: &Profile, modulus: f64, depth: f64, thickness: f64) -> Self {
-        let at = |t: f64| Coefficients::new(&(profile.material)(depth + (1.0 - t) * thickness), modulus);
-        let points = RULE.nodes.map(at);
-        let ends = ENDS.map(at);
+        let at = |t: f64| (profile.material)(depth + (1.0 - t) * thickness);
+        let materials = RULE.nodes.map(at);
+        let coefficients = |material: Material| Coefficients::new(&material, modulus);
+        let points = materials.map(coefficients);
+        let ends = ENDS.map(at).map(coefficients);
         let values = |pick: fn(&Coefficients) -> f64| SVector::from_iterator(points.iter().map(pick));
         let (shear, coupling) = (values(|point| point.m), values(|point| point.c));
         let (normal, axial) = (values(|point| point.d), values(|point| point.e));
@@ -45,27 +48,14 @@ impl Points {
             && smooth(&coupling, |end| end.c, 1.0)
             && smooth(&normal, |end| end.d, shear.amax());
         // a wave that meets the stiffest and the softest place of the slice at once is faster than any in it
-        let worst = Coefficients { m: shear.max(), c: coupling.min(), d: normal.max(), e: axial.max() };
-        let slowest = points.iter().map(|point| point.slowest()).fold(f64::INFINITY, f64::min);
-        Self { shear, coupling, normal, axial, resolved, fastest: worst.fastest().max(1.0), slowest }
-    }
-}
-
-impl Coefficients {
-    /// Half the sum, and the product, of the squared roots s₁², s₂².
-    fn squares(&self) -> (f64, f64) {
-        (0.5 * (self.e * self.m - 2.0 * self.c), self.c * self.c + self.e * self.d)
-    }
-
-    fn fastest(&self) -> f64 {
-        let (half, product) = self.squares();
-        let square = half * half - product;
-        (if square > 0.0 { half.abs() + square.sqrt() } else { product.sqrt() }).sqrt()
-    }
-
-    fn slowest(&self) -> f64 {
-        let (half, product) = self.squares();
-        let square = half * half - product;
-        if square > 0.0 { (product / (half + square.sqrt())).sqrt() } else { (0.5 * (half + product.sqrt())).sqrt() }
+        let worst = Material {
+            shear_compliance: shear.max(),
+            normal_compliance: normal.max(),
+            coupling: coupling.min(),
+            axial_stiffness: axial.max(),
+        };
+        let fastest = worst.squared_roots().iter().fold(1.0, |s: f64, root| s.max(root.norm().sqrt()));
+        let slowest = materials.iter().map(Material::slowest_decay).fold(f64::INFINITY, f64::min);
+        Self { shear, coupling, normal, axial, resolved, fastest, slowest }
     }
 }

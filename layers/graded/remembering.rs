@@ -1,17 +1,34 @@
 //! A layer that remembers what the general body has computed of it.
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Tree, of_layer};
+use super::{Tree, of_layer, states_of_layer};
 use crate::{FaceStates, Flexibility, Layer, LayerStates, Material, Notation, Plane, Wave};
 
 /// A layer whose face states are those of [`face_states`](super::face_states), to the last digit, and which remembers
 /// its slices from one wavenumber to the next. Made once per stack for every layer without
-/// [closed forms](Layer::has_closed_form).
+/// [closed forms](Layer::has_closed_form). Slices for fields inside end at the depths that were asked for last, or at more
+/// than these if they were among those before.
 #[derive(Debug)]
 pub struct Remembering {
     layer: Arc<dyn Layer>,
     strain: Tree,
     stress: Tree,
+    inside: Mutex<Option<Arc<Inside>>>,
+}
+
+/// Slices that end at some depths.
+#[derive(Debug)]
+struct Inside {
+    plane: Plane,
+    depths: Vec<f64>,
+    tree: Tree,
+}
+
+impl Inside {
+    fn serves(&self, plane: Plane, depths: &[f64]) -> bool {
+        let known = |depth: &f64| self.depths.binary_search_by(|own| own.total_cmp(depth)).is_ok();
+        self.plane == plane && depths.iter().all(known)
+    }
 }
 
 impl Remembering {
@@ -20,7 +37,7 @@ impl Remembering {
         if layer.has_closed_form() {
             return layer;
         }
-        Arc::new(Self { layer, strain: Tree::default(), stress: Tree::default() })
+        Arc::new(Self { layer, strain: Tree::default(), stress: Tree::default(), inside: Mutex::default() })
     }
 }
 
@@ -58,7 +75,18 @@ impl Layer for Remembering {
     }
 
     fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
-        self.layer.states(wave, depths)
+        let inside = {
+            // what is remembered is whole at any time
+            let mut last = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
+            match &*last {
+                Some(inside) if inside.serves(wave.plane, depths) => Arc::clone(inside),
+                _ => {
+                    let inside = Inside { plane: wave.plane, depths: depths.to_vec(), tree: Tree::default() };
+                    Arc::clone(last.insert(Arc::new(inside)))
+                }
+            }
+        };
+        states_of_layer(&*self.layer, wave, &inside.tree, &inside.depths, depths)
     }
 
     fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {

@@ -1,5 +1,5 @@
 //! The surface of a half-plane, and the coefficients of the state equations.
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Matrix4x2};
 
 use crate::Material;
 
@@ -13,6 +13,31 @@ pub(crate) fn surface_flexibility(material: &Material, modulus: f64) -> Matrix2<
     let sum = (e * m - 2.0 * c + 2.0 * product).sqrt();
     let cross = if c > 0.0 { d / (product + c) } else { (product - c) / e };
     Matrix2::new(cross, sum / e, product * sum / e, cross)
+}
+
+/// The states at t = λd inside a homogeneous half-plane for S = 1 and for T = 1 on its face.
+///
+/// Stresses there are e^(−tM) times those on the face, where M has the roots s₁, s₂ as eigenvalues.
+pub(crate) fn surface_states(material: &Material, modulus: f64, t: f64) -> Matrix4x2<f64> {
+    let Coefficients { m, c, d, e } = Coefficients::new(material, modulus);
+    let product = (c * c + e * d).sqrt();
+    let half = 0.5 * (e * m - 2.0 * c + 2.0 * product).sqrt();
+    let square = half * half - product;
+    let difference = square.abs().sqrt();
+    // e^(−t·half) times cosh and sinh of t·difference, the latter over the difference; cos and sin if roots are complex
+    let (even, odd) = if square > 0.0 {
+        let (slow, fast) = ((-t * (half - difference)).exp(), (-t * (half + difference)).exp());
+        let ratio = -0.5 * (-2.0 * t * difference).exp_m1() / difference;
+        (0.5 * (slow + fast), if slow > 0.0 { slow * ratio } else { 0.0 })
+    } else {
+        let decay = (-t * half).exp();
+        let (sin, cos) = (t * difference).sin_cos();
+        let ratio = if difference > 0.0 { sin / difference } else { t };
+        (decay * cos, if decay > 0.0 { decay * ratio } else { 0.0 })
+    };
+    let stresses = Matrix2::new(even + odd * half, odd, -odd * product, even - odd * half);
+    let displacements = surface_flexibility(material, modulus) * stresses;
+    Matrix4x2::from_fn(|i, j| if i < 2 { displacements[(i, j)] } else { stresses[(i - 2, j)] })
 }
 
 /// The coefficients of the state equations for (λμ₀U, λμ₀V, S, T).

@@ -6,7 +6,7 @@ use recede_layers::{Layer, Plane, State, Wave};
 use super::pressure::Pressure;
 use super::surface::{Components, Surface};
 use crate::stack::{Foundation, Placed, Stack};
-use crate::system::{BaseChain, FreeChain, Load};
+use crate::system::{BaseChain, FreeChain, Load, slowest_decay};
 
 /// What is left of a half-plane's fields is nothing if it is below this.
 const NOTHING: f64 = 1e-13;
@@ -24,6 +24,8 @@ pub(super) struct Stratum {
     pub(super) top: f64,
     /// `None` for a half-plane.
     pub(super) thickness: Option<f64>,
+    /// Fields decay at least like e^(−slowest·λ·depth).
+    pub(super) slowest: f64,
     /// The body it belongs to, and its place in it.
     pub(super) body: usize,
     pub(super) place: usize,
@@ -76,7 +78,8 @@ pub(super) fn strata(stack: &Stack) -> Vec<Stratum> {
     let mut add = |body: usize, place: usize, placed: &Placed| {
         let thickness = placed.layer.thickness();
         let (number, layer) = (placed.number, placed.layer.clone());
-        strata.push(Stratum { number, layer, top: depth, thickness, body, place });
+        let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
+        strata.push(Stratum { number, layer, top: depth, thickness, slowest, body, place });
         depth += thickness.unwrap_or(0.0);
     };
     for (body, laminate) in stack.laminates().iter().enumerate() {

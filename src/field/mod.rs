@@ -7,6 +7,7 @@ mod body;
 mod peak;
 mod point;
 mod pressure;
+mod roots;
 mod sum;
 mod surface;
 mod waves;

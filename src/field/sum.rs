@@ -53,16 +53,17 @@ impl Field {
     fn end(&self, row: &Row, precision: &Precision, most: f64) -> f64 {
         let stratum = &self.strata[row.stratum];
         let body = &self.bodies[stratum.body];
-        let depth = stratum.top + row.depth;
-        let sides = [Some(depth - body.top), body.bottom.map(|bottom| (bottom - depth).max(0.0))];
-        let ends = sides.into_iter().enumerate().filter_map(|(side, distance)| {
-            let distance = distance?;
-            let own = if side == 0 { stratum.place == 0 } else { stratum.place + 1 == body.layers };
+        let ends = [true, false].into_iter().enumerate().filter_map(|(side, above)| {
+            if !above && body.bottom.is_none() {
+                return None;
+            }
+            let own = if above { stratum.place == 0 } else { stratum.place + 1 == body.layers };
             let face = body.faces[side].as_ref().filter(|_| own);
             if face.is_some_and(|face| face.surface.shift.is_infinite()) {
                 return Some(0.0);
             }
-            let thickness = stratum.thickness.unwrap_or(f64::INFINITY);
+            let distance = self.distance(stratum, row.depth, above);
+            let thickness = stratum.slowest * stratum.thickness.unwrap_or(f64::INFINITY);
             let shift = face.map_or(0.0, |face| face.surface.shift);
             let decay = Decay {
                 distance,
@@ -73,6 +74,16 @@ impl Field {
             Some(decay.end(precision, most))
         });
         ends.fold(0.0, f64::max)
+    }
+
+    /// How far the loaded face above or below a depth is, in lengths over which fields decay by e at λ = 1.
+    fn distance(&self, stratum: &Stratum, depth: f64, above: bool) -> f64 {
+        let within = if above { depth } else { (stratum.thickness.unwrap_or(f64::INFINITY) - depth).max(0.0) };
+        let between = self.strata.iter().filter(|other| {
+            other.body == stratum.body && if above { other.place < stratum.place } else { other.place > stratum.place }
+        });
+        let between = between.map(|other| other.slowest * other.thickness.unwrap_or(f64::INFINITY));
+        between.sum::<f64>() + stratum.slowest * within
     }
 
     /// σ_xx, σ_yy, σ_xy, u, v in rows of points, `sets[row.set]` each.

@@ -134,16 +134,27 @@ fn shared(placed: &[Placed]) -> Vec<Arc<dyn Layer>> {
 
 /// How many of the layers, counted from a face, the face can feel.
 pub(super) fn felt<'a>(layers: impl Iterator<Item = &'a Arc<dyn Layer>>, wave: &Wave) -> usize {
-    let mut depth = 0.0;
+    let mut length = 0.0;
     let mut count = 0;
     for layer in layers {
-        if depth * wave.wavenumber > FELT {
+        if length > FELT {
             break;
         }
-        depth += layer.thickness().unwrap_or(f64::INFINITY);
+        let thickness = layer.thickness().unwrap_or(f64::INFINITY);
+        let own = wave.wavenumber * thickness;
+        // unless what stiffens a layer along its faces carries the fields farther
+        length += if length + own > FELT { own * slowest_decay(&**layer, thickness, wave.plane) } else { own };
         count += 1;
     }
     count
+}
+
+/// The slowest decay of fields in a layer, see [`Material::slowest_decay`].
+///
+/// [`Material::slowest_decay`]: recede_layers::Material::slowest_decay
+pub(crate) fn slowest_decay(layer: &dyn Layer, thickness: f64, plane: Plane) -> f64 {
+    let at = |depth: f64| layer.material(depth, plane).slowest_decay();
+    [0.0, 0.5, 1.0].map(|part| at(part * thickness)).into_iter().fold(1.0, f64::min)
 }
 
 fn flexibility(layers: &[Arc<dyn Layer>], meeting: usize, wave: &Wave) -> Option<Flexibility> {

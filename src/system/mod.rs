@@ -19,5 +19,6 @@ mod latex;
 mod text;
 
 pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+pub(crate) use evaluate::slowest_decay;
 pub use evaluate::{BaseChain, FreeChain};
 pub(crate) use inside::Load;

@@ -1,0 +1,91 @@
+//! What a half-plane does whose characteristic equation has two different roots, as that of orthotropic material.
+//!
+//! Its fields are sums of two terms e^(−sλd), each with a closed form in x: see [`super::pressure`].
+use num_complex::Complex64;
+use recede_layers::Material;
+
+use super::pressure::{Potentials, Pressure};
+use super::surface::Components;
+
+/// Roots closer than this, in parts of their size, are taken to be so far apart: what that misses is integrated.
+const APART: f64 = 1e-5;
+
+/// The fields of a half-plane per unit of p̂ on its face, as sums over the two roots.
+#[derive(Clone, Debug)]
+pub(super) struct Roots([Term; 2]);
+
+#[derive(Clone, Copy, Debug)]
+struct Term {
+    /// s, with a positive real part; the other one is its conjugate, or real as this one.
+    root: Complex64,
+    /// σ_xx, σ_yy, σ_xy, λμ₀U, λμ₀V.
+    components: [Complex64; 5],
+}
+
+impl Roots {
+    /// Displacements are in units of 1/`modulus`; `None` if some field would not decay.
+    pub(super) fn new(material: &Material, modulus: f64) -> Option<Self> {
+        let [mut first, mut second] = material.squared_roots().map(Complex64::sqrt);
+        if first.re <= 0.0 || second.re <= 0.0 {
+            return None;
+        }
+        let size = first.norm();
+        if (first - second).norm() < APART * size {
+            let mean = 0.5 * (first + second).re;
+            (first, second) = ((mean * (1.0 + 0.5 * APART)).into(), (mean * (1.0 - 0.5 * APART)).into());
+        }
+        // S = −1 and T = 0 on the face
+        let share = (first - second).inv();
+        Some(Self([(first, second * share), (second, -first * share)].map(|(s, amplitude)| {
+            let along = (-s * s - material.coupling) / material.axial_stiffness * modulus;
+            let across = s * (along + material.shear_compliance * modulus);
+            let components = [-s * s, 1.0.into(), -s, along, across].map(|component| amplitude * component);
+            Term { root: s, components }
+        })))
+    }
+
+    /// The transformed components at t = λd; displacements are multiplied by `regular`.
+    pub(super) fn transformed(&self, t: f64, regular: f64) -> Components {
+        let mut sum = Components::default();
+        for Term { root, components } in &self.0 {
+            let decay = (-root * t).exp();
+            for (i, (sum, component)) in sum.iter_mut().zip(components).enumerate() {
+                let factor = if i < 3 { 1.0 } else { regular };
+                *sum += factor * (component * decay).re;
+            }
+        }
+        sum
+    }
+
+    /// The components at a point, with displacements less those at the depth `shift` farther down; if that is infinite,
+    /// less those on the face at x = 0.
+    pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64, shift: f64, modulus: f64) -> Components {
+        let mut sum = Components::default();
+        for Term { root, components } in &self.0 {
+            // e^(−sλd) with a complex s moves waves along x
+            let (depth, beside) = (root.re * depth, root.im * depth);
+            let integral = |x: f64| {
+                let from =
+                    if shift.is_finite() { pressure.integral(x, depth + shift) } else { pressure.integral(0.0, 0.0) };
+                pressure.integral(x, depth) - from
+            };
+            let stress = |x: f64| {
+                let Potentials([zeroth, ..]) = pressure.potentials(x, depth);
+                zeroth
+            };
+            let pair = |wave: &dyn Fn(f64) -> Complex64| [wave(x - beside), wave(-x - beside)];
+            let (stresses, integrals) = (pair(&stress), pair(&integral));
+            for (i, (sum, component)) in sum.iter_mut().zip(components).enumerate() {
+                let [there, back] = if i < 3 { stresses } else { integrals };
+                // cos λx, or sin λx
+                let wave = match i {
+                    2 | 3 => Complex64::I * (back - there),
+                    _ => there + back,
+                };
+                let factor = if i < 3 { 0.5 } else { 0.5 / modulus };
+                *sum += factor * (component * wave).re;
+            }
+        }
+        sum
+    }
+}
