@@ -45,6 +45,12 @@
 //! Layer types live in a crate of their own, [`layers`], with the laws they obey; anyone may add to them through a
 //! [`Registry`]. Published closed forms for comparison are in [`exact`].
 //!
+//! # Features
+//!
+//! All are on unless `default-features = false` is said: `cli`, the command, with `plot`, pictures; `parallel`, sweeps in
+//! several threads; `stress`, random scenes; and `files`, scenes and sweeps from files. Without any of them nothing here uses
+//! threads, a clock or files.
+//!
 //! # Conventions
 //!
 //! Any consistent units. x along the layers, depths downwards; pressures are positive in compression, forces are per unit
@@ -60,17 +66,19 @@ mod model;
 #[doc(hidden)]
 pub mod numeric;
 mod options;
+#[cfg(feature = "plot")]
 pub mod plot;
 pub mod report;
 mod scene;
 mod solution;
 mod stack;
+#[cfg(feature = "stress")]
 pub mod stress;
 mod sweep;
 mod system;
 
 pub use error::{Error, NoSolution};
-pub use field::{Field, FieldPoint, Grid, MaxShear, Spot};
+pub use field::{Field, FieldPoint, FieldQuantity, Grid, MaxShear, Spot};
 pub use model::{Model, solve};
 pub use options::{Method, Options};
 /// The layers' own crate: for layer types of one's own, and the laws they have to obey.
@@ -85,6 +93,8 @@ pub use solution::{Contact, Interface, Solution};
 pub use stack::{
     Base, Foundation, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError, StackProblem,
 };
-pub use sweep::{Axis, AxisError, ParallelRows, Row as SweepRow, Sweep};
+#[cfg(feature = "parallel")]
+pub use sweep::ParallelRows;
+pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep};
 pub use system::{BaseChain, FreeChain};
 pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

@@ -22,7 +22,7 @@ const MAY_IMPORT: [(&str, &[&str]); 15] = [
     ("model", &["contact", "field", "kernel", "scene", "stack"]),
     ("stress", &["model", "numeric", "scene", "stack", "system"]),
     ("sweep", &["model", "scene", "stack"]),
-    ("plot", &["scene", "stack", "sweep"]),
+    ("plot", &["field", "scene", "stack", "sweep"]),
     ("report", &["field", "scene", "sweep"]),
 ];
 

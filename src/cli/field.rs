@@ -1,20 +1,25 @@
 //! `recede field`: stresses and displacements inside the stack.
 use std::ffi::OsStr;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use recede::plot::{self, Kind};
 use recede::report::{FieldFormat, write_field};
-use recede::{Field as Fields, FieldPoint, Model, Options, Solution, Spot};
+use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Solution, Spot};
 
 use super::{Failure, SceneFile, replace, tell};
 
 /// Places along x and depths of a grid that is not specified.
-const COLUMNS: usize = 201;
-const ROWS: usize = 101;
-/// It reaches this many half-lengths of the longest contact to either side.
+const LIST: [usize; 2] = [201, 101];
+const MAP: [usize; 2] = [301, 181];
+/// It reaches this many half-lengths of the longest contact to either side, and at most so many down.
 const BESIDE: f64 = 2.0;
+const BELOW: f64 = 3.0;
+/// In a half-plane it reaches this many half-lengths down.
+const GROUND: f64 = 1.5;
 
 /// Stresses and displacements inside the stack, at points or on a grid
 #[derive(Debug, clap::Args)]
@@ -23,6 +28,8 @@ Examples:
   recede field scene.ron --at 0,0.5 --at 1.2,1@2 --format json
   recede field scene.ron --out field.csv
   recede field scene.ron --x -3:3:400 --depth 0:2:200 --out field.csv
+  recede field scene.ron --out shear.svg
+  recede field scene.ron --quantity sigma_xx --out along.png
 
 On an interface a point belongs to the layer below, unless @LAYER says which.")]
 pub struct Field {
@@ -31,15 +38,19 @@ pub struct Field {
     /// A point: x and the depth below the stack's top face, and which layer if that is not clear
     #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = spot, allow_hyphen_values = true)]
     at: Vec<Spot>,
-    /// Places of a grid along x; without it, twice the longest contact
+    /// Places of a grid along x; without it, two half-lengths of the longest contact to either side
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     x: Option<Steps>,
-    /// Depths of a grid; without it, all layers and, in a half-plane, as far again as the longest contact
+    /// Depths of a grid; without it, all layers and one and a half half-lengths of the longest contact in a half-plane,
+    /// at most three in all
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at")]
     depth: Option<Steps>,
-    /// File to write, in the format of its name (.csv, .json); without it, standard output
+    /// File to write: numbers (.csv, .json) or a map (.svg, .png); without it, numbers on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// What a map shows; u, v are displacements, v upwards
+    #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(FieldQuantity::ALL.map(FieldQuantity::name)).try_map(|name| quantity(&name).ok_or("no such quantity")))]
+    quantity: FieldQuantity,
     /// How to write to standard output
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     format: Format,
@@ -104,12 +115,18 @@ fn spot(text: &str) -> Result<Spot, String> {
 impl Field {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = match &self.out {
-            None => match self.format {
+            None => Output::Points(match self.format {
                 Format::Csv => FieldFormat::Csv,
                 Format::Json => FieldFormat::Json,
-            },
+            }),
             Some(path) => format(path)?,
         };
+        if let (Output::Map, false) = (format, self.at.is_empty()) {
+            return Err(Failure::usage(
+                "a map is drawn of a grid, not of points",
+                "leave out --at, or let the file end in .csv or .json",
+            ));
+        }
         let scene = self.file.read()?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
@@ -117,10 +134,20 @@ impl Field {
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
-        let points = self.points(&model.field(&solution), &solution)?;
-        match &self.out {
-            None => Ok(write_field(&points, format, out)?),
-            Some(path) => replace(path, |out| write_field(&points, format, out)),
+        let field = model.field(&solution);
+        match (&self.out, format) {
+            (Some(path), Output::Map) => {
+                let [xs, depths] = self.grid(&field, &solution, MAP);
+                let grids = field.by_layer(&xs, &depths)?;
+                Ok(plot::save(path, &plot::map(&scene, &solution, &field, &grids, self.quantity)?)?)
+            }
+            (Some(path), Output::Points(format)) => {
+                let points = self.points(&field, &solution)?;
+                replace(path, |out| write_field(&points, format, out))
+            }
+            (None, Output::Points(format)) => Ok(write_field(&self.points(&field, &solution)?, format, out)?),
+            // without a file there is no map
+            (None, Output::Map) => Ok(()),
         }
     }
 
@@ -128,24 +155,45 @@ impl Field {
         if !self.at.is_empty() {
             return Ok(field.points(&self.at)?);
         }
+        let [xs, depths] = self.grid(field, solution, LIST);
+        Ok(field.grid(&xs, &depths)?.points().to_vec())
+    }
+
+    /// Places along x and depths, so many unless it is said how many.
+    fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
         let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.half_length));
-        let last =
-            field.layers().last().map_or(0.0, |(_, [from, to])| if to.is_finite() { to } else { from + longest });
+        let last = field
+            .layers()
+            .last()
+            .map_or(0.0, |(_, [from, to])| if to.is_finite() { to } else { from + GROUND * longest });
         let beside = BESIDE * longest;
-        let xs = self.x.unwrap_or(Steps { start: -beside, stop: beside, count: COLUMNS });
-        let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last, count: ROWS });
-        Ok(field.grid(&xs.numbers(), &depths.numbers())?.points().to_vec())
+        let xs = self.x.unwrap_or(Steps { start: -beside, stop: beside, count: columns });
+        let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last.min(BELOW * longest), count: rows });
+        [xs.numbers(), depths.numbers()]
     }
 }
 
-/// The format that a file's name asks for.
-fn format(path: &Path) -> Result<FieldFormat, Failure> {
+/// What is written.
+#[derive(Clone, Copy)]
+enum Output {
+    Points(FieldFormat),
+    Map,
+}
+
+/// What a file's name asks for.
+fn format(path: &Path) -> Result<Output, Failure> {
     match path.extension().and_then(OsStr::to_str) {
-        Some("csv") => Ok(FieldFormat::Csv),
-        Some("json") => Ok(FieldFormat::Json),
-        _ => {
-            let what = format!("{}: the name of the file has to end in .csv or .json", path.display());
-            Err(Failure::Output(io::Error::new(io::ErrorKind::InvalidInput, what)))
-        }
+        Some("csv") => Ok(Output::Points(FieldFormat::Csv)),
+        Some("json") => Ok(Output::Points(FieldFormat::Json)),
+        _ if Kind::of(path).is_ok() => Ok(Output::Map),
+        _ => Err(Failure::usage(
+            format!("{}: the name of the file does not say what to write", path.display()),
+            "let it end in .csv or .json for numbers, in .svg or .png for a map",
+        )),
     }
+}
+
+/// A quantity by its name.
+fn quantity(name: &str) -> Option<FieldQuantity> {
+    FieldQuantity::ALL.into_iter().find(|quantity| quantity.name() == name)
 }

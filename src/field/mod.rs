@@ -15,7 +15,7 @@ mod waves;
 use recede_layers::Plane;
 
 pub use peak::MaxShear;
-pub use point::{FieldPoint, Grid, Spot};
+pub use point::{FieldPoint, FieldQuantity, Grid, Spot};
 
 use crate::error::Error;
 use crate::solution::Solution;
@@ -86,6 +86,11 @@ impl Field {
         Self { plane, strata, bodies, pressures, modulus, contrast: largest / smallest }
     }
 
+    /// The same with other pressures on the same contacts.
+    fn with_pressures(&self, change: impl Fn(&Pressure) -> Pressure) -> Self {
+        Self { pressures: self.pressures.iter().map(change).collect(), ..self.clone() }
+    }
+
     /// Stresses and displacements at a point; on an interface, those of the layer below.
     ///
     /// # Errors
@@ -140,22 +145,71 @@ impl Field {
     /// # Errors
     /// As [`Self::at`].
     pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, Error> {
+        let spot =
+            |depth: &f64| self.row(&Spot { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
+        let rows: Vec<Row> = depths.iter().map(spot).collect::<Result<_, _>>()?;
+        Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows)?))
+    }
+
+    /// Stresses and displacements layer by layer, on grids that reach the layers' faces, since stresses along the layers
+    /// jump there: in each of them between the smallest and the largest of these depths, which are to ascend.
+    ///
+    /// ```
+    /// # use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+    /// # let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+    /// # let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// # let model = Model::new(stack)?;
+    /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
+    /// let grids = model.field(&solution).by_layer(&[0.0, 0.5], &[0.0, 0.6, 1.2, 1.8])?;
+    /// let depths = |k: usize| grids[k].rows().map(|row| row[0].depth).collect::<Vec<_>>();
+    /// assert_eq!((depths(0), depths(1)), (vec![0.0, 0.6, 1.0], vec![1.0, 1.2, 1.8]));
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Self::at`].
+    pub fn by_layer(&self, xs: &[f64], depths: &[f64]) -> Result<Vec<Grid>, Error> {
+        let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return Ok(Vec::new()) };
+        for depth in [first, last] {
+            self.row(&Spot { x: 0.0, depth: *depth, layer: None }, 0)?;
+        }
+        let (mut rows, mut counts) = (Vec::new(), Vec::new());
+        for (stratum, own) in self.strata.iter().enumerate() {
+            let (from, to) = (own.top.max(*first), own.bottom().min(*last));
+            if from < to {
+                let between = depths.iter().copied().filter(|depth| *depth > from && *depth < to);
+                let within = |depth: f64| own.thickness.map_or(depth, |h| h.min(depth)).max(0.0);
+                let all = [from].into_iter().chain(between).chain([to]);
+                let before = rows.len();
+                rows.extend(all.map(|depth| Row { stratum, depth: within(depth - own.top), set: 0 }));
+                counts.push(rows.len() - before);
+            }
+        }
+        let points = self.in_rows(xs, &rows)?;
+        let mut rest = &points[..];
+        let grids = counts.into_iter().map(|count| {
+            let (own, others) = rest.split_at((count * xs.len()).min(rest.len()));
+            rest = others;
+            Grid::new(xs.to_vec(), own.to_vec())
+        });
+        Ok(grids.collect())
+    }
+
+    /// Points in rows at the same places along x.
+    fn in_rows(&self, xs: &[f64], rows: &[Row]) -> Result<Vec<FieldPoint>, Error> {
+        if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
+            return Err(self.outside(&Spot { x: *x, depth: 0.0, layer: None }));
+        }
         // positive and negative places share their tables
         let mut places: Vec<f64> = xs.iter().map(|x| x.abs()).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
         let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < x.abs())).collect();
-        let spot =
-            |depth: &f64| self.row(&Spot { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
-        let rows: Vec<Row> = depths.iter().map(spot).collect::<Result<_, _>>()?;
-        if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
-            return Err(self.outside(&Spot { x: *x, depth: 0.0, layer: None }));
-        }
-        let values = self.sum(&rows, &[places], &waves::FULL)?;
+        let values = self.sum(rows, &[places], &waves::FULL)?;
         let points = rows.iter().zip(&values).flat_map(|(row, values)| {
             xs.iter().zip(&of).filter_map(|(x, k)| Some(self.point(*x, row, *values.get(*k)?)))
         });
-        Ok(Grid::new(xs.to_vec(), points.collect()))
+        Ok(points.collect())
     }
 
     /// The largest shear stress in the plane anywhere in the stack, (σ₁ − σ₂)/2, and where it is.

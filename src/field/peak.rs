@@ -1,22 +1,28 @@
-//! The largest shear stress.
+//! The largest shear stress: a coarse mesh in every layer, then parabolas through ever closer points around its peaks.
 use super::sum::Row;
 use super::waves::{self, Precision};
 use super::{Field, FieldPoint};
 use crate::error::Error;
 
-/// Places along x and depths of a layer at which the search begins.
-const PLACES: usize = 24;
-const DEPTHS: usize = 12;
-/// The mesh shrinks by this factor around the largest value, so many times, of which the last are closer.
-const SHRINKS: f64 = 0.2;
-const TIMES: i32 = 7;
-const CLOSELY: i32 = 2;
-/// Points to either side in the finer meshes.
-const BESIDE: i32 = 3;
+/// Places of the coarse mesh in half-lengths of each contact next to the layer, its depths in half-lengths from a loaded
+/// face, and in thicknesses.
+const BESIDE: [f64; 7] = [0.0, 0.25, 0.5, 0.8, 1.0, 1.3, 1.8];
+const BELOW: [f64; 4] = [0.25, 0.5, 0.8, 1.3];
+const THROUGH: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// A half-plane is searched down to so many half-lengths of the longest contact.
+const FAR: f64 = 3.0;
+/// Peaks of the coarse mesh are followed if they reach this part of the highest one, and so many.
+const PROMISING: f64 = 0.8;
+const FOLLOWED: usize = 3;
+/// Distances of the points of the parabolas, in parts of the shortest length: coarsely, then closely.
+const STEPS: [f64; 2] = [0.2, 0.08];
+const CLOSE_STEPS: [f64; 2] = [0.03, 0.003];
+/// Where the highest point is on the edge of a parabola one goes on from there, so often.
+const AGAIN: usize = 4;
 /// A value has to be larger by this part to be preferred: at a bond that joins equal materials both layers have it.
 const LARGER: f64 = 1.0 + 1e-4;
-/// Below a half-plane's face, and beside the contacts, the search goes so many half-lengths far.
-const FAR: f64 = 3.0;
+/// Of the pressures the coarse search sees no more than this part.
+const ROUGHLY: f64 = 1e-4;
 
 /// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,64 +37,197 @@ pub struct MaxShear {
     pub layer: usize,
 }
 
+/// A place in a layer, and the stress there.
+#[derive(Clone, Copy, Debug)]
+struct Peak {
+    stratum: usize,
+    x: f64,
+    /// Below the top face of the layer.
+    depth: f64,
+    value: f64,
+}
+
 pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
-    let longest = field.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-    let (mut rows, mut sets, mut spacings) = (Vec::new(), Vec::new(), Vec::new());
+    let rough = field.with_pressures(|pressure| pressure.truncated(ROUGHLY));
+    let mut peaks = coarsely(&rough)?;
+    // stable: of two that are the same the upper one
+    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+    let highest = peaks.first().map_or(0.0, |peak| peak.value);
+    peaks.retain(|peak| peak.value >= PROMISING * highest);
+    peaks.truncate(FOLLOWED);
+    let mut best: Option<Peak> = None;
+    for peak in peaks {
+        let found = climb(&rough, peak, &STEPS, &waves::ROUGH)?;
+        let better = best.is_none_or(|best| {
+            // of two that are the same the upper one
+            let upper = (found.stratum, best.stratum);
+            let margin = if upper.0 < upper.1 { LARGER.recip() } else { LARGER };
+            found.value > margin * best.value
+        });
+        if better {
+            best = Some(found);
+        }
+    }
+    let best = best.ok_or(Error::Unresolved { wavenumber: 0.0 })?;
+    let Peak { stratum, x, depth, value } = climb(field, best, &CLOSE_STEPS, &waves::STRESSES)?;
+    let own = &field.strata[stratum];
+    Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
+}
+
+/// The peaks of a coarse mesh.
+fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
+    let (mut rows, mut sets) = (Vec::new(), Vec::new());
     for (stratum, own) in field.strata.iter().enumerate() {
-        // the contacts next to the layer decide how fine the mesh has to be
         let body = &field.bodies[own.body];
-        let contacts = field.pressures[body.contact..].iter().take(1 + usize::from(body.bottom.is_some()));
-        let shortest = contacts.map(|pressure| pressure.half_length).fold(longest, f64::min);
-        let deepest = own.thickness.unwrap_or(FAR * longest);
-        let mut xs: Vec<f64> = steps(FAR * shortest).chain(steps(1.5 * longest)).collect();
-        xs.sort_by(f64::total_cmp);
-        let even = (0..=DEPTHS).map(|k| k as f64 / DEPTHS as f64 * deepest);
-        let next_to_contact = (1..8).map(|k| 0.2 * f64::from(k) * shortest).filter(|depth| *depth < deepest);
-        rows.extend(even.chain(next_to_contact).map(|depth| Row { stratum, depth, set: sets.len() }));
-        sets.push(xs);
-        spacings.push([FAR * shortest / PLACES as f64, (0.2 * shortest).min(deepest / DEPTHS as f64)]);
+        let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
+        let deepest = field.deepest(stratum);
+        let xs = contacts.iter().flat_map(|contact| BESIDE.map(|part| part * contact.half_length));
+        let mut depths: Vec<f64> = THROUGH.iter().map(|part| part * deepest).collect();
+        for (side, contact) in contacts.iter().enumerate() {
+            let next_to = if side == 0 { own.place == 0 } else { own.place + 1 == body.layers };
+            let distances = BELOW.map(|part| part * contact.half_length).into_iter();
+            let distances = distances.filter(|distance| next_to && *distance < deepest);
+            depths.extend(distances.map(|distance| if side == 0 { distance } else { deepest - distance }));
+        }
+        rows.extend(ascending(depths).into_iter().map(|depth| Row { stratum, depth, set: sets.len() }));
+        sets.push(ascending(xs.collect()));
     }
-    let nothing = || Error::Unresolved { wavenumber: 0.0 };
-    let (mut found, stratum) = largest(field, &rows, &sets, &waves::ROUGH)?.ok_or_else(nothing)?;
-    let (top, deepest) = (field.strata[stratum].top, field.strata[stratum].thickness.unwrap_or(f64::INFINITY));
-    let mut spacing = spacings[stratum];
-    for time in 0..TIMES {
-        let around = |centre: f64, step: f64| (-BESIDE..=BESIDE).map(move |k| centre + f64::from(k) * step);
-        let mut xs: Vec<f64> = around(found.x, spacing[0]).map(f64::abs).collect();
-        xs.sort_by(f64::total_cmp);
-        let depths = around(found.depth - top, spacing[1]).map(|depth| depth.clamp(0.0, deepest));
-        let rows: Vec<Row> = depths.map(|depth| Row { stratum, depth, set: 0 }).collect();
-        let precision = if time + CLOSELY < TIMES { waves::ROUGH } else { waves::STRESSES };
-        found = largest(field, &rows, &[xs], &precision)?.ok_or_else(nothing)?.0;
-        spacing = spacing.map(|step| SHRINKS * step);
+    let values = values(field, &rows, &sets, &waves::COARSE)?;
+    let mut peaks = Vec::new();
+    for (i, (row, own)) in rows.iter().zip(&values).enumerate() {
+        let beside = |other: Option<usize>| {
+            other.and_then(|k| Some((rows.get(k)?, &values[k]))).filter(|(other, _)| other.stratum == row.stratum)
+        };
+        let around: Vec<&Vec<f64>> =
+            [i.checked_sub(1), Some(i), Some(i + 1)].into_iter().filter_map(beside).map(|(_, list)| list).collect();
+        for (k, value) in own.iter().enumerate() {
+            let near = k.saturating_sub(1)..(k + 2).min(own.len());
+            if around.iter().all(|list| list[near.clone()].iter().all(|other| other <= value)) {
+                peaks.push(Peak { stratum: row.stratum, x: sets[row.set][k], depth: row.depth, value: *value });
+            }
+        }
     }
-    Ok(MaxShear { value: found.max_shear(), x: found.x, depth: found.depth, layer: found.layer })
+    Ok(peaks)
 }
 
-/// From 0 on to an end.
-fn steps(end: f64) -> impl Iterator<Item = f64> {
-    (0..PLACES).map(move |k| end * k as f64 / (PLACES - 1) as f64)
-}
-
-/// The point of the largest shear stress, and its stratum.
-fn largest(
-    field: &Field,
-    rows: &[Row],
-    sets: &[Vec<f64>],
-    precision: &Precision,
-) -> Result<Option<(FieldPoint, usize)>, Error> {
-    let mut best: Option<(FieldPoint, usize)> = None;
-    for (row, values) in rows.iter().zip(field.sum(rows, sets, precision)?) {
-        for (x, value) in sets[row.set].iter().zip(values) {
-            let point = field.point(*x, row, value);
-            let better = best.as_ref().is_none_or(|(best, stratum)| {
-                let margin = if *stratum == row.stratum { 1.0 } else { LARGER };
-                point.max_shear() > margin * best.max_shear()
-            });
-            if better {
-                best = Some((point, row.stratum));
+/// From a place to the peak next to it in the same layer.
+fn climb(field: &Field, mut best: Peak, steps: &[f64], precision: &Precision) -> Result<Peak, Error> {
+    let stratum = best.stratum;
+    let body = &field.bodies[field.strata[stratum].body];
+    let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
+    let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.half_length));
+    let deepest = field.deepest(stratum);
+    for step in steps {
+        let along = step * shortest;
+        let across = (step * shortest).min(0.25 * deepest);
+        for _ in 0..AGAIN {
+            // all points are in the layer
+            let (x, depth) = (best.x, best.depth.clamp(across, deepest - across));
+            let xs = [x - along, x, x + along].map(f64::abs);
+            let depths = [depth - across, depth, depth + across];
+            let rows = depths.map(|depth| Row { stratum, depth, set: 0 });
+            let values = values(field, &rows, &[xs.to_vec()], precision)?;
+            // the square is smooth
+            let square = |i: usize, k: usize| values[i][k] * values[i][k];
+            let parabola = Parabola {
+                value: square(1, 1),
+                slope: [0.5 * (square(1, 2) - square(1, 0)), 0.5 * (square(2, 1) - square(0, 1))],
+                curve: [
+                    square(1, 2) - 2.0 * square(1, 1) + square(1, 0),
+                    square(2, 1) - 2.0 * square(1, 1) + square(0, 1),
+                ],
+                twist: 0.25 * (square(2, 2) - square(2, 0) - square(0, 2) + square(0, 0)),
+            };
+            let ([right, down], top) = parabola.highest();
+            let place = depth + down * across;
+            best = Peak { stratum, x: (x + right * along).abs(), depth: place, value: top.max(0.0).sqrt() };
+            let on_face = place <= 0.0 || place >= deepest;
+            if right.abs() < 1.0 && (down.abs() < 1.0 || on_face) {
+                break;
             }
         }
     }
     Ok(best)
+}
+
+/// value + slope·s + ½ curve·s² + twist·s₀s₁ for −1 ≤ s₀, s₁ ≤ 1.
+struct Parabola {
+    value: f64,
+    slope: [f64; 2],
+    curve: [f64; 2],
+    twist: f64,
+}
+
+impl Parabola {
+    fn at(&self, [s, t]: [f64; 2]) -> f64 {
+        let straight = self.value + self.slope[0] * s + self.slope[1] * t;
+        straight + 0.5 * (self.curve[0] * s * s + self.curve[1] * t * t) + self.twist * s * t
+    }
+
+    /// Where it is highest, and how high: where it is level, or on an edge.
+    fn highest(&self) -> ([f64; 2], f64) {
+        let determinant = self.curve[0] * self.curve[1] - self.twist * self.twist;
+        let level = [
+            (self.twist * self.slope[1] - self.curve[1] * self.slope[0]) / determinant,
+            (self.twist * self.slope[0] - self.curve[0] * self.slope[1]) / determinant,
+        ];
+        let mut places = vec![level];
+        for end in [-1.0, 1.0] {
+            for axis in [0, 1] {
+                let other = 1 - axis;
+                let along = -(self.slope[other] + self.twist * end) / self.curve[other];
+                for s in [-1.0, along, 1.0] {
+                    places.push(if axis == 0 { [end, s] } else { [s, end] });
+                }
+            }
+        }
+        places.retain(|place| place.iter().all(|s| (-1.0..=1.0).contains(s)));
+        let heights = places.into_iter().map(|place| (place, self.at(place)));
+        heights.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(([0.0; 2], self.value))
+    }
+}
+
+impl Field {
+    /// How far down a layer is searched.
+    fn deepest(&self, stratum: usize) -> f64 {
+        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        self.strata[stratum].thickness.unwrap_or(FAR * longest)
+    }
+}
+
+fn ascending(mut list: Vec<f64>) -> Vec<f64> {
+    list.sort_by(f64::total_cmp);
+    list.dedup();
+    list
+}
+
+/// The largest shear stress in the plane, row by row.
+fn values(field: &Field, rows: &[Row], sets: &[Vec<f64>], precision: &Precision) -> Result<Vec<Vec<f64>>, Error> {
+    let found = field.sum(rows, sets, precision)?;
+    let of = |(row, components): (&Row, Vec<_>)| {
+        let xs = &sets[row.set];
+        xs.iter()
+            .zip(components)
+            .map(|(x, components)| field.point(*x, row, components))
+            .map(|p: FieldPoint| p.max_shear())
+            .collect()
+    };
+    Ok(rows.iter().zip(found).map(of).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parabola_is_highest_where_it_is_level_or_on_an_edge() {
+        let level = Parabola { value: 1.0, slope: [0.2, -0.4], curve: [-1.0, -1.0], twist: 0.0 };
+        let (place, height) = level.highest();
+        assert!((place[0] - 0.2).abs() < 1e-15 && (place[1] + 0.4).abs() < 1e-15 && (height - 1.1).abs() < 1e-15);
+        let rising = Parabola { value: 0.0, slope: [0.5, 3.0], curve: [-1.0, 0.1], twist: 0.1 };
+        let (place, height) = rising.highest();
+        assert!((place[0] - 0.6).abs() < 1e-15 && place[1] == 1.0 && (height - 3.23).abs() < 1e-14);
+        let plane = Parabola { value: 2.0, slope: [0.0; 2], curve: [0.0; 2], twist: 0.0 };
+        assert_eq!(plane.highest().1, 2.0);
+    }
 }

@@ -69,6 +69,88 @@ impl FieldPoint {
     }
 }
 
+/// What a point of a field may be asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FieldQuantity {
+    /// Normal stress along the layers.
+    SigmaXx,
+    /// Normal stress across the layers.
+    SigmaYy,
+    /// Shear stress, with y upwards.
+    SigmaXy,
+    /// Normal stress out of the plane.
+    SigmaZz,
+    /// The larger principal stress in the plane.
+    Sigma1,
+    /// The smaller principal stress in the plane.
+    Sigma2,
+    /// The largest shear stress in the plane.
+    MaxShear,
+    /// Von Mises' equivalent stress.
+    VonMises,
+    /// Displacement along x.
+    U,
+    /// Displacement upwards.
+    V,
+}
+
+impl FieldQuantity {
+    /// All of them.
+    pub const ALL: [Self; 10] = [
+        Self::SigmaXx,
+        Self::SigmaYy,
+        Self::SigmaXy,
+        Self::SigmaZz,
+        Self::Sigma1,
+        Self::Sigma2,
+        Self::MaxShear,
+        Self::VonMises,
+        Self::U,
+        Self::V,
+    ];
+
+    /// Its name, as in the columns of a CSV file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SigmaXx => "sigma_xx",
+            Self::SigmaYy => "sigma_yy",
+            Self::SigmaXy => "sigma_xy",
+            Self::SigmaZz => "sigma_zz",
+            Self::Sigma1 => "sigma_1",
+            Self::Sigma2 => "sigma_2",
+            Self::MaxShear => "max_shear",
+            Self::VonMises => "von_mises",
+            Self::U => "u",
+            Self::V => "v",
+        }
+    }
+
+    /// Its value at a point.
+    ///
+    /// ```
+    /// # use recede::{HalfPlane, Model, Plane, Punch, FieldQuantity, Stack};
+    /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+    /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
+    /// let point = model.field(&solution).at(0.0, 0.5)?;
+    /// assert_eq!(FieldQuantity::SigmaYy.of(&point), point.sigma_yy);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn of(self, point: &FieldPoint) -> f64 {
+        match self {
+            Self::SigmaXx => point.sigma_xx,
+            Self::SigmaYy => point.sigma_yy,
+            Self::SigmaXy => point.sigma_xy,
+            Self::SigmaZz => point.sigma_zz,
+            Self::Sigma1 => point.principal()[0],
+            Self::Sigma2 => point.principal()[1],
+            Self::MaxShear => point.max_shear(),
+            Self::VonMises => point.von_mises(),
+            Self::U => point.u,
+            Self::V => point.v,
+        }
+    }
+}
+
 /// Stresses and displacements on a grid: rows at one depth each, from the first to the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {

@@ -9,6 +9,9 @@ use crate::solution::Contact;
 /// Terms of the potentials below this part of the largest one are left out.
 const NEGLIGIBLE: f64 = 1e-18;
 
+/// Terms of the series that are together below this part of the largest one change nothing.
+const ROUNDED: f64 = 1e-16;
+
 /// p(x) = Σ c_j sin jφ, x = a cos φ, j = 2m + 1.
 #[derive(Clone, Debug)]
 pub(super) struct Pressure {
@@ -27,7 +30,23 @@ impl Pressure {
     pub(super) fn new(contact: &Contact) -> Self {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let series = contact.coefficients.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
-        Self { half_length: contact.half_length, series, felt: contact.found }
+        Self { half_length: contact.half_length, series, felt: contact.found }.truncated(ROUNDED)
+    }
+
+    /// Without the last terms of the series, as long as together they stay below this part of the largest one. The
+    /// resultant remains.
+    pub(super) fn truncated(&self, part: f64) -> Self {
+        let largest = self.series.iter().fold(0.0, |a: f64, c| a.max(c.abs()));
+        let mut left_out = 0.0;
+        let mut keep = self.series.len();
+        while keep > 1 {
+            left_out += self.series[keep - 1].abs();
+            if left_out > part * largest {
+                break;
+            }
+            keep -= 1;
+        }
+        Self { half_length: self.half_length, series: self.series[..keep].to_vec(), felt: self.felt.min(keep) }
     }
 
     /// The resultant P = p̂(0).

@@ -16,6 +16,9 @@ const LINE: f64 = 1.24;
 /// Begin and end of what is set in italics, until the SVG is complete.
 const ITALIC: [char; 2] = ['\u{e000}', '\u{e001}'];
 
+/// The same for what is set small and low.
+const LOW: [char; 2] = ['\u{e002}', '\u{e003}'];
+
 /// A colour.
 pub type Colour = RGBColor;
 
@@ -69,13 +72,21 @@ pub fn svg(
     let fine = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
     let [begin, end] = ITALIC;
     let points = format!("width=\"{width}\" height=\"{height}\"");
-    Ok(text.replacen(&fine, &points, 1).replace(begin, "<tspan font-style=\"italic\">").replace(end, "</tspan>"))
+    let text = text.replacen(&fine, &points, 1).replace(begin, "<tspan font-style=\"italic\">");
+    let [low, level] = LOW;
+    Ok(text.replace(low, "<tspan baseline-shift=\"sub\" font-size=\"70%\">").replace([end, level], "</tspan>"))
 }
 
 /// A symbol, set in italics.
 pub fn italic(symbol: &str) -> String {
     let [begin, end] = ITALIC;
     format!("{begin}{symbol}{end}")
+}
+
+/// An index, set small and low.
+pub fn subscript(index: &str) -> String {
+    let [begin, end] = LOW;
+    format!("{begin}{index}{end}")
 }
 
 impl Canvas<'_> {

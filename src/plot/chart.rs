@@ -163,7 +163,7 @@ pub fn with_unit(label: &str, unit: Option<&str>, power: i32) -> String {
 }
 
 /// Heights near those wanted, which ascend, so far from each other that labels do not overlap.
-fn apart(wanted: &[f64], top: f64, bottom: f64) -> Vec<f64> {
+pub(super) fn apart(wanted: &[f64], top: f64, bottom: f64) -> Vec<f64> {
     let mut heights = wanted.to_vec();
     // push apart a little, again and again
     for _ in 0..200 {

@@ -1,4 +1,4 @@
-//! Pictures of scenes, solutions and sweeps, as SVG or PNG.
+//! Pictures of scenes, solutions, fields and sweeps, as SVG or PNG.
 //!
 //! A picture is drawn on a [`Canvas`], in points, by [`svg`], and written by [`save`]; a PNG is made from the SVG, so both
 //! look alike on any computer. [`style`] has the colours and lines of all pictures, [`Chart`] the axes.
@@ -23,7 +23,10 @@
 //! ```
 mod canvas;
 mod chart;
+mod ground;
+mod map;
 mod names;
+mod punch;
 mod scale;
 mod stack;
 pub mod style;
@@ -32,6 +35,7 @@ mod target;
 
 pub use canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
 pub use chart::{Chart, Curve, Frame, Labels, with_unit};
+pub use map::map;
 pub use scale::{Scale, Tick, label, ten_to};
 pub use stack::stack;
 pub use sweep::sweep;

@@ -1,5 +1,6 @@
 //! What quantities are called in pictures, and their units.
-use super::canvas::italic;
+use super::canvas::{italic, subscript};
+use crate::field::FieldQuantity;
 use crate::scene::{Scene, Units};
 use crate::solution::Interface;
 
@@ -26,6 +27,24 @@ pub(super) fn unit(scene: &Scene, dimension: Dimension) -> Option<String> {
         Dimension::PerLength => Some(format!("1/{length}")),
         Dimension::Number => None,
     }
+}
+
+/// What a quantity inside the stack is called, and its dimension.
+pub(super) fn of_quantity(quantity: FieldQuantity) -> (String, Dimension) {
+    let stress = |name: &str, indices: &str| format!("{name}{}{}", italic("σ"), subscript(indices));
+    let name = match quantity {
+        FieldQuantity::SigmaXx => stress("stress ", "xx"),
+        FieldQuantity::SigmaYy => stress("stress ", "yy"),
+        FieldQuantity::SigmaXy => stress("stress ", "xy"),
+        FieldQuantity::SigmaZz => stress("stress ", "zz"),
+        FieldQuantity::Sigma1 => stress("larger principal stress ", "1"),
+        FieldQuantity::Sigma2 => stress("smaller principal stress ", "2"),
+        FieldQuantity::MaxShear => "largest shear stress".to_owned(),
+        FieldQuantity::VonMises => "von Mises stress".to_owned(),
+        FieldQuantity::U => return (format!("displacement {}", italic("u")), Dimension::Length),
+        FieldQuantity::V => return (format!("displacement {}", italic("v")), Dimension::Length),
+    };
+    (name, Dimension::Stress)
 }
 
 /// Symbols of half-length and pressure of each contact from the top down: a, p for the punch; b, q below, with indices

@@ -6,6 +6,7 @@ pub struct Scale {
     low: f64,
     high: f64,
     logarithmic: bool,
+    reversed: bool,
 }
 
 /// A mark of an axis.
@@ -22,7 +23,7 @@ impl Scale {
     pub fn around(values: impl IntoIterator<Item = f64>) -> Self {
         let bounds = values.into_iter().filter(|value| value.is_finite());
         let (low, high) = bounds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (v.min(l), v.max(h)));
-        let scale = |low, high| Self { low, high, logarithmic: false };
+        let scale = |low, high| Self { low, high, logarithmic: false, reversed: false };
         match (low, high) {
             _ if low > high => scale(0.0, 1.0),
             (0.0, 0.0) => scale(-1.0, 1.0),
@@ -67,6 +68,12 @@ impl Scale {
         self
     }
 
+    /// The same range the other way round, as for depths, which are counted downwards.
+    pub fn reversed(mut self) -> Self {
+        self.reversed = !self.reversed;
+        self
+    }
+
     /// The ends of the range.
     pub fn ends(&self) -> (f64, f64) {
         (self.low, self.high)
@@ -74,10 +81,11 @@ impl Scale {
 
     /// Where a value stands, from 0 to 1 within the range.
     pub fn share(&self, value: f64) -> f64 {
-        match self.logarithmic {
+        let share = match self.logarithmic {
             false => (value - self.low) / (self.high - self.low),
             true => (value / self.low).ln() / (self.high / self.low).ln(),
-        }
+        };
+        if self.reversed { 1.0 - share } else { share }
     }
 
     /// Power of ten that the labels leave out, 0 if none.

@@ -1,7 +1,9 @@
 //! A stack drawn to scale with its punch and contacts, and the pressures below it.
 use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
 use super::chart::{Chart, Curve, Frame, Labels};
+use super::ground::hatching;
 use super::names::{Dimension, index, symbols, unit};
+use super::punch::{ABOVE, Punch};
 use super::scale::{Scale, label};
 use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
 use super::target::PlotError;
@@ -17,8 +19,7 @@ const HIGHEST: f64 = 190.0;
 const PRESSURES: f64 = 140.0;
 /// What is left and right of the drawing, in points.
 const SIDES: (f64, f64) = (88.0, 20.0);
-/// Room for the punch above the stack, and for what is shown of the base, in points.
-const PUNCH: f64 = 46.0;
+/// Room for what is shown of the base, in points.
 const BASE: f64 = 44.0;
 /// The longest contact fills this share of the width, unless the stack is too high for that.
 const FILLED: f64 = 0.72;
@@ -39,17 +40,18 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let total = stack.total_thickness();
     // points per length
     let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
-    let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: 26.0 + PUNCH };
+    let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: ABOVE };
     let rigid = elastic_base(stack).is_none();
     let bottom = drawing.top + scale * total + if rigid { 12.0 } else { BASE };
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
     let peaks = contacts.iter().map(|contact| format!("12345678{}", short(contact.peak_pressure)));
-    let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
+    let longest =
+        names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
     svg(SIDES.0 + WIDTH + right, height, |canvas| {
         drawing.layers(canvas)?;
-        drawing.punch(canvas)?;
+        drawing.punch().draw(canvas)?;
         drawing.contacts(canvas)?;
         drawing.pressures(canvas, bottom + 22.0)
     })
@@ -96,12 +98,7 @@ impl Drawing<'_> {
                 labels.push((y + 0.4 * BASE, self.name(placed)));
             }
             ground => {
-                let mut x = left;
-                while x < right {
-                    let end = (x + 9.0).min(right);
-                    canvas.line(&[(end, y), (end - 9.0, y + 9.0)], hair(INK))?;
-                    x += 9.0;
-                }
+                hatching(canvas, (left, right), y)?;
                 let name = match ground {
                     Foundation::HalfPlane(support) => self.name(support),
                     Foundation::Rigid { .. } => "rigid".to_owned(),
@@ -143,41 +140,10 @@ impl Drawing<'_> {
         format!("{thick}{}{number} = {}{until}{stress}", italic("μ"), short(modulus))
     }
 
-    /// The punch, and the force on it.
-    fn punch(&self, canvas: &Canvas) -> Result<(), PlotError> {
-        let (_, right) = self.ends();
-        let punch = &self.scene.punch;
-        let highest = PUNCH - 12.0;
-        let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| self.scale * edge);
-        let reach = (0.5 * WIDTH).min(edge);
-        // pressed in as far as it touches
+    fn punch(&self) -> Punch<'_> {
         let touching = self.contacts.first().map_or(0.0, |contact| contact.half_length);
-        let rise = |x: f64| self.scale * (punch.profile(x / self.scale) - punch.profile(touching)).max(0.0);
-        let mut outline: Vec<(f64, f64)> = Vec::new();
-        for i in 0..=POINTS {
-            let x = reach * (2.0 * i as f64 / POINTS as f64 - 1.0);
-            outline.push((self.middle + x, self.top - rise(x).min(highest)));
-        }
-        let body: Vec<_> = outline
-            .iter()
-            .copied()
-            .chain([(self.middle + reach, self.top - highest), (self.middle - reach, self.top - highest)])
-            .collect();
-        canvas.area(&body, FAINT, 0.8)?;
-        canvas.line(&outline, Stroke { colour: INK, width: 1.0, dash: None })?;
-        let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
-        let tip = self.top - highest - 4.0;
-        canvas
-            .line(&[(self.middle, tip - 18.0), (self.middle, tip)], Stroke { colour: INK, width: 1.2, dash: None })?;
-        canvas.area(
-            &[(self.middle, tip + 3.0), (self.middle - 3.2, tip - 5.0), (self.middle + 3.2, tip - 5.0)],
-            INK,
-            1.0,
-        )?;
-        let force = format!("{} = {}{line_load}", italic("P"), label(self.scene.force));
-        canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)?;
-        let kind = self.scene.punch.label();
-        canvas.text((right + 9.0, self.top - 0.5 * highest), &kind, SMALL, INK, Anchor::Left)
+        let scale = [self.scale; 2];
+        Punch { scene: self.scene, touching, scale, middle: self.middle, top: self.top, ends: self.ends() }
     }
 
     /// A thick line where bodies touch, and its half-length.

@@ -18,6 +18,8 @@ pub const BOLD: f64 = 1.6;
 
 /// Colours of the palette up to here are dark enough for lines on white.
 const DARK: f64 = 0.66;
+/// Areas are no darker than this, from 0 to 1.
+const DARKEST: f64 = 0.86;
 /// Dashes and spaces, so that lines differ also where colours do not.
 const DASHES: [Option<(f64, f64)>; 4] = [None, Some((7.0, 3.0)), Some((1.6, 2.4)), Some((12.0, 3.0))];
 
@@ -30,6 +32,13 @@ pub fn curve(index: usize, count: usize) -> Stroke {
 /// A colour from dark (0) to bright (1), brightness changing evenly.
 pub fn shade(share: f64) -> Colour {
     ViridisRGB.get_color(share.clamp(0.0, 1.0))
+}
+
+/// A colour for an area, from light (0) to dark (1), brightness changing evenly: the map "magma" from its light end on, as
+/// far as dark lines are still seen on it.
+pub fn heat(share: f64) -> Colour {
+    let colour = colorous::MAGMA.eval_continuous(1.0 - DARKEST * share.clamp(0.0, 1.0));
+    RGBColor(colour.r, colour.g, colour.b)
 }
 
 /// A thin line.

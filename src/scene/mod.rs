@@ -24,6 +24,7 @@ pub use vocabulary::Vocabulary;
 
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Owner, Slot};
+#[cfg(feature = "files")]
 pub(crate) use read::{first_name, read_document};
 pub(crate) use shape::{Piece, Shape};
 

@@ -4,9 +4,9 @@
 //! reads each of them on its own, a layer through the [`Registry`]. So each has a place in the text from the start.
 use std::borrow::Cow;
 use std::fmt;
-use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
+#[cfg(feature = "files")]
 use std::path::Path;
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::{DeserializeOwned, Visitor};
+use serde::de::Visitor;
 use serde::{Deserialize, Deserializer};
 
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
@@ -93,6 +93,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::from_ron`], and if the file cannot be read or is larger than [`MAX_BYTES`].
+    #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         Self::read_with(path, &Registry::default())
     }
@@ -101,16 +102,17 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::read`].
+    #[cfg(feature = "files")]
     pub fn read_with(path: impl AsRef<Path>, registry: &Registry) -> Result<Self, Error> {
         let path = path.as_ref();
-        let reader = File::open(path).map_err(|cause| Error::unreadable(path, cause))?;
+        let reader = std::fs::File::open(path).map_err(|cause| Error::unreadable(path, cause))?;
         Self::from_reader(&path.display().to_string(), reader, registry)
     }
 
     /// Reads a scene from anything that yields bytes; `file` is what it is called in messages.
     ///
     /// # Errors
-    /// As [`Scene::read`].
+    /// As [`Scene::from_ron`], and if it cannot be read or is longer than [`MAX_BYTES`].
     pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, Error> {
         let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? };
         let (scene, places) = parse(&origin)?;
@@ -120,7 +122,12 @@ impl Scene {
 }
 
 /// Reads a text in RON that is not a scene; `owner` is what it is called in messages.
-pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, owner: &str) -> Result<T, Error> {
+#[cfg(feature = "files")]
+pub(crate) fn read_document<T: serde::de::DeserializeOwned>(
+    file: &str,
+    reader: impl Read,
+    owner: &str,
+) -> Result<T, Error> {
     let origin = read_text(file, reader)?;
     let text = &origin.text[..];
     let name_at = text.len() - without_comments(text).len();
@@ -128,6 +135,7 @@ pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, 
     read_ron(text).map_err(|error| whole.error(&origin, error))
 }
 
+#[cfg(feature = "files")]
 impl Error {
     /// A file could not be opened.
     pub(crate) fn unreadable(path: &Path, cause: io::Error) -> Self {
@@ -249,6 +257,7 @@ pub(super) fn part<'a>(text: &'a str, within: &'a str) -> Part<'a> {
 }
 
 /// The name with which a text begins.
+#[cfg(feature = "files")]
 pub(crate) fn first_name(text: &str) -> Option<&str> {
     name_and_rest(text).map(|(name, _)| name)
 }

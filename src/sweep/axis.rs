@@ -2,8 +2,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::Deserialize;
-
+#[cfg(feature = "files")]
 use super::read::WrittenAxis;
 
 /// Most values of one axis.
@@ -23,8 +22,8 @@ const LONGEST: usize = 100_000_000;
 /// assert_eq!(error.to_string(), "`force=0:1`: START:STOP:COUNT is expected after `=`, found `0:1`");
 /// # Ok::<(), recede::AxisError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "WrittenAxis")]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "files", derive(serde::Deserialize), serde(try_from = "WrittenAxis"))]
 pub struct Axis {
     path: String,
     values: Vec<f64>,

@@ -1,18 +1,23 @@
 //! Sweeps: one scene solved for all combinations of values of some of its quantities.
 mod axis;
 mod chunk;
+#[cfg(feature = "parallel")]
 mod parallel;
+#[cfg(feature = "files")]
 mod read;
 
 use std::collections::BTreeSet;
 use std::error::Error as _;
 use std::hash::Hasher;
+#[cfg(feature = "parallel")]
 use std::num::NonZeroUsize;
+#[cfg(feature = "parallel")]
 use std::sync::Arc;
 
 use recede_layers::ReadError;
 
 pub use axis::{Axis, AxisError};
+#[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
 
 use chunk::Models;
@@ -173,6 +178,7 @@ impl Sweep {
 
     /// The rows from number `first` on in the order of the grid, solved by so many threads ahead of who asks for them.
     /// They are the same, bit by bit, for any number of threads.
+    #[cfg(feature = "parallel")]
     pub fn parallel_rows(self: &Arc<Self>, first: usize, threads: NonZeroUsize) -> ParallelRows {
         ParallelRows::new(Arc::clone(self), first, threads)
     }

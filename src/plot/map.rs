@@ -1,0 +1,324 @@
+//! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
+use contour::ContourBuilder;
+
+use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
+use super::chart::{Chart, Frame, Labels, apart, with_unit};
+use super::ground::hatching;
+use super::names::{self, Dimension, symbols, unit};
+use super::punch::{ABOVE, Punch};
+use super::scale::{Scale, label};
+use super::style::{FAINT, INK, SMALL, TEXT, hair, heat};
+use super::target::PlotError;
+use crate::field::{Field, FieldPoint, FieldQuantity, Grid};
+use crate::scene::Scene;
+use crate::solution::{Contact, Interface, Solution};
+
+/// Width of the map, and its smallest and greatest height, in points: depths are stretched or compressed to keep them.
+const WIDTH: f64 = 340.0;
+const HEIGHTS: [f64; 2] = [75.0, 380.0];
+/// Room left of the map, between map and colours, and right of the colours, in points.
+const LEFT: f64 = 62.0;
+const BETWEEN: f64 = 92.0;
+const RIGHT: f64 = 64.0;
+/// Above a map that does not begin at the top face, and below any, in points.
+const TOP: f64 = 16.0;
+const BELOW: f64 = 62.0;
+/// Width and least height of the scale of colours, in points.
+const BAR: [f64; 2] = [12.0, 150.0];
+/// Room for the sign of what does not move, in points.
+const GROUND: f64 = 12.0;
+/// Values that differ by less than this part are the same.
+const SAME: f64 = 1e-6;
+/// Fewest bands of colour.
+const BANDS: usize = 10;
+
+/// A quantity on grids that reach the faces of the layers, see [`Field::by_layer`], as SVG: bands of colour, which become
+/// darker as the quantity grows, the interfaces, contacts in bold, and a ring where the quantity is largest.
+///
+/// # Errors
+/// [`PlotError::Empty`] if the grids have fewer than two places and depths; [`PlotError::Drawing`] if the drawing library
+/// fails.
+pub fn map(
+    scene: &Scene,
+    solution: &Solution,
+    field: &Field,
+    grids: &[Grid],
+    quantity: FieldQuantity,
+) -> Result<String, PlotError> {
+    let points = || grids.iter().flat_map(|grid| grid.points());
+    let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick)).ends();
+    let (x, depth) = (over(|point| point.x), over(|point| point.depth));
+    if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
+        return Err(PlotError::Empty("a map needs two places along x and two depths".into()));
+    }
+    let values = Scale::around(points().map(|point| quantity.of(point)));
+    let along = WIDTH / (x.1 - x.0);
+    let true_height = along * (depth.1 - depth.0);
+    let height = true_height.clamp(HEIGHTS[0], HEIGHTS[1]);
+    let across = height / (depth.1 - depth.0);
+    let begins_on_top = depth.0 <= 0.0;
+    let top = if begins_on_top { ABOVE } else { TOP };
+    let on_ground = field.layers().last().is_some_and(|(_, [_, to])| to <= depth.1 * (1.0 + 1e-9));
+    let ground = if on_ground { GROUND } else { 0.0 };
+    let frame = Frame { left: LEFT, top, right: LEFT + WIDTH, bottom: top + height + ground };
+    let map = Map {
+        scene,
+        contacts: solution.contacts(),
+        layers: field.layers().collect(),
+        grids,
+        quantity,
+        colours: Colours::new(values.rounded(), quantity),
+        chart: Chart {
+            frame,
+            x: Scale::around([x.0, x.1]),
+            y: Scale::around([depth.0, depth.1 + ground / across]).reversed(),
+            x_label: italic("x"),
+            x_unit: unit(scene, Dimension::Length),
+            y_label: "depth".into(),
+            y_unit: unit(scene, Dimension::Length),
+            curves: Vec::new(),
+            labels: Labels::AtEnds,
+        },
+        scale: [along, across],
+    };
+    let lowest = (frame.bottom + BELOW).max(top + BAR[1] + TOP);
+    let right = BETWEEN + BAR[0] + RIGHT;
+    let name = if begins_on_top { 9.0 + 0.58 * SMALL * scene.punch.label().chars().count() as f64 } else { 0.0 };
+    svg(LEFT + WIDTH + right.max(name), lowest, |canvas| {
+        for grid in grids {
+            map.bands(canvas, grid)?;
+        }
+        if begins_on_top {
+            map.punch().draw(canvas)?;
+        }
+        map.interfaces(canvas)?;
+        map.chart.draw(canvas)?;
+        map.largest(canvas, frame.bottom + BELOW - 12.0, height / true_height)?;
+        map.bar(canvas)
+    })
+}
+
+/// Bands of a quantity and their colours.
+struct Colours {
+    scale: Scale,
+    /// Where bands meet.
+    edges: Vec<f64>,
+}
+
+impl Colours {
+    fn new(scale: Scale, quantity: FieldQuantity) -> Self {
+        // what cannot be negative begins at nothing
+        let scale = match quantity {
+            FieldQuantity::MaxShear | FieldQuantity::VonMises => scale.with(0.0),
+            _ => scale,
+        };
+        let (low, high) = scale.ends();
+        let ticks: Vec<f64> = scale.ticks().iter().map(|tick| tick.value).collect();
+        let step = ticks.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(high - low);
+        let parts = (1..5).find(|parts| parts * (ticks.len().max(2) - 1) >= BANDS).unwrap_or(4);
+        let width = step / parts as f64;
+        let count = ((high - low) / width).round() as usize;
+        Self { edges: (1..count).map(|i| low + i as f64 * width).collect(), scale }
+    }
+
+    /// The colour of the band that begins at this edge; 0 is the lowest band.
+    fn band(&self, index: usize) -> Colour {
+        heat(index as f64 / self.edges.len().max(1) as f64)
+    }
+}
+
+struct Map<'a> {
+    scene: &'a Scene,
+    contacts: &'a [Contact],
+    layers: Vec<(usize, [f64; 2])>,
+    grids: &'a [Grid],
+    quantity: FieldQuantity,
+    colours: Colours,
+    chart: Chart,
+    scale: [f64; 2],
+}
+
+impl Map<'_> {
+    /// From the lowest band up, each over all that is higher: so no seams remain.
+    fn bands(&self, canvas: &Canvas, grid: &Grid) -> Result<(), PlotError> {
+        let xs = grid.xs();
+        let depths: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
+        let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return Ok(()) };
+        let [from, to] = [(xs[0], *first), (xs[xs.len() - 1], *last)].map(|corner| self.chart.place(corner));
+        canvas.rectangle(from, to, self.colours.band(0))?;
+        let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of(point)).collect();
+        let failed = |error: contour::Error| PlotError::Drawing(error.to_string());
+        let contours =
+            ContourBuilder::new(xs.len(), depths.len(), true).contours(&values, &self.colours.edges).map_err(failed)?;
+        for (index, contour) in contours.iter().enumerate() {
+            for polygon in contour.geometry() {
+                // holes are reached by a cut that has no width
+                let rings = [polygon.exterior()].into_iter().chain(polygon.interiors());
+                let mut outline = Vec::new();
+                for ring in rings {
+                    let start = outline.first().copied();
+                    let within = |x: f64, y: f64| (between(xs, x - 0.5), between(&depths, y - 0.5));
+                    outline.extend(ring.0.iter().map(|point| self.chart.place(within(point.x, point.y))));
+                    outline.extend(start);
+                }
+                canvas.area(&outline, self.colours.band(index + 1), 1.0)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Bonded ones thin; receding ones bold where there is contact, dashed where they have opened.
+    fn interfaces(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let Frame { left, right, top, bottom } = self.chart.frame;
+        let symbols = symbols(&self.contacts.iter().map(|contact| contact.interface).collect::<Vec<_>>());
+        let length = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
+        let visible = |y: f64| y > top - 1e-6 && y < bottom + 1e-6;
+        let mut labels: Vec<(f64, String)> = Vec::new();
+        for (k, (number, [from, to])) in self.layers.iter().enumerate() {
+            let (_, upper) = self.chart.place((0.0, *from));
+            let (_, lower) = self.chart.place((0.0, *to));
+            let (upper_seen, lower_seen) = (upper.max(top), lower.min(bottom));
+            if upper_seen < lower_seen {
+                labels.push((0.5 * (upper_seen + lower_seen), format!("layer {number}")));
+            }
+            let contact = self.contacts.iter().zip(&symbols).find(|(contact, _)| match contact.interface {
+                Interface::Punch => k == 0,
+                Interface::Between { below, .. } => below == *number,
+            });
+            if visible(upper) {
+                self.interface(canvas, upper, contact.map(|(contact, _)| contact))?;
+                if let Some((contact, (symbol, _))) = contact {
+                    labels.push((upper, format!("{symbol} = {}{length}", short(contact.half_length))));
+                }
+            }
+            if k + 1 == self.layers.len() && to.is_finite() && visible(lower) {
+                // what does not move is below
+                let last = self.contacts.iter().zip(&symbols).find(
+                    |(contact, _)| matches!(contact.interface, Interface::Between { above, .. } if above == *number),
+                );
+                hatching(canvas, (left, right), lower)?;
+                self.interface(canvas, lower, last.map(|(contact, _)| contact))?;
+                if let Some((contact, (symbol, _))) = last {
+                    labels.push((lower, format!("{symbol} = {}{length}", short(contact.half_length))));
+                }
+            }
+        }
+        labels.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let wanted: Vec<f64> = labels.iter().map(|(y, _)| *y).collect();
+        for (y, (at, text)) in apart(&wanted, top, f64::INFINITY).into_iter().zip(&labels) {
+            canvas.line(&[(right + 1.0, *at), (right + 6.0, y)], hair(FAINT))?;
+            canvas.text((right + 9.0, y), text, SMALL, INK, Anchor::Left)?;
+        }
+        Ok(())
+    }
+
+    /// One interface, dark on a light seam, so that it is seen on any colour.
+    fn interface(&self, canvas: &Canvas, y: f64, contact: Option<&Contact>) -> Result<(), PlotError> {
+        let Frame { left, right, .. } = self.chart.frame;
+        let seam = |width: f64| Stroke { colour: plotters::style::WHITE, width, dash: None };
+        let inside = contact.is_none_or(|contact| contact.interface != Interface::Punch);
+        if inside {
+            canvas.line(&[(left, y), (right, y)], seam(2.2))?;
+        }
+        let Some(contact) = contact else { return canvas.line(&[(left, y), (right, y)], hair(INK)) };
+        let end = |x: f64| self.chart.place((x, 0.0)).0.clamp(left, right);
+        let (from, to) = (end(-contact.half_length), end(contact.half_length));
+        let open = match contact.interface {
+            Interface::Punch => hair(INK),
+            Interface::Between { .. } => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
+        };
+        for (from, to) in [(left, from), (to, right)] {
+            if from < to {
+                canvas.line(&[(from, y), (to, y)], open)?;
+            }
+        }
+        if from < to {
+            if inside {
+                canvas.line(&[(from, y), (to, y)], seam(4.0))?;
+            }
+            canvas.line(&[(from, y), (to, y)], Stroke { colour: INK, width: 2.4, dash: None })?;
+        }
+        Ok(())
+    }
+
+    fn punch(&self) -> Punch<'_> {
+        let Frame { left, top, right, .. } = self.chart.frame;
+        let touching = self.contacts.first().map_or(0.0, |contact| contact.half_length);
+        let (middle, _) = self.chart.place((0.0, 0.0));
+        Punch { scene: self.scene, touching, scale: self.scale, middle, top, ends: (left, right) }
+    }
+
+    /// A ring at the largest value, and what it is.
+    fn largest(&self, canvas: &Canvas, y: f64, stretch: f64) -> Result<(), PlotError> {
+        let points = self.grids.iter().flat_map(|grid| grid.points());
+        let value = |point: &FieldPoint| self.quantity.of(point);
+        // of two that are the same the one on the right, and the one above
+        let larger = |a: &&FieldPoint, b: &&FieldPoint| {
+            let (p, q) = (value(a).abs(), value(b).abs());
+            let same = (p - q).abs() <= SAME * p.max(q);
+            let upper = b.depth.total_cmp(&a.depth).then(b.layer.cmp(&a.layer));
+            if same { a.x.total_cmp(&b.x).then(upper) } else { p.total_cmp(&q) }
+        };
+        let Some(point) = points.max_by(larger) else { return Ok(()) };
+        let (x, at) = self.chart.place((point.x, point.depth));
+        let ring: Vec<(f64, f64)> = (0..=24)
+            .map(|k| std::f64::consts::TAU * f64::from(k) / 24.0)
+            .map(|phi| (x + 3.2 * phi.cos(), at + 3.2 * phi.sin()))
+            .collect();
+        canvas.line(&ring, Stroke { colour: plotters::style::WHITE, width: 2.4, dash: None })?;
+        canvas.line(&ring, Stroke { colour: INK, width: 1.0, dash: None })?;
+        let with = |dimension| unit(self.scene, dimension).map_or(String::new(), |unit| format!(" {unit}"));
+        let (_, dimension) = names::of_quantity(self.quantity);
+        let (stress, length) = (with(dimension), with(Dimension::Length));
+        let mut text = format!(
+            "ring: {}{stress} at {} = {}{length}, depth {}{length} in layer {}",
+            short(value(point)),
+            italic("x"),
+            short(point.x),
+            short(point.depth),
+            point.layer
+        );
+        if (stretch - 1.0).abs() > 1e-6 {
+            text += &format!("; depths drawn × {}", label(format!("{stretch:.1e}").parse().unwrap_or(1.0)));
+        }
+        canvas.text((self.chart.frame.left, y), &text, SMALL, INK, Anchor::Left)
+    }
+
+    /// The scale of colours.
+    fn bar(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let Frame { top, right, bottom, .. } = self.chart.frame;
+        let (left, bottom) = (right + BETWEEN, bottom.max(top + BAR[1]));
+        let right = left + BAR[0];
+        let Colours { scale, edges } = &self.colours;
+        let height = |value: f64| bottom - scale.share(value) * (bottom - top);
+        for index in 0..=edges.len() {
+            let from = if index == 0 { bottom } else { height(edges[index - 1]) };
+            canvas.rectangle((left, from), (right, top), self.colours.band(index))?;
+        }
+        canvas.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], hair(INK))?;
+        for tick in scale.ticks() {
+            let y = height(tick.value);
+            canvas.line(&[(right, y), (right + 3.0, y)], hair(INK))?;
+            canvas.text((right + 6.0, y), &tick.label, SMALL, INK, Anchor::Left)?;
+        }
+        let (name, dimension) = names::of_quantity(self.quantity);
+        let title = with_unit(&name, unit(self.scene, dimension).as_deref(), scale.power());
+        let widest = scale.ticks().iter().map(|tick| tick.label.chars().count()).max().unwrap_or(0);
+        let beside = right + 12.0 + 0.62 * SMALL * widest as f64 + 0.5 * TEXT;
+        canvas.text((beside, 0.5 * (top + bottom)), &title, TEXT, INK, Anchor::Upwards)
+    }
+}
+
+/// The value at a place between those of a list.
+fn between(list: &[f64], at: f64) -> f64 {
+    let last = list.len() - 1;
+    let at = at.clamp(0.0, last as f64);
+    let below = (at as usize).min(last.saturating_sub(1));
+    let share = at - below as f64;
+    list[below] + share * (list[(below + 1).min(last)] - list[below])
+}
+
+/// Four digits.
+fn short(value: f64) -> String {
+    label(format!("{value:.3e}").parse().unwrap_or(value))
+}

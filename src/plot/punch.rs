@@ -1,0 +1,66 @@
+//! The punch above a stack, and the force on it.
+use super::canvas::{Anchor, Canvas, Stroke, italic};
+use super::names::{Dimension, unit};
+use super::scale::label;
+use super::style::{FAINT, INK, SMALL, TEXT};
+use super::target::PlotError;
+use crate::scene::Scene;
+
+/// Room for the punch and its force, in points.
+pub(super) const ABOVE: f64 = 72.0;
+/// Greatest height of the punch, in points.
+const HIGHEST: f64 = 34.0;
+/// Points of its outline.
+const POINTS: usize = 200;
+
+/// A punch in a drawing.
+pub(super) struct Punch<'a> {
+    pub(super) scene: &'a Scene,
+    /// It is pressed in as far as it touches.
+    pub(super) touching: f64,
+    /// Points per length along the layers and across them.
+    pub(super) scale: [f64; 2],
+    /// Where x = 0 is.
+    pub(super) middle: f64,
+    /// Height of the top face of the stack.
+    pub(super) top: f64,
+    /// What is seen of it.
+    pub(super) ends: (f64, f64),
+}
+
+impl Punch<'_> {
+    pub(super) fn draw(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let (left, right) = self.ends;
+        let punch = &self.scene.punch;
+        let [along, across] = self.scale;
+        let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| along * edge);
+        let (from, to) = (left.max(self.middle - edge), right.min(self.middle + edge));
+        let rise = |x: f64| {
+            let x = (x - self.middle) / along;
+            (across * (punch.profile(x) - punch.profile(self.touching))).clamp(0.0, HIGHEST)
+        };
+        if from < to {
+            let at = |i: usize| from + (to - from) * i as f64 / POINTS as f64;
+            let outline: Vec<(f64, f64)> = (0..=POINTS).map(at).map(|x| (x, self.top - rise(x))).collect();
+            let upper = [(to, self.top - HIGHEST), (from, self.top - HIGHEST)];
+            let body: Vec<_> = outline.iter().copied().chain(upper).collect();
+            canvas.area(&body, FAINT, 0.8)?;
+            canvas.line(&outline, Stroke { colour: INK, width: 1.0, dash: None })?;
+        }
+        if (left..=right).contains(&self.middle) {
+            self.force(canvas)?;
+        }
+        canvas.text((right + 9.0, self.top - 0.5 * HIGHEST), &punch.label(), SMALL, INK, Anchor::Left)
+    }
+
+    fn force(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
+        let tip = self.top - HIGHEST - 4.0;
+        let shaft = Stroke { colour: INK, width: 1.2, dash: None };
+        canvas.line(&[(self.middle, tip - 18.0), (self.middle, tip)], shaft)?;
+        let head = [(self.middle, tip + 3.0), (self.middle - 3.2, tip - 5.0), (self.middle + 3.2, tip - 5.0)];
+        canvas.area(&head, INK, 1.0)?;
+        let force = format!("{} = {}{line_load}", italic("P"), label(self.scene.force));
+        canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)
+    }
+}
