@@ -86,6 +86,11 @@ fn what_cannot_be_drawn_is_refused_before_anything_is_solved() {
         (&["plot", SCENE], "--out"),
         (&["sweep", SCENE, "--vary", "force=[1]", "--plot", "curves.jpg"], "ends in .svg or .png"),
         (&["sweep", SCENE, "--vary", "force=[0.001]", "--plot", "curves.svg"], "a quantity that takes two values"),
+        (&["field", SCENE, "--out", "map.pdf"], "does not say what to write"),
+        (&["field", SCENE, "--out", "map.svg", "--at", "0,0"], "a map is drawn of a grid, not of points"),
+        (&["field", SCENE, "--out", "map.svg", "--quantity", "von_mise"], "a similar value exists: 'von_mises'"),
+        (&["field", SCENE, "--out", "map.svg", "--x", "0:0:1"], "a map needs two places along x and two depths"),
+        (&["field", SCENE, "--out", "map.svg", "--depth", "1:1:1"], "a map needs two places along x and two depths"),
     ] {
         let run = recede(arguments, b"");
         assert_eq!(run.status, Some(2), "{arguments:?}: {}", run.stderr);
@@ -112,4 +117,67 @@ fn a_sweep_draws_a_curve_for_each_of_the_other_values() {
     let text = fs::read_to_string(&rows).unwrap();
     fs::write(&rows, &text[..text.len() / 2]).unwrap();
     assert_eq!(arguments(&["--resume"]), whole);
+}
+
+fn map(scene: &str, name: &str, more: &[&str]) -> Vec<u8> {
+    let file = file(name);
+    let run = recede(&[&["field", scene, "--out", file.to_str().unwrap()], more].concat(), b"");
+    assert_eq!((run.status, &run.stdout[..], &run.stderr[..]), (Some(0), "", ""), "{scene}");
+    fs::read(file).unwrap()
+}
+
+#[test]
+fn a_map_names_what_it_shows() {
+    let svg = map(SCENE, "map.svg", &[]);
+    assert!(svg.len() < 300_000, "{} bytes", svg.len());
+    let shown = texts(&svg);
+    for text in [
+        "largest shear stress, 10⁻⁴",
+        "P = 0.002",
+        "a = 0.7373",
+        "b = 2.449",
+        "layer 3",
+        "ring: ",
+        "x = 0, depth 1 in layer 1",
+    ] {
+        assert!(shown.contains(text), "{text}: {shown}");
+    }
+    let shown = texts(&map("examples/scenes/bonded_to_rigid.ron", "rubber_map.svg", &["--quantity", "von_mises"]));
+    for text in ["von Mises stress, N/mm²", "depth, mm", "a = 2.765 mm", "depths drawn × "] {
+        assert!(shown.contains(text), "{text}: {shown}");
+    }
+}
+
+#[test]
+fn any_quantity_of_any_layer_can_be_mapped() {
+    for (scene, quantity) in [
+        ("hertz", "sigma_xx"),
+        ("two_strips", "sigma_xy"),
+        ("orthotropic_ply", "sigma_1"),
+        ("plate_on_springs", "v"),
+        ("stiffening_ground", "sigma_zz"),
+        ("bonded_coating", "u"),
+    ] {
+        let scene = format!("examples/scenes/{scene}.ron");
+        let svg = String::from_utf8(map(&scene, "any_map.svg", &["--quantity", quantity])).unwrap();
+        assert!(svg.trim_end().ends_with("</svg>") && !svg.contains("NaN") && !svg.contains("inf"), "{scene}");
+    }
+    // a part of the stack, off the centre
+    let shown = texts(&map(SCENE, "part.svg", &["--x", "1:3:50", "--depth", "0.5:1.5:30"]));
+    assert!(shown.contains("layer 1") && shown.contains("layer 2") && !shown.contains("layer 3"), "{shown}");
+}
+
+#[test]
+fn a_map_is_dark_where_the_stress_is_large() {
+    let png = map("examples/scenes/hertz.ron", "map.png", &["--x", "-1:1:101", "--depth", "0:1:81"]);
+    let pixmap = resvg::tiny_skia::Pixmap::decode_png(&png).unwrap();
+    // the map begins 62 points from the left and 72 from above, is 340 points wide and as high as it is deep, 3 pixels each
+    let light = |x: f64, depth: f64| {
+        let place = |at: f64| (3.0 * at) as u32;
+        let pixel = pixmap.pixel(place(62.0 + 340.0 * (0.5 + 0.5 * x)), place(72.0 + 170.0 * depth)).unwrap();
+        u32::from(pixel.red()) + u32::from(pixel.green()) + u32::from(pixel.blue())
+    };
+    // along the axis and beside it the shear stress is largest at 0.786 of the half-length 0.69
+    let lights = [(0.9, 0.03), (0.9, 0.12), (0.0, 0.17), (0.0, 0.3), (0.0, 0.58)].map(|(x, depth)| light(x, depth));
+    assert!(lights.is_sorted_by(|a, b| a > b), "{lights:?}");
 }

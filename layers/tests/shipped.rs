@@ -213,8 +213,32 @@ fn what_is_remembered_changes_no_digit() {
                 for modulus in [1.0, 3.0] {
                     let wave = Wave { wavenumber, modulus, plane };
                     assert_eq!(layer.face_states(&wave), remembering.face_states(&wave));
+                    let depths = [0.0, 0.11, 0.35, 0.6];
+                    assert_eq!(layer.states(&wave, &depths), remembering.states(&wave, &depths));
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn depths_inside_that_were_among_others_before_find_the_same_fields() {
+    let layer: std::sync::Arc<dyn Layer> = std::sync::Arc::new(table(&[(0.0, 1.0), (0.2, 4.0), (1.0, 9.0)]));
+    let remembering = graded::Remembering::of(layer.clone());
+    for wavenumber in [0.3, 4.0, 60.0] {
+        let wave = Wave { wavenumber, modulus: 1.0, plane: Plane::Strain };
+        // stresses on both faces from the amplitudes, so that their choice does not matter
+        let inside = |layer: &dyn Layer, depths: &[f64]| {
+            let states = layer.states(&wave, depths);
+            let FaceStates::Finite { top, bottom, .. } = states.faces else { panic!("two faces") };
+            let rows = nalgebra::Matrix4::from_fn(|i, j| if i < 2 { top[(i + 2, j)] } else { bottom[(i, j)] });
+            let amplitudes = rows.lu().solve(&nalgebra::Vector4::new(1.0, 0.0, 0.5, 0.1)).expect("determined");
+            states.inside.iter().map(|state| state.columns * amplitudes).collect::<Vec<_>>()
+        };
+        inside(&*remembering, &[0.1, 0.5, 0.8]);
+        let (found, expected) = (inside(&*remembering, &[0.5, 0.8]), inside(&*layer, &[0.5, 0.8]));
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).amax() < 1e-9 * expected.amax().max(1.0), "{wavenumber}: {found} {expected}");
         }
     }
 }

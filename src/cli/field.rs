@@ -21,7 +21,7 @@ const BELOW: f64 = 3.0;
 /// In a half-plane it reaches this many half-lengths down.
 const GROUND: f64 = 1.5;
 
-/// Stresses and displacements inside the stack, at points or on a grid
+/// Stresses and displacements inside the stack, at points, on a grid or as a map
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

@@ -35,6 +35,7 @@ Examples:
   recede solve - < scene.ron                 read the scene from standard input
   recede show scene.ron --latex              the block matrix, ready to be typeset
   recede field scene.ron --out field.csv     stresses and displacements inside the stack
+  recede field scene.ron --out shear.svg     the same as a map
   recede sweep scene.ron --vary force=1:9:5  contacts for five forces
   recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
   recede init scene.ron                      a scene to begin with

@@ -15,8 +15,8 @@ const FAR: f64 = 3.0;
 const PROMISING: f64 = 0.8;
 const FOLLOWED: usize = 3;
 /// Distances of the points of the parabolas, in parts of the shortest length: coarsely, then closely.
-const STEPS: [f64; 2] = [0.2, 0.08];
-const CLOSE_STEPS: [f64; 2] = [0.03, 0.003];
+const STEPS: [f64; 2] = [0.2, 0.05];
+const CLOSE_STEPS: [f64; 1] = [0.004];
 /// Where the highest point is on the edge of a parabola one goes on from there, so often.
 const AGAIN: usize = 4;
 /// A value has to be larger by this part to be preferred: at a bond that joins equal materials both layers have it.
@@ -54,6 +54,9 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
     let highest = peaks.first().map_or(0.0, |peak| peak.value);
     peaks.retain(|peak| peak.value >= PROMISING * highest);
+    // a peak on a bond is one of both layers
+    let place = |peak: &Peak| (peak.x, field.strata[peak.stratum].top + peak.depth);
+    peaks.dedup_by(|next, peak| place(next) == place(peak) && next.value * LARGER >= peak.value);
     peaks.truncate(FOLLOWED);
     let mut best: Option<Peak> = None;
     for peak in peaks {

@@ -215,13 +215,13 @@ mod tests {
     #[test]
     fn two_roots_that_come_close_make_a_double_one() {
         let isotropic = Isotropic { shear_modulus: 3.0, poisson: 0.3 }.material(Plane::Strain);
-        for (stretch, tolerance) in [(1e-2, 1e-2), (1e-9, 1e-9), (-1e-9, 1e-9), (0.0, 1e-9)] {
+        for (stretch, tolerance) in [(1e-2, 2e-2), (1e-9, 1e-8), (-1e-9, 1e-8), (0.0, 1e-8)] {
             let material = Material { axial_stiffness: isotropic.axial_stiffness * (1.0 + stretch), ..isotropic };
             let simple = Roots::new(&material, 2.0).expect("decays");
             let double = Surface::new(&|_| isotropic, 1.0, 2.0).expect("isotropic");
             for t in [0.0, 0.4, 3.0] {
-                let regular = -f64::exp_m1(-2.0);
-                let (found, expected) = (simple.transformed(t, regular), double.transformed(2.0, 0.5 * t));
+                // waves so short that nothing is left out of the displacements
+                let (found, expected) = (simple.transformed(t, 1.0), double.transformed(100.0, 0.01 * t));
                 for (found, expected) in found.iter().zip(expected) {
                     assert!((found - expected).abs() < tolerance, "{stretch} {t}: {found} {expected}");
                 }

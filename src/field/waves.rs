@@ -11,22 +11,24 @@ pub(super) struct Precision {
     felt: f64,
     /// Points of a panel that spans a short phase.
     points: usize,
+    /// The next panel is wider than its distance from 0 by this factor, at most.
+    growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
 }
 
 /// All that there is.
 pub(super) const FULL: Precision =
-    Precision { inside: 1e-10, on_face: 1e-8, felt: 36.0, points: 16, displacements: true };
+    Precision { inside: 1e-10, on_face: 1e-8, felt: 36.0, points: 16, growth: 2.0, displacements: true };
 /// Stresses, as closely.
 pub(super) const STRESSES: Precision = Precision { displacements: false, ..FULL };
 /// Stresses to some four digits.
 pub(super) const ROUGH: Precision =
-    Precision { inside: 1e-5, on_face: 1e-5, felt: 14.0, points: 12, displacements: false };
+    Precision { inside: 1e-5, on_face: 1e-5, felt: 14.0, points: 12, growth: 3.0, displacements: false };
 
 /// Stresses to some two digits.
 pub(super) const COARSE: Precision =
-    Precision { inside: 1e-3, on_face: 1e-3, felt: 8.0, points: 8, displacements: false };
+    Precision { inside: 1e-3, on_face: 1e-3, felt: 8.0, points: 8, growth: 3.0, displacements: false };
 
 /// Phase that a panel may span, and up to which it needs half as many points or fewer.
 const PHASE: f64 = 56.0;
@@ -50,7 +52,7 @@ impl Panel {
     }
 }
 
-/// Panels from 0 to `end`, doubling in width up to what cos λx and p̂ allow at a reach x + a. `first` is a wavenumber
+/// Panels from 0 to `end`, growing in width up to what cos λx and p̂ allow at a reach x + a. `first` is a wavenumber
 /// below which nothing happens; `None` if there would be too many.
 pub(super) fn panels(end: f64, reach: f64, first: f64, precision: &Precision) -> Option<Vec<Panel>> {
     if end * reach > MOST {
@@ -59,7 +61,8 @@ pub(super) fn panels(end: f64, reach: f64, first: f64, precision: &Precision) ->
     let widest = PHASE / reach;
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
-        let width = if lo == 0.0 { first.min(FIRST / reach) } else { lo.min(widest) };
+        let width = if lo == 0.0 { first.min(FIRST / reach) } else { (precision.growth * lo).min(widest) };
+        let width = width.min(end - lo);
         let points = if width * reach <= SHORT_PHASE { precision.points } else { 32 };
         panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points) });
         lo += width;

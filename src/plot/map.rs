@@ -271,7 +271,7 @@ impl Map<'_> {
         let (_, dimension) = names::of_quantity(self.quantity);
         let (stress, length) = (with(dimension), with(Dimension::Length));
         let mut text = format!(
-            "ring: {}{stress} at {} = {}{length}, depth {}{length} in layer {}",
+            "ring: largest on this grid, {}{stress} at {} = {}{length}, depth {}{length} in layer {}",
             short(value(point)),
             italic("x"),
             short(point.x),

@@ -46,8 +46,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
     let peaks = contacts.iter().map(|contact| format!("12345678{}", short(contact.peak_pressure)));
-    let longest =
-        names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
+    let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
     svg(SIDES.0 + WIDTH + right, height, |canvas| {
         drawing.layers(canvas)?;
