@@ -53,15 +53,20 @@ impl Surface {
         let at_face = material(0.0);
         let unit = at_face.shear_compliance.recip();
         let state = state_matrix(&at_face, unit);
-        let step = STEP * depth;
-        let weights = [-25.0, 48.0, -36.0, 16.0, -3.0];
-        let mut slope = Matrix4::zeros();
-        for (k, weight) in weights.iter().enumerate() {
-            slope += (state_matrix(&material(k as f64 * step), unit) - state) * (weight / (12.0 * step));
-        }
+        let slope_over = |step: f64| {
+            let weights = [-25.0, 48.0, -36.0, 16.0, -3.0];
+            let shares = weights.iter().enumerate();
+            shares.fold(Matrix4::zeros(), |slope, (k, weight)| {
+                slope + (state_matrix(&material(k as f64 * step), unit) - state) * (weight / (12.0 * step))
+            })
+        };
+        let grading =
+            |slope: &Matrix4<f64>| (slope[(0, 3)] / state[(0, 3)]).abs().max((slope[(3, 0)] / state[(3, 0)]).abs());
+        // once more where the material varies within a part of the depth
+        let rough = grading(&slope_over(STEP * depth));
+        let slope = slope_over(STEP * depth.min(rough.recip()));
         let decay = Matrix4::identity() - state;
-        let grading = (slope[(0, 3)] / state[(0, 3)]).abs().max((slope[(3, 0)] / state[(3, 0)]).abs());
-        let shift = depth.min(grading.recip());
+        let shift = depth.min(grading(&slope).recip());
         let Some(plain) = polynomials(&decay, PLAIN, &[], Some(-1.0)) else {
             let fields = Fields::Simple(Roots::new(&at_face, modulus)?);
             return Some(Self { fields, modulus, shift, up: 1.0 });
