@@ -330,6 +330,23 @@ fn a_grid_is_made_of_points() {
 }
 
 #[test]
+fn nowhere_is_the_shear_stress_larger_than_the_largest() {
+    for case in cases() {
+        let found = case.field.max_shear().expect("found");
+        let there = case.field.at_layer(found.x, found.depth, found.layer).expect("inside");
+        close(there.max_shear(), found.value, 1e-6 * found.value, &format!("{}, at {found:?}", case.name));
+        let longest = case.solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.half_length));
+        let xs: Vec<f64> = (0..40).map(|k| 0.04 * f64::from(k) * longest).collect();
+        let bottom = case.field.layers().fold(longest, |d, (_, [_, to])| if to.is_finite() { to } else { d.max(2.0) });
+        let depths: Vec<f64> = (0..=60).map(|k| f64::from(k) / 60.0 * bottom).collect();
+        for point in case.field.by_layer(&xs, &depths).expect("inside").iter().flat_map(|grid| grid.points()) {
+            let value = point.max_shear();
+            assert!(value <= found.value * (1.0 + 1e-6), "{}: {found:?}, but {value} at {point:?}", case.name);
+        }
+    }
+}
+
+#[test]
 fn places_that_are_not_there_are_refused() {
     let scene = Scene::read("examples/scenes/strip_on_rigid.ron").expect("legal");
     let model = Model::new(scene.stack().expect("legal")).expect("resolved");

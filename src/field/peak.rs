@@ -6,21 +6,24 @@ use crate::error::Error;
 
 /// Places of the coarse mesh in half-lengths of each contact next to the layer, its depths in half-lengths from a loaded
 /// face, and in thicknesses.
-const BESIDE: [f64; 7] = [0.0, 0.25, 0.5, 0.8, 1.0, 1.3, 1.8];
+const BESIDE: [f64; 6] = [0.0, 0.25, 0.5, 0.8, 1.0, 1.3];
 const BELOW: [f64; 4] = [0.25, 0.5, 0.8, 1.3];
-const THROUGH: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
 /// A half-plane is searched down to so many half-lengths of the longest contact.
 const FAR: f64 = 3.0;
 /// Peaks of the coarse mesh are followed if they reach this part of the highest one, and so many.
 const PROMISING: f64 = 0.8;
 const FOLLOWED: usize = 3;
-/// Distances of the points of the parabolas, in parts of the shortest length: coarsely, then closely.
-const STEPS: [f64; 2] = [0.2, 0.05];
-const CLOSE_STEPS: [f64; 1] = [0.004];
+/// The distance of the points of the parabolas, in parts of the shortest length, and of the peaks found with it how high
+/// those are, compared with the highest, that are followed farther.
+const STEPS: [(f64, f64); 2] = [(0.2, 0.97), (0.05, SAME)];
+/// The same with all that is known of the pressures, and what is done where the peak has moved far by that.
+const LAST: f64 = 0.004;
+const AGAIN_FROM: [f64; 2] = [0.05, 0.012];
 /// Where the highest point is on the edge of a parabola one goes on from there, so often.
 const AGAIN: usize = 4;
-/// A value has to be larger by this part to be preferred: at a bond that joins equal materials both layers have it.
-const LARGER: f64 = 1.0 + 1e-4;
+/// Values that differ by less are the same: at a bond that joins equal materials both layers have the stress.
+const SAME: f64 = 1.0 - 1e-4;
 /// Of the pressures the coarse search sees no more than this part.
 const ROUGHLY: f64 = 1e-4;
 
@@ -56,23 +59,24 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     peaks.retain(|peak| peak.value >= PROMISING * highest);
     // a peak on a bond is one of both layers
     let place = |peak: &Peak| (peak.x, field.strata[peak.stratum].top + peak.depth);
-    peaks.dedup_by(|next, peak| place(next) == place(peak) && next.value * LARGER >= peak.value);
+    peaks.dedup_by(|next, peak| place(next) == place(peak) && next.value >= SAME * peak.value);
     peaks.truncate(FOLLOWED);
-    let mut best: Option<Peak> = None;
-    for peak in peaks {
-        let found = climb(&rough, peak, &STEPS, &waves::ROUGH)?;
-        let better = best.is_none_or(|best| {
-            // of two that are the same the upper one
-            let upper = (found.stratum, best.stratum);
-            let margin = if upper.0 < upper.1 { LARGER.recip() } else { LARGER };
-            found.value > margin * best.value
-        });
-        if better {
-            best = Some(found);
+    for (step, followed) in STEPS {
+        for peak in &mut peaks {
+            (*peak, _) = climb(&rough, *peak, step, &waves::ROUGH)?;
+        }
+        let highest = peaks.iter().fold(0.0, |highest: f64, peak| highest.max(peak.value));
+        peaks.retain(|peak| peak.value >= followed * highest);
+    }
+    // of several that are the same the upper one
+    let best = peaks.into_iter().min_by_key(|peak| peak.stratum).ok_or(Error::Unresolved { wavenumber: 0.0 })?;
+    let (mut found, settled) = climb(field, best, LAST, &waves::STRESSES)?;
+    if !settled {
+        for step in AGAIN_FROM.into_iter().chain([LAST]) {
+            (found, _) = climb(field, found, step, &waves::STRESSES)?;
         }
     }
-    let best = best.ok_or(Error::Unresolved { wavenumber: 0.0 })?;
-    let Peak { stratum, x, depth, value } = climb(field, best, &CLOSE_STEPS, &waves::STRESSES)?;
+    let Peak { stratum, x, depth, value } = found;
     let own = &field.strata[stratum];
     Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
 }
@@ -113,44 +117,40 @@ fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
     Ok(peaks)
 }
 
-/// From a place to the peak next to it in the same layer.
-fn climb(field: &Field, mut best: Peak, steps: &[f64], precision: &Precision) -> Result<Peak, Error> {
+/// From a place to the peak next to it in the same layer, by parabolas through points so far from each other; and whether
+/// the last one had it inside.
+fn climb(field: &Field, mut best: Peak, step: f64, precision: &Precision) -> Result<(Peak, bool), Error> {
     let stratum = best.stratum;
     let body = &field.bodies[field.strata[stratum].body];
     let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
     let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.half_length));
     let deepest = field.deepest(stratum);
-    for step in steps {
-        let along = step * shortest;
-        let across = (step * shortest).min(0.25 * deepest);
-        for _ in 0..AGAIN {
-            // all points are in the layer
-            let (x, depth) = (best.x, best.depth.clamp(across, deepest - across));
-            let xs = [x - along, x, x + along].map(f64::abs);
-            let depths = [depth - across, depth, depth + across];
-            let rows = depths.map(|depth| Row { stratum, depth, set: 0 });
-            let values = values(field, &rows, &[xs.to_vec()], precision)?;
-            // the square is smooth
-            let square = |i: usize, k: usize| values[i][k] * values[i][k];
-            let parabola = Parabola {
-                value: square(1, 1),
-                slope: [0.5 * (square(1, 2) - square(1, 0)), 0.5 * (square(2, 1) - square(0, 1))],
-                curve: [
-                    square(1, 2) - 2.0 * square(1, 1) + square(1, 0),
-                    square(2, 1) - 2.0 * square(1, 1) + square(0, 1),
-                ],
-                twist: 0.25 * (square(2, 2) - square(2, 0) - square(0, 2) + square(0, 0)),
-            };
-            let ([right, down], top) = parabola.highest();
-            let place = depth + down * across;
-            best = Peak { stratum, x: (x + right * along).abs(), depth: place, value: top.max(0.0).sqrt() };
-            let on_face = place <= 0.0 || place >= deepest;
-            if right.abs() < 1.0 && (down.abs() < 1.0 || on_face) {
-                break;
-            }
+    let along = step * shortest;
+    let across = along.min(0.25 * deepest);
+    for _ in 0..AGAIN {
+        // all points are in the layer
+        let (x, depth) = (best.x, best.depth.clamp(across, deepest - across));
+        let xs = [x - along, x, x + along].map(f64::abs);
+        let depths = [depth - across, depth, depth + across];
+        let rows = depths.map(|depth| Row { stratum, depth, set: 0 });
+        let values = values(field, &rows, &[xs.to_vec()], precision)?;
+        // the square is smooth
+        let square = |i: usize, k: usize| values[i][k] * values[i][k];
+        let parabola = Parabola {
+            value: square(1, 1),
+            slope: [0.5 * (square(1, 2) - square(1, 0)), 0.5 * (square(2, 1) - square(0, 1))],
+            curve: [square(1, 2) - 2.0 * square(1, 1) + square(1, 0), square(2, 1) - 2.0 * square(1, 1) + square(0, 1)],
+            twist: 0.25 * (square(2, 2) - square(2, 0) - square(0, 2) + square(0, 0)),
+        };
+        let ([right, down], top) = parabola.highest();
+        let place = depth + down * across;
+        best = Peak { stratum, x: (x + right * along).abs(), depth: place, value: top.max(0.0).sqrt() };
+        let on_face = place <= 0.0 || place >= deepest;
+        if right.abs() < 1.0 && (down.abs() < 1.0 || on_face) {
+            return Ok((best, true));
         }
     }
-    Ok(best)
+    Ok((best, false))
 }
 
 /// value + slope·s + ½ curve·s² + twist·s₀s₁ for −1 ≤ s₀, s₁ ≤ 1.

@@ -20,8 +20,9 @@ pub(super) struct Precision {
 /// All that there is.
 pub(super) const FULL: Precision =
     Precision { inside: 1e-10, on_face: 1e-8, felt: 36.0, points: 16, growth: 2.0, displacements: true };
-/// Stresses, as closely.
-pub(super) const STRESSES: Precision = Precision { displacements: false, ..FULL };
+/// Stresses to some nine digits.
+pub(super) const STRESSES: Precision =
+    Precision { inside: 1e-9, on_face: 1e-8, felt: 24.0, points: 12, growth: 3.0, displacements: false };
 /// Stresses to some four digits.
 pub(super) const ROUGH: Precision =
     Precision { inside: 1e-5, on_face: 1e-5, felt: 14.0, points: 12, growth: 3.0, displacements: false };
