@@ -23,6 +23,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 pub fn draw(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut page = Page::new(folder, PAPER)?;
     page.stack("stack.svg")?;
+    page.map("map.svg")?;
 
     // Figures 3 and 4: pressures for three graded layers
     let graded = |beta: f64| vec![("punch.radius", 1000.0), ("layer[2].beta", beta)];

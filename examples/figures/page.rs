@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use recede::plot::{self, Chart, Curve, Frame, Labels, Scale, style};
-use recede::{Axis, Scene, Solution};
+use recede::{Axis, FieldQuantity, Model, Scene, Solution};
 
 const FRAME: Frame = Frame { left: 58.0, top: 12.0, right: 318.0, bottom: 192.0 };
 const SIZE: (f64, f64) = (430.0, 236.0);
@@ -51,6 +51,19 @@ impl Page {
     /// Draws the scene itself.
     pub fn stack(&self, file: &str) -> Result<(), Box<dyn Error>> {
         let picture = plot::stack(&self.scene, &self.scene.stack()?, &recede::solve(&self.scene)?)?;
+        Ok(plot::save(&self.folder.join(file), &picture)?)
+    }
+
+    /// Draws the largest shear stress inside the scene.
+    pub fn map(&self, file: &str) -> Result<(), Box<dyn Error>> {
+        let model = Model::new(self.scene.stack()?)?;
+        let solution = model.press(&self.scene.punch, self.scene.force)?;
+        let field = model.field(&solution);
+        let steps = |from: f64, to: f64, count: i32| -> Vec<f64> {
+            (0..=count).map(|k| from + (to - from) * f64::from(k) / f64::from(count)).collect()
+        };
+        let grids = field.by_layer(&steps(-4.5, 4.5, 300), &steps(0.0, 5.0, 180))?;
+        let picture = plot::map(&self.scene, &solution, &field, &grids, FieldQuantity::MaxShear)?;
         Ok(plot::save(&self.folder.join(file), &picture)?)
     }
 
