@@ -133,6 +133,30 @@ fn equations_are_numbered_in_order_and_cited_ones_exist() {
     }
 }
 
+/// What code hosts leave of formulas: within a line Markdown takes the backslash before punctuation for its own, and one
+/// macro is not allowed at all.
+#[test]
+fn formulas_are_shown_by_code_hosts() {
+    for document in documents() {
+        let text = read(&document);
+        assert!(!text.contains("\\operatorname"), "{}: \\operatorname", document.display());
+        let mut inside_block = false;
+        for (index, line) in text.lines().enumerate() {
+            if line.starts_with("```") {
+                inside_block = !inside_block;
+            } else if !inside_block {
+                // code first, then formulas
+                let prose = line.split('`').step_by(2).collect::<Vec<_>>().join("x");
+                for formula in prose.split('$').skip(1).step_by(2) {
+                    let eaten =
+                        formula.split('\\').skip(1).any(|rest| rest.starts_with(|c: char| c.is_ascii_punctuation()));
+                    assert!(!eaten, "{}:{}: ${formula}$", document.display(), index + 1);
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn the_test_command_of_the_readme_is_that_of_the_checks() {
     let checks = read(&root().join(".ci/run"));
