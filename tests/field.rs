@@ -330,6 +330,36 @@ fn a_grid_is_made_of_points() {
 }
 
 #[test]
+fn on_faces_stresses_are_the_limits_from_inside_whatever_the_layer() {
+    for entry in std::fs::read_dir("examples/scenes").expect("a folder") {
+        let path = entry.expect("a file").path();
+        let scene = Scene::read(&path).expect("legal");
+        let model = Model::new(scene.stack().expect("legal")).expect("resolved");
+        let solution = model.press(&scene.punch, scene.force).expect("solved");
+        let field = model.field(&solution);
+        let shortest = solution.contacts().iter().fold(f64::INFINITY, |a, contact| a.min(contact.half_length));
+        let peak = solution.contacts().iter().map(|contact| contact.pressure(0.2 * shortest)).fold(0.0, f64::max);
+        for (number, [from, to]) in field.layers() {
+            let faces = [(from, 1.0), (to, -1.0)];
+            for (face, inwards) in faces.into_iter().filter(|(face, _)| face.is_finite()) {
+                let step = 5e-3 * shortest.min(to - from) * inwards;
+                let at = |k: i32| field.at_layer(0.2 * shortest, face + f64::from(k) * step, number).expect("inside");
+                let inside = [1, 2, 3, 4, 5, 6].map(at);
+                // Lagrange's polynomial of the fifth degree at the face
+                let limit = |pick: fn(&FieldPoint) -> f64| -> f64 {
+                    [6.0, -15.0, 20.0, -15.0, 6.0, -1.0].iter().zip(&inside).map(|(share, p)| share * pick(p)).sum()
+                };
+                let what = format!("{}, layer {number}, depth {face}", path.display());
+                let on_face = at(0);
+                close(on_face.sigma_xx, limit(|p| p.sigma_xx), ON_FACE * peak, &what);
+                close(on_face.sigma_yy, limit(|p| p.sigma_yy), ON_FACE * peak, &what);
+                close(on_face.sigma_xy, limit(|p| p.sigma_xy), ON_FACE * peak, &what);
+            }
+        }
+    }
+}
+
+#[test]
 fn nowhere_is_the_shear_stress_larger_than_the_largest() {
     for case in cases() {
         let found = case.field.max_shear().expect("found");
