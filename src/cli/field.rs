@@ -45,7 +45,7 @@ pub struct Field {
     x: Option<Steps>,
     /// Depths of a grid; without it, all layers and one and a half half-lengths of the longest contact in a half-plane,
     /// at most three in all
-    #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at")]
+    #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     depth: Option<Steps>,
     /// File to write: numbers (.csv, .json) or a map (.svg, .png); without it, numbers on standard output
     #[arg(long, value_name = "FILE")]
