@@ -93,9 +93,13 @@ fn what_is_listed_is_what_is_read() {
     examine(&|text| scene_with("punch", text), &Value::OneOf(punches), &mut seen);
     let registered: Vec<&str> = Registry::default().iter().map(|entry| entry.name).collect();
     let item = |text: &str| scene_with("stack", &format!("[{text}]"));
-    assert_allowed(&item, "NoSuchName", &[&registered[..], &["Bonded", "Receding", "Rigid"]].concat());
+    assert_allowed(
+        &item,
+        "NoSuchName",
+        &[&registered[..], &["Bonded", "Sliding", "Receding", "Rigid", "Spring"]].concat(),
+    );
     let all: Vec<Form> = [layers, interfaces, bases].concat();
-    assert_eq!(all.len(), registered.len() + 3);
+    assert_eq!(all.len(), registered.len() + 5);
     assert!(registered.iter().all(|name| all.iter().any(|form| form.name == *name)));
     examine_forms(&item, &all, &mut seen);
     assert!(seen > 80, "{seen} places");

@@ -115,17 +115,17 @@ fn unknown_names() {
         ("force: 0.002", "force: 0.002, units: (lenght: \"mm\", force: \"N\")"),
         ("Scene(", "Scenery("),
     ]), @r#"
-    error: stdin:6:9: no layer or interface is called `Homogenous`; allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Receding`, `Rigid`
+    error: stdin:6:9: no layer or interface is called `Homogenous`; allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Sliding`, `Receding`, `Rigid`, `Spring`
       6 |         Homogenous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
         |         ^
     hint: did you mean `Homogeneous`?
 
-    error: stdin:9:9: no layer or interface is called `Recede`; allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Receding`, `Rigid`
+    error: stdin:9:9: no layer or interface is called `Recede`; allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Sliding`, `Receding`, `Rigid`, `Spring`
       9 |         Recede,
         |         ^
     hint: did you mean `Receding`?
 
-    error: stdin:10:9: no layer or interface is called `Sphere`; allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Receding`, `Rigid`
+    error: stdin:10:9: no layer or interface is called `Sphere`; allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Sliding`, `Receding`, `Rigid`, `Spring`
       10 |         Sphere(shear_modulus: 4.0, poisson: 0.4),
          |         ^
 
@@ -314,12 +314,12 @@ fn wrong_types() {
     error: stdin:6:9: a layer or an interface is expected, found `(`
       6 |         (thickness: 1.0),
         |         ^
-    hint: allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Receding`, `Rigid`
+    hint: allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Sliding`, `Receding`, `Rigid`, `Spring`
 
     error: stdin:6:9: a layer or an interface is expected, found `1.0`
       6 |         1.0,
         |         ^
-    hint: allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Receding`, `Rigid`
+    hint: allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Sliding`, `Receding`, `Rigid`, `Spring`
 
     error: stdin:7:15: `Bonded` has no fields, found `(`
       7 |         Bonded(friction: 0.3),
@@ -329,7 +329,7 @@ fn wrong_types() {
     error: stdin:7:9: a layer or an interface is expected, found `"Bonded"`
       7 |         "Bonded",
         |         ^
-    hint: allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Receding`, `Rigid`
+    hint: allowed are `Homogeneous`, `Exponential`, `Graded`, `Orthotropic`, `HalfPlane`, `GradedHalfPlane`, `PowerHalfPlane`, `OrthotropicHalfPlane`, `Winkler`, `Bonded`, `Sliding`, `Receding`, `Rigid`, `Spring`
     "#);
     insta::assert_snapshot!(refusal("Scene(plane: Strain, punch: Parabola(radius: 1), force: 1, stack: Rigid)"), @r#"
     error: stdin:1:67: the stack: a list in `[` and `]` is expected, found `Rigid`

@@ -28,13 +28,13 @@ fn stacks_that_are_none() {
     error: stdin:7:9: no interface between layer 1 (Homogeneous) and layer 2 (Homogeneous)
       7 |         Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
         |         ^
-    hint: write `Bonded` or `Receding` between them
+    hint: write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them
     "#);
     insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", "// loose", STRIP, GROUND])), @r#"
     error: stdin:10:9: no interface between layer 2 (Homogeneous) and layer 3 (HalfPlane)
       10 |         HalfPlane(shear_modulus: 1.0, poisson: 0.25),
          |         ^
-    hint: write `Bonded` or `Receding` between them
+    hint: write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them
     "#);
     insta::assert_snapshot!(refusal(stack(&[STRIP, "Bonded,", "Receding,", GROUND])), @r#"
     error: stdin:8:9: two interfaces in a row: `Receding` follows `Bonded`

@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 use proptest::prelude::*;
 use recede::{
     BaseChain, BlockSystem, Exponential, Face, FaceStates, Foundation, FreeChain, HalfPlane, Homogeneous, Item, Layer,
-    Plane, Quantity, Stack, Wave,
+    Plane, Quantity, Spring, Stack, Wave,
 };
 
 /// Relative error allowed: the dense system is solved without any care for digits.
@@ -58,7 +58,9 @@ impl<'a> Dense<'a> {
                 let column = &system.columns()[block.column];
                 assert_eq!(column.layer().number, block.layer);
                 let states = row(&column.layer().layer, block.face, block.quantity, &wave);
-                let sign = if block.negative { -1.0 } else { 1.0 };
+                // the states are displacements times λμ₀
+                let stiffness = block.stiffness.map_or(1.0, |k| k / (wave.wavenumber * wave.modulus));
+                let sign = if block.negative { -stiffness } else { stiffness };
                 for (amplitude, state) in column.amplitudes().zip(states.iter()) {
                     matrix[(i, amplitude - 1)] += sign * state;
                 }
@@ -136,7 +138,15 @@ fn layer() -> impl Strategy<Value = Item> {
 }
 
 fn interface() -> impl Strategy<Value = Item> {
-    prop_oneof![2 => Just(Item::Bonded), 1 => Just(Item::Receding)]
+    let stiffness = || (1e-3f64.ln()..1e3f64.ln()).prop_map(f64::exp);
+    let springs = (stiffness(), prop::option::of(stiffness()))
+        .prop_map(|(normal, tangential)| Item::Spring(Spring::new(normal, tangential).unwrap()));
+    prop_oneof![
+        3 => Just(Item::Bonded),
+        2 => Just(Item::Receding),
+        1 => Just(Item::Sliding),
+        1 => springs,
+    ]
 }
 
 fn base() -> impl Strategy<Value = Item> {

@@ -1,7 +1,13 @@
 //! The items of a stack as written: layers, and the interfaces between them.
 use std::sync::Arc;
 
+use recede_layers::description::{Form, Value};
 use recede_layers::{Layer, Registry};
+
+use super::Spring;
+
+/// The one interface that has fields.
+pub(super) const SPRING: &str = "Spring";
 
 /// One line of the stack in a scene.
 #[derive(Clone, Debug)]
@@ -10,6 +16,10 @@ pub enum Item {
     Layer(Arc<dyn Layer>),
     /// Interface that transmits everything: u, v, σ_yy and σ_xy are continuous.
     Bonded,
+    /// Interface without friction that does not open: v and σ_yy are continuous, σ_xy = 0.
+    Sliding,
+    /// Interface of springs: σ_yy and σ_xy are continuous, and proportional to the jumps of v and u.
+    Spring(Spring),
     /// Interface without friction or adhesion, free to open: where it is closed it transmits pressure only.
     Receding,
     /// Rigid base at the bottom.
@@ -27,17 +37,34 @@ impl Item {
         match self {
             Self::Layer(layer) => layer.notation().kind,
             Self::Bonded => "Bonded",
+            Self::Sliding => "Sliding",
+            Self::Spring(_) => SPRING,
             Self::Receding => "Receding",
             Self::Rigid => "Rigid",
         }
     }
 
+    /// Whether it joins or divides layers.
+    pub fn is_interface(&self) -> bool {
+        matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_) | Self::Receding)
+    }
+
+    /// What is written behind the name, without its parentheses; `None` if nothing is.
+    pub(super) fn parameters(&self) -> Option<String> {
+        match self {
+            Self::Layer(layer) => Some(layer.notation().parameters),
+            Self::Spring(spring) => Some(spring.parameters()),
+            Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => None,
+        }
+    }
+
     /// The items written by a name alone, with what they mean.
-    pub(super) fn plain_items() -> [(Self, &'static str); 3] {
+    fn plain_items() -> [(Self, &'static str); 4] {
         [
             (Self::Bonded, "All displacements and stresses are continuous."),
+            (Self::Sliding, "No friction, but no opening either: only v and σ_yy are continuous."),
             (Self::Receding, "No friction, no adhesion, free to open: where closed it transmits pressure only."),
-            (Self::Rigid, "A rigid base, to which the layer above is bonded or on which it lies loose."),
+            (Self::Rigid, "A rigid base, to which the layer above is joined or on which it lies loose."),
         ]
     }
 
@@ -46,10 +73,25 @@ impl Item {
         Self::plain_items().into_iter().map(|(item, _)| item).find(|item| item.name() == name)
     }
 
+    /// The items that are no layers, interfaces first.
+    pub(super) fn forms() -> (Vec<Form>, Form) {
+        let mut forms: Vec<Form> = Self::plain_items()
+            .map(|(item, meaning)| Form { name: item.name().to_owned(), meaning: meaning.to_owned(), value: None })
+            .into();
+        let rigid = forms.remove(forms.len() - 1);
+        forms.push(Form {
+            name: SPRING.to_owned(),
+            meaning: "Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u]."
+                .to_owned(),
+            value: Some(Value::of::<Spring>()),
+        });
+        (forms, rigid)
+    }
+
     /// All names that may stand in a stack.
     pub(super) fn names(registry: &Registry) -> Vec<&'static str> {
         let plain = Self::plain_items().map(|(item, _)| item.name());
-        registry.iter().map(|entry| entry.name).chain(plain).collect()
+        registry.iter().map(|entry| entry.name).chain(plain).chain([SPRING]).collect()
     }
 }
 

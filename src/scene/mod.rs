@@ -7,6 +7,7 @@ mod paths;
 mod punch;
 mod read;
 mod shape;
+mod spring;
 mod vocabulary;
 mod write;
 
@@ -20,6 +21,7 @@ pub use heights::HeightsError;
 pub use item::Item;
 pub use origin::SceneError;
 pub use punch::Punch;
+pub use spring::Spring;
 pub use vocabulary::Vocabulary;
 
 pub(crate) use item::quoted_list;

@@ -159,10 +159,9 @@ impl Scene {
         add("punch", Owner::Punch, text, &text[at.start..at.end], &mut slots);
         let mut number = 0;
         for (index, (item, at)) in self.stack.iter().zip(&origin.places.items).enumerate() {
-            if !matches!(item, Item::Bonded | Item::Receding) {
-                number += 1;
-                add(&format!("layer[{number}]"), Owner::Item(index), text, &text[at.start..at.end], &mut slots);
-            }
+            number += usize::from(!item.is_interface());
+            let kind = if item.is_interface() { "interface" } else { "layer" };
+            add(&format!("{kind}[{number}]"), Owner::Item(index), text, &text[at.start..at.end], &mut slots);
         }
         slots
     }

@@ -19,6 +19,7 @@ use serde::de::Visitor;
 use serde::{Deserialize, Deserializer};
 
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
+use super::item::SPRING;
 use super::origin::{Origin, Places};
 use super::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
 use crate::error::Error;
@@ -241,7 +242,7 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
     let mut layers = 0;
     for item in items {
         let item = read_item(item, layers + 1, origin, &origin.registry)?;
-        layers += usize::from(!matches!(item, Item::Bonded | Item::Receding));
+        layers += usize::from(!item.is_interface());
         stack.push(item);
     }
     let Draft { name, description, units, plane, force, .. } = draft;
@@ -304,12 +305,19 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
         let message = format!("`{name}` has no fields, found {}", token(fields));
         return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))).into());
     }
+    let fields = |owner: String| {
+        let offset = item.offset + item.text.len() - fields.len();
+        Part { text: fields, offset, name_at: item.name_at, owner }
+    };
+    if name == SPRING {
+        let fields = fields(format!("the springs below layer {}", number - 1));
+        return read_ron(fields.text).map(Item::Spring).map_err(|error| fields.error(origin, error));
+    }
     let Some(entry) = registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
         return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())).into());
     };
-    let offset = item.offset + item.text.len() - fields.len();
-    let fields = Part { text: fields, offset, name_at: item.name_at, owner: format!("layer {number} ({name})") };
+    let fields = fields(format!("layer {number} ({name})"));
     match (entry.read)(fields.text) {
         Ok(layer) => Ok(Item::Layer(Arc::from(layer))),
         Err(error) => Err(fields.error(origin, error)),

@@ -15,7 +15,7 @@ const THICKNESS: &str = "thickness";
 /// use recede::{Registry, Vocabulary};
 /// let vocabulary = Vocabulary::new(&Registry::default());
 /// assert!(vocabulary.layers.iter().any(|layer| layer.name == "Homogeneous"));
-/// assert!(vocabulary.interfaces.iter().all(|interface| interface.value.is_none()));
+/// assert!(vocabulary.interfaces.iter().any(|interface| interface.name == "Sliding"));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vocabulary {
@@ -45,12 +45,8 @@ impl Vocabulary {
             _ => false,
         };
         let (mut bases, layers): (Vec<Form>, Vec<Form>) = registered.partition(is_base);
-        let plain = Item::plain_items().map(|(item, meaning)| {
-            let form = Form { name: item.name().to_owned(), meaning: meaning.to_owned(), value: None };
-            (matches!(item, Item::Rigid), form)
-        });
-        let (rigid, interfaces): (Vec<_>, Vec<_>) = plain.into_iter().partition(|(is_base, _)| *is_base);
-        bases.extend(rigid.into_iter().map(|(_, form)| form));
+        let (interfaces, rigid) = Item::forms();
+        bases.push(rigid);
         Self {
             scene: fields_of_scene(),
             punches: match Value::of::<Punch>() {
@@ -58,7 +54,7 @@ impl Vocabulary {
                 _ => Vec::new(),
             },
             layers,
-            interfaces: interfaces.into_iter().map(|(_, form)| form).collect(),
+            interfaces,
             bases,
         }
     }

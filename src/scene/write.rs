@@ -1,7 +1,7 @@
 //! A scene as text, to be read again.
 use std::fmt::Write;
 
-use super::{Item, Scene};
+use super::Scene;
 
 impl Scene {
     /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
@@ -38,10 +38,7 @@ impl Scene {
         field("force", format!("{:?}", self.force));
         text += "    stack: [\n";
         for item in &self.stack {
-            let parameters = match item {
-                Item::Layer(layer) => format!("({})", layer.notation().parameters),
-                Item::Bonded | Item::Receding | Item::Rigid => String::new(),
-            };
+            let parameters = item.parameters().map_or(String::new(), |parameters| format!("({parameters})"));
             let _ = writeln!(text, "        {}{parameters},", item.name());
         }
         text + "    ],\n)\n"
@@ -74,7 +71,10 @@ mod tests {
             "(plane: Stress, punch: Cylinder(radius: 3e2), force: 1e-300,
               units: (length: \"mm\", force: \"N\"), stack: [
                 Exponential(thickness: 0.1, shear_modulus: 2, poisson: -0.25, beta: -1e-3), Bonded,
-                Homogeneous(thickness: 0, shear_modulus: 1e20, poisson: 0.5), Receding, Rigid])",
+                Homogeneous(thickness: 0, shear_modulus: 1e20, poisson: 0.5), Sliding,
+                Homogeneous(thickness: 1, shear_modulus: 1e20, poisson: 0.5), Spring(normal: 3),
+                Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.5), Spring(normal: 3, tangential: 1e-9),
+                Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.5), Receding, Rigid])",
         )
         .unwrap();
         scene.name = Some("a \"name\"\\".into());

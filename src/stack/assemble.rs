@@ -3,39 +3,70 @@ use std::sync::Arc;
 
 use recede_layers::Plane;
 
-use super::{Base, Foundation, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
+use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
 use crate::scene::Item;
 
-/// How two neighbouring layers are joined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Joint {
-    Bonded,
+/// What lies between two layers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Between {
+    Joint(Joint),
     Receding,
 }
 
-/// A group of bonded layers and the joint below it.
+impl Between {
+    fn of(item: &Item) -> Option<Self> {
+        Some(match item {
+            Item::Bonded => Self::Joint(Joint::BONDED),
+            Item::Sliding => Self::Joint(Joint::SLIDING),
+            Item::Spring(spring) => Self::Joint(Joint { normal: spring.normal(), tangential: spring.tangential() }),
+            Item::Receding => Self::Receding,
+            Item::Layer(_) | Item::Rigid => return None,
+        })
+    }
+
+    fn gives_way(self) -> bool {
+        matches!(self, Self::Joint(joint) if joint.gives_way())
+    }
+}
+
+/// A group of joined layers and what lies below it.
 #[derive(Debug, Default)]
 struct Groups {
     finished: Vec<Laminate>,
     open: Vec<Placed>,
-    /// Joint below the last layer of `open`, while nothing is known to lie on its other side.
-    joint: Option<Joint>,
+    /// What joins the layers of `open`.
+    joints: Vec<Joint>,
+    /// Below the last layer of `open`, while nothing is known to lie on its other side.
+    below: Option<Between>,
     dropped: Vec<Placed>,
 }
 
 impl Groups {
-    fn interface(&mut self, joint: Joint) {
-        // of the interfaces around layers that are not there, a receding one prevails; above the first layer
-        // there is none
-        if !self.open.is_empty() && self.joint != Some(Joint::Receding) {
-            self.joint = Some(joint);
+    /// One interface more; `None` if springs are left with nothing to hold.
+    fn interface(&mut self, next: Between) -> Option<()> {
+        // above the first layer that is there, there is nothing
+        if self.open.is_empty() {
+            return (!next.gives_way()).then_some(());
         }
+        // of the interfaces around layers that are not there, a receding one prevails; jumps at others add up
+        self.below = Some(match (self.below, next) {
+            (None, next) => next,
+            (Some(Between::Joint(before)), Between::Joint(next)) => Between::Joint(before.in_series(next)),
+            (Some(before), next) if before.gives_way() || next.gives_way() => return None,
+            _ => Between::Receding,
+        });
+        Some(())
     }
 
-    /// Closes the open group if what follows is not bonded to it.
+    /// Closes the open group if what follows is not joined to it.
     fn begin_next(&mut self) {
-        if self.joint.take() == Some(Joint::Receding) {
-            self.finished.push(Laminate { layers: std::mem::take(&mut self.open) });
+        match self.below.take() {
+            Some(Between::Receding) => {
+                let (layers, joints) = (std::mem::take(&mut self.open), std::mem::take(&mut self.joints));
+                self.finished.push(Laminate { layers, joints });
+            }
+            Some(Between::Joint(joint)) => self.joints.push(joint),
+            None => {}
         }
     }
 
@@ -55,9 +86,14 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
     let mut foundation = None;
     let mut number = 0;
     for (index, item) in items.iter().enumerate() {
+        if let Some(between) = Between::of(item)
+            && groups.interface(between).is_none()
+        {
+            let layer = groups.dropped.last().map_or(String::new(), Placed::name);
+            return Err(at(index, StackProblem::LooseSprings { layer }));
+        }
         match item {
-            Item::Bonded => groups.interface(Joint::Bonded),
-            Item::Receding => groups.interface(Joint::Receding),
+            Item::Bonded | Item::Sliding | Item::Spring(_) | Item::Receding => {}
             Item::Rigid => {
                 number += 1;
                 foundation = Some(Foundation::Rigid { number });
@@ -76,7 +112,7 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
         }
     }
     groups.begin_next();
-    let Groups { finished: laminates, open: layers, dropped, .. } = groups;
+    let Groups { finished: laminates, open: layers, joints, dropped, .. } = groups;
     let Some(foundation) = foundation else {
         // `check_order` has found a base
         return Err(StackError { item: None, problem: StackProblem::Empty });
@@ -97,7 +133,7 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
     if laminates.len() > MAX_RECEDING {
         return whole(StackProblem::TooManyReceding { found: laminates.len() });
     }
-    let stack = Stack { plane, laminates, base: Base { layers, foundation }, dropped };
+    let stack = Stack { plane, laminates, base: Base { layers, joints, foundation }, dropped };
     if stack.total_thickness().is_finite() { Ok(stack) } else { whole(StackProblem::TooThick) }
 }
 
@@ -110,13 +146,13 @@ fn check_order(items: &[Item]) -> Result<(), StackError> {
     let (Some(first), Some(last)) = (items.first(), items.last()) else {
         return Err(StackError { item: None, problem: StackProblem::Empty });
     };
-    if is_interface(first) {
+    if first.is_interface() {
         return Err(at(0, StackProblem::BeginsWithInterface { interface: first.name() }));
     }
     let mut number = 1;
     for (index, pair) in items.windows(2).enumerate() {
         let [above, below] = pair else { continue };
-        match (is_interface(above), is_interface(below)) {
+        match (above.is_interface(), below.is_interface()) {
             (true, true) => {
                 let problem = StackProblem::TwoInterfaces { first: above.name(), second: below.name() };
                 return Err(at(index + 1, problem));
@@ -133,7 +169,7 @@ fn check_order(items: &[Item]) -> Result<(), StackError> {
         }
     }
     let end = items.len() - 1;
-    if is_interface(last) {
+    if last.is_interface() {
         Err(at(end, StackProblem::EndsWithInterface { interface: last.name() }))
     } else if is_base(last) {
         Ok(())
@@ -142,15 +178,11 @@ fn check_order(items: &[Item]) -> Result<(), StackError> {
     }
 }
 
-fn is_interface(item: &Item) -> bool {
-    matches!(item, Item::Bonded | Item::Receding)
-}
-
 fn is_base(item: &Item) -> bool {
     match item {
         Item::Layer(layer) => layer.thickness().is_none(),
         Item::Rigid => true,
-        Item::Bonded | Item::Receding => false,
+        _ => false,
     }
 }
 

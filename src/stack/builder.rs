@@ -2,7 +2,7 @@
 use recede_layers::{Layer, Plane};
 
 use super::{Stack, StackError};
-use crate::scene::Item;
+use crate::scene::{Item, Spring};
 
 /// A stack being described from the top down; see [`Stack::builder`]. Nothing is checked before
 /// [`build`](StackBuilder::build).
@@ -32,6 +32,16 @@ impl StackBuilder {
     /// Adds an interface that transmits everything.
     pub fn bonded(self) -> Self {
         self.item(Item::Bonded)
+    }
+
+    /// Adds an interface without friction that does not open.
+    pub fn sliding(self) -> Self {
+        self.item(Item::Sliding)
+    }
+
+    /// Adds an interface of springs.
+    pub fn spring(self, spring: Spring) -> Self {
+        self.item(Item::Spring(spring))
     }
 
     /// Adds an interface without friction or adhesion, free to open.

@@ -1,7 +1,7 @@
 //! The small drawing of a stack.
 use std::fmt;
 
-use super::{Foundation, Placed, Stack};
+use super::{Foundation, Joint, Placed, Stack};
 
 /// Columns between the borders, at least.
 const NARROWEST: usize = 50;
@@ -16,7 +16,7 @@ impl fmt::Display for Stack {
 }
 
 impl Stack {
-    /// Draws the stack from the top down, one box for each group of bonded layers; above it the punch with what is
+    /// Draws the stack from the top down, one box for each group of joined layers; above it the punch with what is
     /// written on it, if anything.
     ///
     /// ```text
@@ -35,6 +35,8 @@ impl Stack {
             Foundation::HalfPlane(placed) => Some(placed),
             Foundation::Rigid { .. } => None,
         };
+        let mut joints: Vec<&[Joint]> = self.laminates.iter().map(|laminate| &laminate.joints[..]).collect();
+        joints.push(&self.base.joints);
         let mut groups: Vec<Vec<String>> =
             self.laminates.iter().map(|laminate| laminate.layers.iter().map(label).collect()).collect();
         groups.push(self.base.layers.iter().chain(half_plane).map(label).collect());
@@ -55,14 +57,14 @@ impl Stack {
             lines.push(format!("┌{}┐", "─".repeat(width)));
             for (j, text) in texts.iter().enumerate() {
                 if j > 0 {
-                    lines.push(bonded(width));
+                    lines.push(joined(joints[i].get(j - 1), width));
                 }
                 lines.push(format!("│{text:width$}│"));
             }
         }
         if let Foundation::Rigid { number } = self.base.foundation {
             if !self.base.layers.is_empty() {
-                lines.push(bonded(width));
+                lines.push(joined(self.base.joints.last(), width));
             }
             lines.push(format!("│{:width$}│", format!(" {number} Rigid")));
         }
@@ -80,8 +82,9 @@ impl Stack {
     }
 }
 
-fn bonded(width: usize) -> String {
-    format!("├{:─^width$}┤", " bonded ")
+fn joined(joint: Option<&Joint>, width: usize) -> String {
+    let text = joint.map_or(String::new(), |joint| format!(" {joint} "));
+    format!("├{text:─^width$}┤")
 }
 
 fn centred(text: &str, width: usize) -> String {

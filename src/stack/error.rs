@@ -83,6 +83,12 @@ pub enum StackProblem {
         /// The support.
         base: String,
     },
+    /// Springs, on one side of which no layer is left.
+    #[error("next to {layer}, which is not there, springs have nothing to hold")]
+    LooseSprings {
+        /// The layer of thickness 0.
+        layer: String,
+    },
     /// A thickness that is negative or not finite, reported by a layer type of one's own.
     #[error("{layer} has thickness {found:?}; allowed is a finite number >= 0")]
     Thickness {
@@ -112,7 +118,7 @@ impl StackProblem {
     fn hint(&self) -> Option<&'static str> {
         Some(match self {
             Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
-            Self::NoInterface { .. } => "write `Bonded` or `Receding` between them",
+            Self::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
             Self::TwoInterfaces { .. } => "remove one of them, or write the layer between them",
             Self::BeginsWithInterface { .. } => "the punch acts on the first layer without an interface",
             Self::EndsWithInterface { .. } => "end the stack with `HalfPlane(...)` or `Rigid`",
@@ -122,7 +128,12 @@ impl StackProblem {
             Self::TooManyLayers { .. } => "a layer that is graded through its thickness replaces many slices",
             Self::TooManyReceding { .. } => "bond those that do not open under the load",
             Self::NotBonded { .. } => {
-                "springs carry a layer that is bonded to them; below a loose layer, put a thin one and `Bonded` between"
+                "the pressure on springs alone would be stiffness times displacement, place by place, and not end like that \
+                 on an elastic body: put a thin layer between, `Bonded` to the springs"
+            }
+            Self::LooseSprings { .. } => {
+                "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
+                 face, or under the punch itself, would give way like no elastic body"
             }
             Self::Thickness { .. } | Self::TooThick => return None,
         })

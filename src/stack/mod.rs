@@ -3,6 +3,7 @@ mod assemble;
 mod builder;
 mod drawing;
 mod error;
+mod joint;
 
 use std::sync::Arc;
 
@@ -10,6 +11,7 @@ use recede_layers::{Layer, Plane};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
+pub use joint::Joint;
 
 use crate::error::Error;
 use crate::scene::{Item, Scene};
@@ -20,7 +22,7 @@ pub const MAX_LAYERS: usize = 5000;
 /// Largest number of receding interfaces in a stack.
 pub const MAX_RECEDING: usize = 32;
 
-/// Layers in order, grouped by what is bonded to what.
+/// Layers in order, grouped by what is joined to what.
 ///
 /// Receding interfaces divide a stack into free *laminates* and the *base*; a receding interface lies between
 /// consecutive laminates, and between the last laminate and the base. Layers of thickness zero are not there.
@@ -69,10 +71,11 @@ impl Placed {
     }
 }
 
-/// A free group of at least one layer, bonded to each other.
+/// A free group of at least one layer, joined to each other.
 #[derive(Clone, Debug)]
 pub struct Laminate {
     layers: Vec<Placed>,
+    joints: Vec<Joint>,
 }
 
 impl Laminate {
@@ -81,23 +84,34 @@ impl Laminate {
         &self.layers
     }
 
+    /// What joins each layer to the next, from the top down: one less than there are layers.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
     /// Thickness of the laminate, in length.
     pub fn thickness(&self) -> f64 {
         self.layers.iter().map(Placed::thickness).sum()
     }
 }
 
-/// The foundation, and the layers bonded to it.
+/// The foundation, and the layers joined to it.
 #[derive(Clone, Debug)]
 pub struct Base {
     layers: Vec<Placed>,
+    joints: Vec<Joint>,
     foundation: Foundation,
 }
 
 impl Base {
-    /// The layers bonded to the foundation from the top down, without the foundation itself.
+    /// The layers joined to the foundation from the top down, without the foundation itself.
     pub fn layers(&self) -> &[Placed] {
         &self.layers
+    }
+
+    /// What joins each layer to the next, from the top down, and the last one to the foundation.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
     }
 
     /// What everything rests on.
@@ -153,7 +167,7 @@ impl Stack {
         self.plane
     }
 
-    /// The free laminates from the top down; none if everything is bonded to the foundation.
+    /// The free laminates from the top down; none if everything is joined to the foundation.
     pub fn laminates(&self) -> &[Laminate] {
         &self.laminates
     }

@@ -1,6 +1,6 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
 use crate::solution::Interface;
-use crate::stack::{Foundation, Placed, Stack};
+use crate::stack::{Foundation, Joint, Laminate, Placed, Stack};
 
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -56,6 +56,8 @@ pub enum Condition {
     Zero(Quantity, Side),
     /// S is minus the contact pressure on one side.
     Pressed(Side),
+    /// The stress that belongs to the displacement is its jump times the stiffness of springs.
+    Sprung(Quantity),
 }
 
 /// A layer with its amplitudes.
@@ -79,7 +81,7 @@ impl Column {
 }
 
 /// A face quantity of one layer, as a linear function of the layer's amplitudes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
     /// Index of the column, from 0.
     pub column: usize,
@@ -91,6 +93,8 @@ pub struct Block {
     pub quantity: Quantity,
     /// Whether it enters with a minus sign.
     pub negative: bool,
+    /// The stiffness of springs by which a displacement is multiplied, in stress per length.
+    pub stiffness: Option<f64>,
 }
 
 /// Right-hand side of a row that is loaded: minus the transformed pressure of a contact.
@@ -101,13 +105,13 @@ pub struct Pressure {
 }
 
 /// One scalar condition.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Where the condition holds.
     pub place: Place,
     /// What is asked.
     pub condition: Condition,
-    /// The blocks from left to right, one or two; everywhere else there is nothing.
+    /// The blocks from left to right, one or two, at springs up to three; everywhere else there is nothing.
     pub blocks: Vec<Block>,
     /// The right-hand side; `None` is zero.
     pub pressure: Option<Pressure>,
@@ -143,9 +147,18 @@ impl BlockSystem {
         if let (Foundation::Rigid { number }, Some(last)) = (stack.base().foundation(), stack.base().layers().last()) {
             let place = Place::Between { above: last.number, below: *number };
             let column = system.columns.len() - 1;
-            for quantity in [Quantity::U, Quantity::V] {
-                let fixed = vec![system.block(column, Face::Bottom, quantity)];
-                system.row(place, Condition::Zero(quantity, Side::Above), fixed, None);
+            let joint = stack.base().joints().last().copied().unwrap_or(Joint::BONDED);
+            for (quantity, stress, stiffness) in pairs(&joint) {
+                let block = |quantity| system.block(column, Face::Bottom, quantity);
+                let (condition, blocks) = if stiffness == 0.0 {
+                    (Condition::Zero(stress, Side::Above), vec![block(stress)])
+                } else if stiffness.is_finite() {
+                    let jump = Block { stiffness: Some(stiffness), ..block(quantity) };
+                    (Condition::Sprung(quantity), vec![jump, Block { negative: true, ..block(stress) }])
+                } else {
+                    (Condition::Zero(quantity, Side::Above), vec![block(quantity)])
+                };
+                system.row(place, condition, blocks, None);
             }
         }
         system
@@ -176,6 +189,7 @@ impl BlockSystem {
             self.free_face(contact, place, Side::Above, above, Face::Bottom);
         }
         let below = self.columns.len();
+        let joints = stack.laminates().get(contact).map_or(stack.base().joints(), Laminate::joints);
         let layers: Vec<&Placed> = match (stack.laminates().get(contact), stack.base().foundation()) {
             (Some(laminate), _) => laminate.layers().iter().collect(),
             (None, Foundation::HalfPlane(ground)) => stack.base().layers().iter().chain([ground]).collect(),
@@ -188,7 +202,8 @@ impl BlockSystem {
             match i.checked_sub(1) {
                 None => self.free_face(contact, place, Side::Below, below, Face::Top),
                 Some(above) => {
-                    self.bonded(Place::Between { above: layers[above].number, below: layer.number }, below + i);
+                    let place = Place::Between { above: layers[above].number, below: layer.number };
+                    self.joined(place, below + i, &joints[above]);
                 }
             }
         }
@@ -202,12 +217,32 @@ impl BlockSystem {
         self.row(place, Condition::Zero(Quantity::T, side), sheared, None);
     }
 
-    /// Continuity between a column and the one to its left.
-    fn bonded(&mut self, place: Place, column: usize) {
-        for quantity in [Quantity::U, Quantity::V, Quantity::S, Quantity::T] {
-            let below = Block { negative: true, ..self.block(column, Face::Top, quantity) };
-            let blocks = vec![self.block(column - 1, Face::Bottom, quantity), below];
-            self.row(place, Condition::Continuous(quantity), blocks, None);
+    /// The conditions between a column and the one to its left: displacements first, then stresses.
+    fn joined(&mut self, place: Place, column: usize, joint: &Joint) {
+        for (quantity, stress, stiffness) in pairs(joint) {
+            let above = |quantity| self.block(column - 1, Face::Bottom, quantity);
+            let below = |quantity| Block { negative: true, ..self.block(column, Face::Top, quantity) };
+            if stiffness == 0.0 {
+                let blocks = vec![above(stress)];
+                self.row(place, Condition::Zero(stress, Side::Above), blocks, None);
+            } else if stiffness.is_finite() {
+                let jump =
+                    [above(quantity), below(quantity)].map(|block| Block { stiffness: Some(stiffness), ..block });
+                let blocks = vec![jump[0], Block { negative: true, ..above(stress) }, jump[1]];
+                self.row(place, Condition::Sprung(quantity), blocks, None);
+            } else {
+                let blocks = vec![above(quantity), below(quantity)];
+                self.row(place, Condition::Continuous(quantity), blocks, None);
+            }
+        }
+        for (stress, stiffness) in [(Quantity::S, joint.normal), (Quantity::T, joint.tangential)] {
+            let below = Block { negative: stiffness != 0.0, ..self.block(column, Face::Top, stress) };
+            if stiffness == 0.0 {
+                self.row(place, Condition::Zero(stress, Side::Below), vec![below], None);
+            } else {
+                let blocks = vec![self.block(column - 1, Face::Bottom, stress), below];
+                self.row(place, Condition::Continuous(stress), blocks, None);
+            }
         }
     }
 
@@ -216,8 +251,13 @@ impl BlockSystem {
     }
 
     fn block(&self, column: usize, face: Face, quantity: Quantity) -> Block {
-        Block { column, layer: self.columns[column].layer.number, face, quantity, negative: false }
+        Block { column, layer: self.columns[column].layer.number, face, quantity, negative: false, stiffness: None }
     }
+}
+
+/// Displacement, the stress that belongs to it, and the stiffness that relates them.
+fn pairs(joint: &Joint) -> [(Quantity, Quantity, f64); 2] {
+    [(Quantity::U, Quantity::T, joint.tangential), (Quantity::V, Quantity::S, joint.normal)]
 }
 
 #[cfg(test)]
@@ -226,7 +266,8 @@ mod tests {
     use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
     use super::*;
-    use crate::scene::Item;
+    use crate::scene::{Item, Spring};
+    use crate::stack::StackProblem;
 
     /// The stack of the paper: a strip bonded to a graded layer, both lying loose on a half-plane.
     fn paper(h1: f64, h2: f64) -> BlockSystem {
@@ -263,7 +304,14 @@ mod tests {
     }
 
     fn interface() -> impl Strategy<Value = Item> {
-        prop_oneof![Just(Item::Bonded), Just(Item::Receding)]
+        let spring = |tangential| Item::Spring(Spring::new(2.0, tangential).unwrap());
+        prop_oneof![
+            Just(Item::Bonded),
+            Just(Item::Sliding),
+            Just(Item::Receding),
+            Just(spring(None)),
+            Just(spring(Some(0.5)))
+        ]
     }
 
     proptest! {
@@ -278,14 +326,21 @@ mod tests {
             }
             let ground = HalfPlane::new(1.0, 0.25).unwrap();
             let built = if rigid { stack.rigid().build() } else { stack.layer(ground).build() };
-            // the only stack that is refused is one with nothing but layers of no thickness on a rigid base
-            let Ok(stack) = built else { prop_assert!(rigid); return Ok(()) };
+            // what is refused are layers of no thickness: nothing else on a rigid base, or next to springs
+            let stack = match built {
+                Ok(stack) => stack,
+                Err(error) => {
+                    let loose = matches!(error.problem(), StackProblem::LooseSprings { .. });
+                    prop_assert!(rigid || loose);
+                    return Ok(());
+                }
+            };
             let system = BlockSystem::new(&stack);
             prop_assert_eq!(system.rows().len(), system.unknowns());
             for row in system.rows() {
                 // a block next to the diagonal at most: the matrix is a chain
-                prop_assert!(row.blocks.windows(2).all(|pair| pair[0].column + 1 == pair[1].column));
-                prop_assert!(matches!(row.blocks.len(), 1 | 2));
+                prop_assert!(row.blocks.windows(2).all(|pair| [0, 1].contains(&(pair[1].column - pair[0].column))));
+                prop_assert!(matches!(row.blocks.len(), 1..=3));
             }
             // every amplitude of a layer is held by at least as many conditions
             for (i, column) in system.columns().iter().enumerate() {

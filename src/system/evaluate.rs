@@ -9,24 +9,29 @@ use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, RowVector2, Vector2};
 use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, State, Wave, solve_equilibrated};
 
-use crate::stack::{Base, Foundation, Laminate, Placed};
+use super::across::allowed_above;
+use crate::stack::{Base, Foundation, Joint, Laminate, Placed};
 
 /// Fields decay like e^(−λd): beyond this λd nothing is felt, since even squared it is below rounding.
 const FELT: f64 = 40.0;
 
-/// Layers bonded to each other, top down, with shear-free faces above and below.
+/// Layers joined to each other, top down, with shear-free faces above and below.
 #[derive(Clone, Debug)]
 pub struct FreeChain {
     pub(super) layers: Vec<Arc<dyn Layer>>,
+    /// What joins each layer to the next.
+    pub(super) joints: Vec<Joint>,
     /// The chain is eliminated from both faces to the interface above layer `meeting`, the one nearest to the neutral
     /// axis: seen from afar, the bending of a stiff part would cancel against its stretching.
     pub(super) meeting: usize,
 }
 
-/// Layers bonded to each other and to a foundation, top down, with a shear-free top face.
+/// Layers joined to each other and to a foundation, top down, with a shear-free top face.
 #[derive(Clone, Debug)]
 pub struct BaseChain {
     pub(super) layers: Vec<Arc<dyn Layer>>,
+    /// What joins each layer to the next, and the last one to the foundation.
+    pub(super) joints: Vec<Joint>,
     pub(super) foundation: Foundation,
 }
 
@@ -51,7 +56,7 @@ impl FreeChain {
         let neutral = moment / stiffness;
         let distance = |i: &usize| (faces[*i] - neutral).abs();
         let meeting = (0..faces.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
-        Self { layers, meeting }
+        Self { layers, joints: laminate.joints().to_vec(), meeting }
     }
 
     /// Flexibility at one wavenumber; `None` if a layer's states are not finite or do not determine its fields.
@@ -61,8 +66,9 @@ impl FreeChain {
         let below = felt(layers.iter().rev(), wave);
         if above + below <= layers.len() && above < layers.len() {
             // the faces do not feel each other
-            let top = flexibility(&layers[..above], 0, wave)?;
-            let bottom = flexibility(&layers[layers.len() - below..], below, wave)?;
+            let first = layers.len() - below;
+            let top = flexibility(&layers[..above], &self.joints, 0, wave)?;
+            let bottom = flexibility(&layers[first..], &self.joints[first.min(self.joints.len())..], below, wave)?;
             return Some(Flexibility {
                 top: top.top,
                 coupling: 0.0,
@@ -71,7 +77,7 @@ impl FreeChain {
                 equal_bottom: bottom.bottom,
             });
         }
-        flexibility(layers, self.meeting, wave)
+        flexibility(layers, &self.joints, self.meeting, wave)
     }
 
     /// The layers, top down.
@@ -89,7 +95,7 @@ impl BaseChain {
             }
             rigid @ Foundation::Rigid { .. } => rigid.clone(),
         };
-        Self { layers: shared(base.layers()), foundation }
+        Self { layers: shared(base.layers()), joints: base.joints().to_vec(), foundation }
     }
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` as for a laminate.
@@ -104,8 +110,9 @@ impl BaseChain {
             // a rigid foundation, or one too deep to be felt
             _ => with_unit_stress(&Matrix2::zeros()),
         };
-        for layer in self.layers[..felt].iter().rev() {
+        for (layer, joint) in self.layers[..felt].iter().zip(&self.joints).rev() {
             let FaceStates::Finite { top, bottom, .. } = layer.face_states(wave) else { return None };
+            allowed = allowed_above(allowed, joint, wave);
             let amplitudes: Matrix4x2<f64> = solve_equilibrated(
                 stacked(&(reciprocal(&allowed) * bottom), &stress(&top)),
                 Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
@@ -157,23 +164,29 @@ pub(crate) fn slowest_decay(layer: &dyn Layer, thickness: f64, plane: Plane) -> 
     [0.0, 0.5, 1.0].map(|part| at(part * thickness)).into_iter().fold(1.0, f64::min)
 }
 
-fn flexibility(layers: &[Arc<dyn Layer>], meeting: usize, wave: &Wave) -> Option<Flexibility> {
+fn flexibility(layers: &[Arc<dyn Layer>], joints: &[Joint], meeting: usize, wave: &Wave) -> Option<Flexibility> {
     if let [layer] = layers {
         return layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
     }
     let mut above = Half::free();
-    for layer in &layers[..meeting] {
+    for (i, layer) in layers[..meeting].iter().enumerate() {
         let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
             return None;
         };
         above = above.through((&top, &at_top), (&bottom, &at_bottom))?;
+        if i + 1 < layers.len() {
+            above = above.across(&joints[i], wave, true)?.0;
+        }
     }
     let mut below = Half::free();
-    for layer in layers[meeting..].iter().rev() {
+    for (i, layer) in layers.iter().enumerate().skip(meeting).rev() {
         let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
             return None;
         };
         below = below.through((&bottom, &at_bottom), (&top, &at_top))?;
+        if i > meeting {
+            below = below.across(&joints[i - 1], wave, false)?.0;
+        }
     }
     // stresses are continuous: K_above w + ... = K_below w + ..., for a load on top, on the bottom, on both
     let zero = Vector2::zeros();
@@ -199,9 +212,9 @@ pub(super) struct Half {
     pub(super) stiffness: Matrix2<f64>,
     pub(super) by_load: Vector2<f64>,
     pub(super) by_equal: Vector2<f64>,
-    face: RowVector2<f64>,
-    face_by_load: f64,
-    face_by_equal: f64,
+    pub(super) face: RowVector2<f64>,
+    pub(super) face_by_load: f64,
+    pub(super) face_by_equal: f64,
 }
 
 impl Half {

@@ -4,8 +4,9 @@ use std::sync::Arc;
 use nalgebra::{Matrix2, Matrix4, Matrix4x2, Vector2, Vector4};
 use recede_layers::{FaceStates, InnerStates, Layer, LayerStates, State, Wave, solve_equilibrated};
 
+use super::across::{allowed_above, jumped};
 use super::evaluate::{BaseChain, FreeChain, Half, displacement, felt, reciprocal, stacked, stress, with_unit_stress};
-use crate::stack::Foundation;
+use crate::stack::{Foundation, Joint};
 
 /// Amplitudes S of loads on the shear-free faces of a chain.
 ///
@@ -36,18 +37,20 @@ impl FreeChain {
             let split = layers.len() - below;
             let from_top = Load { top: load.top + load.equal, ..Load::default() };
             let from_bottom = Load { bottom: load.bottom + load.equal, ..Load::default() };
-            let mut states = free(&layers[..above], 0, wave, &depths[..above], &from_top)?;
+            let lower = &self.joints[split.min(self.joints.len())..];
+            let mut states = free(&layers[..above], &self.joints, 0, wave, &depths[..above], &from_top)?;
             states.extend(depths[above..split].iter().map(|depths| vec![State::zeros(); depths.len()]));
-            states.extend(free(&layers[split..], below, wave, &depths[split..], &from_bottom)?);
+            states.extend(free(&layers[split..], lower, below, wave, &depths[split..], &from_bottom)?);
             return Some(states);
         }
-        free(layers, self.meeting, wave, depths, load)
+        free(layers, &self.joints, self.meeting, wave, depths, load)
     }
 }
 
 /// All layers of a free chain, eliminated from both faces to the interface above layer `meeting`.
 fn free(
     layers: &[Arc<dyn Layer>],
+    joints: &[Joint],
     meeting: usize,
     wave: &Wave,
     depths: &Depths,
@@ -59,6 +62,7 @@ fn free(
         return Some(vec![single_layer(single, load)?]);
     }
     let mut eliminated = vec![Matrix4::zeros(); layers.len()];
+    let mut jumps = vec![None; layers.len()];
     let mut halves = [Half::free(), Half::free()];
     let order: [Vec<usize>; 2] = [(0..meeting).collect(), (meeting..layers.len()).rev().collect()];
     for (side, order) in order.iter().enumerate() {
@@ -68,9 +72,15 @@ fn free(
             };
             let (near, far) =
                 if side == 0 { ((top, at_top), (bottom, at_bottom)) } else { ((bottom, at_bottom), (top, at_top)) };
-            let (half, amplitudes) = halves[side].eliminate(near, far)?;
-            halves[side] = half;
+            let (mut half, amplitudes) = halves[side].eliminate(near, far)?;
             eliminated[*i] = amplitudes;
+            // the joint at which the halves meet belongs to the upper one
+            let joint = if side == 0 { Some(*i) } else { i.checked_sub(1).filter(|above| *above >= meeting) };
+            if let Some(joint) = joint.and_then(|joint| joints.get(joint)) {
+                let (across, jump) = half.across(joint, wave, side == 0)?;
+                (half, jumps[*i]) = (across, Some(jump));
+            }
+            halves[side] = half;
         }
     }
     let [above, below] = &halves;
@@ -81,6 +91,9 @@ fn free(
         let own = if side == 0 { load.top } else { load.bottom };
         let mut w = meet;
         for i in order.iter().rev() {
+            if let Some(jump) = &jumps[*i] {
+                w = jumped(jump, w, own, load.equal);
+            }
             let amplitudes = eliminated[*i] * Vector4::new(w[0], w[1], own, load.equal);
             let FaceStates::Finite { top, bottom, uniform } = &states[*i].faces else { return None };
             let near = if side == 0 { top } else { bottom };
@@ -130,7 +143,8 @@ impl BaseChain {
             }
         }
         let mut eliminated = Vec::with_capacity(felt);
-        for (layer, depths) in self.layers[..felt].iter().zip(depths).rev() {
+        for ((layer, joint), depths) in self.layers[..felt].iter().zip(&self.joints).zip(depths).rev() {
+            allowed = allowed_above(allowed, joint, wave);
             let states = layer.states(wave, depths);
             let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
             let condition = reciprocal(&allowed) * bottom;

@@ -2,7 +2,7 @@
 use std::fmt::Write;
 
 use super::text::MAX_COLUMNS;
-use super::{Block, BlockSystem, Condition, Face, Place, Row, Side};
+use super::{Block, BlockSystem, Condition, Face, Place, Quantity, Row, Side};
 
 impl BlockSystem {
     /// The block matrix in LaTeX, to stand in a document that uses `amsmath`.
@@ -40,9 +40,8 @@ impl BlockSystem {
             columns.iter().map(|column| format!(r"\mathbf{{c}}_{{{}}}", column.layer().number)).collect();
         line(out, format_args!(r"  & {} & \\ \hline", header.join(" & ")));
         for row in self.rows() {
-            let entry = |column| row.blocks.iter().find(|block| block.column == column);
-            let entries: Vec<String> =
-                (0..columns.len()).map(|column| entry(column).map_or(String::new(), signed)).collect();
+            let entry = |column| row.blocks.iter().filter(move |block| block.column == column).map(signed).collect();
+            let entries: Vec<String> = (0..columns.len()).map(entry).collect();
             line(out, format_args!(r"  {} & {} & {} \\", row.latex_name(), entries.join(" & "), row.latex_right()));
         }
         line(out, r"\end{array}");
@@ -74,7 +73,12 @@ fn signed(block: &Block) -> String {
         Face::Top => 't',
         Face::Bottom => 'b',
     };
-    format!(r"{sign}\mathbf{{{}}}_{{{}}}^{{{face}}}", block.quantity, block.layer)
+    let stiffness = match (block.stiffness.is_some(), block.quantity) {
+        (true, Quantity::U) => "k_t ",
+        (true, _) => "k_n ",
+        (false, _) => "",
+    };
+    format!(r"{sign}{stiffness}\mathbf{{{}}}_{{{}}}^{{{face}}}", block.quantity, block.layer)
 }
 
 impl Row {
@@ -91,6 +95,7 @@ impl Row {
         match self.condition {
             Condition::Continuous(quantity) => format!(r"{place}:\ {quantity}\ \text{{continuous}}"),
             Condition::Zero(quantity, at) => format!(r"{place}:\ {quantity}{}", side(at)),
+            Condition::Sprung(quantity) => format!(r"{place}:\ {quantity}\ \text{{springs}}"),
             Condition::Pressed(at) => format!(r"{place}:\ S{}", side(at)),
         }
     }

@@ -7,11 +7,14 @@
 //! |----------------------|---------------------------------------------------|
 //! | loaded top face      | S = −p, T = 0                                     |
 //! | bonded               | U, V, S, T continuous                             |
+//! | sliding              | V, S continuous, T = 0 above and below            |
+//! | springs              | S, T continuous, S = k_n [V], T = k_t [U]         |
 //! | receding             | S = −p and T = 0, above and below                 |
 //! | bonded to rigid      | U = V = 0                                         |
 //! | receding on rigid    | S = −p, T = 0 above                               |
 //!
 //! Any legal stack gives as many conditions as amplitudes.
+mod across;
 mod block;
 mod evaluate;
 mod inside;

@@ -23,8 +23,9 @@ impl fmt::Display for BlockSystem {
         let header = self.columns().iter().map(Column::to_string);
         table.set_header([String::new()].into_iter().chain(header).chain([String::new()]));
         for row in self.rows() {
-            let entry = |column| row.blocks.iter().find(|block| block.column == column);
-            let entries = (0..self.columns().len()).map(|column| entry(column).map_or(String::new(), entry_text));
+            let entry =
+                |column| row.blocks.iter().filter(move |block| block.column == column).map(entry_text).collect();
+            let entries = (0..self.columns().len()).map(entry);
             table.add_row([row.name()].into_iter().chain(entries).chain([row.right_hand_side()]));
         }
         for column in table.column_iter_mut().skip(1) {
@@ -37,7 +38,16 @@ impl fmt::Display for BlockSystem {
 /// A block within its column, e.g. `+S(bottom)`.
 fn entry_text(block: &Block) -> String {
     let sign = if block.negative { '-' } else { '+' };
-    format!("{sign}{}({})", block.quantity, block.face)
+    format!("{sign}{}{}({})", stiffness(block), block.quantity, block.face)
+}
+
+/// The stiffness of springs before a displacement: normal or tangential.
+fn stiffness(block: &Block) -> &'static str {
+    match (block.stiffness.is_some(), block.quantity) {
+        (true, Quantity::U) => "kt·",
+        (true, _) => "kn·",
+        (false, _) => "",
+    }
 }
 
 impl fmt::Display for Column {
@@ -68,7 +78,7 @@ impl fmt::Display for Row {
         write!(f, "{}:", self.name())?;
         for block in &self.blocks {
             let sign = if block.negative { '-' } else { '+' };
-            write!(f, " {sign}{}({} of {})", block.quantity, block.face, block.layer)?;
+            write!(f, " {sign}{}{}({} of {})", stiffness(block), block.quantity, block.face, block.layer)?;
         }
         write!(f, " {}", self.right_hand_side())
     }
@@ -80,6 +90,7 @@ impl fmt::Display for Condition {
             Self::Continuous(quantity) => write!(f, "{quantity} continuous"),
             Self::Zero(quantity, side) => write!(f, "{quantity} {side}"),
             Self::Pressed(side) => write!(f, "S {side}"),
+            Self::Sprung(quantity) => write!(f, "{quantity} springs"),
         }
     }
 }

@@ -1,0 +1,56 @@
+//! What joins two layers of a laminate.
+use std::fmt;
+
+/// An interface that does not open, told by two stiffnesses: how the jump of the displacements across it follows from the
+/// stresses, σ_yy = normal times the jump of v, σ_xy = tangential times that of u. Bonded layers, layers that slide, and springs are the same
+/// with other numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Stress per length; infinite where v is continuous.
+    pub normal: f64,
+    /// Stress per length; infinite where u is continuous, 0 where nothing hinders sliding.
+    pub tangential: f64,
+}
+
+impl Joint {
+    /// u and v are continuous.
+    pub const BONDED: Self = Self { normal: f64::INFINITY, tangential: f64::INFINITY };
+    /// v is continuous, and there is no friction.
+    pub const SLIDING: Self = Self { normal: f64::INFINITY, tangential: 0.0 };
+
+    /// Both, one on top of the other with nothing between: jumps add up.
+    pub(super) fn in_series(self, other: Self) -> Self {
+        let together = |a: f64, b: f64| (a.recip() + b.recip()).recip();
+        Self { normal: together(self.normal, other.normal), tangential: together(self.tangential, other.tangential) }
+    }
+
+    /// Whether v may jump.
+    pub(super) fn gives_way(self) -> bool {
+        self.normal.is_finite()
+    }
+}
+
+impl fmt::Display for Joint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::BONDED => f.write_str("bonded"),
+            Self::SLIDING => f.write_str("sliding"),
+            Self { normal, tangential: 0.0 } => write!(f, "springs {normal:?}"),
+            Self { normal, tangential } => write!(f, "springs {normal:?}, along {tangential:?}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn in_a_series_the_weaker_prevails() {
+        let spring = Joint { normal: 2.0, tangential: 0.0 };
+        assert_eq!(Joint::BONDED.in_series(Joint::BONDED), Joint::BONDED);
+        assert_eq!(Joint::BONDED.in_series(Joint::SLIDING), Joint::SLIDING);
+        assert_eq!(Joint::SLIDING.in_series(spring), spring);
+        assert_eq!(spring.in_series(Joint { normal: 2.0, tangential: 3.0 }), Joint { normal: 1.0, tangential: 0.0 });
+    }
+}
