@@ -264,9 +264,8 @@ fn bodies_touch_inside_the_contacts() {
     }
 }
 
-/// Central differences of fourth order.
-fn slope(f: impl Fn(f64) -> FieldPoint, at: f64, step: f64) -> impl Fn(fn(&FieldPoint) -> f64) -> f64 {
-    let values = [-2.0, -1.0, 1.0, 2.0].map(|k| f(at + k * step));
+/// Central differences of fourth order, from values at −2, −1, 1, 2 steps.
+fn slope<'a>(values: &'a [FieldPoint], step: f64) -> impl Fn(fn(&FieldPoint) -> f64) -> f64 + 'a {
     move |pick| {
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| pick(&values[k]));
         (a - 8.0 * b + 8.0 * c - d) / (12.0 * step)
@@ -287,9 +286,12 @@ fn fields_are_in_equilibrium_and_obey_hooke() {
             for part in [0.03, 0.4, 0.93] {
                 for x in [0.15, 0.8, 3.0] {
                     let depth = from + part * (to - from);
-                    let at = |x, depth| case.field.at_layer(x, depth, number).expect("inside");
-                    let along = slope(|x| at(x, depth), x, step);
-                    let across = slope(|depth| at(x, depth), depth, step);
+                    let spot = |x, depth| Spot { x, depth, layer: Some(number) };
+                    let steps = [-2.0, -1.0, 1.0, 2.0].map(|k| k * step);
+                    let beside = steps.map(|step| spot(x + step, depth));
+                    let below = steps.map(|step| spot(x, depth + step));
+                    let points = case.field.points(&[&beside[..], &below, &[spot(x, depth)]].concat()).expect("inside");
+                    let (along, across) = (slope(&points[..4], step), slope(&points[4..8], step));
                     let what = format!("{}, layer {number}, depth {depth}, x = {x}", case.name);
                     // y points upwards, depth downwards
                     let tolerance = 1e-6 * case.peak();
@@ -297,7 +299,7 @@ fn fields_are_in_equilibrium_and_obey_hooke() {
                     close(along(|p| p.sigma_xy), across(|p| p.sigma_yy), tolerance, &what);
                     let Some(layer) = layer else { continue };
                     let material = layer.material(depth - from, plane);
-                    let point = at(x, depth);
+                    let point = points[8];
                     let stretch = along(|p| p.u) * material.axial_stiffness + material.coupling * point.sigma_yy;
                     close(point.sigma_xx, stretch, tolerance * material.axial_stiffness.max(1.0), &what);
                     let shear = along(|p| p.v) - across(|p| p.u);
