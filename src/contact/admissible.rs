@@ -108,9 +108,8 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
-    let bases: Vec<Basis> = (0..n)
-        .map(|i| Basis::new(&layout, &layout.own[i], level.half_lengths[i], modes[i].len(), Vec::new()))
-        .collect();
+    let bases: Vec<Basis> =
+        (0..n).map(|i| Basis::new(&layout, i, level.half_lengths[i], modes[i].len(), Vec::new())).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
     let equations = Equations::new(&layout, &bases, &counts, &linked);
@@ -126,7 +125,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
         // next to the contact, and far from it
         for reach in [0.5 * a.min(end - a), end - a] {
             let step = reach / GAPS as f64;
-            let rest = deflections(&layout.zeta, &transforms[i], a, step);
+            let rest = deflections(&layout.zeta, &transforms[i][..layout.own[i].reach], a, step);
             own.extend(rest.into_iter().enumerate().map(|(k, rest)| {
                 let x = a + step * (k + 1) as f64;
                 let t = (x / a).acosh();

@@ -8,7 +8,8 @@ use num_complex::Complex64;
 
 use crate::numeric::bessel;
 
-use super::layout::{Layout, Own, Tail};
+use super::layout::Layout;
+use super::tail::Tail;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(super) struct Basis {
@@ -16,8 +17,6 @@ pub(super) struct Basis {
     pub(super) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
     pub(super) deficit: Vec<f64>,
-    /// Weights of all rows for the contact's own kernel.
-    pub(super) weights: Vec<f64>,
     rows: usize,
     /// J_n/a for n = 0, 1, ..., 2·modes, column by column.
     table: Vec<f64>,
@@ -28,32 +27,25 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// The modes at one half-length; `table` is storage to be used again, whatever is in it.
-    pub(super) fn new(layout: &Layout, own: &Own, half_length: f64, modes: usize, mut table: Vec<f64>) -> Self {
-        let Tail { smooth, smooth_weights, turned, .. } = &own.tail;
-        let rows = own.reach + 2 * (smooth.len() + turned.len());
-        let mut arguments: Vec<f64> = layout.zeta[..own.reach].iter().map(|zeta| zeta * half_length).collect();
+    /// The modes of contact `i` at one half-length; `table` is storage to be used again, whatever is in it.
+    pub(super) fn new(layout: &Layout, i: usize, half_length: f64, modes: usize, mut table: Vec<f64>) -> Self {
+        let (tail, reach) = (layout.tail(i), layout.own[i].reach);
+        let rows = reach + tail.rows();
+        let mut arguments: Vec<f64> = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
         let orders = 2 * modes + 1;
         table.resize(orders * rows, 0.0);
         bessel::scaled_table(orders, &arguments, half_length.recip(), rows, &mut table);
-        let j1 = &table[rows..rows + own.reach];
+        let j1 = &table[rows..rows + reach];
         let deficit =
             arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length)).collect();
-        let paths: Vec<Complex64> = turned.iter().map(|zeta| zeta * half_length).collect();
-
-        let mut weights = own.unit.clone();
-        weights.resize(own.reach, 0.0);
-        if rows > own.reach {
-            let smooth: Vec<f64> = smooth.iter().map(|zeta| zeta * half_length).collect();
-            fill_tail(&own.tail, half_length, &smooth, &paths, own.reach, rows, &mut table);
+        let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
+        if rows > reach {
+            let smooth: Vec<f64> = tail.smooth.iter().map(|zeta| zeta * half_length).collect();
+            fill_tail(tail, half_length, &smooth, &paths, reach, rows, &mut table);
             arguments.extend(&smooth);
             arguments.extend(&smooth);
-            weights.extend(smooth_weights);
-            weights.extend(smooth_weights);
-            weights.extend(std::iter::repeat_n(1.0, turned.len()));
-            weights.extend(std::iter::repeat_n(-1.0, turned.len()));
         }
-        Self { half_length, deficit, weights, rows, table, arguments, paths }
+        Self { half_length, deficit, rows, table, arguments, paths }
     }
 
     /// The storage, to be used again.
@@ -142,9 +134,8 @@ fn fill_tail(
     bessel::jy_table(orders, smooth, &mut j, &mut y);
     let mut h = vec![Complex64::ZERO; orders * paths.len()];
     bessel::hankel_table(orders, paths, &mut h);
-    let factors = paths.iter().zip(&tail.lift).zip(&tail.turned_roots);
-    let factors: Vec<Complex64> =
-        factors.map(|((z, lift), root)| (Complex64::I * z + lift).exp() * root / half_length).collect();
+    let factors = paths.iter().zip(&tail.lift);
+    let factors: Vec<Complex64> = factors.map(|(z, lift)| (Complex64::I * z + lift).exp() * scale).collect();
     for (n, column) in table.chunks_exact_mut(rows).enumerate() {
         let (count, turned) = (smooth.len(), paths.len());
         let (js, rest) = column[first..].split_at_mut(count);

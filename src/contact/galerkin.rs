@@ -19,6 +19,7 @@ use faer::{Accum, Mat, MatRef, Par};
 
 use super::basis::Basis;
 use super::layout::Layout;
+use super::tail::Weights;
 
 /// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
@@ -113,20 +114,24 @@ impl<'a> Equations<'a> {
 
     fn difference(&self, i: usize) -> Mat<f64> {
         let (upper, lower) = (&self.bases[i], &self.bases[i + 1]);
-        let zeta = &self.layout.zeta[..self.layout.coupling[i].len()];
-        let mut difference = Mat::zeros(zeta.len(), self.modes[i]);
+        let rows = self.layout.coupling[i].rows();
+        let mut difference = Mat::zeros(rows, self.modes[i]);
         for m in 0..self.modes[i] {
             let column = difference.col_as_slice_mut(m);
-            if m == 0 {
-                for (k, value) in column.iter_mut().enumerate() {
-                    *value = 0.5 * zeta[k] * (upper.deficit[k] - lower.deficit[k]);
-                }
-            } else if self.links(i, m) {
+            if self.links(i, m) {
                 for (value, (u, v)) in column.iter_mut().zip(upper.value(m).iter().zip(lower.value(m))) {
                     *value = u - v;
                 }
             } else {
-                column.copy_from_slice(&upper.value(m)[..zeta.len()]);
+                column.copy_from_slice(&upper.value(m)[..rows]);
+            }
+            if m == 0 {
+                // long waves feel only what is beyond the resultant
+                for (value, (zeta, (u, v))) in
+                    column.iter_mut().zip(self.layout.zeta.iter().zip(upper.deficit.iter().zip(&lower.deficit)))
+                {
+                    *value = 0.5 * zeta * (u - v);
+                }
             }
         }
         difference
@@ -137,7 +142,8 @@ impl<'a> Equations<'a> {
         let size = self.size();
         let mut matrix = Mat::<f64>::zeros(size, size);
         for (i, basis) in self.bases.iter().enumerate() {
-            let mut gram = symmetric_product(basis.values(self.modes[i]), &basis.weights);
+            let weighted_values = weighted(&self.layout.own[i].unit, self.modes[i], |m| basis.value(m));
+            let mut gram = symmetric_product(basis.values(self.modes[i]), &weighted_values);
             for m in 0..self.modes[i] {
                 gram[(m, m)] += self.cauchy(i, m);
             }
@@ -145,16 +151,19 @@ impl<'a> Equations<'a> {
         }
         for (i, difference) in self.differences.iter().enumerate() {
             let weights = &self.layout.coupling[i];
-            if weights.is_empty() {
+            if weights.rows() == 0 {
                 continue;
             }
-            let lower = self.bases[i + 1].values(self.modes[i + 1]);
-            let lower = lower.subrows(0, weights.len());
-            let gram = symmetric_product(difference.as_ref(), weights);
+            let below = &self.bases[i + 1];
+            let lower = below.values(self.modes[i + 1]);
+            let lower = lower.subrows(0, weights.rows());
+            let weighted_lower = weighted(weights, self.modes[i + 1], |m| below.value(m));
+            let weighted_difference = weighted(weights, self.modes[i], |m| difference.col_as_slice(m));
+            let gram = symmetric_product(difference.as_ref(), &weighted_difference);
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
-            let gram = symmetric_product(lower, weights);
+            let gram = symmetric_product(lower, &weighted_lower);
             self.add_symmetric(&mut matrix, &gram, |_| i + 1..i + 2);
-            let gram = product(difference.as_ref(), weights, lower);
+            let gram = product(difference.as_ref(), &weighted_lower);
             for m in 0..gram.nrows() {
                 for n in 0..gram.ncols() {
                     let column = self.place(i + 1, n);
@@ -225,7 +234,8 @@ impl<'a> Equations<'a> {
             let mut rows: Vec<Vec<f64>> = self.modes.iter().map(|modes| vec![0.0; *modes]).collect();
             let basis = &self.bases[by];
             // the tests of this contact change ...
-            let mut response: Rows = basis.weights.iter().zip(&pressures[by]).map(|(w, p)| w * p).collect();
+            let mut response = vec![0.0; basis.rows()];
+            self.layout.own[by].unit.add_times(1.0, &pressures[by], &mut response);
             let mut sides = Vec::with_capacity(2);
             if by > 0 {
                 sides.push((by - 1, by - 1, -1.0));
@@ -234,22 +244,19 @@ impl<'a> Equations<'a> {
                 sides.push((by, by + 1, 1.0));
             }
             for &(laminate, _, sign) in &sides {
-                for ((s, w), jump) in response.iter_mut().zip(&self.layout.coupling[laminate]).zip(&jumps[laminate]) {
-                    *s += sign * w * jump;
-                }
+                self.layout.coupling[laminate].add_times(sign, &jumps[laminate], &mut response);
             }
             let tested = basis.test(&response, self.modes[by]);
             add(&mut rows[by], &basis.test_slopes(&response, &tested));
             // ... and so does its pressure
             let change = basis.combine_slopes(&modes[by], &pressures[by]);
-            let mut response: Rows = basis.weights.iter().zip(&change).map(|(w, p)| w * p).collect();
+            let mut response = vec![0.0; basis.rows()];
+            self.layout.own[by].unit.add_times(1.0, &change, &mut response);
             for &(laminate, other, _) in &sides {
                 let coupling = &self.layout.coupling[laminate];
                 let mut there = vec![0.0; self.bases[other].rows()];
-                for (k, (w, p)) in coupling.iter().zip(&change).enumerate() {
-                    response[k] += w * p;
-                    there[k] = -w * p;
-                }
+                coupling.add_times(1.0, &change, &mut response);
+                coupling.add_times(-1.0, &change, &mut there);
                 add(&mut rows[other], &self.bases[other].test(&there, self.modes[other]));
             }
             add(&mut rows[by], &basis.test(&response, self.modes[by]));
@@ -317,12 +324,11 @@ impl<'a> Equations<'a> {
             .collect();
         for (i, basis) in self.bases.iter().enumerate() {
             let pressure = basis.combine(&modes[i]);
-            let mut response: Rows = basis.weights.iter().zip(&pressure).map(|(w, p)| w * p).collect();
+            let mut response = vec![0.0; basis.rows()];
+            self.layout.own[i].unit.add_times(1.0, &pressure, &mut response);
             for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
                 if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
-                    for ((s, w), jump) in response.iter_mut().zip(weights).zip(jump) {
-                        *s += sign * w * jump;
-                    }
+                    weights.add_times(sign, jump, &mut response);
                 }
             }
             responses.push(response);
@@ -345,35 +351,30 @@ fn add(sum: &mut [f64], more: &[f64]) {
     sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
 }
 
-/// diag(weights) · matrix, over as many rows as there are weights.
-fn weighted(matrix: MatRef<'_, f64>, weights: &[f64]) -> Mat<f64> {
-    let mut weighted = Mat::zeros(weights.len(), matrix.ncols());
-    for m in 0..matrix.ncols() {
-        let column = weighted.col_as_slice_mut(m);
-        for ((out, w), value) in column.iter_mut().zip(weights).zip(matrix.col(m).iter()) {
-            *out = w * value;
-        }
+/// Weights times as many columns, over the rows that they cover.
+fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b [f64]) -> Mat<f64> {
+    let mut weighted = Mat::zeros(weights.rows(), columns);
+    for m in 0..columns {
+        weights.add_times(1.0, column(m), weighted.col_as_slice_mut(m));
     }
     weighted
 }
 
-/// leftᵀ diag(weights) right.
-fn product(left: MatRef<'_, f64>, weights: &[f64], right: MatRef<'_, f64>) -> Mat<f64> {
+/// leftᵀ right.
+fn product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
     let mut product = Mat::zeros(left.ncols(), right.ncols());
-    let right = weighted(right, weights);
     matmul(product.as_mut(), Accum::Replace, left.transpose(), right.as_ref(), 1.0, Par::Seq);
     product
 }
 
-/// matrixᵀ diag(weights) matrix, its lower half.
-fn symmetric_product(matrix: MatRef<'_, f64>, weights: &[f64]) -> Mat<f64> {
-    let mut product = Mat::zeros(matrix.ncols(), matrix.ncols());
-    let right = weighted(matrix, weights);
+/// leftᵀ right where that is symmetric, its lower half.
+fn symmetric_product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
+    let mut product = Mat::zeros(left.ncols(), left.ncols());
     triangular::matmul(
         product.as_mut().rb_mut(),
         BlockStructure::TriangularLower,
         Accum::Replace,
-        matrix.transpose(),
+        left.transpose(),
         BlockStructure::Rectangular,
         right.as_ref(),
         BlockStructure::Rectangular,

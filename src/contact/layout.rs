@@ -2,14 +2,11 @@
 //!
 //! Every matrix entry is an integral of a kernel times two Bessel functions, ∫ g(ζ) J_k(ζa) J_j(ζa') dζ/ζ. What is
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
-//! 1/ζ. Beyond a wavenumber R past the turning points, Ra > order, the products of one contact's own functions split,
-//! J_k J_j = ½ Re(H_k H̄_j) + ½ Re(H_k H_j): the first part does not oscillate, the second decays in the upper half of
-//! the complex plane, where its path is turned.
-use num_complex::Complex64;
-
+//! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
 use crate::kernel::{Kernel, Panel};
-use crate::numeric::chebyshev::Series;
-use crate::numeric::quadrature::{laguerre_rule, rule};
+use crate::numeric::quadrature::rule;
+
+use super::tail::{MOST_UNLIKE, Tail, Weights, turning};
 
 /// Longest stretch, in Gauss points, before it is cut in two.
 const LONGEST: usize = 512;
@@ -17,9 +14,6 @@ const LONGEST: usize = 512;
 const MOST_WAVENUMBERS: usize = 16_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
-/// Points on the path into the complex plane.
-const TURNED_POINTS: usize = 32;
-
 /// Real wavenumbers that a tail must save.
 const TAIL_PAYS: f64 = 100.0;
 
@@ -42,52 +36,28 @@ impl Accuracy {
 /// For the first steps.
 pub(super) const COARSE: Accuracy = Accuracy { negligible: 1e-5, spare: 6.0 };
 
-/// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`.
+/// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(super) struct Layout {
     /// Real wavenumbers, ascending, shared by all contacts.
     pub(super) zeta: Vec<f64>,
     /// Per contact.
     pub(super) own: Vec<Own>,
     /// Per pair of neighbours: weights −dζ/ζ times the coupling.
-    pub(super) coupling: Vec<Vec<f64>>,
+    pub(super) coupling: Vec<Weights>,
+    /// What lies beyond, for contacts that share it.
+    tails: Vec<Tail>,
 }
 
 /// What belongs to one contact alone.
 pub(super) struct Own {
     /// Weights dζ/ζ times the kernel under equal neighbouring pressures less its limit.
-    pub(super) unit: Vec<f64>,
+    pub(super) unit: Weights,
     /// How many real wavenumbers anything of this contact needs.
     pub(super) reach: usize,
     /// g∞.
     pub(super) limit: f64,
-    /// What lies beyond, where J J is split.
-    pub(super) tail: Tail,
-}
-
-/// The integrals beyond the wavenumber R.
-#[derive(Default)]
-pub(super) struct Tail {
-    /// Nodes of ½ Re(H_k H̄_j) = ½ (J J + Y Y).
-    pub(super) smooth: Vec<f64>,
-    /// Their weights, ½ included.
-    pub(super) smooth_weights: Vec<f64>,
-    /// Nodes of ½ Re(H_k H_j) on the path R + is/(2a).
-    pub(super) turned: Vec<Complex64>,
-    /// s/2 there: H e^(s/2) is of size one.
-    pub(super) lift: Vec<f64>,
-    /// Square roots of their weights, ½ included.
-    pub(super) turned_roots: Vec<Complex64>,
-}
-
-/// Points per stretch of the part of a tail that does not oscillate: the phases of H_k and H_j, equal far out, still
-/// turn against each other by 0.4 (k − j) near the turning point.
-fn smooth_points(orders: usize) -> usize {
-    24 + orders / 6
-}
-
-/// Past the turning point of the highest order, and where Hankel's expansion holds for half-lengths nearby.
-fn turning(orders: usize) -> f64 {
-    1.3 * orders as f64 + 22.0
+    /// Which of the tails is this contact's.
+    tail: usize,
 }
 
 /// What a layout is built from.
@@ -103,6 +73,34 @@ struct Plan<'a> {
     span: f64,
 }
 
+/// Contacts next to each other that share a tail, or have none.
+struct Group {
+    contacts: Vec<usize>,
+    /// R; infinite without a tail.
+    from: f64,
+}
+
+/// Which contacts have tails, and which share them: where that saves real wavenumbers.
+fn groups(half_lengths: &[f64], orders: &[usize], ends: &[f64], coupled: &[f64]) -> Vec<Group> {
+    let pays = |a: f64, from: f64, to: f64| 0.5 * a * (to - from) > TAIL_PAYS;
+    let mut groups: Vec<Group> = Vec::new();
+    for (i, a) in half_lengths.iter().enumerate() {
+        let turned = turning(orders[i]) / a;
+        let from = if pays(*a, turned, ends[i]) { turned } else { f64::INFINITY };
+        if let Some(above) = groups.last_mut() {
+            let alike = above.contacts.iter().all(|k| (half_lengths[*k] / a).ln().abs() < MOST_UNLIKE.ln());
+            let both = above.from.max(from);
+            if alike && both.is_finite() && pays(*a, both, coupled[i - 1]) {
+                above.contacts.push(i);
+                above.from = both;
+                continue;
+            }
+        }
+        groups.push(Group { contacts: vec![i], from });
+    }
+    groups
+}
+
 impl Layout {
     /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, able to resolve
     /// the fields out to |x| = `span` besides; `None` if that takes too many wavenumbers.
@@ -114,49 +112,94 @@ impl Layout {
         span: f64,
     ) -> Option<Self> {
         let n = kernel.contacts();
-        let mut layout = Self { zeta: Vec::new(), own: Vec::new(), coupling: vec![Vec::new(); n - 1] };
-        let mut reaches = Vec::with_capacity(n);
-        for i in 0..n {
-            let (ends, turned) = (kernel.vanishes(i, accuracy.negligible), turning(orders[i]) / half_lengths[i]);
-            // a tail takes nodes, too
-            let tail = 0.5 * half_lengths[i] * (ends - turned) > TAIL_PAYS;
-            reaches.push(if tail { turned } else { ends });
-            layout.own.push(Own {
-                unit: Vec::new(),
-                reach: 0,
-                limit: kernel.far(i).limit,
-                tail: if tail { Tail::new(kernel, i, turned, half_lengths[i], orders[i]) } else { Tail::default() },
-            });
-        }
+        let ends: Vec<f64> = (0..n).map(|i| kernel.vanishes(i, accuracy.negligible)).collect();
         let coupled: Vec<f64> = (0..n - 1).map(|i| kernel.uncoupled(i, accuracy.negligible)).collect();
-        let last = coupled.iter().chain(&reaches).copied().fold(0.0, f64::max);
-        let plan = Plan { kernel, half_lengths, reaches, coupled, accuracy, span };
+        let groups = groups(half_lengths, orders, &ends, &coupled);
+        let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
+        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
+        let mut layout = Self {
+            zeta: Vec::new(),
+            own: (0..n).map(own).collect(),
+            coupling: vec![Weights::default(); n - 1],
+            tails: Vec::new(),
+        };
+        let shared = |i: usize| group_of(i) == group_of(i + 1);
+        let plan = Plan {
+            kernel,
+            half_lengths,
+            reaches: (0..n).map(|i| groups[group_of(i)].from.min(ends[i])).collect(),
+            coupled: (0..n - 1)
+                .map(|i| if shared(i) { groups[group_of(i)].from.min(coupled[i]) } else { coupled[i] })
+                .collect(),
+            accuracy,
+            span,
+        };
+        layout.real(&plan)?;
+        for group in &groups {
+            let reach = group.contacts.iter().map(|i| layout.felt(*i)).fold(0, usize::max);
+            for i in &group.contacts {
+                layout.own[*i].reach = reach;
+                layout.own[*i].unit.plain.resize(reach, 0.0);
+            }
+            if group.from.is_infinite() {
+                layout.tails.push(Tail::default());
+                continue;
+            }
+            let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
+            let finite = |i: &usize| if ends[*i].is_finite() { ends[*i] } else { kernel.far(*i).from };
+            let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(n - 1)];
+            let to = group.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
+            let to = to.fold(0.0, f64::max);
+            let tail = Tail::new(kernel, &group.contacts, half_lengths, orders, group.from, to)?;
+            for i in &group.contacts {
+                tail.extend(&mut layout.own[*i].unit, |zeta| kernel.unit_excess(*i, zeta));
+            }
+            for i in group.contacts.iter().skip(1).map(|below| below - 1) {
+                layout.coupling[i].plain.resize(reach, 0.0);
+                tail.extend(&mut layout.coupling[i], |zeta| -kernel.coupling(i, zeta));
+            }
+            layout.tails.push(tail);
+        }
+        Some(layout)
+    }
+
+    /// The tail of contact i.
+    pub(super) fn tail(&self, i: usize) -> &Tail {
+        &self.tails[self.own[i].tail]
+    }
+
+    /// How many real wavenumbers contact i needs.
+    fn felt(&self, i: usize) -> usize {
+        let couplings = self.coupling[i.saturating_sub(1)..(i + 1).min(self.coupling.len())].iter();
+        couplings.map(|weights| weights.plain.len()).fold(self.own[i].unit.plain.len(), usize::max)
+    }
+
+    /// All real wavenumbers; `None` if they are too many.
+    fn real(&mut self, plan: &Plan) -> Option<()> {
+        let last = plan.coupled.iter().chain(&plan.reaches).copied().fold(0.0, f64::max);
         // fields far away take more
-        let most = if span > 0.0 { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
+        let most = if plan.span > 0.0 { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {
                 break;
             }
-            if layout.zeta.len() > most {
+            if self.zeta.len() > most {
                 return None;
             }
-            let panel = kernel.panels().get(panel);
+            let panel = plan.kernel.panels().get(panel);
             let next = panel.map_or(2.0 * edge, |panel| panel.to);
             let mut cuts = vec![edge];
-            cuts.extend(plan.reaches.iter().copied().filter(|&r| edge < r && r < next));
+            cuts.extend(plan.reaches.iter().chain(&plan.coupled).copied().filter(|&r| edge < r && r < next));
             cuts.push(next);
             cuts.sort_by(f64::total_cmp);
+            cuts.dedup();
             for pair in cuts.windows(2) {
-                layout.stretch(&plan, panel, pair[0], pair[1]);
+                self.stretch(plan, panel, pair[0], pair[1]);
             }
             edge = next;
         }
-        for i in 0..n {
-            let couplings = layout.coupling[i.saturating_sub(1)..(i + 1).min(n - 1)].iter().map(Vec::len);
-            layout.own[i].reach = couplings.fold(layout.own[i].unit.len(), usize::max);
-        }
-        Some(layout)
+        Some(())
     }
 
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
@@ -202,7 +245,7 @@ impl Layout {
             };
             for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
                 let far = kernel.far(i);
-                own.unit.extend(weights.iter().enumerate().map(|(k, weight)| {
+                own.unit.plain.extend(weights.iter().enumerate().map(|(k, weight)| {
                     let unit = match &values {
                         Some(values) if from < far.from => values.unit(i, k) - far.limit,
                         _ => {
@@ -214,40 +257,8 @@ impl Layout {
                 }));
             }
             for (i, pair) in self.coupling.iter_mut().enumerate().filter(|(i, _)| to <= plan.coupled[*i]) {
-                pair.extend(weights.iter().enumerate().map(|(k, weight)| -weight * coupling(i, k)));
+                pair.plain.extend(weights.iter().enumerate().map(|(k, weight)| -weight * coupling(i, k)));
             }
         }
-    }
-}
-
-impl Tail {
-    fn new(kernel: &Kernel, contact: usize, from: f64, half_length: f64, orders: usize) -> Self {
-        let far = kernel.far(contact);
-        let excess = |zeta: f64| kernel.unit_excess(contact, zeta);
-        let mut tail = Self::default();
-        for panel in kernel.panels().iter().filter(|panel| panel.to > from && panel.to <= far.from) {
-            for (zeta, weight) in rule(smooth_points(orders)).on(from.max(panel.from), panel.to) {
-                tail.smooth.push(zeta);
-                tail.smooth_weights.push(0.5 * weight / zeta * excess(zeta));
-            }
-        }
-        if !far.is_constant() {
-            // ζ = start/u
-            let start = from.max(far.from);
-            for (u, weight) in rule(smooth_points(orders)).on(0.0, 1.0) {
-                tail.smooth.push(start / u);
-                tail.smooth_weights.push(0.5 * weight / u * far.excess(start / u));
-            }
-        }
-        let local = if from >= far.from { None } else { Some(Series::of(0.55 * from, 2.2 * from, 28, excess)) };
-        let laguerre = laguerre_rule(TURNED_POINTS);
-        for (s, weight) in laguerre.nodes.iter().zip(&laguerre.weights) {
-            let zeta = Complex64::new(from, 0.5 * s / half_length);
-            let g = local.as_ref().map_or_else(|| far.excess_complex(zeta), |local| local.eval_complex(zeta));
-            tail.turned.push(zeta);
-            tail.lift.push(0.5 * s);
-            tail.turned_roots.push((Complex64::new(0.0, 0.25 * weight / half_length) * g / zeta).sqrt());
-        }
-        tail
     }
 }

@@ -10,6 +10,7 @@ mod pressures;
 mod punch;
 mod refine;
 mod start;
+mod tail;
 
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;

@@ -205,9 +205,9 @@ impl Newton<'_> {
 
 impl Newton<'_> {
     fn bases(&mut self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
-        let contacts = half_lengths.iter().zip(modes).zip(&layout.own);
+        let contacts = half_lengths.iter().zip(modes).enumerate();
         contacts
-            .map(|((a, modes), own)| Basis::new(layout, own, *a, *modes, self.spare.pop().unwrap_or_default()))
+            .map(|(i, (a, modes))| Basis::new(layout, i, *a, *modes, self.spare.pop().unwrap_or_default()))
             .collect()
     }
 }

@@ -1,6 +1,4 @@
 //! Large wavenumbers: a contact feels nothing but the grading at its own faces.
-use num_complex::Complex64;
-
 use crate::Error;
 use crate::numeric::chebyshev::{self, Series};
 
@@ -63,10 +61,5 @@ impl Far {
     /// The kernel less its limit at ζ ≥ `from`.
     pub(crate) fn excess(&self, zeta: f64) -> f64 {
         self.excess.as_ref().map_or(0.0, |series| series.eval(self.from / zeta))
-    }
-
-    /// The same at a complex wavenumber, Re ζ ≥ `from`.
-    pub(crate) fn excess_complex(&self, zeta: Complex64) -> Complex64 {
-        self.excess.as_ref().map_or(Complex64::ZERO, |series| series.eval_complex(self.from / zeta))
     }
 }

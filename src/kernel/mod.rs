@@ -15,6 +15,7 @@ use crate::system::{BaseChain, FreeChain};
 
 pub(crate) use far::Far;
 pub(crate) use panel::Panel;
+use panel::Values;
 
 /// Beyond this λh a face does not feel the other side of its layer: e^(−2·18.5) is below rounding.
 const UNFELT: f64 = 18.5;
@@ -226,9 +227,7 @@ impl Kernel {
     /// How much more easily the laminate between the contacts i and i + 1 bends than both together are squeezed, at one
     /// wavenumber.
     pub(crate) fn ties(&self, i: usize, zeta: f64) -> f64 {
-        let at = self.panels.partition_point(|panel| panel.to < zeta);
-        let Some(panel) = self.panels.get(at) else { return 0.0 };
-        let values = panel.values(&[zeta], zeta, zeta);
+        let Some((panel, values)) = self.at(zeta) else { return 0.0 };
         let squeezed = |i: usize| if panel.from < self.far[i].from { values.unit(i, 0) } else { self.far[i].limit };
         -values.coupling(i, 0) / (squeezed(i) + squeezed(i + 1)).abs()
     }
@@ -238,13 +237,22 @@ impl Kernel {
         self.panels.iter().rev().find(|panel| matters(panel)).map_or(0.0, |panel| panel.to)
     }
 
+    /// The panel that holds one wavenumber, and its values there.
+    fn at(&self, zeta: f64) -> Option<(&Panel, Values)> {
+        let panel = self.panels.get(self.panels.partition_point(|panel| panel.to < zeta))?;
+        Some((panel, panel.values(&[zeta], zeta, zeta)))
+    }
+
+    /// The coupling of the contacts i and i + 1, at one wavenumber.
+    pub(crate) fn coupling(&self, i: usize, zeta: f64) -> f64 {
+        self.at(zeta).map_or(0.0, |(_, values)| values.coupling(i, 0))
+    }
+
     /// The kernel of contact i under equal neighbouring pressures less its limit, at one wavenumber.
     pub(crate) fn unit_excess(&self, contact: usize, zeta: f64) -> f64 {
         let far = &self.far[contact];
-        let at = self.panels.partition_point(|panel| panel.to < zeta);
-        let values = self.panels.get(at).map(|panel| (panel.from, panel.values(&[zeta], zeta, zeta)));
-        match values {
-            Some((from, values)) if from < far.from => values.unit(contact, 0) - far.limit,
+        match self.at(zeta) {
+            Some((panel, values)) if panel.from < far.from => values.unit(contact, 0) - far.limit,
             Some((_, values)) => {
                 let above = contact.checked_sub(1).map_or(0.0, |above| values.coupling(above, 0));
                 let below = if contact + 1 < self.contacts() { values.coupling(contact, 0) } else { 0.0 };
