@@ -91,6 +91,14 @@ pub enum NoSolution {
         /// Where, in length.
         x: f64,
     },
+    /// Bodies touch in more than one interval.
+    #[error("the contact at {} is not one interval: the bodies touch where {}", place(.interface), intervals(.parts))]
+    Parts {
+        /// The contact.
+        interface: Interface,
+        /// Intervals of |x| in which they touch, right to some per cent, ascending, in length; the last may be infinite.
+        parts: Vec<[f64; 2]>,
+    },
     /// Two bodies would overlap.
     #[error("the bodies at {} would overlap at x = {x:e}: no gap outside the contact may be negative", place(.interface))]
     Overlap {
@@ -106,6 +114,15 @@ fn place(interface: &Interface) -> String {
         Interface::Punch => "the punch".to_owned(),
         between => format!("the interface {between}"),
     }
+}
+
+fn intervals(parts: &[[f64; 2]]) -> String {
+    let interval = |[from, to]: &[f64; 2]| match *from {
+        0.0 => format!("|x| < {to:.3e}"),
+        _ if to.is_infinite() => format!("|x| > {from:.3e}"),
+        _ => format!("{from:.3e} < |x| < {to:.3e}"),
+    };
+    parts.iter().map(interval).collect::<Vec<_>>().join(" and ")
 }
 
 impl Error {

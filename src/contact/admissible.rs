@@ -48,8 +48,9 @@ pub(super) fn check(
     let mut check = Check { min_pressure: pushes(kernel, interfaces, level)?, min_gap: 0.0 };
     for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
+        let little = NO_GAP.max(UNRESOLVED * level.worst_error());
         for (x, gap) in gaps {
-            if gap < -NO_GAP * largest {
+            if gap < -little * largest {
                 let x = x * kernel.length();
                 return Err(NoSolution::Overlap { interface: interfaces[i], x }.into());
             }

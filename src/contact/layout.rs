@@ -150,7 +150,8 @@ impl Layout {
             let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(n - 1)];
             let to = group.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
             let to = to.fold(0.0, f64::max);
-            let tail = Tail::new(kernel, &group.contacts, half_lengths, orders, group.from, to)?;
+            let together = group.contacts.iter().skip(1).map(|below| coupled[below - 1]).fold(0.0, f64::max);
+            let tail = Tail::new(kernel, &group.contacts, half_lengths, orders, group.from, together, to)?;
             for i in &group.contacts {
                 tail.extend(&mut layout.own[*i].unit, |zeta| kernel.unit_excess(*i, zeta));
             }

@@ -2,6 +2,7 @@
 mod admissible;
 mod basis;
 mod collocation;
+mod convex;
 mod galerkin;
 mod layout;
 mod level;
@@ -22,9 +23,11 @@ use level::{Level, coefficients};
 use punch::Indentation;
 use refine::refine;
 
-/// What is tried one after the other until a root is admissible: receding contacts from multiples of what the formulas
-/// say, then pressures that are resolved better from the outset, as next to thin, stiff coatings.
-const ATTEMPTS: [(f64, usize); 7] = [(1.0, 1), (0.4, 1), (2.0, 1), (0.15, 1), (5.0, 1), (1.0, 8), (1.0, 32)];
+/// Pressures are resolved so many times better from the outset, one after the other, as next to thin, stiff coatings.
+const FINER: [usize; 3] = [1, 8, 32];
+
+/// How often a contact that would have to pull is tried again with an end where it would.
+const SHORTER: usize = 3;
 
 /// Presses a punch with a force on a stack: the answer in the units of the scene.
 pub(crate) fn press(
@@ -37,49 +40,60 @@ pub(crate) fn press(
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
-    let starts = start::half_lengths(kernel, &indentation)?;
     if options.method == Method::Collocation {
-        return collocation::press(kernel, interfaces, indentation, &starts, options);
+        return collocation::press(kernel, interfaces, indentation, options);
     }
     let mut steps = 0;
-    first_admissible(&starts, &ATTEMPTS, |half_lengths, finer, root| {
-        // a root that was found needs no finer start
-        if root && finer > 1 {
-            return None;
-        }
-        let found = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps);
-        Some(found.and_then(|(level, warnings)| {
-            let check = admissible::check(kernel, interfaces, &indentation, &level)?;
-            Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
-        }))
+    from_any_start(kernel, interfaces, &indentation, |half_lengths, finer| {
+        let (level, warnings) = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps)?;
+        let check = admissible::check(kernel, interfaces, &indentation, &level)?;
+        Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
     })
 }
 
-/// Tries multiples of the receding half-lengths one after the other until an answer is admissible, or the punch too
-/// small. `solve` is told how much finer to begin and whether a root was found before; it may pass.
-fn first_admissible(
-    starts: &[f64],
-    attempts: &[(f64, usize)],
-    mut solve: impl FnMut(Vec<f64>, usize, bool) -> Option<Result<Solution, Error>>,
+/// Solves from half-lengths that formulas expect, and where that fails from those of the convex programme. `solve` is
+/// told, too, how much finer to begin.
+fn from_any_start(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    indentation: &Indentation,
+    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
 ) -> Result<Solution, Error> {
-    let mut failure: Option<NoSolution> = None;
-    for &(factor, finer) in attempts {
-        // a single contact has no receding ones to start differently
-        if starts.len() == 1 && factor != 1.0 {
-            continue;
+    let expected = start::half_lengths(kernel, indentation)?;
+    let mut failure = match solve(expected.clone(), 1) {
+        Err(Error::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
+        decided => return decided,
+    };
+    let ends = match convex::zones(kernel, indentation, &expected) {
+        Some(zones) => {
+            one_interval(kernel, interfaces, &zones)?;
+            zones.iter().map(convex::Zones::end).collect()
         }
-        let half_lengths = starts.iter().enumerate().map(|(i, a)| if i == 0 { *a } else { a * factor }).collect();
-        let root = !matches!(failure, None | Some(NoSolution::NotConverged { .. }));
-        match solve(half_lengths, finer, root) {
-            // a root that is not admissible says more than none
-            Some(Err(Error::NoSolution(found))) if !matches!(found, NoSolution::PunchTooSmall { .. }) => {
-                failure = failure.filter(|_| root).or(Some(found));
+        None => expected,
+    };
+    for finer in FINER {
+        let mut half_lengths = ends.clone();
+        for _ in 0..SHORTER {
+            match solve(half_lengths.clone(), finer) {
+                Err(Error::NoSolution(found)) => failure = found,
+                decided => return decided,
             }
-            Some(decided) => return decided,
-            None => {}
+            // there are roots whose contacts reach past where they should end
+            let NoSolution::Tension { interface, x } = failure else { break };
+            let Some(pulling) = interfaces.iter().position(|contact| *contact == interface) else { break };
+            half_lengths[pulling] = x / kernel.length();
         }
     }
-    Err(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts.to_vec() }).into())
+    Err(failure.into())
+}
+
+/// An error if bodies touch in more than one interval.
+fn one_interval(kernel: &Kernel, interfaces: &[Interface], zones: &[convex::Zones]) -> Result<(), Error> {
+    let several = zones.iter().zip(interfaces).find(|(zones, _)| !zones.is_one());
+    several.map_or(Ok(()), |(zones, interface)| {
+        let parts = zones.parts.iter().map(|part| part.map(|x| x * kernel.length())).collect();
+        Err(NoSolution::Parts { interface: *interface, parts }.into())
+    })
 }
 
 /// The answer in the units of the scene.

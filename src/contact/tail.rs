@@ -20,7 +20,7 @@ pub(super) const MOST_UNLIKE: f64 = 3.0;
 /// Longest stretch, in Gauss points.
 const LONGEST: usize = 512;
 /// No admissible scene was seen to need more smooth nodes.
-const MOST_NODES: usize = 4_000;
+const MOST_NODES: usize = 8_000;
 /// Points of the polynomial that continues a kernel into the complex plane.
 const CONTINUED: usize = 28;
 
@@ -30,9 +30,9 @@ pub(super) fn turning(orders: usize) -> f64 {
 }
 
 /// Points per stretch of the part of a tail that does not oscillate: the phases of H_k and H_j, equal far out, still
-/// turn against each other by 0.4 (k − j) near the turning point.
-fn smooth_points(orders: usize) -> usize {
-    24 + orders / 6
+/// turn against each other by 0.4 (k − j) near the turning point, R, and less the farther out.
+fn smooth_points(orders: usize, near: f64) -> usize {
+    24 + (orders as f64 / 6.0 * near) as usize
 }
 
 /// Nodes beyond R of contacts that share them.
@@ -53,14 +53,15 @@ pub(super) struct Tail {
 }
 
 impl Tail {
-    /// For contacts of the given half-lengths and up to the given order; beyond `to` their kernels are nothing, or
-    /// polynomials in 1/ζ next to graded faces.
+    /// For contacts of the given half-lengths and up to the given order; beyond `coupled` they do not feel each other, and
+    /// beyond `to` their kernels are nothing, or polynomials in 1/ζ next to graded faces.
     pub(super) fn new(
         kernel: &Kernel,
         contacts: &[usize],
         half_lengths: &[f64],
         orders: usize,
         from: f64,
+        coupled: f64,
         to: f64,
     ) -> Option<Self> {
         let own = || contacts.iter().map(|i| half_lengths[*i]);
@@ -68,8 +69,9 @@ impl Tail {
         let mut tail = Self { from, ..Self::default() };
         let mut reached = from;
         for panel in kernel.panels().iter().filter(|panel| panel.to > from && panel.from < to) {
-            let phase = (longest - shortest) * (panel.to - reached);
-            let points = smooth_points(orders) + (0.25 * phase + 3.0 * (0.5 * phase).cbrt()) as usize;
+            let apart = if reached < coupled { longest - shortest } else { 0.0 };
+            let phase = apart * (panel.to - reached);
+            let points = smooth_points(orders, from / reached) + (0.25 * phase + 3.0 * (0.5 * phase).cbrt()) as usize;
             if tail.smooth.len() + points > MOST_NODES {
                 return None;
             }
@@ -83,7 +85,7 @@ impl Tail {
         }
         if contacts.iter().any(|i| !kernel.far(*i).is_constant()) {
             // ζ = start/u
-            let nodes = rule(smooth_points(orders)).on(0.0, 1.0);
+            let nodes = rule(smooth_points(orders, from / reached)).on(0.0, 1.0);
             tail.add(nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));
         }
         let laid_for = if contacts.len() > 1 { LAID_FOR * shortest } else { shortest };

@@ -16,7 +16,7 @@ use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::solution::{Contact, Interface, Solution};
 
-use super::first_admissible;
+use super::from_any_start;
 use super::galerkin::alternating;
 use super::newton::not_converged;
 use super::punch::Indentation;
@@ -28,9 +28,6 @@ use spatial::Spatial;
 /// Numbers of nodes: the first, doubled until the tolerance is met, and the last.
 const COARSEST: usize = 16;
 const FINEST: usize = 512;
-/// Multiples of the receding half-lengths from the formulas that are tried one after the other, and how many times as
-/// many nodes to begin with.
-const ATTEMPTS: [(f64, usize); 6] = [(1.0, 1), (0.4, 1), (2.0, 1), (0.15, 1), (5.0, 1), (1.0, 8)];
 /// Longest step in the logarithm of a half-length.
 const LONGEST_STEP: f64 = 0.5;
 /// Steps for one number of nodes.
@@ -55,17 +52,16 @@ struct Level {
     last_step: f64,
 }
 
-/// Presses a punch on a stack, half-lengths being about `starts` in units of L: the answer in the units of the scene.
+/// Presses a punch on a stack: the answer in the units of the scene.
 pub(super) fn press(
     kernel: &Kernel,
     interfaces: &[Interface],
     punch: Indentation,
-    starts: &[f64],
     options: &Options,
 ) -> Result<Solution, Error> {
     let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: 0 };
-    first_admissible(starts, &ATTEMPTS, |half_lengths, finer, _| {
-        Some(problem.refine(half_lengths, finer * COARSEST, options))
+    from_any_start(kernel, interfaces, &punch, |half_lengths, finer| {
+        problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options)
     })
 }
 

@@ -1,0 +1,68 @@
+//! Elements on which pressures are constant.
+
+/// Elements grow by this factor from the middle outwards.
+const GROWTH: f64 = 1.15;
+/// The first ends at this part of the shortest contact.
+const FIRST: f64 = 0.05;
+/// Elements next to a contact's end that are cut in two.
+const AROUND: usize = 2;
+
+/// The edges of all elements, from x = 0 on, in units of L.
+#[derive(Clone, Debug)]
+pub(super) struct Grid {
+    edges: Vec<f64>,
+}
+
+impl Grid {
+    /// For contacts from a length to another.
+    pub(super) fn new(shortest: f64, end: f64) -> Self {
+        let first = FIRST * shortest;
+        let mut edges = vec![0.0, first];
+        let mut width = first;
+        while edges[edges.len() - 1] < end {
+            let edge = edges[edges.len() - 1];
+            // as long as the first until they may be longer
+            width = width.max((GROWTH - 1.0) * edge);
+            edges.push(edge + width);
+        }
+        Self { edges }
+    }
+
+    pub(super) fn elements(&self) -> usize {
+        self.edges.len() - 1
+    }
+
+    pub(super) fn edges(&self) -> &[f64] {
+        &self.edges
+    }
+
+    pub(super) fn element(&self, e: usize) -> [f64; 2] {
+        [self.edges[e], self.edges[e + 1]]
+    }
+
+    /// The same, and some more.
+    pub(super) fn longer(mut self, factor: f64) -> Self {
+        let end = factor * self.edges[self.edges.len() - 1];
+        while self.edges[self.edges.len() - 1] < end {
+            self.edges.push(GROWTH * self.edges[self.edges.len() - 1]);
+        }
+        self
+    }
+
+    /// Halves the elements around some edges unless they are shorter than a part of their distance from the middle.
+    /// Whether there were any.
+    pub(super) fn refine(&mut self, around: &[usize], fine: f64) -> bool {
+        let mut more: Vec<f64> = Vec::new();
+        for e in 0..self.elements() {
+            let [from, to] = self.element(e);
+            let near = around.iter().any(|edge| (edge.saturating_sub(AROUND)..edge + AROUND).contains(&e));
+            if near && to - from > fine * to {
+                more.push(0.5 * (from + to));
+            }
+        }
+        let found = !more.is_empty();
+        self.edges.extend(more);
+        self.edges.sort_by(f64::total_cmp);
+        found
+    }
+}
