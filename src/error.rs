@@ -151,9 +151,14 @@ impl Error {
                  try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"
                     .to_owned(),
             ),
+            Self::NoSolution(NoSolution::Parts { .. }) => Some(
+                "only contacts of one interval about the middle can be solved: other stiffnesses, thicknesses or another \
+                 force may make it one"
+                    .to_owned(),
+            ),
             Self::NoSolution(NoSolution::Tension { .. } | NoSolution::Overlap { .. }) => Some(
-                "the contact seems to be more than one interval (open in the middle, touching again farther out), which \
-                 is not supported"
+                "the contact may be more than one interval (open in the middle, touching again farther out), which is not \
+                 supported, or too long for the layers next to it, which a smaller force shortens"
                     .to_owned(),
             ),
             _ => None,

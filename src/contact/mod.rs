@@ -26,6 +26,8 @@ use refine::refine;
 /// Pressures are resolved so many times better from the outset, one after the other, as next to thin, stiff coatings.
 const FINER: [usize; 3] = [1, 8, 32];
 
+/// Half-lengths with larger relative errors are none.
+const UNUSABLE: f64 = 0.03;
 /// How often a contact that would have to pull is tried again with an end where it would.
 const SHORTER: usize = 3;
 
@@ -46,6 +48,9 @@ pub(crate) fn press(
     let mut steps = 0;
     from_any_start(kernel, interfaces, &indentation, |half_lengths, finer| {
         let (level, warnings) = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps)?;
+        if level.errors.iter().any(|[half_length, _]| *half_length > UNUSABLE) {
+            return Err(newton::not_converged(kernel, &indentation, &level.half_lengths));
+        }
         let check = admissible::check(kernel, interfaces, &indentation, &level)?;
         Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
     })
@@ -64,13 +69,25 @@ fn from_any_start(
         Err(Error::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
         decided => return decided,
     };
-    let ends = match convex::zones(kernel, indentation, &expected) {
-        Some(zones) => {
-            one_interval(kernel, interfaces, &zones)?;
-            zones.iter().map(convex::Zones::end).collect()
-        }
-        None => expected,
+    let zones = convex::zones(kernel, indentation, &expected);
+    let several = |certain: bool| -> Option<Error> {
+        let parts = |zones: &convex::Zones| if certain { zones.sure.len() } else { zones.apart.len() };
+        // under the middle of the punch there is always contact: a zone too short for the grid says nothing
+        let plausible =
+            |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
+        let mut all = zones.as_ref()?.iter().enumerate();
+        let (i, _) = all.find(|(i, zones)| parts(zones) > 1 && plausible(*i, zones))?;
+        let parts = zones.as_ref()?[i].hull().iter().map(|part| part.map(|x| x * kernel.length())).collect();
+        Some(NoSolution::Parts { interface: interfaces[i], parts }.into())
     };
+    if let Some(error) = several(true) {
+        return Err(error);
+    }
+    let ends = expected.iter().enumerate().map(|(i, expected)| {
+        let end = zones.as_ref().map_or(0.0, |zones| zones[i].end());
+        if end > 0.0 { end } else { *expected }
+    });
+    let ends: Vec<f64> = ends.collect();
     for finer in FINER {
         let mut half_lengths = ends.clone();
         for _ in 0..SHORTER {
@@ -84,16 +101,7 @@ fn from_any_start(
             half_lengths[pulling] = x / kernel.length();
         }
     }
-    Err(failure.into())
-}
-
-/// An error if bodies touch in more than one interval.
-fn one_interval(kernel: &Kernel, interfaces: &[Interface], zones: &[convex::Zones]) -> Result<(), Error> {
-    let several = zones.iter().zip(interfaces).find(|(zones, _)| !zones.is_one());
-    several.map_or(Ok(()), |(zones, interface)| {
-        let parts = zones.parts.iter().map(|part| part.map(|x| x * kernel.length())).collect();
-        Err(NoSolution::Parts { interface: *interface, parts }.into())
-    })
+    Err(several(false).unwrap_or(failure.into()))
 }
 
 /// The answer in the units of the scene.

@@ -141,7 +141,7 @@ impl Newton<'_> {
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
-            (all, half_lengths, step) = plain;
+            (all, half_lengths, step) = plain.clone();
             half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
             point.linearised.follow(&mut all, &step);
             for (own, solved) in all.iter_mut().zip(solved) {
@@ -151,7 +151,15 @@ impl Newton<'_> {
                 *unsettled = [UNKNOWN.max(step * step), UNKNOWN];
             }
         }
+        // half-lengths may settle where high modes do not, for which the dominant part of a row is not its diagonal
+        for (i, [_, unsettled]) in unsettled.iter_mut().enumerate().filter(|(_, [_, pressure])| *pressure > DIVERGED) {
+            all[i] = plain.0[i][..solved[i]].to_vec();
+            *unsettled = UNKNOWN;
+        }
         let rounding = point.linearised.rounding;
+        if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
+            return Err(not_converged(self.kernel, self.punch, &half_lengths));
+        }
         Ok(Converged { half_lengths, modes: all, solved: solved.to_vec(), shift, unsettled, rounding })
     }
 

@@ -7,6 +7,8 @@
 mod energy;
 mod grid;
 mod programme;
+#[cfg(test)]
+mod tests;
 
 use crate::kernel::Kernel;
 
@@ -28,22 +30,32 @@ const FINE: f64 = 0.02;
 /// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
 const SURE: usize = 2;
 
-/// Where one contact touches.
+/// Bodies that touch again so many times farther from the middle than their contact ends do not seem to because of
+/// rounding.
+const FAR: f64 = 1.5;
+
+/// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Zones {
-    /// Intervals of x ≥ 0, in units of L, ascending.
-    pub(super) parts: Vec<[f64; 2]>,
+    /// All that are longer than the grid may feign.
+    pub(super) sure: Vec<[f64; 2]>,
+    /// That about the middle and all far from it, however short.
+    pub(super) apart: Vec<[f64; 2]>,
 }
 
 impl Zones {
-    /// Whether bodies touch in one interval about the middle.
-    pub(super) fn is_one(&self) -> bool {
-        matches!(self.parts[..], [[start, _]] if start == 0.0)
+    /// Where the contact about the middle ends.
+    pub(super) fn end(&self) -> f64 {
+        self.sure.first().map_or(0.0, |part| part[1])
     }
 
-    /// Where the contact ends.
-    pub(super) fn end(&self) -> f64 {
-        self.parts.last().map_or(0.0, |part| part[1])
+    /// The contact about the middle, and from where to where bodies touch farther out, perhaps in several places.
+    pub(super) fn hull(&self) -> Vec<[f64; 2]> {
+        let parts = if self.sure.len() > 1 { &self.sure } else { &self.apart };
+        match parts[..] {
+            [first, second, .., last] => vec![first, [second[0], last[1]]],
+            _ => parts.clone(),
+        }
     }
 }
 
@@ -58,9 +70,12 @@ pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64]) -> O
     for _ in 0..ROUNDS {
         let energy = Energy::new(kernel, punch, &grid);
         let Some(touching) = Programme::new(&energy).solve() else { break };
-        let zones: Vec<Zones> = touching.iter().map(|touching| Zones { parts: parts(touching, &grid) }).collect();
+        let zones = |touching: &Vec<bool>| Zones {
+            sure: parts(&surely(touching), &grid),
+            apart: apart(parts(touching, &grid)),
+        };
+        found = Some(touching.iter().map(zones).collect());
         let ends: Vec<usize> = touching.iter().flat_map(|touching| transitions(touching)).collect();
-        found = Some(zones);
         // bodies that touch again far away do so for ever
         if longer > 0 && touching.iter().any(|touching| touching[grid.elements() - 1]) {
             longer -= 1;
@@ -77,8 +92,8 @@ fn transitions(touching: &[bool]) -> impl Iterator<Item = usize> {
     touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1)
 }
 
-/// Intervals of elements that touch; what is too short to be sure of is left out.
-fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
+/// The same without what is too short to be sure of.
+fn surely(touching: &[bool]) -> Vec<bool> {
     let mut sure = touching.to_vec();
     for wanted in [true, false] {
         let mut start = 0;
@@ -93,12 +108,25 @@ fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
             }
         }
     }
+    sure
+}
+
+/// The first interval and those far from it.
+fn apart(mut parts: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let end = parts.first().map_or(0.0, |part| part[1]);
+    parts.retain(|part| part[1] == end || part[0] > FAR * end);
+    parts
+}
+
+/// Intervals of elements that touch.
+fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut parts: Vec<[f64; 2]> = Vec::new();
     let mut before = false;
-    for (e, touches) in sure.iter().enumerate() {
+    for (e, touches) in touching.iter().enumerate() {
         let [from, to] = grid.element(e);
+        let to = if e + 1 == touching.len() { f64::INFINITY } else { to };
         match (before, touches, parts.last_mut()) {
-            (true, true, Some(part)) => part[1] = if e + 1 == sure.len() { f64::INFINITY } else { to },
+            (true, true, Some(part)) => part[1] = to,
             (_, true, _) => parts.push([from, to]),
             _ => {}
         }

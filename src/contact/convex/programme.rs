@@ -209,9 +209,9 @@ impl<'a> Equilibrium<'a> {
         let factor: Llt<f64> = self.matrix().llt(Side::Lower).ok()?;
         // unknowns that respond to each body's approach, and to the load
         let mut sides = Mat::<f64>::zeros(self.size, n + 1);
-        for i in 0..n {
+        for (i, linear) in linear.iter().enumerate() {
             self.gather(i, resultants, sides.col_as_slice_mut(i));
-            self.gather(i, &linear[i], sides.col_as_slice_mut(n));
+            self.gather(i, linear, sides.col_as_slice_mut(n));
         }
         let responses = factor.solve(&sides);
         let resultant = |i: usize, c: usize| -> f64 {
