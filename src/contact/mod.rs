@@ -43,7 +43,7 @@ pub(crate) fn press(
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
     if options.method == Method::Collocation {
-        return collocation::press(kernel, interfaces, indentation, options);
+        return collocation::press(kernel, interfaces, &indentation, options);
     }
     let mut steps = 0;
     from_any_start(kernel, interfaces, &indentation, |half_lengths, finer| {

@@ -56,11 +56,11 @@ struct Level {
 pub(super) fn press(
     kernel: &Kernel,
     interfaces: &[Interface],
-    punch: Indentation,
+    punch: &Indentation,
     options: &Options,
 ) -> Result<Solution, Error> {
     let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: 0 };
-    from_any_start(kernel, interfaces, &punch, |half_lengths, finer| {
+    from_any_start(kernel, interfaces, punch, |half_lengths, finer| {
         problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options)
     })
 }
@@ -68,7 +68,7 @@ pub(super) fn press(
 struct Problem<'a> {
     kernel: &'a Kernel,
     interfaces: &'a [Interface],
-    punch: Indentation<'a>,
+    punch: &'a Indentation<'a>,
     spatial: Spatial,
     /// Newton steps taken.
     steps: usize,
@@ -153,13 +153,13 @@ impl Problem<'_> {
             }
         }
         *jacobian = None;
-        Err(not_converged(self.kernel, &self.punch, &half_lengths))
+        Err(not_converged(self.kernel, self.punch, &half_lengths))
     }
 
     fn solve(&mut self, nodes: &Nodes, half_lengths: &[f64]) -> Pressures {
         let longest = half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
         self.spatial.cover(2.0 * longest);
-        equations::solve(&self.spatial, nodes, &self.punch, half_lengths)
+        equations::solve(&self.spatial, nodes, self.punch, half_lengths)
     }
 
     /// dσ/d ln a, one column per half-length.
@@ -200,7 +200,7 @@ impl Problem<'_> {
                 }
                 min_pressure = min_pressure.min(pressure);
             }
-            let gaps = gaps::gaps(&self.spatial, nodes, &self.punch, &level.half_lengths, &level.pressures, i, span);
+            let gaps = gaps::gaps(&self.spatial, nodes, self.punch, &level.half_lengths, &level.pressures, i, span);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             for (x, gap) in gaps {
                 if gap < -ZERO * widest {
