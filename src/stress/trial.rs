@@ -100,7 +100,9 @@ impl Outcome {
     pub fn interface(&self) -> Option<Interface> {
         match self {
             Self::Unsolved(Error::NoSolution(
-                NoSolution::Tension { interface, .. } | NoSolution::Overlap { interface, .. },
+                NoSolution::Tension { interface, .. }
+                | NoSolution::Overlap { interface, .. }
+                | NoSolution::Parts { interface, .. },
             )) => Some(*interface),
             _ => None,
         }
