@@ -104,8 +104,8 @@ struct Plan<'a> {
 }
 
 impl Layout {
-    /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, able to resolve
-    /// the fields out to |x| = `span` besides; `None` if that takes too many wavenumbers.
+    /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, 0 where the
+    /// pressure is given, able to resolve the fields out to |x| = `span` besides; `None` if that takes too many wavenumbers.
     pub(super) fn new(
         kernel: &Kernel,
         half_lengths: &[f64],
@@ -117,7 +117,12 @@ impl Layout {
         let mut layout = Self { zeta: Vec::new(), own: Vec::new(), coupling: vec![Vec::new(); n - 1] };
         let mut reaches = Vec::with_capacity(n);
         for i in 0..n {
-            let (ends, turned) = (kernel.vanishes(i, accuracy.negligible), turning(orders[i]) / half_lengths[i]);
+            let mut ends = kernel.vanishes(i, accuracy.negligible);
+            if orders[i] == 0 {
+                // a given pressure is felt by others only
+                ends = 0.0;
+            }
+            let turned = turning(orders[i]) / half_lengths[i];
             // a tail takes nodes, too
             let tail = 0.5 * half_lengths[i] * (ends - turned) > TAIL_PAYS;
             reaches.push(if tail { turned } else { ends });

@@ -43,8 +43,12 @@ impl Level {
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
         let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding } = found;
-        let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
-        let local = punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]));
+        let mut counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+        let local = if punch.given().is_some() {
+            None
+        } else {
+            punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]))
+        };
         let (mut errors, mut tails, mut settled, mut peaks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (i, y) in modes.iter().enumerate() {
             let local = local.as_ref().filter(|_| i == 0);
@@ -77,6 +81,14 @@ impl Level {
             settled.push(unsettled[i][0] < 0.1 * length && unsettled[i][1] < 0.1 * pressure * size * PI);
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size));
             peaks.push(peak);
+        }
+        if let Some(given) = punch.given() {
+            // nothing of it is unknown
+            (errors[0], tails[0], settled[0], counts[0]) = ([0.0; 2], 0.0, true, given.modes.len());
+            modes[0].clone_from(&given.modes);
+            if let Some((_, all)) = punch.load(CONTINUED) {
+                continued(&mut modes[0], &all);
+            }
         }
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);

@@ -18,6 +18,7 @@ use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 
 use level::{Level, coefficients};
+use newton::Converged;
 use punch::Indentation;
 use refine::refine;
 
@@ -35,21 +36,41 @@ pub(crate) fn press(
 ) -> Result<Solution, Error> {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
-    let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
-    let starts = start::half_lengths(kernel, &indentation)?;
+    let indentation = Indentation::new(punch, kernel, force);
+    if punch.load().is_some() && options.method == Method::Collocation {
+        return Err(Error::LoadByCollocation);
+    }
     if options.method == Method::Collocation {
+        let starts = start::half_lengths(kernel, &indentation)?;
         return collocation::press(kernel, interfaces, indentation, &starts, options);
     }
+    solve(kernel, interfaces, &indentation, options)
+}
+
+/// Starts from formulas, and refines until the answer is admissible and good enough.
+fn solve(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    indentation: &Indentation,
+    options: &Options,
+) -> Result<Solution, Error> {
+    let starts = start::half_lengths(kernel, indentation)?;
     let mut steps = 0;
+    if indentation.given().is_some() && starts.len() == 1 {
+        // nothing is unknown
+        let level = Level::new(Converged::known(starts), kernel, indentation, 0.0);
+        let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
+        return Ok(solution(kernel, interfaces, indentation, level, check, 0, Vec::new()));
+    }
     first_admissible(&starts, &ATTEMPTS, |half_lengths, finer, root| {
         // a root that was found needs no finer start
         if root && finer > 1 {
             return None;
         }
-        let found = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps);
+        let found = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut steps);
         Some(found.and_then(|(level, warnings)| {
-            let check = admissible::check(kernel, interfaces, &indentation, &level)?;
-            Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
+            let check = admissible::check(kernel, interfaces, indentation, &level)?;
+            Ok(solution(kernel, interfaces, indentation, level, check, steps, warnings))
         }))
     })
 }
@@ -96,11 +117,16 @@ fn solution(
         .iter()
         .enumerate()
         .map(|(i, interface)| {
-            let half_length = level.half_lengths[i] * kernel.length();
+            let extent = level.half_lengths[i] * kernel.length();
             let pressure_unit = pressure_unit * 2.0 / level.half_lengths[i];
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
-            let peak_pressure = level.peaks[i] * pressure_unit;
+            let mut peak_pressure = level.peaks[i] * pressure_unit;
+            let mut half_length = extent;
+            if let (0, Some((load, _))) = (i, indentation.load(0)) {
+                let resultant = indentation.force * kernel.modulus() * kernel.length();
+                (half_length, peak_pressure) = (load.half_width(), load.peak_pressure(resultant));
+            }
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
@@ -108,9 +134,10 @@ fn solution(
                 half_length_error: length_error * half_length,
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
-                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                resultant: 0.5 * std::f64::consts::PI * extent * coefficients[0],
                 coefficients,
                 found: level.counts[i],
+                extent,
             }
         })
         .collect();
@@ -122,5 +149,40 @@ fn solution(
         wavenumbers: kernel.samples(),
         newton_steps,
         warnings,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+
+    use super::punch::Given;
+    use super::*;
+    use crate::stack::Stack;
+
+    #[test]
+    fn the_pressure_of_a_punch_given_as_a_load_makes_the_same_contacts() {
+        let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+        let graded = Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
+        let stack = || Stack::builder(Plane::Strain);
+        for stack in [
+            stack().layer(strip()).receding().layer(HalfPlane::new(0.5, 0.3).unwrap()),
+            stack().layer(graded).receding().layer(strip()).receding().rigid(),
+        ] {
+            let stack = stack.build().unwrap();
+            let (kernel, interfaces, options) = (Kernel::new(&stack).unwrap(), stack.contacts(), Options::default());
+            let punch = Punch::parabola(100.0).unwrap();
+            for force in [1e-4, 0.02] {
+                let expected = press(&kernel, &interfaces, &punch, force, &options).unwrap();
+                let top = &expected.contacts[0];
+                let given = Given::of(top.half_length / kernel.length(), &top.coefficients);
+                let indentation = Indentation::new(&punch, &kernel, force).with(given);
+                let found = solve(&kernel, &interfaces, &indentation, &options).unwrap();
+                for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
+                    assert!((found.half_length / expected.half_length - 1.0).abs() < 1e-10, "{found:?} {expected:?}");
+                    assert!((found.peak_pressure / expected.peak_pressure - 1.0).abs() < 1e-9);
+                }
+            }
+        }
     }
 }
