@@ -41,6 +41,9 @@ pub enum Error {
         /// The tolerance asked for.
         found: f64,
     },
+    /// A given pressure, and a method that wants a punch.
+    #[error("a given pressure in place of a punch is solved for by the Galerkin method only")]
+    LoadByCollocation,
     /// The layers' fields cannot be computed.
     #[error("the fields of the layers cannot be computed at wavenumber {wavenumber:e}")]
     Unresolved {
@@ -134,7 +137,7 @@ impl Error {
     pub fn is_input(&self) -> bool {
         match self {
             Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Axis(_) => true,
-            Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
+            Self::OutOfRange { .. } | Self::Tolerance { .. } | Self::LoadByCollocation => true,
             Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,
             Self::NoSolution(cause) => matches!(cause, NoSolution::PunchTooSmall { .. }),

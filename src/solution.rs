@@ -45,12 +45,14 @@ pub struct Contact {
     /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
     /// where the punch is not smooth.
     pub(crate) found: usize,
+    /// The length a of the series: half_length, but of a line load, which is a very narrow strip.
+    pub(crate) extent: f64,
 }
 
 impl Contact {
     /// Contact pressure at `x` (compression positive); zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
-        let s = x / self.half_length;
+        let s = x / self.extent;
         // NaN is outside, too
         if s.is_nan() || s.abs() >= 1.0 {
             return 0.0;

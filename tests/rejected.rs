@@ -111,7 +111,7 @@ fn unknown_names() {
         ("Cylinder(", "Cilinder("),
         ("Cylinder(radius: 500.0)", "Cylinder(diameter: 500.0)"),
         ("plane: Strain", "plane: strain"),
-        ("force: 0.002", "load: 0.002"),
+        ("force: 0.002", "weight: 0.002"),
         ("force: 0.002", "force: 0.002, units: (lenght: \"mm\", force: \"N\")"),
         ("Scene(", "Scenery("),
     ]), @r#"
@@ -156,8 +156,8 @@ fn unknown_names() {
         |            ^
     hint: did you mean `Strain`?
 
-    error: stdin:4:5: the scene has no field `load`; allowed are `name`, `description`, `units`, `plane`, `punch`, `force`, `stack`
-      4 |     load: 0.002,
+    error: stdin:4:5: the scene has no field `weight`; allowed are `name`, `description`, `units`, `plane`, `punch`, `load`, `force`, `stack`
+      4 |     weight: 0.002,
         |     ^
 
     error: stdin:4:27: `units` of the scene has no field `lenght`; allowed are `length`, `force`

@@ -15,7 +15,7 @@ pub struct List {}
 
 impl List {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let Vocabulary { scene, punches, layers, interfaces, bases } = Vocabulary::new(&Registry::default());
+        let Vocabulary { scene, punches, loads, layers, interfaces, bases } = Vocabulary::new(&Registry::default());
         // what has a section of its own is not unfolded in place
         let scene: Vec<Field> = scene
             .into_iter()
@@ -23,13 +23,16 @@ impl List {
                 Value::OneOf(forms) if forms == punches => {
                     Field { value: Value::Plain("one of the punches below".to_owned()), ..field }
                 }
+                Value::OneOf(forms) if forms == loads => {
+                    Field { value: Value::Plain("one of the loads below".to_owned()), ..field }
+                }
                 _ => field,
             })
             .collect();
         writeln!(out, "Scene, with its load")?;
         fields(out, 2, &scene)?;
         for (title, forms_of_title) in
-            [("Punches", punches), ("Layers", layers), ("Interfaces", interfaces), ("Bases", bases)]
+            [("Punches", punches), ("Loads", loads), ("Layers", layers), ("Interfaces", interfaces), ("Bases", bases)]
         {
             writeln!(out, "\n{title}")?;
             forms(out, 2, &forms_of_title)?;

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use recede::report::{self, Report};
-use recede::{Model, Options};
+use recede::{Load, Model, Options};
 
 use super::{Failure, SceneFile, tell};
 
@@ -60,7 +60,9 @@ impl Solve {
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        let max_shear = Some(model.field(&solution).max_shear()?);
+        // it is infinite under a line load
+        let line = scene.punch.load() == Some(&Load::Line);
+        let max_shear = if line { None } else { Some(model.field(&solution).max_shear()?) };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }

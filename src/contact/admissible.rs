@@ -106,7 +106,10 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
         modes[..above.min(GAP_MODES)].to_vec()
     };
     let modes: Vec<Vec<f64>> = level.modes.iter().map(felt).collect();
-    let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
+    let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
+    if punch.given().is_some() {
+        orders[0] = 0;
+    }
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
     let bases: Vec<Basis> =
@@ -123,6 +126,11 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
             end = end.min(edge);
         }
         let mut own = Vec::new();
+        if i == 0 && punch.given().is_some() {
+            // where nothing presses there is no gap to be looked at
+            gaps.push(own);
+            continue;
+        }
         // next to the contact, and far from it
         for reach in [0.5 * a.min(end - a), end - a] {
             let step = reach / GAPS as f64;

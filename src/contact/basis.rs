@@ -48,6 +48,21 @@ impl Basis {
         Self { half_length, deficit, rows, table, arguments, paths }
     }
 
+    /// One mode that has the transform of all these together: a given pressure.
+    pub(super) fn together(mut self, modes: &[f64], layout: &Layout) -> Self {
+        let sum = self.combine(modes);
+        let rest =
+            self.combine(&modes.iter().enumerate().map(|(m, y)| if m == 0 { 0.0 } else { *y }).collect::<Vec<_>>());
+        for ((deficit, rest), zeta) in self.deficit.iter_mut().zip(rest).zip(&layout.zeta) {
+            *deficit += 2.0 * rest / zeta;
+        }
+        self.table.clear();
+        self.table.resize(self.rows, 0.0);
+        self.table.extend(sum);
+        self.table.resize(3 * self.rows, 0.0);
+        self
+    }
+
     /// The storage, to be used again.
     pub(super) fn into_table(self) -> Vec<f64> {
         self.table

@@ -12,6 +12,8 @@ use super::tail::{MOST_UNLIKE, Tail, Weights, turning};
 const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
 const MOST_WAVENUMBERS: usize = 16_000;
+/// Bessel functions of all orders at all wavenumbers: what memory and patience allow.
+const MOST_ENTRIES: usize = 5_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
 /// Real wavenumbers that a tail must save.
@@ -102,8 +104,8 @@ fn groups(half_lengths: &[f64], orders: &[usize], ends: &[f64], coupled: &[f64])
 }
 
 impl Layout {
-    /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, able to resolve
-    /// the fields out to |x| = `span` besides; `None` if that takes too many wavenumbers.
+    /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, 0 where the
+    /// pressure is given, able to resolve the fields out to |x| = `span` besides; `None` if that takes too many.
     pub(super) fn new(
         kernel: &Kernel,
         half_lengths: &[f64],
@@ -112,7 +114,9 @@ impl Layout {
         span: f64,
     ) -> Option<Self> {
         let n = kernel.contacts();
-        let ends: Vec<f64> = (0..n).map(|i| kernel.vanishes(i, accuracy.negligible)).collect();
+        // a given pressure is felt by others only
+        let end = |i: usize| if orders[i] == 0 { 0.0 } else { kernel.vanishes(i, accuracy.negligible) };
+        let ends: Vec<f64> = (0..n).map(end).collect();
         let coupled: Vec<f64> = (0..n - 1).map(|i| kernel.uncoupled(i, accuracy.negligible)).collect();
         let groups = groups(half_lengths, orders, &ends, &coupled);
         let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
@@ -161,7 +165,8 @@ impl Layout {
             }
             layout.tails.push(tail);
         }
-        Some(layout)
+        let entries = (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] + 1)).sum::<usize>();
+        (entries <= MOST_ENTRIES).then_some(layout)
     }
 
     /// The tail of contact i.

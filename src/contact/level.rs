@@ -18,6 +18,9 @@ const SAFETY: f64 = 3.0;
 /// Pressures under punches that are not smooth are continued with so many modes.
 const CONTINUED: usize = 2048;
 
+/// An iteration that leaves more than this was not done.
+const LOST: f64 = 1e-6;
+
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {
     /// Half-lengths in units of L.
@@ -43,8 +46,12 @@ impl Level {
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
         let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding } = found;
-        let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
-        let local = punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]));
+        let mut counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+        let local = if punch.given().is_some() {
+            None
+        } else {
+            punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]))
+        };
         let (mut errors, mut tails, mut settled, mut peaks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (i, y) in modes.iter().enumerate() {
             let local = local.as_ref().filter(|_| i == 0);
@@ -78,10 +85,30 @@ impl Level {
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size));
             peaks.push(peak);
         }
+        if let Some(given) = punch.given() {
+            // nothing of it is unknown
+            (errors[0], tails[0], settled[0], counts[0]) = ([0.0; 2], 0.0, true, given.modes.len());
+            modes[0].clone_from(&given.modes);
+            if let Some((_, all)) = punch.load(CONTINUED) {
+                continued(&mut modes[0], &all);
+            }
+        }
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
         Self { half_lengths, modes, counts, peaks, settled, errors, tails }
+    }
+
+    /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer
+    /// modes.
+    pub(super) fn doubt(&mut self, rough: &[f64]) {
+        for (i, errors) in self.errors.iter_mut().enumerate().filter(|(i, _)| !self.settled[*i]) {
+            let change = (self.half_lengths[i] / rough[i]).ln().abs();
+            if errors[0] > LOST {
+                errors[0] = errors[0].max(change);
+                errors[1] = errors[1].max(change);
+            }
+        }
     }
 
     /// The largest of the error estimates.

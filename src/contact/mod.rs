@@ -20,6 +20,7 @@ use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 
 use level::{Level, coefficients};
+use newton::Converged;
 use punch::Indentation;
 use refine::refine;
 
@@ -41,18 +42,38 @@ pub(crate) fn press(
 ) -> Result<Solution, Error> {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
-    let indentation = Indentation::new(punch, kernel.length(), force / (kernel.modulus() * kernel.length()));
+    let indentation = Indentation::new(punch, kernel, force);
+    if punch.load().is_some() && options.method == Method::Collocation {
+        return Err(Error::LoadByCollocation);
+    }
     if options.method == Method::Collocation {
         return collocation::press(kernel, interfaces, &indentation, options);
     }
+    solve(kernel, interfaces, &indentation, options)
+}
+
+/// Starts from formulas, and refines until the answer is admissible and good enough.
+fn solve(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    indentation: &Indentation,
+    options: &Options,
+) -> Result<Solution, Error> {
     let mut steps = 0;
-    from_any_start(kernel, interfaces, &indentation, |half_lengths, finer| {
-        let (level, warnings) = refine(kernel, interfaces, &indentation, half_lengths, finer, options, &mut steps)?;
+    if indentation.given().is_some() && kernel.contacts() == 1 {
+        // nothing is unknown
+        let starts = start::half_lengths(kernel, indentation)?;
+        let level = Level::new(Converged::known(starts), kernel, indentation, 0.0);
+        let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
+        return Ok(solution(kernel, interfaces, indentation, level, check, 0, Vec::new()));
+    }
+    from_any_start(kernel, interfaces, indentation, |half_lengths, finer| {
+        let (level, warnings) = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut steps)?;
         if level.errors.iter().any(|[half_length, _]| *half_length > UNUSABLE) {
-            return Err(newton::not_converged(kernel, &indentation, &level.half_lengths));
+            return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
         }
-        let check = admissible::check(kernel, interfaces, &indentation, &level)?;
-        Ok(solution(kernel, interfaces, &indentation, level, check, steps, warnings))
+        let check = admissible::check(kernel, interfaces, indentation, &level)?;
+        Ok(solution(kernel, interfaces, indentation, level, check, steps, warnings))
     })
 }
 
@@ -119,11 +140,16 @@ fn solution(
         .iter()
         .enumerate()
         .map(|(i, interface)| {
-            let half_length = level.half_lengths[i] * kernel.length();
+            let extent = level.half_lengths[i] * kernel.length();
             let pressure_unit = pressure_unit * 2.0 / level.half_lengths[i];
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
-            let peak_pressure = level.peaks[i] * pressure_unit;
+            let mut peak_pressure = level.peaks[i] * pressure_unit;
+            let mut half_length = extent;
+            if let (0, Some((load, _))) = (i, indentation.load(0)) {
+                let resultant = indentation.force * kernel.modulus() * kernel.length();
+                (half_length, peak_pressure) = (load.half_width(), load.peak_pressure(resultant));
+            }
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
@@ -131,9 +157,10 @@ fn solution(
                 half_length_error: length_error * half_length,
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
-                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                resultant: 0.5 * std::f64::consts::PI * extent * coefficients[0],
                 coefficients,
                 found: level.counts[i],
+                extent,
             }
         })
         .collect();
@@ -145,5 +172,40 @@ fn solution(
         wavenumbers: kernel.samples(),
         newton_steps,
         warnings,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+
+    use super::punch::Given;
+    use super::*;
+    use crate::stack::Stack;
+
+    #[test]
+    fn the_pressure_of_a_punch_given_as_a_load_makes_the_same_contacts() {
+        let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+        let graded = Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
+        let stack = || Stack::builder(Plane::Strain);
+        for stack in [
+            stack().layer(strip()).receding().layer(HalfPlane::new(0.5, 0.3).unwrap()),
+            stack().layer(graded).receding().layer(strip()).receding().rigid(),
+        ] {
+            let stack = stack.build().unwrap();
+            let (kernel, interfaces, options) = (Kernel::new(&stack).unwrap(), stack.contacts(), Options::default());
+            let punch = Punch::parabola(100.0).unwrap();
+            for force in [1e-4, 0.02] {
+                let expected = press(&kernel, &interfaces, &punch, force, &options).unwrap();
+                let top = &expected.contacts[0];
+                let given = Given::of(top.half_length / kernel.length(), &top.coefficients);
+                let indentation = Indentation::new(&punch, &kernel, force).with(given);
+                let found = solve(&kernel, &interfaces, &indentation, &options).unwrap();
+                for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
+                    assert!((found.half_length / expected.half_length - 1.0).abs() < 1e-10, "{found:?} {expected:?}");
+                    assert!((found.peak_pressure / expected.peak_pressure - 1.0).abs() < 1e-9);
+                }
+            }
+        }
     }
 }

@@ -52,6 +52,20 @@ pub(super) struct Converged {
     pub(super) rounding: Vec<f64>,
 }
 
+impl Converged {
+    /// A given pressure and no other contact.
+    pub(super) fn known(half_lengths: Vec<f64>) -> Self {
+        Self {
+            half_lengths,
+            modes: vec![vec![1.0]],
+            solved: vec![1],
+            shift: vec![0.0],
+            unsettled: vec![[0.0; 2]],
+            rounding: vec![0.0],
+        }
+    }
+}
+
 /// Newton's method on one stack under one punch.
 pub(super) struct Newton<'a> {
     pub(super) kernel: &'a Kernel,
@@ -173,7 +187,10 @@ impl Newton<'_> {
         enough: f64,
     ) -> Result<(Point, Layout), Error> {
         let (kernel, punch) = (self.kernel, self.punch);
-        let orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
+        let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
+        if punch.given().is_some() {
+            orders[0] = 0;
+        }
         let start = half_lengths.clone();
         let mut layout: Option<(Layout, Vec<f64>)> = None;
         for _ in 0..STEPS {
@@ -192,7 +209,7 @@ impl Newton<'_> {
             let slopes = punch.slopes(half_lengths[0], solved[0]);
             let linked = ties(kernel, &half_lengths);
             self.steps += 1;
-            let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes);
+            let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes, punch.given().is_some());
             self.spare.extend(bases.into_iter().map(Basis::into_table));
             let Some((pressures, linearised)) = found else { break };
             let longest = longest(&pressures.step);
@@ -213,9 +230,16 @@ impl Newton<'_> {
 
 impl Newton<'_> {
     fn bases(&mut self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
+        let given = self.punch.given();
         let contacts = half_lengths.iter().zip(modes).enumerate();
         contacts
-            .map(|(i, (a, modes))| Basis::new(layout, i, *a, *modes, self.spare.pop().unwrap_or_default()))
+            .map(|(i, (a, modes))| {
+                let table = self.spare.pop().unwrap_or_default();
+                match given.filter(|_| i == 0) {
+                    Some(given) => Basis::new(layout, i, *a, given.modes.len(), table).together(&given.modes, layout),
+                    None => Basis::new(layout, i, *a, *modes, table),
+                }
+            })
             .collect()
     }
 }

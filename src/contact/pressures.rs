@@ -31,8 +31,8 @@ pub(super) struct Pressures {
     pub(super) step: Vec<f64>,
 }
 
-/// Solves the equations; `None` if they cannot be solved in double precision.
-pub(super) fn solve(equations: &Equations, slopes: &Slopes) -> Option<(Pressures, Linearised)> {
+/// Solves the equations, with the half-length of the first contact if it is not `given`; `None` if they cannot be solved in double precision.
+pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Option<(Pressures, Linearised)> {
     let (n, size) = (equations.contacts(), equations.size());
     let higher = size - n;
     let matrix = equations.matrix();
@@ -56,7 +56,12 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes) -> Option<(Pressures
     let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
     solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
     let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
-    let inverse = jacobian.partial_piv_lu().solve(Mat::<f64>::identity(n, n));
+    // what is given has neither a row nor a step
+    let first = usize::from(given);
+    let free = n - first;
+    let unknown = jacobian.submatrix(first, first, free, free).partial_piv_lu();
+    let mut inverse = Mat::<f64>::zeros(n, n);
+    inverse.as_mut().submatrix_mut(first, first, free, free).copy_from(unknown.solve(Mat::<f64>::identity(free, free)));
     let residual = |i: usize| {
         let known = matrix[(i, 0)] - if i == 0 { slopes.load(0) } else { 0.0 };
         known - dot(beta.col_as_slice(i), &gamma)

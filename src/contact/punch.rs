@@ -5,8 +5,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::error::{Error, NoSolution};
+use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
-use crate::scene::{Piece, Punch, Shape};
+use crate::scene::{Load, Piece, Punch, Shape};
 
 use super::galerkin::{Slopes, order};
 
@@ -15,6 +16,8 @@ use super::galerkin::{Slopes, order};
 const NEARLY: f64 = 0.999;
 /// Most oscillations of a test function, as a phase, that one Gauss rule is asked to integrate.
 const PHASE: f64 = 150.0;
+/// Half-width of a line load in units of L: no wave is so short.
+const LINE: f64 = 1e-10;
 /// Slopes at x = a/cosh u are nothing beyond this u.
 const FARTHEST: f64 = 45.0;
 /// Gauss points besides those that the oscillation takes.
@@ -29,6 +32,16 @@ pub(super) struct Indentation<'a> {
     length: f64,
     /// P' = P/(μ₀L).
     pub(super) force: f64,
+    given: Option<Given>,
+}
+
+/// A given pressure in place of a punch.
+#[derive(Clone, Debug)]
+pub(super) struct Given {
+    /// Half-width of the loaded strip, in units of L.
+    pub(super) half_length: f64,
+    /// Its modes y_m: as many as the other contacts feel.
+    pub(super) modes: Vec<f64>,
 }
 
 /// What a half-plane of the material at the face does under the punch, all rows but the first fulfilled: the pressure
@@ -41,8 +54,27 @@ pub(super) struct Local {
 }
 
 impl<'a> Indentation<'a> {
-    pub(super) fn new(punch: &'a Punch, length: f64, force: f64) -> Self {
-        Self { punch, shape: punch.shape(), length, force }
+    pub(super) fn new(punch: &'a Punch, kernel: &Kernel, force: f64) -> Self {
+        let length = kernel.length();
+        let force = force / (kernel.modulus() * length);
+        let given = punch.load().map(|load| {
+            let half_length = (load.half_width() / length).max(LINE);
+            // orders beyond the phase of the shortest wave that is coupled to anything are not felt
+            let phase = if kernel.contacts() > 1 { half_length * kernel.uncoupled(0, 1e-16) } else { 0.0 };
+            let modes = load.modes((0.6 * phase) as usize + 20);
+            Given { half_length, modes }
+        });
+        Self { punch, shape: punch.shape(), length, force, given }
+    }
+
+    /// The pressure on top, if it is given.
+    pub(super) fn given(&self) -> Option<&Given> {
+        self.given.as_ref()
+    }
+
+    /// The given load itself, and its modes continued to those of its edges.
+    pub(super) fn load(&self, count: usize) -> Option<(&Load, Vec<f64>)> {
+        self.punch.load().map(|load| (load, load.modes(count)))
     }
 
     /// Whether the pressure is infinite at the tip.
@@ -242,9 +274,30 @@ pub(super) fn continued(modes: &mut Vec<f64>, local: &[f64]) {
 }
 
 #[cfg(test)]
+impl Given {
+    /// The pressure Σ c_j sin jφ.
+    pub(super) fn of(half_length: f64, coefficients: &[f64]) -> Self {
+        let mode = |(m, c): (usize, &f64)| super::galerkin::alternating(m) * order(m) * c / coefficients[0];
+        Self { half_length, modes: coefficients.iter().enumerate().map(mode).collect() }
+    }
+}
+
+#[cfg(test)]
+impl Indentation<'_> {
+    /// The same with a given pressure in place of the punch.
+    pub(super) fn with(self, given: Given) -> Self {
+        Self { given: Some(given), ..self }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::super::galerkin::alternating;
     use super::*;
+
+    fn unit(punch: &Punch) -> Indentation<'_> {
+        Indentation { punch, shape: punch.shape(), length: 1.0, force: 1.0, given: None }
+    }
 
     /// The rows by a rule of very many points.
     fn brute(punch: &Punch, half_length: f64, rows: usize) -> Vec<f64> {
@@ -271,13 +324,12 @@ mod tests {
             Punch::rounded_flat(0.8, 3.0).unwrap(),
             Punch::table(&[(0.0, 0.1), (0.3, 0.2), (0.9, 0.5), (1.5, 1.9)]).unwrap(),
         ] {
-            let found = Indentation::new(&punch, 1.0, 1.0).slopes(1.2, 9);
+            let found = unit(&punch).slopes(1.2, 9);
             for (found, expected) in found.value.iter().zip(brute(&punch, 1.2, 9)) {
                 assert!((found - expected).abs() < 1e-9, "{punch}: {found} {expected}");
             }
             let step = 1e-6;
-            let [more, less] =
-                [step, -step].map(|step: f64| Indentation::new(&punch, 1.0, 1.0).slopes(1.2 * step.exp(), 9));
+            let [more, less] = [step, -step].map(|step: f64| unit(&punch).slopes(1.2 * step.exp(), 9));
             for ((slope, more), less) in found.slope.iter().zip(more.value).zip(less.value) {
                 assert!((slope - (more - less) / (2.0 * step)).abs() < 1e-7, "{punch}");
             }
@@ -292,19 +344,19 @@ mod tests {
             Punch::rounded_flat(0.4, 3.0).unwrap(),
             Punch::table(&[(0.0, 0.1), (0.3, 0.2), (0.9, 0.5), (1.5, 1.9)]).unwrap(),
         ] {
-            let indentation = Indentation::new(&punch, 1.0, 1.0);
+            let indentation = unit(&punch);
             let sum: f64 = indentation.slopes(1.2, 4000).value.iter().sum();
             assert!((sum / indentation.apex(1.2) - 1.0).abs() < 1e-6, "{punch}: {sum} {}", indentation.apex(1.2));
         }
         let wedge = Punch::wedge(1.0).unwrap();
-        assert_eq!(Indentation::new(&wedge, 1.0, 1.0).apex(1.0), f64::INFINITY);
+        assert_eq!(unit(&wedge).apex(1.0), f64::INFINITY);
     }
 
     #[test]
     fn long_series_stay_exact() {
         // a flat punch whose corners are so far out that they hardly round it: ± 2 sin(kθ_c)/k dominates
         let punch = Punch::rounded_flat(1.0, 1.0).unwrap();
-        let rows = Indentation::new(&punch, 1.0, 1.0).slopes(2.0, 2000).value;
+        let rows = unit(&punch).slopes(2.0, 2000).value;
         let corner = 0.5f64.acos();
         for m in [0, 10, 500, 1999] {
             let k = order(m);
@@ -313,5 +365,27 @@ mod tests {
             let exact = 2.0 * (sinc(k - 1.0) + sinc(k + 1.0) - sinc(k));
             assert!((alternating(m) * rows[m] - exact).abs() < 1e-13, "{m}: {} {exact}", rows[m]);
         }
+    }
+
+    #[test]
+    fn given_pressures_have_their_transforms() {
+        use crate::numeric::bessel;
+        let a = recede_layers::Positive::try_from(1.0).unwrap();
+        type Transform = fn(f64) -> f64;
+        let cases: [(Load, Transform); 3] = [
+            (Load::Uniform { half_width: a }, |z| z.sin() / z),
+            (Load::Parabolic { half_width: a }, |z| 3.0 * (z.sin() - z * z.cos()) / z.powi(3)),
+            (Load::Elliptic { half_width: a }, |z| 1.0 + bessel::jinc_deficit(z)),
+        ];
+        for (load, transform) in cases {
+            let modes = load.modes(40);
+            for z in [0.3, 1.0, 7.0, 30.0] {
+                let mut table = vec![0.0; 80];
+                bessel::table(80, &[z], &mut table);
+                let sum: f64 = modes.iter().enumerate().map(|(m, y)| 2.0 * y * table[2 * m + 1] / z).sum();
+                assert!((sum - transform(z)).abs() < 1e-13, "{load} at {z}: {sum} {}", transform(z));
+            }
+        }
+        assert_eq!(Load::Line.modes(3), [1.0, 0.0, 0.0]);
     }
 }

@@ -44,14 +44,19 @@ pub(super) fn refine(
     let finest = FINEST.min(MOST / n);
     let mut newton = Newton { kernel, punch, steps: *steps, spare: Vec::new() };
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
-    let coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
+    let mut coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
+    // all modes of a given pressure are known together
+    let first = usize::from(punch.given().is_some());
+    solved[..first].fill(1);
+    coarse[..first].fill(1);
     let tolerance = options.tolerance.max(BEST);
     let mut half_lengths = newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?;
     // next to a graded face modes fall like a power
     let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
     let power = (1e-10 / tolerance).powf(1.0 / 6.0);
     let mut modes: Vec<usize> = solved.iter().map(|solved| with_more(*solved, tolerance)).collect();
-    for i in (0..n).filter(|i| graded[*i]) {
+    modes[..first].fill(1);
+    for i in (first..n).filter(|i| graded[*i]) {
         let wanted = (GRADED as f64 * power) as usize;
         if wanted > modes[i] {
             modes[i] = wanted.next_multiple_of(4).min(finest);
@@ -64,7 +69,11 @@ pub(super) fn refine(
         let found = newton.converge(half_lengths.clone(), &solved, &modes, tolerance);
         *steps = newton.steps;
         let level = match (found, before.take()) {
-            (Ok(found), _) => Level::new(found, kernel, punch, Accuracy::of(tolerance).negligible),
+            (Ok(found), _) => {
+                let mut level = Level::new(found, kernel, punch, Accuracy::of(tolerance).negligible);
+                level.doubt(&half_lengths);
+                level
+            }
             // what memory or rounding do not allow leaves the level before, or one of few digits
             (Err(_), Some(level)) => {
                 warnings.push(not_met(options, &modes));
@@ -73,8 +82,11 @@ pub(super) fn refine(
             (Err(_), None) => {
                 let modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
                 let found = newton.converge(half_lengths, &coarse, &modes, FEW_DIGITS)?;
+                let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
+                let rough = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
                 *steps = newton.steps;
-                let level = Level::new(found, kernel, punch, Accuracy::of(FEW_DIGITS).negligible);
+                let mut level = Level::new(found, kernel, punch, Accuracy::of(FEW_DIGITS).negligible);
+                level.doubt(&rough);
                 if level.worst_error() > tolerance {
                     warnings.push(not_met(options, &modes));
                 }

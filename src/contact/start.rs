@@ -14,21 +14,26 @@ const TYPICAL: f64 = 1.2;
 
 /// Half-lengths in units of L, from the top down.
 pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
-    // punch: Hertz, on the compliance that the whole stack has for waves as long as the contact
-    let (mut low, mut high): (f64, f64) = (1e-100, 1e6);
-    if let Some(limit) = punch.max_half_length() {
-        high = limit;
-        low = low.min(0.5 * high);
-    }
-    while high / low > 1.0 + 1e-4 {
-        let a = low.sqrt() * high.sqrt();
-        let compliance = compliances(kernel, TYPICAL / a)?[0];
-        if punch.first_row(a) < compliance / a { low = a } else { high = a }
-    }
-    if let Some(error) = punch.too_small(low) {
-        return Err(error);
-    }
-    let mut half_lengths = vec![low.sqrt() * high.sqrt()];
+    let first = if let Some(given) = punch.given() {
+        given.half_length
+    } else {
+        // punch: Hertz, on the compliance that the whole stack has for waves as long as the contact
+        let (mut low, mut high): (f64, f64) = (1e-100, 1e6);
+        if let Some(limit) = punch.max_half_length() {
+            high = limit;
+            low = low.min(0.5 * high);
+        }
+        while high / low > 1.0 + 1e-4 {
+            let a = low.sqrt() * high.sqrt();
+            let compliance = compliances(kernel, TYPICAL / a)?[0];
+            if punch.first_row(a) < compliance / a { low = a } else { high = a }
+        }
+        if let Some(error) = punch.too_small(low) {
+            return Err(error);
+        }
+        low.sqrt() * high.sqrt()
+    };
+    let mut half_lengths = vec![first];
     for (laminate, (thickness, rigidity)) in kernel.laminates()?.into_iter().enumerate() {
         let mut local = ON_RIGID_BASE * thickness;
         for _ in 0..4 {

@@ -30,7 +30,7 @@ impl Pressure {
     pub(super) fn new(contact: &Contact) -> Self {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let series = contact.coefficients.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
-        Self { half_length: contact.half_length, series, felt: contact.found }.truncated(ROUNDED)
+        Self { half_length: contact.extent, series, felt: contact.found }.truncated(ROUNDED)
     }
 
     /// Without the last terms of the series, as long as together they stay below this part of the largest one. The

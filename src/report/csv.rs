@@ -11,7 +11,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         writeln!(
             out,
             "{},{:?},{:?},{},{},{:?}",
-            contact.interface,
+            report.name(contact),
             contact.half_length,
             contact.half_length_error,
             number(contact.peak_pressure),

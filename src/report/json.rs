@@ -42,7 +42,7 @@ struct Contact {
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let solution = report.solution;
     let contacts = solution.contacts().iter().map(|contact| Contact {
-        interface: contact.interface.to_string(),
+        interface: report.name(contact),
         half_length: contact.half_length,
         half_length_error: contact.half_length_error,
         peak_pressure: finite(contact.peak_pressure),

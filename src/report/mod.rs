@@ -12,7 +12,7 @@ pub use field::{FieldFormat, write_field};
 
 use crate::field::MaxShear;
 use crate::scene::Scene;
-use crate::solution::Solution;
+use crate::solution::{Contact, Interface, Solution};
 
 pub use sweep::SweepCsv;
 
@@ -51,6 +51,14 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
+    /// What a contact is called: a load in place of the punch is none.
+    fn name(&self, contact: &Contact) -> String {
+        match (contact.interface, self.scene.punch.load()) {
+            (Interface::Punch, Some(_)) => "load".to_owned(),
+            (interface, _) => interface.to_string(),
+        }
+    }
+
     /// Writes the report.
     ///
     /// # Errors

@@ -35,7 +35,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     ]);
     for contact in solution.contacts() {
         table.add_row([
-            contact.interface.to_string(),
+            report.name(contact),
             with_error(contact.half_length, contact.half_length_error),
             match contact.peak_pressure.is_finite() {
                 true => with_error(contact.peak_pressure, contact.peak_pressure_error),
@@ -46,7 +46,10 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     }
     writeln!(out, "{table}")?;
     if solution.contacts().iter().any(|contact| contact.peak_pressure.is_infinite()) {
-        writeln!(out, "infinite: next to the sharp tip the pressure grows like the logarithm of 1/|x|")?;
+        writeln!(
+            out,
+            "infinite: under a line load, and next to a sharp tip, where it grows like the logarithm of 1/|x|"
+        )?;
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));

@@ -2,6 +2,7 @@
 mod explain;
 mod heights;
 mod item;
+mod load;
 mod origin;
 mod paths;
 mod punch;
@@ -19,6 +20,7 @@ use serde::Deserialize;
 
 pub use heights::HeightsError;
 pub use item::Item;
+pub use load::Load;
 pub use origin::SceneError;
 pub use punch::Punch;
 pub use spring::Spring;
@@ -69,7 +71,7 @@ pub struct Scene {
     pub units: Option<Units>,
     /// Plane strain or plane stress.
     pub plane: Plane,
-    /// The punch on top.
+    /// The punch on top, or the pressure that is given in its place, [`Punch::Given`].
     pub punch: Punch,
     /// Line load P > 0 pressing the punch down: force per unit length out of plane.
     pub force: f64,

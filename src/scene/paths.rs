@@ -13,7 +13,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::explain::{bare_token, did_you_mean};
 use super::origin::{Origin, Places};
-use super::read::{Part, name_and_rest, parse, part, read_item, without_comments};
+use super::read::{Part, name_and_rest, parse, part, read_item, read_top, without_comments};
 use super::{Item, Punch, Scene, quoted_list};
 use crate::error::Error;
 
@@ -123,7 +123,7 @@ impl Scene {
             return Ok(self.punch.clone());
         };
         let at = &origin.places.punch;
-        match read_ron(&changed(&origin.text, at.start..at.end, &own)) {
+        match read_top(&changed(&origin.text, at.start..at.end, &own), self.punch.load().is_some()) {
             Ok(punch) => Ok(punch),
             // once more, for the place of the mistake
             Err(_) => self.with_changes(changes).map(|scene| scene.punch),
@@ -156,7 +156,8 @@ impl Scene {
             add("force", Owner::Force, text, force, &mut slots);
         }
         let at = &origin.places.punch;
-        add("punch", Owner::Punch, text, &text[at.start..at.end], &mut slots);
+        let top = if self.punch.load().is_some() { "load" } else { "punch" };
+        add(top, Owner::Punch, text, &text[at.start..at.end], &mut slots);
         let mut number = 0;
         for (index, (item, at)) in self.stack.iter().zip(&origin.places.items).enumerate() {
             number += usize::from(!item.is_interface());

@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::heights::{Heights, PolynomialHeights};
+use super::load::Load;
 use super::shape::{Piece, Shape};
 use crate::error::Error;
 
@@ -78,6 +79,9 @@ pub enum Punch {
         /// Poisson's ratio of the cylinder, dimensionless.
         poisson: Poisson,
     },
+    /// No punch, but a given pressure; in a scene written as `load: ...` in place of `punch: ...`.
+    #[serde(skip)]
+    Given(Load),
 }
 
 impl Punch {
@@ -159,6 +163,14 @@ impl Punch {
         })
     }
 
+    /// The given pressure, if there is no punch.
+    pub fn load(&self) -> Option<&Load> {
+        match self {
+            Self::Given(load) => Some(load),
+            _ => None,
+        }
+    }
+
     /// What the profile is made of.
     pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
@@ -176,6 +188,7 @@ impl Punch {
                 let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
                 Shape::Pieces { pieces: vec![flat, corner].into(), end: None }
             }
+            Self::Given(_) => Shape::Powers { length: 1.0, terms: Vec::new() },
             Self::Table(heights) => Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), end: Some(heights.end()) },
         }
     }
@@ -229,6 +242,9 @@ impl Punch {
 impl fmt::Display for Punch {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Self::Given(load) = self {
+            return load.fmt(f);
+        }
         let style = ron::ser::PrettyConfig::new()
             .compact_structs(true)
             .compact_arrays(true)

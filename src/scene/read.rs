@@ -21,7 +21,7 @@ use serde::{Deserialize, Deserializer};
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
 use super::item::SPRING;
 use super::origin::{Origin, Places};
-use super::{Item, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
+use super::{Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
 use crate::error::Error;
 
 /// The scene with punch and stack still unread.
@@ -39,11 +39,15 @@ struct Draft<'a> {
     units: Option<Units>,
     /// How Poisson's ratio becomes κ.
     plane: Plane,
-    /// The rigid punch on top.
-    #[serde(borrow)]
-    #[schemars(with = "Punch")]
-    punch: &'a RawValue,
-    /// Line load P that presses the punch down: force per unit length out of the plane.
+    /// The punch on top, if there is no `load`.
+    #[serde(borrow, default)]
+    #[schemars(with = "Option<Punch>")]
+    punch: Option<&'a RawValue>,
+    /// In place of a punch: a given pressure on top, with the force as its resultant.
+    #[serde(borrow, default)]
+    #[schemars(with = "Option<Load>")]
+    load: Option<&'a RawValue>,
+    /// Line load P that presses the punch down, or resultant of the load: force per unit length out of the plane.
     force: Positive,
     /// Layers and the interfaces between them from the top down, ending in a base.
     #[serde(borrow)]
@@ -224,10 +228,24 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
     let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
     let draft: Draft = read_ron(text).map_err(|mut error| {
         // punch and stack are only skipped here: what is wrong within them is wrong with the text
-        error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "stack"));
+        error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "load" | "stack"));
         whole.error(origin, error)
     })?;
-    let punch = Part { owner: "the punch".into(), ..part(text, draft.punch.get_ron()) };
+    let (owner, top) = match (draft.punch, draft.load) {
+        (Some(punch), None) => ("the punch", punch),
+        (None, Some(load)) => ("the load", load),
+        (Some(_), Some(load)) => {
+            let at = part(text, load.get_ron()).name_at;
+            let hint = "a load takes the place of a punch: remove one of them";
+            return Err(origin.error(Some(at), "the scene has `punch` and `load`".into(), Some(hint.into())).into());
+        }
+        (None, None) => {
+            let hint = "add `punch: ...` or, for a given pressure, `load: ...` between its parentheses";
+            let message = "`punch` is missing in the scene".into();
+            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())).into());
+        }
+    };
+    let punch = Part { owner: owner.into(), ..part(text, top.get_ron()) };
     let list = Part { owner: "the stack".into(), ..part(text, draft.stack.get_ron()) };
     let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
     if items.len() > MAX_ITEMS {
@@ -237,7 +255,8 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
     let items: Vec<Part> = items.into_iter().map(|item| part(text, item.get_ron())).collect();
     let places = Places { punch: punch.place(), stack: list.place(), items: items.iter().map(Part::place).collect() };
 
-    let punch = read_ron::<Punch>(punch.text).map_err(|error| punch.error(origin, error))?;
+    let given = draft.load.is_some();
+    let punch = read_top(punch.text, given).map_err(|error| punch.error(origin, error))?;
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
     for item in items {
@@ -247,6 +266,11 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
     }
     let Draft { name, description, units, plane, force, .. } = draft;
     Ok((Scene { name, description, units, ..Scene::new(plane, punch, force.get(), stack) }, places))
+}
+
+/// Reads a punch, or the load that is `given` in its place.
+pub(super) fn read_top(text: &str, given: bool) -> Result<Punch, ReadError> {
+    if given { read_ron(text).map(Punch::Given) } else { read_ron(text) }
 }
 
 /// A part of the scene's text; `within` must be a slice of `text`.

@@ -3,7 +3,7 @@ use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value};
 
 use super::read::fields_of_scene;
-use super::{Item, Punch};
+use super::{Item, Load, Punch};
 
 /// The field that a layer has and a base has not.
 const THICKNESS: &str = "thickness";
@@ -23,6 +23,8 @@ pub struct Vocabulary {
     pub scene: Vec<Field>,
     /// Punches.
     pub punches: Vec<Form>,
+    /// Pressures that may be given in place of a punch.
+    pub loads: Vec<Form>,
     /// Layers of finite thickness.
     pub layers: Vec<Form>,
     /// Interfaces between layers.
@@ -51,6 +53,10 @@ impl Vocabulary {
             scene: fields_of_scene(),
             punches: match Value::of::<Punch>() {
                 Value::OneOf(punches) => punches,
+                _ => Vec::new(),
+            },
+            loads: match Value::of::<Load>() {
+                Value::OneOf(loads) => loads,
                 _ => Vec::new(),
             },
             layers,

@@ -34,7 +34,7 @@ impl Scene {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
         field("plane", format!("{:?}", self.plane));
-        field("punch", self.punch.to_string());
+        field(if self.punch.load().is_some() { "load" } else { "punch" }, self.punch.to_string());
         field("force", format!("{:?}", self.force));
         text += "    stack: [\n";
         for item in &self.stack {

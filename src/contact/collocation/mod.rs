@@ -222,6 +222,7 @@ impl Problem<'_> {
                 peak_pressure_error,
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
                 found: coefficients.len(),
+                extent: half_length,
                 coefficients,
             });
         }

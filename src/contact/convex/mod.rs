@@ -60,8 +60,11 @@ impl Zones {
 }
 
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for. `None` if the programme
-/// has no solution in double precision.
+/// has no solution in double precision, or part of it is known.
 pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64]) -> Option<Vec<Zones>> {
+    if punch.given().is_some() {
+        return None;
+    }
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
     let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
     let mut grid = Grid::new(shortest, REACH * longest);
