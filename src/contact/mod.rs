@@ -90,7 +90,8 @@ fn from_any_start(
         Err(Error::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
         decided => return decided,
     };
-    let zones = convex::zones(kernel, indentation, &expected);
+    let far = if let NoSolution::Overlap { x, .. } = failure { x / kernel.length() } else { 0.0 };
+    let zones = convex::zones(kernel, indentation, &expected, far);
     let several = |certain: bool| -> Option<Error> {
         let parts = |zones: &convex::Zones| if certain { zones.sure.len() } else { zones.apart.len() };
         // under the middle of the punch there is always contact: a zone too short for the grid says nothing

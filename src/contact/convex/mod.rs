@@ -25,6 +25,8 @@ const FARTHER: f64 = 4.0;
 const LONGER: usize = 3;
 /// How often the grid is made longer or finer.
 const ROUNDS: usize = 12;
+/// Grids of more elements are not refined.
+const MOST_ELEMENTS: usize = 200;
 /// Elements at the ends of contacts are as long as this part of their distance from the middle.
 const FINE: f64 = 0.02;
 /// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
@@ -33,6 +35,9 @@ const SURE: usize = 2;
 /// Bodies that touch again so many times farther from the middle than their contact ends do not seem to because of
 /// rounding.
 const FAR: f64 = 1.5;
+
+/// Gaps shorter than this part of where the contact outside them ends are none.
+const NARROW: f64 = 0.05;
 
 /// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,15 +64,16 @@ impl Zones {
     }
 }
 
-/// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for. `None` if the programme
+/// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
+/// `far` is a place that is to be well inside it. `None` if the programme
 /// has no solution in double precision, or part of it is known.
-pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64]) -> Option<Vec<Zones>> {
+pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
     if punch.given().is_some() {
         return None;
     }
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
     let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
-    let mut grid = Grid::new(shortest, REACH * longest);
+    let mut grid = Grid::new(shortest, REACH * longest.max(far));
     let mut found = None;
     let mut longer = LONGER;
     for _ in 0..ROUNDS {
@@ -83,7 +89,7 @@ pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64]) -> O
         if longer > 0 && touching.iter().any(|touching| touching[grid.elements() - 1]) {
             longer -= 1;
             grid = grid.longer(FARTHER);
-        } else if !grid.refine(&ends, FINE) {
+        } else if grid.elements() > MOST_ELEMENTS || !grid.refine(&ends, FINE) {
             break;
         }
     }
@@ -121,8 +127,21 @@ fn apart(mut parts: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     parts
 }
 
-/// Intervals of elements that touch.
+/// Intervals of elements that touch; gaps that are short against what lies outside them are rounding.
 fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
+    let mut wide: Vec<[f64; 2]> = Vec::new();
+    for part in intervals(touching, grid) {
+        let end = if part[1].is_finite() { part[1] } else { part[0] };
+        match wide.last_mut() {
+            Some(before) if part[0] - before[1] < NARROW * end => before[1] = part[1],
+            _ => wide.push(part),
+        }
+    }
+    wide
+}
+
+/// All intervals of elements that touch.
+fn intervals(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut parts: Vec<[f64; 2]> = Vec::new();
     let mut before = false;
     for (e, touches) in touching.iter().enumerate() {

@@ -13,7 +13,7 @@ use super::energy::Energy;
 /// Steps without fewer violations that are allowed.
 const PATIENCE: usize = 8;
 /// Steps at most.
-const STEPS: usize = 400;
+const STEPS: usize = 100;
 /// Violations below this part of the largest value are rounding.
 const ROUNDING: f64 = 1e-9;
 

@@ -26,7 +26,7 @@ fn half_lengths_are_those_of_the_convex_programme() {
         let kernel = Kernel::new(&stack).unwrap();
         let indentation = Indentation::new(&scene.punch, &kernel, scene.force);
         let expected = start::half_lengths(&kernel, &indentation).unwrap();
-        let zones = zones(&kernel, &indentation, &expected).unwrap();
+        let zones = zones(&kernel, &indentation, &expected, 0.0).unwrap();
         for (zones, contact) in zones.iter().zip(solution.contacts()) {
             assert_eq!(zones.apart.len(), 1, "{number}: {zones:?}");
             let error = zones.end() * kernel.length() / contact.half_length - 1.0;
