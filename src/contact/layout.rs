@@ -13,7 +13,7 @@ const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
 const MOST_WAVENUMBERS: usize = 16_000;
 /// Bessel functions of all orders at all wavenumbers: what memory and patience allow.
-const MOST_ENTRIES: usize = 5_000_000;
+const MOST_ENTRIES: usize = 10_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
 /// Real wavenumbers that a tail must save.

@@ -90,40 +90,51 @@ fn from_any_start(
         Err(Error::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
         decided => return decided,
     };
-    let far = if let NoSolution::Overlap { x, .. } = failure { x / kernel.length() } else { 0.0 };
-    let zones = convex::zones(kernel, indentation, &expected, far);
-    let several = |certain: bool| -> Option<Error> {
-        let parts = |zones: &convex::Zones| if certain { zones.sure.len() } else { zones.apart.len() };
-        // under the middle of the punch there is always contact: a zone too short for the grid says nothing
-        let plausible =
-            |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
-        let mut all = zones.as_ref()?.iter().enumerate();
-        let (i, _) = all.find(|(i, zones)| parts(zones) > 1 && plausible(*i, zones))?;
-        let parts = zones.as_ref()?[i].hull().iter().map(|part| part.map(|x| x * kernel.length())).collect();
-        Some(NoSolution::Parts { interface: interfaces[i], parts }.into())
-    };
-    if let Some(error) = several(true) {
-        return Err(error);
-    }
-    let ends = expected.iter().enumerate().map(|(i, expected)| {
-        let end = zones.as_ref().map_or(0.0, |zones| zones[i].end());
-        if end > 0.0 { end } else { *expected }
-    });
-    let ends: Vec<f64> = ends.collect();
-    for finer in FINER {
-        let mut half_lengths = ends.clone();
-        for _ in 0..SHORTER {
-            match solve(half_lengths.clone(), finer) {
-                Err(Error::NoSolution(found)) => failure = found,
-                decided => return decided,
+    let mut zones = None;
+    let mut far = 0.0;
+    // once more if bodies would overlap farther out than was looked at
+    for _ in 0..2 {
+        let overlap = if let NoSolution::Overlap { x, .. } = failure { x / kernel.length() } else { 0.0 };
+        if zones.is_some() && overlap <= far {
+            break;
+        }
+        far = overlap;
+        zones = convex::zones(kernel, indentation, &expected, far);
+        if let Some(error) = several(kernel, interfaces, zones.as_deref(), true) {
+            return Err(error);
+        }
+        let ends: Vec<f64> = (0..expected.len())
+            .map(|i| match zones.as_ref().map_or(0.0, |zones| zones[i].end()) {
+                0.0 => expected[i],
+                end => end,
+            })
+            .collect();
+        for finer in FINER {
+            let mut half_lengths = ends.clone();
+            for _ in 0..SHORTER {
+                match solve(half_lengths.clone(), finer) {
+                    Err(Error::NoSolution(found)) => failure = found,
+                    decided => return decided,
+                }
+                // there are roots whose contacts reach past where they should end
+                let NoSolution::Tension { interface, x } = failure else { break };
+                let Some(pulling) = interfaces.iter().position(|contact| *contact == interface) else { break };
+                half_lengths[pulling] = x / kernel.length();
             }
-            // there are roots whose contacts reach past where they should end
-            let NoSolution::Tension { interface, x } = failure else { break };
-            let Some(pulling) = interfaces.iter().position(|contact| *contact == interface) else { break };
-            half_lengths[pulling] = x / kernel.length();
         }
     }
-    Err(several(false).unwrap_or(failure.into()))
+    Err(several(kernel, interfaces, zones.as_deref(), false).unwrap_or(failure.into()))
+}
+
+/// The error that says in which intervals bodies touch, if there are several.
+fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zones]>, certain: bool) -> Option<Error> {
+    let count = |zones: &convex::Zones| if certain { zones.sure.len() } else { zones.apart.len() };
+    // under the middle of the punch there is always contact: a zone too short for the grid says nothing
+    let plausible = |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
+    let mut all = zones?.iter().enumerate();
+    let (i, zones) = all.find(|(i, zones)| count(zones) > 1 && plausible(*i, zones))?;
+    let parts = zones.hull().iter().map(|part| part.map(|x| x * kernel.length())).collect();
+    Some(NoSolution::Parts { interface: interfaces[i], parts }.into())
 }
 
 /// The answer in the units of the scene.

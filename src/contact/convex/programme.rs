@@ -12,8 +12,8 @@ use super::energy::Energy;
 
 /// Steps without fewer violations that are allowed.
 const PATIENCE: usize = 8;
-/// Steps at most.
-const STEPS: usize = 100;
+/// Operations at most, about: each step costs the cube of the number of elements.
+const WORK: f64 = 2e10;
 /// Violations below this part of the largest value are rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -73,7 +73,8 @@ impl<'a> Programme<'a> {
         }
         let mut touching: Elements<bool> =
             pressure.iter().map(|own| own.iter().map(|pressure| *pressure > 0.0).collect()).collect();
-        for _ in 0..STEPS {
+        let size = self.energy.contacts() * self.energy.elements();
+        for _ in 0..(WORK / (size as f64).powi(3)) as usize {
             let (wanted, gap) = Equilibrium::new(self.energy, &touching).solve()?;
             // as far towards equilibrium as nothing pulls
             let mut step = 1.0f64;
