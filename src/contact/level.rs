@@ -76,9 +76,11 @@ impl Level {
             } else {
                 beyond / PI
             };
-            let pressure = (missing + unsettled[i][1] / PI) / size;
+            // a pressure that is infinite cannot be missed
+            let pressure = if peak.is_finite() { (missing + unsettled[i][1] / PI) / size } else { 0.0 };
             errors.push([length, pressure + 3.0 * length]);
-            settled.push(unsettled[i][0] < 0.1 * length && unsettled[i][1] < 0.1 * pressure * size * PI);
+            let still = !peak.is_finite() || unsettled[i][1] < 0.1 * pressure * size * PI;
+            settled.push(unsettled[i][0] < 0.1 * length && still);
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size));
             peaks.push(peak);
         }
