@@ -81,7 +81,8 @@ impl Level {
             errors.push([length, pressure + 3.0 * length]);
             let still = !peak.is_finite() || unsettled[i][1] < 0.1 * pressure * size * PI;
             settled.push(unsettled[i][0] < 0.1 * length && still);
-            tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size));
+            // compared with that of a mean pressure where there is hardly any in the middle
+            tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
         }
         if let Some(given) = punch.given() {
