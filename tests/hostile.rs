@@ -237,3 +237,20 @@ fn stacks_without_measure() {
     let error = read(around(&"Bonded,".repeat(MAX_ITEMS + 1)).as_bytes()).unwrap_err();
     assert!(error.to_string().contains(&format!("allowed are at most {MAX_ITEMS}")), "{error}");
 }
+
+/// Scenes of all kinds end with an answer that is not known to be wrong, or with a reason.
+#[test]
+fn punches_loads_and_interfaces_of_all_kinds_do_not_end_in_panic() {
+    use recede::stress::{Outcome, Trial, scene_of_any_kind};
+    const SCENES: u64 = 60;
+    let mut solved = 0;
+    for number in 0..SCENES {
+        let scene = scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap();
+        let read = Scene::from_ron(&scene.to_ron()).unwrap();
+        assert_eq!(read.to_ron(), scene.to_ron());
+        let trial = Trial::run(&read, &recede::Options { tolerance: 1e-8, ..Default::default() });
+        assert!(!trial.outcome.is_wrong(), "{number}: {}\n{}", trial.outcome.reason(), scene.to_ron());
+        solved += u64::from(matches!(trial.outcome, Outcome::Solved(_)));
+    }
+    assert!(solved > SCENES * 8 / 10, "{solved} of {SCENES}");
+}

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use comfy_table::{LineStyle, Table, TableStyle};
 use rayon::prelude::*;
-use recede::stress::{Comparison, Ranges, Trial, compare, scene};
+use recede::stress::{Comparison, Ranges, Trial, compare, scene, scene_of_any_kind};
 use recede::{Options, Scene};
 
 use super::Failure;
@@ -20,6 +20,7 @@ to 1 : 1000 and 1 : 10000, Poisson's ratio -0.5 to 0.5; contacts under the punch
 Examples:
   recede stress --count 2000 --seed 1
   recede stress --seed 1 --first 17 --count 1 --save hard     the scene with number 17 alone
+  recede stress --count 1000 --all-kinds                      punches, loads, interfaces, bases of all kinds
   recede stress --count 1000 --verify                         error estimates against a stricter run
 
 Exit status: 0 unless an answer was wrong or the solver panicked.")]
@@ -33,6 +34,9 @@ pub struct Stress {
     /// Number of the first scene in the sequence
     #[arg(long, default_value_t = 0)]
     first: u64,
+    /// Punches, loads, interfaces and bases of all kinds, not only circles and parabolas, bonds and half-planes
+    #[arg(long)]
+    all_kinds: bool,
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
@@ -98,12 +102,16 @@ impl Stress {
     }
 
     fn one(&self, number: u64) -> Result<Ended, recede::Error> {
-        let scenario = scene(&Ranges::default(), self.seed, number);
-        let scene = scenario.scene()?;
+        let ranges = Ranges::default();
+        let scene = match self.all_kinds {
+            true => scene_of_any_kind(&ranges, self.seed, number)?,
+            false => scene(&ranges, self.seed, number).scene()?,
+        };
+        let thickness: f64 = scene.stack()?.total_thickness();
         let trial = Trial::run(&scene, &Options { tolerance: self.tolerance, ..Options::default() });
         let solution = trial.outcome.solution();
         let relative_half_length =
-            solution.and_then(|solution| Some(solution.contacts().first()?.half_length / scenario.thickness()));
+            solution.and_then(|solution| Some(solution.contacts().first()?.half_length / thickness));
         let comparisons = solution.filter(|_| self.verify).and_then(|solution| compare(&scene, solution).ok());
         Ok(Ended { number, scene, relative_half_length, trial, comparisons })
     }

@@ -79,10 +79,13 @@ impl Level {
             } else {
                 beyond / PI
             };
-            let pressure = (missing + unsettled[i][1] / PI) / size;
+            // a pressure that is infinite cannot be missed
+            let pressure = if peak.is_finite() { (missing + unsettled[i][1] / PI) / size } else { 0.0 };
             errors.push([length, pressure + 3.0 * length]);
-            settled.push(unsettled[i][0] < 0.1 * length && unsettled[i][1] < 0.1 * pressure * size * PI);
-            tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size));
+            let still = !peak.is_finite() || unsettled[i][1] < 0.1 * pressure * size * PI;
+            settled.push(unsettled[i][0] < 0.1 * length && still);
+            // compared with that of a mean pressure where there is hardly any in the middle
+            tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
         }
         if let Some(given) = punch.given() {

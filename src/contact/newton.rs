@@ -245,7 +245,8 @@ impl Newton<'_> {
 }
 
 fn longest(step: &[f64]) -> f64 {
-    step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()))
+    // a step that is no number leads nowhere, and is longer than any
+    step.iter().fold(0.0, |longest: f64, step| if step.is_nan() { f64::INFINITY } else { longest.max(step.abs()) })
 }
 
 /// Half-lengths with the solution of the equations there.

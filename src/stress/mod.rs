@@ -1,6 +1,7 @@
 //! Random legal scenes, and what becomes of them: a solver is trusted for the scenes that nobody thought of.
 //!
-//! [`scenes`] is a [`proptest`] strategy, [`scene`] picks one of its scenes by number, [`Trial`] solves it and judges the
+//! [`scenes`] is a [`proptest`] strategy, [`scene`] picks one of its scenes by number, [`scene_of_any_kind`] one with punches,
+//! loads, interfaces and bases of all kinds, [`Trial`] solves it and judges the
 //! answer. The command `recede stress` does that for many.
 //!
 //! ```
@@ -14,12 +15,14 @@
 //! assert!(!trial.outcome.is_wrong());
 //! # Ok::<(), recede::Error>(())
 //! ```
+mod kinds;
 mod load;
 mod scenario;
 mod strategy;
 mod trial;
 mod verify;
 
+pub use kinds::scene_of_any_kind;
 pub use scenario::{Ply, Scenario};
 pub use strategy::{Ranges, scene, scenes};
 pub use trial::{Outcome, Trial};

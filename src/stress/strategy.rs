@@ -93,11 +93,15 @@ pub fn scenes(ranges: &Ranges) -> impl Strategy<Value = Scenario> + use<> {
 
 /// One of the [`scenes`]: the same seed and number give the same scene, whatever else is drawn.
 pub fn scene(ranges: &Ranges, seed: u64, number: u64) -> Scenario {
+    drawn(&scenes(ranges), seed, number)
+}
+
+/// What a strategy gives for a seed and a number.
+pub(super) fn drawn<S: Strategy>(strategy: &S, seed: u64, number: u64) -> S::Value {
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     bytes[8..16].copy_from_slice(&number.to_le_bytes());
     let source = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
-    let strategy = scenes(ranges);
     let mut runner = TestRunner::new_with_rng(Config::default(), source);
     loop {
         // nothing is filtered out, so the first is always there

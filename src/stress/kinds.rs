@@ -1,0 +1,97 @@
+//! Random scenes with punches, loads, interfaces and bases of all kinds.
+use proptest::prelude::*;
+use recede_layers::{GradedHalfPlane, PowerHalfPlane, Winkler};
+
+use super::scenario::Scenario;
+use super::strategy::{Ranges, drawn, scenes};
+use crate::error::Error;
+use crate::scene::{Item, Load, Punch, Scene, Spring};
+
+/// In a table the punch ends at this many times the half-length that is aimed at.
+const TABLE_ENDS: f64 = 6.0;
+const ROWS: usize = 16;
+
+/// What takes the place of a parabola, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
+#[derive(Clone, Debug)]
+struct Kinds {
+    punch: usize,
+    joints: Vec<(usize, f64, f64)>,
+    base: usize,
+    /// A number from 0 to 1 that every kind makes something else of.
+    share: f64,
+}
+
+fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
+    let stiffness = -3.0..3.0f64;
+    let joint = (0..6usize, stiffness.clone(), stiffness);
+    let joints = prop::collection::vec(joint, *ranges.layers.end());
+    (0..14usize, joints, 0..10usize, 0.0..=1.0f64).prop_map(|(punch, joints, base, share)| Kinds {
+        punch,
+        joints,
+        base,
+        share,
+    })
+}
+
+/// One of the [`scenes`] with punches, loads, interfaces and bases of all kinds: the same seed and number give the same
+/// scene, whatever else is drawn.
+///
+/// # Errors
+/// None in practice.
+pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
+    let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
+    Ok(Scene::new(scenario.plane, kinds.punch(&scenario)?, scenario.force, kinds.items(&scenario)?))
+}
+
+impl Kinds {
+    /// As blunt as that of the scenario over about the contact that this has on a half-plane.
+    fn punch(&self, scenario: &Scenario) -> Result<Punch, Error> {
+        let (radius, share) = (scenario.radius, self.share);
+        let width = (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius);
+        let height = 0.5 * width * width / radius;
+        match self.punch {
+            0 => Punch::wedge(width / radius),
+            1 => Punch::power(1.0 + 5.0 * share, width, height),
+            2 => Punch::polynomial(width, &[height, share * height, 0.3 * height]),
+            3 => Punch::rounded_flat(share * width, radius),
+            4 => {
+                let row = |i: usize| {
+                    let s = TABLE_ENDS * i as f64 / ROWS as f64;
+                    (s * width, height * s * s * (1.0 + 0.2 * share * s))
+                };
+                Punch::table(&(0..=ROWS).map(row).collect::<Vec<_>>())
+            }
+            5 => Punch::elastic_cylinder(radius, scenario.layers[0].modulus * 10f64.powf(6.0 * share - 3.0), 0.3),
+            6 => Ok(Punch::Given(Load::Line)),
+            7 => Load::uniform(width).map(Punch::Given),
+            8 => Load::parabolic(width).map(Punch::Given),
+            9 => Load::elliptic(width).map(Punch::Given),
+            _ => scenario.punch(),
+        }
+    }
+
+    fn items(&self, scenario: &Scenario) -> Result<Vec<Item>, Error> {
+        let mut items = scenario.items()?;
+        for (item, (kind, normal, tangential)) in items.iter_mut().skip(1).step_by(2).zip(&self.joints) {
+            // per thickness and modulus of the whole
+            let stiffness = |power: &f64| 10f64.powf(*power) / scenario.thickness();
+            *item = match (&item, kind) {
+                (Item::Bonded, 0) => Item::Sliding,
+                (Item::Bonded, 1) => Item::Spring(Spring::new(stiffness(normal), None)?),
+                (Item::Bonded, 2) => Item::Spring(Spring::new(stiffness(normal), Some(stiffness(tangential)))?),
+                _ => continue,
+            };
+        }
+        let loose = matches!(items.get(items.len().saturating_sub(2)), Some(Item::Receding));
+        if let (Some((modulus, poisson)), Some(last)) = (scenario.base, items.last_mut()) {
+            let length = scenario.thickness();
+            *last = match self.base {
+                0 if !loose => Item::layer(Winkler::new(modulus / length)?),
+                1 => Item::layer(GradedHalfPlane::new(modulus, poisson, self.share / length)?),
+                2 => Item::layer(PowerHalfPlane::new(modulus, poisson, length, self.share)?),
+                _ => return Ok(items),
+            };
+        }
+        Ok(items)
+    }
+}
