@@ -128,7 +128,9 @@ fn from_any_start(
 
 /// The error that says in which intervals bodies touch, if there are several.
 fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zones]>, certain: bool) -> Option<Error> {
-    let count = |zones: &convex::Zones| if certain { zones.sure.len() } else { zones.apart.len() };
+    let finite = |zones: &convex::Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
+    // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
+    let count = |zones: &convex::Zones| if certain { finite(zones) } else { zones.apart.len() };
     // under the middle of the punch there is always contact: a zone too short for the grid says nothing
     let plausible = |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
     let mut all = zones?.iter().enumerate();
