@@ -12,10 +12,10 @@ mod refine;
 mod start;
 
 use crate::error::{Error, NoSolution};
-use crate::kernel::Kernel;
+use crate::kernel::{self, Kernel};
 use crate::options::{Method, Options};
 use crate::scene::Punch;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Solution, Stats};
 
 use level::{Level, coefficients};
 use newton::Converged;
@@ -55,22 +55,22 @@ fn solve(
     options: &Options,
 ) -> Result<Solution, Error> {
     let starts = start::half_lengths(kernel, indentation)?;
-    let mut steps = 0;
+    let mut work = newton::Work::default();
     if indentation.given().is_some() && starts.len() == 1 {
         // nothing is unknown
         let level = Level::new(Converged::known(starts), kernel, indentation, 0.0);
         let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
-        return Ok(solution(kernel, interfaces, indentation, level, check, 0, Vec::new()));
+        return Ok(solution(kernel, interfaces, indentation, level, check, work, Vec::new()));
     }
     first_admissible(&starts, &ATTEMPTS, |half_lengths, finer, root| {
         // a root that was found needs no finer start
         if root && finer > 1 {
             return None;
         }
-        let found = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut steps);
+        let found = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut work);
         Some(found.and_then(|(level, warnings)| {
             let check = admissible::check(kernel, interfaces, indentation, &level)?;
-            Ok(solution(kernel, interfaces, indentation, level, check, steps, warnings))
+            Ok(solution(kernel, interfaces, indentation, level, check, work.clone(), warnings))
         }))
     })
 }
@@ -102,6 +102,13 @@ fn first_admissible(
     Err(failure.unwrap_or(NoSolution::NotConverged { half_lengths: starts.to_vec() }).into())
 }
 
+/// What it took to evaluate the stack.
+fn stats(kernel: &Kernel) -> Stats {
+    let kernel::Work { wavenumbers, layers, unfelt } = kernel.work();
+    let (dropped, merged) = (kernel.dropped(), kernel.merged());
+    Stats { dropped, merged, wavenumbers, layers, unfelt, uncoupled: kernel.uncoupled_values(), ..Stats::default() }
+}
+
 /// The answer in the units of the scene.
 fn solution(
     kernel: &Kernel,
@@ -109,7 +116,7 @@ fn solution(
     indentation: &Indentation,
     level: Level,
     check: admissible::Check,
-    newton_steps: usize,
+    work: newton::Work,
     warnings: Vec<String>,
 ) -> Solution {
     let pressure_unit = kernel.modulus() * indentation.force;
@@ -145,9 +152,13 @@ fn solution(
         contacts,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
-        modes: level.counts.iter().copied().max().unwrap_or(0),
-        wavenumbers: kernel.samples(),
-        newton_steps,
+        stats: Stats {
+            modes: level.counts,
+            newton_steps: work.steps,
+            factorisations: work.factorisations,
+            interpolated: work.interpolated,
+            ..stats(kernel)
+        },
         warnings,
     }
 }

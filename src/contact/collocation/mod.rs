@@ -14,12 +14,12 @@ use faer::linalg::solvers::Solve;
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Solution, Stats};
 
-use super::first_admissible;
 use super::galerkin::alternating;
 use super::newton::not_converged;
 use super::punch::Indentation;
+use super::{first_admissible, stats};
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -63,7 +63,7 @@ pub(super) fn press(
     starts: &[f64],
     options: &Options,
 ) -> Result<Solution, Error> {
-    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: 0 };
+    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
     first_admissible(starts, &ATTEMPTS, |half_lengths, finer, _| {
         Some(problem.refine(half_lengths, finer * COARSEST, options))
     })
@@ -74,8 +74,8 @@ struct Problem<'a> {
     interfaces: &'a [Interface],
     punch: Indentation<'a>,
     spatial: Spatial,
-    /// Newton steps taken.
-    steps: usize,
+    /// Newton steps taken on each level.
+    steps: Vec<usize>,
 }
 
 impl Problem<'_> {
@@ -122,9 +122,12 @@ impl Problem<'_> {
         jacobian: &mut Option<Mat<f64>>,
     ) -> Result<Level, Error> {
         let mut last = f64::INFINITY;
+        self.steps.push(0);
         for _ in 0..STEPS {
             let pressures = self.solve(nodes, &half_lengths);
-            self.steps += 1;
+            if let Some(steps) = self.steps.last_mut() {
+                *steps += 1;
+            }
             let derivatives = match jacobian.take() {
                 Some(kept) => kept,
                 None => self.derivatives(nodes, &half_lengths, &pressures.slack),
@@ -234,9 +237,13 @@ impl Problem<'_> {
             contacts,
             min_pressure: min_pressure * pressure_unit,
             min_gap: min_gap * self.punch.force * length,
-            modes: nodes.half(),
-            wavenumbers: self.spatial.samples(),
-            newton_steps: self.steps,
+            stats: Stats {
+                modes: vec![nodes.half(); self.interfaces.len()],
+                newton_steps: self.steps.clone(),
+                factorisations: self.steps.iter().sum(),
+                wavenumbers: self.kernel.work().wavenumbers + self.spatial.samples(),
+                ..stats(self.kernel)
+            },
             warnings,
         })
     }
