@@ -3,6 +3,9 @@
 mod thick;
 mod thin;
 
+use std::any::Any;
+use std::sync::Arc;
+
 use nalgebra::Matrix4;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -18,6 +21,8 @@ const THIN: f64 = 1.0;
 const MILD: f64 = 1.0;
 /// Steeper layers are refused: the modulus would vary by more than e^±100.
 const STEEPEST: f64 = 100.0;
+/// Moduli that differ by no more than this, relative, and by as much for each unit of βh, are equal but for rounding.
+const EQUAL: f64 = 4.0 * f64::EPSILON;
 
 /// Isotropic layer of constant Poisson's ratio whose shear modulus is μ_top e^(βd) at depth d below its top face.
 ///
@@ -135,6 +140,18 @@ impl Layer for Exponential {
 
     fn has_closed_form(&self) -> bool {
         true
+    }
+
+    fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
+        let below: &dyn Any = below;
+        let other = below.downcast_ref::<Self>()?;
+        let (expected, found) = (self.at(self.thickness.get()).shear_modulus, other.shear_modulus.get());
+        let equal = (found - expected).abs() <= EQUAL * (1.0 + self.steepness().abs()) * expected;
+        let thickness = self.thickness.get() + other.thickness.get();
+        let (shear_modulus, poisson) = (self.shear_modulus.get(), self.poisson.get());
+        let whole = || Self::new(thickness, shear_modulus, poisson, self.beta.get()).ok();
+        let one = equal && (self.poisson, self.beta) == (other.poisson, other.beta);
+        one.then(whole).flatten().map(|whole| Arc::new(whole) as _)
     }
 
     fn face_states(&self, wave: &Wave) -> FaceStates {

@@ -37,7 +37,7 @@ impl HalfPlane {
         })
     }
 
-    fn isotropic(&self) -> Isotropic {
+    pub(crate) fn isotropic(&self) -> Isotropic {
         Isotropic { shear_modulus: self.shear_modulus.get(), poisson: self.poisson.get() }
     }
 }

@@ -1,11 +1,14 @@
 //! A homogeneous, isotropic layer: closed forms at both ends of the wavenumber axis.
+use std::any::Any;
+use std::sync::Arc;
+
 use nalgebra::{Matrix4, Vector4};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Flexibility, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Plane, Poisson,
-    Positive, State, Thickness, Wave, stable,
+    FaceStates, Flexibility, HalfPlane, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Plane,
+    Poisson, Positive, State, Thickness, Wave, stable,
 };
 
 /// Up to this λh the amplitudes are the state at mid-depth; beyond, solutions that decay from either face.
@@ -60,6 +63,16 @@ impl Layer for Homogeneous {
 
     fn has_closed_form(&self) -> bool {
         true
+    }
+
+    fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
+        let below: &dyn Any = below;
+        if let Some(other) = below.downcast_ref::<Self>() {
+            let thickness = Thickness::try_from(self.thickness.get() + other.thickness.get()).ok()?;
+            return (self.isotropic() == other.isotropic()).then(|| Arc::new(Self { thickness, ..*self }) as _);
+        }
+        let ground = below.downcast_ref::<HalfPlane>().filter(|ground| ground.isotropic() == self.isotropic())?;
+        Some(Arc::new(*ground))
     }
 
     fn face_states(&self, wave: &Wave) -> FaceStates {

@@ -1,6 +1,7 @@
 //! The trait `Layer` and nothing else.
 use std::any::Any;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use crate::{FaceStates, Flexibility, LayerStates, Material, Plane, Wave, graded};
 
@@ -130,6 +131,24 @@ pub trait Layer: Debug + Send + Sync + Any {
     /// body computes of the layer, see [`graded::Remembering`].
     fn has_closed_form(&self) -> bool {
         false
+    }
+
+    /// This layer and the one bonded below it as one layer, if both are one body cut in two: it fills both and is, at any
+    /// depth, of their material. A stack solves for one layer what is one; provided: nothing is known, `None`. The layer
+    /// below may be a half-plane, and then so is the whole.
+    ///
+    /// ```
+    /// use recede_layers::{HalfPlane, Homogeneous, Layer};
+    /// let strip = Homogeneous::new(1.0, 80.0, 0.25)?;
+    /// let whole = strip.continues(&Homogeneous::new(0.5, 80.0, 0.25)?).expect("one material");
+    /// assert_eq!(whole.thickness(), Some(1.5));
+    /// assert_eq!(strip.continues(&HalfPlane::new(80.0, 0.25)?).expect("one material").thickness(), None);
+    /// assert!(strip.continues(&HalfPlane::new(80.0, 0.3)?).is_none());
+    /// # Ok::<(), recede_layers::LayerError>(())
+    /// ```
+    fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
+        let _ = below;
+        None
     }
 
     /// States at the faces as functions of the layer's amplitudes; provided by [`graded::face_states`].

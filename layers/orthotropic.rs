@@ -1,5 +1,7 @@
 //! Orthotropic material with axes along and across the layers: a homogeneous layer, and a half-plane.
+use std::any::Any;
 use std::fmt;
+use std::sync::Arc;
 
 use nalgebra::Matrix4;
 use schemars::JsonSchema;
@@ -189,6 +191,18 @@ impl Layer for Orthotropic {
     fn material(&self, _depth: f64, plane: Plane) -> Material {
         let Self { young, poisson, shear_modulus, .. } = *self;
         EngineeringConstants { young, poisson, shear_modulus }.material(plane)
+    }
+
+    fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
+        let below: &dyn Any = below;
+        if let Some(other) = below.downcast_ref::<Self>() {
+            let thickness = Thickness::try_from(self.thickness.get() + other.thickness.get()).ok()?;
+            let whole = Self { thickness, ..*self };
+            return (whole == Self { thickness, ..*other }).then(|| Arc::new(whole) as _);
+        }
+        let Self { young, poisson, shear_modulus, .. } = *self;
+        let own = OrthotropicHalfPlane { young, poisson, shear_modulus };
+        below.downcast_ref::<OrthotropicHalfPlane>().filter(|ground| **ground == own).map(|_| Arc::new(own) as _)
     }
 }
 

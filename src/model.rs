@@ -87,3 +87,27 @@ impl Model {
 pub fn solve(scene: &Scene) -> Result<Solution, Error> {
     Model::new(scene.stack()?).and_then(|model| model.press(&scene.punch, scene.force)).map_err(|e| scene.locate(e))
 }
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{HalfPlane, Homogeneous, Plane};
+
+    use super::*;
+
+    #[test]
+    fn couplings_that_vanish_do_not_matter() {
+        let strip = |thickness, modulus| Homogeneous::new(thickness, modulus, 0.25).unwrap();
+        let ground = HalfPlane::new(1.0, 0.25).unwrap();
+        let stack = Stack::builder(Plane::Strain).layer(strip(1.0, 1.0)).receding().layer(strip(20.0, 3.0));
+        let model = Model::new(stack.receding().layer(ground).build().unwrap()).unwrap();
+        let all = Model { kernel: model.kernel.with_all_couplings(), ..model.clone() };
+        assert!(model.kernel.uncoupled_values() > 0);
+        assert_eq!(all.kernel.uncoupled_values(), 0);
+        let [found, expected] =
+            [&model, &all].map(|model| model.press(&Punch::parabola(500.0).unwrap(), 2e-3).unwrap());
+        for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
+            assert!((found.half_length / expected.half_length - 1.0).abs() < 1e-12);
+            assert!((found.peak_pressure / expected.peak_pressure - 1.0).abs() < 1e-12);
+        }
+    }
+}

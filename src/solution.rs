@@ -65,15 +65,52 @@ impl Contact {
     }
 }
 
+/// Counts of what was computed for a solution, and of what was not needed.
+///
+/// What is counted for the stack was done once for its [`Model`](crate::Model), however many punches and loads follow.
+///
+/// ```
+/// use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+/// let slice = || Homogeneous::new(0.25, 1.0, 0.25);
+/// let stack = Stack::builder(Plane::Strain).layer(slice()?).bonded().layer(slice()?).receding();
+/// let model = Model::new(stack.layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+/// let stats = model.press(&Punch::cylinder(500.0)?, 0.002)?.stats().clone();
+/// assert_eq!((stats.dropped, stats.merged), (0, 1));
+/// assert_eq!(stats.layers + stats.unfelt, stats.wavenumbers);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Layers of thickness zero, which are not there.
+    pub dropped: usize,
+    /// Layers that are one body with the layer or half-plane to which they are bonded, and were solved for with it.
+    pub merged: usize,
+    /// Wavenumbers at which the stack was evaluated.
+    pub wavenumbers: usize,
+    /// Layers evaluated, all wavenumbers together; a half-plane does not count.
+    pub layers: usize,
+    /// Layers that would have been evaluated, had they not been too deep for the wave to be felt.
+    pub unfelt: usize,
+    /// Values of couplings between neighbouring contacts that vanish and were left out, all wavenumbers together.
+    pub uncoupled: usize,
+    /// Wavenumbers of the integrals of the contact equations, at which kernels were taken from values known before rather
+    /// than evaluated; all layouts of integrals together.
+    pub interpolated: usize,
+    /// Terms in the series of each pressure, contacts from the top down.
+    pub modes: Vec<usize>,
+    /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first.
+    pub newton_steps: Vec<usize>,
+    /// Systems of equations that were factorised.
+    pub factorisations: usize,
+}
+
 /// A solved scene: contacts from the top down, and what it took to find them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     pub(crate) contacts: Vec<Contact>,
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
-    pub(crate) modes: usize,
-    pub(crate) wavenumbers: usize,
-    pub(crate) newton_steps: usize,
+    pub(crate) stats: Stats,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -95,17 +132,22 @@ impl Solution {
 
     /// Largest number of modes by which a pressure was represented.
     pub fn modes(&self) -> usize {
-        self.modes
+        self.stats.modes.iter().copied().max().unwrap_or(0)
     }
 
     /// Number of wavenumbers at which the stack was evaluated.
     pub fn wavenumbers(&self) -> usize {
-        self.wavenumbers
+        self.stats.wavenumbers
     }
 
     /// Newton steps taken, all levels together.
     pub fn newton_steps(&self) -> usize {
-        self.newton_steps
+        self.stats.newton_steps.iter().sum()
+    }
+
+    /// What was computed, and what was not needed.
+    pub fn stats(&self) -> &Stats {
+        &self.stats
     }
 
     /// What the user should know about this result, in full sentences; empty if there is nothing.

@@ -141,6 +141,36 @@ fn json_has_the_pinned_keys_and_all_digits() {
 }
 
 #[test]
+fn counts_are_told_on_standard_error_and_always_in_json() {
+    let run = recede(&["solve", PAPER, "--stats", "--format", "json"], b"");
+    let json: Value = serde_json::from_str(&run.stdout).unwrap();
+    let stats = &json["stats"];
+    let list = |key: &str| -> Vec<u64> { stats[key].as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).collect() };
+    assert_eq!(stats["wavenumbers"], json["wavenumbers"]);
+    assert_eq!(list("modes").into_iter().max(), json["modes"].as_u64());
+    assert_eq!(list("newton_steps").iter().sum::<u64>(), json["newton_steps"].as_u64().unwrap());
+    let counts: Vec<u64> = [
+        "layers_dropped",
+        "layers_merged",
+        "wavenumbers",
+        "layers_evaluated",
+        "layers_below_decay_depth",
+        "couplings_vanished",
+        "wavenumbers_interpolated",
+        "factorisations",
+    ]
+    .iter()
+    .map(|key| stats[key].as_u64().unwrap_or_else(|| panic!("{key}")))
+    .collect();
+    // the same counts, one line for each, lists before the last
+    let told: Vec<u64> = run.stderr.lines().filter_map(|line| line.split_whitespace().next()?.parse().ok()).collect();
+    assert_eq!(told.len(), counts.len() + 2);
+    assert_eq!(told[..7], counts[..7]);
+    assert_eq!(told.last(), counts.last());
+    assert_eq!(recede(&["solve", PAPER], b"").stderr, "");
+}
+
+#[test]
 fn csv_has_one_line_for_each_contact_with_the_same_numbers_as_json() {
     let csv = succeeds(&["solve", PAPER, "--format", "csv"]);
     let json: Value = serde_json::from_str(&succeeds(&["solve", PAPER, "--format=json"])).unwrap();

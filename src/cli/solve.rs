@@ -14,6 +14,7 @@ use super::{Failure, SceneFile, tell};
 Examples:
   recede solve scene.ron
   recede solve scene.ron --format json --tolerance 1e-12
+  recede solve scene.ron --stats
   recede solve - --format csv < scene.ron")]
 pub struct Solve {
     #[command(flatten)]
@@ -27,6 +28,9 @@ pub struct Solve {
     /// Discretisation of the contact equations
     #[arg(long, value_enum, default_value_t = Method::Galerkin)]
     method: Method,
+    /// Tell, on standard error, what was computed and what was not needed
+    #[arg(long)]
+    stats: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -71,6 +75,9 @@ impl Solve {
             Format::Json => report::Format::Json,
             Format::Csv => report::Format::Csv,
         };
+        if self.stats {
+            tell(&solution.stats().to_string());
+        }
         Ok(Report { scene: &scene, solution: &solution, max_shear, seconds }.write(format, out)?)
     }
 }

@@ -14,10 +14,10 @@ mod start;
 mod tail;
 
 use crate::error::{Error, NoSolution};
-use crate::kernel::Kernel;
+use crate::kernel::{self, Kernel};
 use crate::options::{Method, Options};
 use crate::scene::Punch;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Solution, Stats};
 
 use level::{Level, coefficients};
 use newton::Converged;
@@ -59,21 +59,21 @@ fn solve(
     indentation: &Indentation,
     options: &Options,
 ) -> Result<Solution, Error> {
-    let mut steps = 0;
+    let mut work = newton::Work::default();
     if indentation.given().is_some() && kernel.contacts() == 1 {
         // nothing is unknown
         let starts = start::half_lengths(kernel, indentation)?;
         let level = Level::new(Converged::known(starts), kernel, indentation, 0.0);
         let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
-        return Ok(solution(kernel, interfaces, indentation, level, check, 0, Vec::new()));
+        return Ok(solution(kernel, interfaces, indentation, level, check, work, Vec::new()));
     }
     from_any_start(kernel, interfaces, indentation, |half_lengths, finer| {
-        let (level, warnings) = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut steps)?;
+        let (level, warnings) = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut work)?;
         if level.errors.iter().any(|[half_length, _]| *half_length > UNUSABLE) {
             return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
         }
         let check = admissible::check(kernel, interfaces, indentation, &level)?;
-        Ok(solution(kernel, interfaces, indentation, level, check, steps, warnings))
+        Ok(solution(kernel, interfaces, indentation, level, check, work.clone(), warnings))
     })
 }
 
@@ -139,6 +139,13 @@ fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zo
     Some(NoSolution::Parts { interface: interfaces[i], parts }.into())
 }
 
+/// What it took to evaluate the stack.
+fn stats(kernel: &Kernel) -> Stats {
+    let kernel::Work { wavenumbers, layers, unfelt } = kernel.work();
+    let (dropped, merged) = (kernel.dropped(), kernel.merged());
+    Stats { dropped, merged, wavenumbers, layers, unfelt, uncoupled: kernel.uncoupled_values(), ..Stats::default() }
+}
+
 /// The answer in the units of the scene.
 fn solution(
     kernel: &Kernel,
@@ -146,7 +153,7 @@ fn solution(
     indentation: &Indentation,
     level: Level,
     check: admissible::Check,
-    newton_steps: usize,
+    work: newton::Work,
     warnings: Vec<String>,
 ) -> Solution {
     let pressure_unit = kernel.modulus() * indentation.force;
@@ -182,9 +189,13 @@ fn solution(
         contacts,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
-        modes: level.counts.iter().copied().max().unwrap_or(0),
-        wavenumbers: kernel.samples(),
-        newton_steps,
+        stats: Stats {
+            modes: level.counts,
+            newton_steps: work.steps,
+            factorisations: work.factorisations,
+            interpolated: work.interpolated,
+            ..stats(kernel)
+        },
         warnings,
     }
 }

@@ -66,12 +66,30 @@ impl Converged {
     }
 }
 
+/// What Newton's method has done, all attempts together.
+#[derive(Clone, Default)]
+pub(super) struct Work {
+    /// Steps and rounds on each level.
+    pub(super) steps: Vec<usize>,
+    /// Wavenumbers of all layouts.
+    pub(super) interpolated: usize,
+    /// Systems factorised.
+    pub(super) factorisations: usize,
+}
+
+impl Work {
+    fn step(&mut self) {
+        if let Some(steps) = self.steps.last_mut() {
+            *steps += 1;
+        }
+    }
+}
+
 /// Newton's method on one stack under one punch.
 pub(super) struct Newton<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) punch: &'a Indentation<'a>,
-    /// Steps and rounds taken.
-    pub(super) steps: usize,
+    pub(super) work: Work,
     /// Storage of tables to be used again.
     pub(super) spare: Vec<Vec<f64>>,
 }
@@ -123,7 +141,7 @@ impl Newton<'_> {
                 bases = self.bases(&layout, &half_lengths, modes);
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             }
-            self.steps += 1;
+            self.work.step();
             let equations = Equations::new(&layout, &bases, solved, &linked);
             let found = point.linearised.settle(&equations, &slopes, &mut all);
             let mut slow = false;
@@ -193,6 +211,7 @@ impl Newton<'_> {
         }
         let start = half_lengths.clone();
         let mut layout: Option<(Layout, Vec<f64>)> = None;
+        self.work.steps.push(0);
         for _ in 0..STEPS {
             let near = |about: &[f64], by: f64| half_lengths.iter().zip(about).all(|(a, b)| (a / b).ln().abs() <= by);
             if !near(&start, FARTHEST) {
@@ -201,14 +220,18 @@ impl Newton<'_> {
             let at = match layout.take().filter(|(_, about)| near(about, LAYOUT_SERVES)) {
                 Some(serves) => serves,
                 None => match Layout::new(kernel, &half_lengths, &orders, accuracy, 0.0) {
-                    Some(new) => (new, half_lengths.clone()),
+                    Some(new) => {
+                        self.work.interpolated += new.zeta.len();
+                        (new, half_lengths.clone())
+                    }
                     None => break,
                 },
             };
             let bases = self.bases(&at.0, &half_lengths, solved);
             let slopes = punch.slopes(half_lengths[0], solved[0]);
             let linked = ties(kernel, &half_lengths);
-            self.steps += 1;
+            self.work.step();
+            self.work.factorisations += 1;
             let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes, punch.given().is_some());
             self.spare.extend(bases.into_iter().map(Basis::into_table));
             let Some((pressures, linearised)) = found else { break };

@@ -7,7 +7,7 @@ use crate::solution::Interface;
 use super::admissible;
 use super::layout::{Accuracy, COARSE};
 use super::level::{BEST, Level};
-use super::newton::Newton;
+use super::newton::{Newton, Work};
 use super::punch::Indentation;
 
 /// Modes of the coarsest level.
@@ -38,11 +38,11 @@ pub(super) fn refine(
     half_lengths: Vec<f64>,
     finer: usize,
     options: &Options,
-    steps: &mut usize,
+    work: &mut Work,
 ) -> Result<(Level, Vec<String>), Error> {
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
-    let mut newton = Newton { kernel, punch, steps: *steps, spare: Vec::new() };
+    let mut newton = Newton { kernel, punch, work: work.clone(), spare: Vec::new() };
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
     let mut coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
     // all modes of a given pressure are known together
@@ -67,7 +67,7 @@ pub(super) fn refine(
     let mut before: Option<Level> = None;
     loop {
         let found = newton.converge(half_lengths.clone(), &solved, &modes, tolerance);
-        *steps = newton.steps;
+        *work = newton.work.clone();
         let level = match (found, before.take()) {
             (Ok(found), _) => {
                 let mut level = Level::new(found, kernel, punch, Accuracy::of(tolerance).negligible);
@@ -80,11 +80,12 @@ pub(super) fn refine(
                 return Ok((level, warnings));
             }
             (Err(_), None) => {
-                let modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
+                let mut modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
+                modes[..first].fill(1);
                 let found = newton.converge(half_lengths, &coarse, &modes, FEW_DIGITS)?;
                 let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
                 let rough = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
-                *steps = newton.steps;
+                *work = newton.work.clone();
                 let mut level = Level::new(found, kernel, punch, Accuracy::of(FEW_DIGITS).negligible);
                 level.doubt(&rough);
                 if level.worst_error() > tolerance {

@@ -2,7 +2,7 @@
 use crate::Error;
 use crate::numeric::chebyshev::{self, Series};
 
-use super::Chains;
+use super::{Chains, Work};
 
 /// Points of the fit.
 const POINTS: usize = 17;
@@ -23,16 +23,15 @@ pub(crate) struct Far {
 
 impl Far {
     /// Fits the kernel of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
-    pub(super) fn fit(chains: &Chains, contact: usize, from: f64, samples: &mut usize) -> Result<Option<Self>, Error> {
+    pub(super) fn fit(chains: &Chains, contact: usize, from: f64, work: &mut Work) -> Result<Option<Self>, Error> {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
         let mut components = vec![0.0; 3 * chains.contacts() - 1];
         let mut values = Vec::with_capacity(POINTS);
         for u in chebyshev::points(0.0, 1.0, POINTS) {
             // the point u = 0 is a wavenumber so large that nothing but the face itself is felt
-            chains.sample(from / u.max(1e-25), &wanted, &mut components)?;
+            chains.sample(from / u.max(1e-25), &wanted, &mut components, work)?;
             values.push(components[contact]);
         }
-        *samples += POINTS;
         let series = Series::from_values_at_points(0.0, 1.0, &values);
         if series.tail() > RESOLVED {
             return Ok(None);

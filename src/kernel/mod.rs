@@ -35,9 +35,30 @@ pub(crate) struct Kernel {
     chains: Chains,
     panels: Vec<Panel>,
     far: Vec<Far>,
-    samples: usize,
+    work: Work,
+    /// Layers of no thickness, and layers that were one with a neighbour.
+    dropped: usize,
+    merged: usize,
     /// λμ₀C of an elastic punch, which is flattened like a half-plane; part of contact 0.
     punch: f64,
+}
+
+/// What it took to evaluate a stack.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Work {
+    /// Wavenumbers.
+    pub(crate) wavenumbers: usize,
+    /// Layers, all wavenumbers together.
+    pub(crate) layers: usize,
+    /// Layers of the same bodies that were too deep to be felt.
+    pub(crate) unfelt: usize,
+}
+
+impl Work {
+    fn add(&mut self, felt: usize, layers: usize) {
+        self.layers += felt;
+        self.unfelt += layers - felt;
+    }
 }
 
 /// The chains of the block system, and the units in which they are evaluated.
@@ -76,16 +97,18 @@ impl Chains {
     }
 
     /// All components at one wavenumber, `unit` and `coupling` behind `diagonal`, for the contacts that are `wanted`.
-    fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64]) -> Result<(), Error> {
+    fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64], work: &mut Work) -> Result<(), Error> {
         let wave = self.wave(zeta);
         let n = self.contacts();
         let failed = || Error::Unresolved { wavenumber: wave.wavenumber };
         components.fill(0.0);
+        work.wavenumbers += 1;
         for (i, laminate) in self.laminates.iter().enumerate() {
             if !(wanted[i] || wanted[i + 1]) {
                 continue;
             }
-            let c = laminate.flexibility(&wave).ok_or_else(failed)?;
+            let (c, felt) = laminate.flexibility_and_felt(&wave).ok_or_else(failed)?;
+            work.add(felt, laminate.layers().len());
             components[i] += c.top;
             components[n + i] += c.equal_top;
             components[i + 1] -= c.bottom;
@@ -93,7 +116,8 @@ impl Chains {
             components[2 * n + i] = c.coupling;
         }
         if wanted[n - 1] {
-            let c = self.base.flexibility(&wave).ok_or_else(failed)?;
+            let (c, felt) = self.base.flexibility_and_felt(&wave).ok_or_else(failed)?;
+            work.add(felt, self.base.layers().len());
             components[n - 1] += c;
             components[2 * n - 1] += c;
         }
@@ -115,9 +139,18 @@ impl Chains {
 impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
     pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
-        let chains = Chains::new(stack);
+        let (stack, merged) = stack.merged();
+        let chains = Chains::new(&stack);
         let n = chains.contacts();
-        let mut kernel = Self { panels: Vec::new(), far: Vec::new(), samples: 0, punch: 0.0, chains };
+        let mut kernel = Self {
+            panels: Vec::new(),
+            far: Vec::new(),
+            work: Work::default(),
+            dropped: stack.dropped().len(),
+            merged,
+            punch: 0.0,
+            chains,
+        };
         let mut far: Vec<Option<Far>> = vec![None; n];
         let mut edge = 0.0;
         for doubling in 0..DOUBLINGS {
@@ -126,7 +159,7 @@ impl Kernel {
                 // next to a half-plane the kernel may be constant from the start
                 let from = if thickness.is_finite() { edge } else { f64::max(edge, 1e-9) };
                 if far.is_none() && from * thickness >= UNFELT {
-                    *far = Far::fit(&kernel.chains, i, from, &mut kernel.samples)?
+                    *far = Far::fit(&kernel.chains, i, from, &mut kernel.work)?
                         .filter(|far| edge > 0.0 || far.is_constant());
                     if let (Some(far), true) = (far, edge == 0.0) {
                         far.starts_at_zero();
@@ -142,7 +175,7 @@ impl Kernel {
                 return Ok(kernel);
             }
             let next = 2.0 * f64::from(2u32).powi(doubling as i32);
-            panel::resolve(&kernel.chains, edge, next, &wanted, &mut kernel.panels, &mut kernel.samples)?;
+            panel::resolve(&kernel.chains, edge, next, &wanted, &mut kernel.panels, &mut kernel.work)?;
             edge = next;
         }
         Err(Error::Unresolved { wavenumber: edge / kernel.chains.length })
@@ -177,9 +210,33 @@ impl Kernel {
         self.chains.modulus
     }
 
-    /// Wavenumbers at which the stack was evaluated.
-    pub(crate) fn samples(&self) -> usize {
-        self.samples
+    /// What it took to evaluate the stack.
+    pub(crate) fn work(&self) -> Work {
+        self.work
+    }
+
+    /// Layers of no thickness.
+    pub(crate) fn dropped(&self) -> usize {
+        self.dropped
+    }
+
+    /// Layers that were taken for one with a neighbour.
+    pub(crate) fn merged(&self) -> usize {
+        self.merged
+    }
+
+    /// Values of couplings that vanish, and are left out of all integrals.
+    pub(crate) fn uncoupled_values(&self) -> usize {
+        let vanishing = self.panels.iter().flat_map(|panel| &panel.coupled).filter(|coupled| !**coupled);
+        panel::POINTS * vanishing.count()
+    }
+
+    /// The same with all couplings, also those that vanish.
+    #[cfg(test)]
+    pub(crate) fn with_all_couplings(&self) -> Self {
+        let mut kernel = self.clone();
+        kernel.panels.iter_mut().for_each(|panel| panel.coupled.fill(true));
+        kernel
     }
 
     /// Panels of the wavenumber axis, in order, without gaps from 0.

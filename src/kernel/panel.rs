@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 use crate::Error;
 use crate::numeric::{chebyshev, quadrature};
 
-use super::Chains;
+use super::{Chains, Work};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
@@ -48,28 +48,27 @@ pub(super) fn resolve(
     to: f64,
     wanted: &[bool],
     panels: &mut Vec<Panel>,
-    samples: &mut usize,
+    work: &mut Work,
 ) -> Result<(), Error> {
-    let panel = Panel::new(chains, from, to, wanted)?;
-    *samples += POINTS;
+    let panel = Panel::new(chains, from, to, wanted, work)?;
     if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
         panels.push(panel);
         return Ok(());
     }
     let middle = 0.5 * (from + to);
-    resolve(chains, from, middle, wanted, panels, samples)?;
-    resolve(chains, middle, to, wanted, panels, samples)
+    resolve(chains, from, middle, wanted, panels, work)?;
+    resolve(chains, middle, to, wanted, panels, work)
 }
 
 impl Panel {
-    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool]) -> Result<Self, Error> {
+    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Work) -> Result<Self, Error> {
         let contacts = chains.contacts();
         let components = 3 * contacts - 1;
         let mut values = vec![[0.0; POINTS]; components];
         let mut sample = vec![0.0; components];
         for (k, x) in quadrature::rule(POINTS).nodes.iter().enumerate() {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
-            chains.sample(zeta, wanted, &mut sample)?;
+            chains.sample(zeta, wanted, &mut sample, work)?;
             for (c, value) in sample.iter().enumerate() {
                 values[c][k] = value * zeta.powi(powers(contacts, c));
             }

@@ -17,6 +17,7 @@ struct Document<'a> {
     wavenumbers: usize,
     newton_steps: usize,
     seconds: f64,
+    stats: Stats<'a>,
     warnings: &'a [String],
 }
 
@@ -26,6 +27,37 @@ struct MaxShear {
     x: f64,
     depth: f64,
     layer: usize,
+}
+
+#[derive(Serialize)]
+struct Stats<'a> {
+    layers_dropped: usize,
+    layers_merged: usize,
+    wavenumbers: usize,
+    layers_evaluated: usize,
+    layers_below_decay_depth: usize,
+    couplings_vanished: usize,
+    wavenumbers_interpolated: usize,
+    modes: &'a [usize],
+    newton_steps: &'a [usize],
+    factorisations: usize,
+}
+
+impl<'a> Stats<'a> {
+    fn of(stats: &'a crate::solution::Stats) -> Self {
+        Self {
+            layers_dropped: stats.dropped,
+            layers_merged: stats.merged,
+            wavenumbers: stats.wavenumbers,
+            layers_evaluated: stats.layers,
+            layers_below_decay_depth: stats.unfelt,
+            couplings_vanished: stats.uncoupled,
+            wavenumbers_interpolated: stats.interpolated,
+            modes: &stats.modes,
+            newton_steps: &stats.newton_steps,
+            factorisations: stats.factorisations,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -64,6 +96,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         wavenumbers: solution.wavenumbers(),
         newton_steps: solution.newton_steps(),
         seconds: report.seconds,
+        stats: Stats::of(solution.stats()),
         warnings: solution.warnings(),
     };
     serde_json::to_writer_pretty(&mut *out, &document)?;

@@ -3,6 +3,7 @@ mod csv;
 mod digits;
 mod field;
 mod json;
+mod stats;
 mod sweep;
 mod table;
 

@@ -4,6 +4,7 @@ mod builder;
 mod drawing;
 mod error;
 mod joint;
+mod merged;
 
 use std::sync::Arc;
 

@@ -13,19 +13,29 @@ use crate::solution::Solution;
 const LONGEST: usize = 32;
 /// So many chunks there are at least, if there are as many rows.
 const FEWEST: usize = 64;
-/// Models that are kept for later rows.
+/// Models and punches that are kept for later rows.
 const KEPT: usize = 512;
 
-/// The evaluation of one stack, waited for by whoever needs it.
-type Slot = Arc<OnceLock<Result<Arc<Model>, Error>>>;
+/// What is made once for many rows, and waited for by whoever needs it.
+type Slot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 
-/// The models of the last stacks by their numbers.
-#[derive(Debug, Default)]
-pub(super) struct Models(Mutex<VecDeque<(usize, Slot)>>);
+/// The last things made, by their numbers: models of stacks, or punches.
+#[derive(Debug)]
+pub(super) struct Kept<T>(Mutex<VecDeque<(usize, Slot<T>)>>);
 
-impl Models {
-    /// The place of the model of stack `key`.
-    fn slot(&self, key: usize) -> Slot {
+impl<T> Default for Kept<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<T> Kept<T> {
+    /// What has this number; made if it is not kept.
+    fn get(&self, key: usize, make: impl FnOnce() -> Result<T, Error>) -> Result<Arc<T>, Error> {
+        self.slot(key).get_or_init(|| make().map(Arc::new)).clone()
+    }
+
+    fn slot(&self, key: usize) -> Slot<T> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, slot)) = slots.iter().rev().find(|(found, _)| *found == key) {
             return Arc::clone(slot);
@@ -64,25 +74,24 @@ impl Sweep {
 
     fn solve_row(&self, index: usize, values: &[f64]) -> Result<Solution, Error> {
         let changes: Vec<_> = self.slots.iter().zip(values.iter().copied()).collect();
-        let model = self.model(index)?;
-        let punch = self.scene.punch_with(&changes)?;
+        let stack = self.key(index, |owner| matches!(owner, Owner::Item(_)));
+        let model = self.models.get(stack, || Model::new(self.stack(stack)?))?;
+        let punch = self.key(index, |owner| *owner == Owner::Punch);
+        let punch = self.punches.get(punch, || {
+            // what is kept, or why it is none, must not depend on the row that came first
+            let own: Vec<_> = changes.iter().copied().filter(|(slot, _)| slot.owner == Owner::Punch).collect();
+            self.scene.punch_with(&own)
+        })?;
         let force = self.scene.force_with(&changes)?;
         model.press_with(&punch, force, &self.options)
     }
 
-    /// The model of a row.
-    fn model(&self, index: usize) -> Result<Arc<Model>, Error> {
-        let key = self.stack_key(index);
-        let slot = self.models.slot(key);
-        slot.get_or_init(|| Model::new(self.stack(key)?).map(Arc::new)).clone()
-    }
-
-    /// Number of the stack of a row.
-    fn stack_key(&self, index: usize) -> usize {
+    /// Number of the combination of values that a row has on the axes of some owners.
+    fn key(&self, index: usize, of: impl Fn(&Owner) -> bool) -> usize {
         let (mut rest, mut key, mut place) = (index, 0, 1);
         for (axis, slot) in self.axes.iter().zip(&self.slots).rev() {
             let count = axis.values().len();
-            if matches!(slot.owner, Owner::Item(_)) {
+            if of(&slot.owner) {
                 key += rest % count * place;
                 place *= count;
             }

@@ -20,11 +20,12 @@ pub use axis::{Axis, AxisError};
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
 
-use chunk::Models;
+use chunk::Kept;
 
 use crate::error::Error;
+use crate::model::Model;
 use crate::options::Options;
-use crate::scene::{Owner, Scene, Slot};
+use crate::scene::{Owner, Punch, Scene, Slot};
 use crate::solution::{Interface, Solution};
 use crate::stack::Stack;
 
@@ -58,7 +59,8 @@ pub struct Sweep {
     options: Options,
     rows: usize,
     interfaces: Vec<Interface>,
-    models: Models,
+    models: Kept<Model>,
+    punches: Kept<Punch>,
 }
 
 /// One row of a sweep.
@@ -97,8 +99,8 @@ impl Sweep {
             }
             (_, None) => 1,
         };
-        let options = Options::default();
-        let mut sweep = Self { scene, axes, slots, options, rows, interfaces: Vec::new(), models: Models::default() };
+        let (options, models, punches) = (Options::default(), Kept::default(), Kept::default());
+        let mut sweep = Self { scene, axes, slots, options, rows, interfaces: Vec::new(), models, punches };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }

@@ -61,6 +61,11 @@ impl FreeChain {
 
     /// Flexibility at one wavenumber; `None` if a layer's states are not finite or do not determine its fields.
     pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
+        self.flexibility_and_felt(wave).map(|(flexibility, _)| flexibility)
+    }
+
+    /// The same, and how many layers it took.
+    pub(crate) fn flexibility_and_felt(&self, wave: &Wave) -> Option<(Flexibility, usize)> {
         let layers = &self.layers[..];
         let above = felt(layers.iter(), wave);
         let below = felt(layers.iter().rev(), wave);
@@ -69,15 +74,16 @@ impl FreeChain {
             let first = layers.len() - below;
             let top = flexibility(&layers[..above], &self.joints, 0, wave)?;
             let bottom = flexibility(&layers[first..], &self.joints[first.min(self.joints.len())..], below, wave)?;
-            return Some(Flexibility {
+            let apart = Flexibility {
                 top: top.top,
                 coupling: 0.0,
                 bottom: bottom.bottom,
                 equal_top: top.top,
                 equal_bottom: bottom.bottom,
-            });
+            };
+            return Some((apart, above + below));
         }
-        flexibility(layers, &self.joints, self.meeting, wave)
+        Some((flexibility(layers, &self.joints, self.meeting, wave)?, layers.len()))
     }
 
     /// The layers, top down.
@@ -100,6 +106,11 @@ impl BaseChain {
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` as for a laminate.
     pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
+        self.flexibility_and_felt(wave).map(|(flexibility, _)| flexibility)
+    }
+
+    /// The same, and how many of the layers it took, the foundation not counted.
+    pub(crate) fn flexibility_and_felt(&self, wave: &Wave) -> Option<(f64, usize)> {
         let felt = felt(self.layers.iter(), wave);
         // what the face of the foundation allows: two columns (λμ₀U, λμ₀V, S, T)
         let mut allowed = match &self.foundation {
@@ -121,7 +132,7 @@ impl BaseChain {
         }
         let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
         let unit = solve_equilibrated(stress, Vector2::new(1.0, 0.0))?;
-        Some((allowed.row(1) * unit)[0])
+        Some(((allowed.row(1) * unit)[0], felt))
     }
 
     /// The layers bonded to the foundation, top down.

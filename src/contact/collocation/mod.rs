@@ -14,12 +14,12 @@ use faer::linalg::solvers::Solve;
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Solution, Stats};
 
-use super::from_any_start;
 use super::galerkin::alternating;
 use super::newton::not_converged;
 use super::punch::Indentation;
+use super::{from_any_start, stats};
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -59,7 +59,7 @@ pub(super) fn press(
     punch: &Indentation,
     options: &Options,
 ) -> Result<Solution, Error> {
-    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: 0 };
+    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
     from_any_start(kernel, interfaces, punch, |half_lengths, finer| {
         problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options)
     })
@@ -70,8 +70,8 @@ struct Problem<'a> {
     interfaces: &'a [Interface],
     punch: &'a Indentation<'a>,
     spatial: Spatial,
-    /// Newton steps taken.
-    steps: usize,
+    /// Newton steps taken on each level.
+    steps: Vec<usize>,
 }
 
 impl Problem<'_> {
@@ -118,9 +118,12 @@ impl Problem<'_> {
         jacobian: &mut Option<Mat<f64>>,
     ) -> Result<Level, Error> {
         let mut last = f64::INFINITY;
+        self.steps.push(0);
         for _ in 0..STEPS {
             let pressures = self.solve(nodes, &half_lengths);
-            self.steps += 1;
+            if let Some(steps) = self.steps.last_mut() {
+                *steps += 1;
+            }
             let derivatives = match jacobian.take() {
                 Some(kept) => kept,
                 None => self.derivatives(nodes, &half_lengths, &pressures.slack),
@@ -230,9 +233,13 @@ impl Problem<'_> {
             contacts,
             min_pressure: min_pressure * pressure_unit,
             min_gap: min_gap * self.punch.force * length,
-            modes: nodes.half(),
-            wavenumbers: self.spatial.samples(),
-            newton_steps: self.steps,
+            stats: Stats {
+                modes: vec![nodes.half(); self.interfaces.len()],
+                newton_steps: self.steps.clone(),
+                factorisations: self.steps.iter().sum(),
+                wavenumbers: self.kernel.work().wavenumbers + self.spatial.samples(),
+                ..stats(self.kernel)
+            },
             warnings,
         })
     }

@@ -1,0 +1,116 @@
+//! Neighbours that are one body: bonded layers of one material, which only the scene tells apart.
+use super::{Base, Foundation, Joint, Laminate, Placed, Stack};
+
+impl Stack {
+    /// A stack of fewer layers that is the same to any wave, and how many layers it has less: those that are
+    /// [one body](recede_layers::Layer::continues) with the layer, or the half-plane, to which they are bonded.
+    pub(crate) fn merged(&self) -> (Self, usize) {
+        let (mut layers, mut joints) = (self.base.layers.clone(), self.base.joints.clone());
+        if let Foundation::HalfPlane(placed) = &self.base.foundation {
+            layers.push(placed.clone());
+        }
+        let mut count = merge(&mut layers, &mut joints);
+        let mut foundation = self.base.foundation.clone();
+        if let Foundation::HalfPlane(placed) = &mut foundation
+            && let Some(last) = layers.pop()
+        {
+            placed.layer = last.layer;
+        }
+        let mut laminates = self.laminates.clone();
+        for Laminate { layers, joints } in &mut laminates {
+            count += merge(layers, joints);
+        }
+        let base = Base { layers, joints, foundation };
+        (Self { laminates, base, dropped: self.dropped.clone(), ..*self }, count)
+    }
+}
+
+/// Makes one layer of neighbours that are one body; how many layers are left out.
+fn merge(layers: &mut Vec<Placed>, joints: &mut Vec<Joint>) -> usize {
+    let before = layers.len();
+    let (mut whole, mut between): (Vec<Placed>, Vec<Joint>) = Default::default();
+    // a layer on a rigid base has a joint below it, too
+    let last = joints.get(before.saturating_sub(1)).copied();
+    for (i, placed) in layers.drain(..).enumerate() {
+        let joint = i.checked_sub(1).and_then(|i| joints.get(i).copied());
+        if let (Some(above), Some(joint)) = (whole.last_mut(), joint) {
+            if joint == Joint::BONDED
+                && let Some(one) = above.layer.continues(&*placed.layer)
+            {
+                above.layer = one;
+                continue;
+            }
+            between.push(joint);
+        }
+        whole.push(placed);
+    }
+    between.extend(last.filter(|_| before > 0));
+    (*layers, *joints) = (whole, between);
+    before - layers.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, HalfPlane, Homogeneous, Layer, Plane};
+
+    use super::*;
+    use crate::scene::{Item, Spring};
+
+    fn strip(thickness: f64, modulus: f64) -> Item {
+        Item::layer(Homogeneous::new(thickness, modulus, 0.25).unwrap())
+    }
+
+    /// Thicknesses of the layers of every laminate and of the base, number of joints of the base, layers less.
+    fn merged(items: &[Item]) -> (Vec<Vec<f64>>, Vec<f64>, usize, usize) {
+        let (stack, count) = Stack::from_items(Plane::Strain, items).unwrap().merged();
+        let thicknesses = |layers: &[Placed]| layers.iter().map(Placed::thickness).collect::<Vec<_>>();
+        let laminates = stack.laminates().iter().map(|laminate| {
+            assert_eq!(laminate.joints.len() + 1, laminate.layers.len());
+            thicknesses(&laminate.layers)
+        });
+        (laminates.collect(), thicknesses(&stack.base.layers), stack.base.joints.len(), count)
+    }
+
+    #[test]
+    fn one_material_is_one_layer() {
+        use Item::{Bonded, Receding, Rigid, Sliding};
+        let ground = || Item::layer(HalfPlane::new(1.0, 0.25).unwrap());
+        let one = || strip(1.0, 1.0);
+        assert_eq!(merged(&[ground()]), (vec![], vec![], 0, 0));
+        assert_eq!(merged(&[one(), Bonded, one(), Bonded, ground()]), (vec![], vec![], 0, 2));
+        assert_eq!(merged(&[strip(1.0, 2.0), Bonded, one(), Bonded, ground()]), (vec![], vec![1.0], 1, 1));
+        assert_eq!(merged(&[one(), Bonded, one(), Receding, ground()]), (vec![vec![2.0]], vec![], 0, 1));
+        assert_eq!(merged(&[one(), Bonded, one(), Bonded, Rigid]), (vec![], vec![2.0], 1, 1));
+        assert_eq!(merged(&[one(), Receding, one(), Bonded, ground()]), (vec![vec![1.0]], vec![], 0, 1));
+        // where something slides or gives way there are two
+        assert_eq!(merged(&[one(), Sliding, one(), Sliding, ground()]), (vec![], vec![1.0, 1.0], 2, 0));
+        let spring = Item::Spring(Spring::new(2.0, None).unwrap());
+        assert_eq!(merged(&[one(), spring, one(), Bonded, one(), Receding, Rigid]), {
+            (vec![vec![1.0, 2.0]], vec![], 0, 1)
+        });
+    }
+
+    #[test]
+    fn grading_goes_on_across_a_cut() {
+        let part = |thickness, modulus: f64, beta| Exponential::new(thickness, modulus, 0.25, beta).unwrap();
+        for beta in [-30.0, -1.0, 0.0, 1e-9, 0.7, 12.0] {
+            let above = part(1.0, 3.0, beta);
+            let whole = above.continues(&part(2.0, 3.0 * f64::exp(beta), beta)).unwrap();
+            assert_eq!(whole.thickness(), Some(3.0));
+            let (found, expected) = (whole.material(3.0, Plane::Strain), 3.0 * f64::exp(beta) * f64::exp(2.0 * beta));
+            assert!((found.shear_compliance * expected - 1.0).abs() < 1e-13, "{beta}");
+            assert!(above.continues(&part(2.0, 3.0 * f64::exp(beta) * (1.0 + 1e-12), beta)).is_none());
+            assert!(above.continues(&part(2.0, 3.0 * f64::exp(beta), beta + 0.1)).is_none());
+        }
+        assert!(part(3.0, 1.0, 30.0).continues(&part(1.0, f64::exp(90.0), 30.0)).is_none(), "too steep for one layer");
+    }
+
+    #[test]
+    fn numbers_are_those_of_the_upper_layer() {
+        let items = [strip(1.0, 1.0), Item::Bonded, strip(1.0, 1.0), Item::Bonded, strip(1.0, 2.0), Item::Bonded];
+        let items: Vec<Item> = items.into_iter().chain([Item::Rigid]).collect();
+        let (stack, _) = Stack::from_items(Plane::Strain, &items).unwrap().merged();
+        let numbers: Vec<usize> = stack.base().layers().iter().map(|placed| placed.number).collect();
+        assert_eq!(numbers, [1, 3]);
+    }
+}
