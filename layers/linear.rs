@@ -1,33 +1,63 @@
 //! The one small linear solve that layers and block systems need.
-use nalgebra::{Const, DimMin, SMatrix};
+use nalgebra::SMatrix;
 
 /// Solves A X = B after bringing every row and column of A to size one, so that pivots are chosen by what matters and
 /// not by units: a long wave stretches a layer with forces of order λh and bends it with forces of order (λh)³. `None`
 /// if A is singular or the solution is not finite.
+///
+/// Elimination is written out on arrays: their sizes are known to the compiler, and a stack of many layers does little else.
 pub fn solve_equilibrated<const N: usize, const C: usize>(
-    mut matrix: SMatrix<f64, N, N>,
-    mut loads: SMatrix<f64, N, C>,
-) -> Option<SMatrix<f64, N, C>>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
-    for i in 0..N {
-        let size = matrix.row(i).amax();
-        matrix.row_mut(i).unscale_mut(size);
-        loads.row_mut(i).unscale_mut(size);
+    matrix: SMatrix<f64, N, N>,
+    loads: SMatrix<f64, N, C>,
+) -> Option<SMatrix<f64, N, C>> {
+    // column by column
+    let (mut a, mut b) = (matrix.data.0, loads.data.0);
+    let mut sizes = [0.0f64; N];
+    for column in &a {
+        sizes.iter_mut().zip(column).for_each(|(size, x)| *size = size.max(x.abs()));
+    }
+    let factors = sizes.map(f64::recip);
+    for column in a.iter_mut().chain(&mut b) {
+        column.iter_mut().zip(&factors).for_each(|(x, factor)| *x *= factor);
     }
     let mut columns = [0.0; N];
-    for (j, size) in columns.iter_mut().enumerate() {
-        *size = matrix.column(j).amax();
-        matrix.column_mut(j).unscale_mut(*size);
+    for (column, factor) in a.iter_mut().zip(&mut columns) {
+        *factor = column.iter().fold(0.0f64, |size, x| size.max(x.abs())).recip();
+        column.iter_mut().for_each(|x| *x *= *factor);
     }
-    if !matrix.lu().solve_mut(&mut loads) {
-        return None;
+    // Gauss and Jordan: rows stay where they are, so that every step is the same few operations on whole columns
+    let (mut rows, mut pivots, mut used) = ([0; N], [0.0; N], [false; N]);
+    for k in 0..N {
+        let column = a[k];
+        let (mut row, mut size) = (0, 0.0);
+        for i in 0..N {
+            if !used[i] && column[i].abs() > size {
+                (row, size) = (i, column[i].abs());
+            }
+        }
+        if size == 0.0 {
+            return None;
+        }
+        (rows[k], pivots[k], used[row]) = (row, column[row].recip(), true);
+        let mut factors = column.map(|x| x * pivots[k]);
+        factors[row] = 0.0;
+        for column in &mut a[k + 1..] {
+            eliminate(column, row, &factors);
+        }
+        for column in &mut b {
+            eliminate(column, row, &factors);
+        }
     }
-    for (j, size) in columns.iter().enumerate() {
-        loads.row_mut(j).unscale_mut(*size);
+    let solved = SMatrix::<f64, N, C>::from_fn(|k, c| b[c][rows[k]] * pivots[k] * columns[k]);
+    solved.iter().all(|x| x.is_finite()).then_some(solved)
+}
+
+#[inline(always)]
+fn eliminate<const N: usize>(column: &mut [f64; N], row: usize, factors: &[f64; N]) {
+    let top = column[row];
+    for i in 0..N {
+        column[i] -= factors[i] * top;
     }
-    loads.iter().all(|x| x.is_finite()).then_some(loads)
 }
 
 #[cfg(test)]
