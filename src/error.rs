@@ -44,6 +44,9 @@ pub enum Error {
     /// A given pressure, and a method that wants a punch.
     #[error("a given pressure in place of a punch is solved for by the Galerkin method only")]
     LoadByCollocation,
+    /// A given pressure, and a half-length of the contact under a punch.
+    #[error("half_length: a given pressure has no contact whose half-length a force could be found for")]
+    LoadWithHalfLength,
     /// The layers' fields cannot be computed.
     #[error("the fields of the layers cannot be computed at wavenumber {wavenumber:e}")]
     Unresolved {
@@ -79,6 +82,14 @@ pub enum NoSolution {
         punch: String,
         /// Half-width of the punch, in length.
         edge: f64,
+    },
+    /// No force makes the contact as long as wanted.
+    #[error("no force was found that makes the half-length of the contact under the punch {punch} {half_length:?}")]
+    HalfLength {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// The half-length wanted, in length.
+        half_length: f64,
     },
     /// The half-lengths of the contacts did not settle.
     #[error("the half-lengths of the contacts did not converge; the last were {half_lengths:?}")]
@@ -137,10 +148,14 @@ impl Error {
     pub fn is_input(&self) -> bool {
         match self {
             Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Axis(_) => true,
-            Self::OutOfRange { .. } | Self::Tolerance { .. } | Self::LoadByCollocation => true,
+            Self::OutOfRange { .. } | Self::Tolerance { .. } | Self::LoadByCollocation | Self::LoadWithHalfLength => {
+                true
+            }
             Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,
-            Self::NoSolution(cause) => matches!(cause, NoSolution::PunchTooSmall { .. }),
+            Self::NoSolution(cause) => {
+                matches!(cause, NoSolution::PunchTooSmall { .. } | NoSolution::HalfLength { .. })
+            }
         }
     }
 
@@ -164,6 +179,10 @@ impl Error {
                  supported, or too long for the layers next to it, which a smaller force shortens"
                     .to_owned(),
             ),
+            Self::NoSolution(NoSolution::HalfLength { .. }) => {
+                Some("a contact is longer than the flat part of its punch, and shorter than the punch".to_owned())
+            }
+            Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
             _ => None,
         }
     }

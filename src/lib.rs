@@ -88,7 +88,9 @@ pub use recede_layers::{
     Isotropic, Layer, LayerError, Material, Notation, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane,
     Profile, Registry, Wave, Winkler,
 };
-pub use scene::{HeightsError, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units, Vocabulary};
+pub use scene::{
+    Force, HeightsError, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units, Vocabulary,
+};
 pub use solution::{Contact, Interface, Solution, Stats};
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError, StackProblem,

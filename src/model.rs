@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::field::Field;
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::scene::{Punch, Scene};
+use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Interface, Solution};
 use crate::stack::Stack;
 
@@ -46,11 +46,12 @@ impl Model {
         &self.stack
     }
 
-    /// Presses a punch with a force (per unit length out of plane) on the stack, to ten digits.
+    /// Presses a punch with a force (per unit length out of plane) on the stack, to ten digits. The force is a number, or
+    /// [`Force::ForHalfLength`].
     ///
     /// # Errors
     /// As [`Self::press_with`].
-    pub fn press(&self, punch: &Punch, force: f64) -> Result<Solution, Error> {
+    pub fn press(&self, punch: &Punch, force: impl Into<Force>) -> Result<Solution, Error> {
         self.press_with(punch, force, &Options::default())
     }
 
@@ -59,10 +60,15 @@ impl Model {
     /// # Errors
     /// [`Error::OutOfRange`] or [`Error::Tolerance`] if a number is not legal; [`Error::NoSolution`] if no contact
     /// lengths were found for which all pressures push and nothing overlaps.
-    pub fn press_with(&self, punch: &Punch, force: f64, options: &Options) -> Result<Solution, Error> {
-        let force = Error::checked::<recede_layers::Positive>("force", force)?.get();
+    pub fn press_with(&self, punch: &Punch, force: impl Into<Force>, options: &Options) -> Result<Solution, Error> {
+        let force = force.into().checked()?;
         Error::check_tolerance(options)?;
-        contact::press(&self.kernel, &self.interfaces, punch, force, options)
+        match force {
+            Force::Given(force) => contact::press(&self.kernel, &self.interfaces, punch, force, options),
+            Force::ForHalfLength(half_length) => {
+                contact::press_to(&self.kernel, &self.interfaces, punch, half_length, options)
+            }
+        }
     }
 
     /// Stresses and displacements inside the stack, for a solution of this model.

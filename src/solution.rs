@@ -108,6 +108,8 @@ pub struct Stats {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     pub(crate) contacts: Vec<Contact>,
+    pub(crate) force: f64,
+    pub(crate) force_error: f64,
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
     pub(crate) stats: Stats,
@@ -118,6 +120,16 @@ impl Solution {
     /// The contacts from the top down: the punch first.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// The line load P that presses, force per unit length out of plane: as given, or found for a half-length.
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+
+    /// The solver's estimate of the absolute error of the force; 0 if it was given.
+    pub fn force_error(&self) -> f64 {
+        self.force_error
     }
 
     /// Smallest pressure found inside the contacts by the admissibility check, in stress.

@@ -41,7 +41,7 @@ fn bits(answer: &Result<Solution, Error>) -> Vec<u64> {
 }
 
 fn press(model: &Model, scene: &Scene, force: f64) -> Vec<u64> {
-    bits(&model.press(&scene.punch, force * scene.force))
+    bits(&model.press(&scene.punch, force * scene.force.given().unwrap()))
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn what_was_solved_before_leaves_no_trace() {
     for (scene, answer) in scenes.iter().zip(&answers).rev() {
         let used = model(scene);
         // an answer or not, it must not matter
-        let _ = used.press(&other, 1e-3 * scene.force);
+        let _ = used.press(&other, 1e-3 * scene.force.given().unwrap());
         assert_eq!(&press(&used, scene, 1.0), answer);
         assert_eq!(&press(&used.clone(), scene, 1.0), answer);
     }

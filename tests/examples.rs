@@ -47,7 +47,7 @@ fn scenes_are_solved() {
         assert_eq!(solution.warnings(), [""; 0], "{}", file.display());
         for contact in solution.contacts() {
             assert!(contact.half_length_error <= 1e-10 * contact.half_length, "{}: {contact:?}", file.display());
-            assert!((contact.resultant / scene.force - 1.0).abs() < 1e-12, "{}: {contact:?}", file.display());
+            assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-12, "{}: {contact:?}", file.display());
         }
     }
 }

@@ -18,7 +18,7 @@ impl Check {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
         let stack = scene.stack()?;
-        let label = format!("{}, force {:?}", scene.punch.label(), scene.force);
+        let label = format!("{}, {}", scene.punch.label(), scene.force);
         writeln!(out, "{}", stack.drawing(Some(&label)))?;
         Ok(())
     }

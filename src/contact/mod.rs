@@ -7,6 +7,7 @@ mod galerkin;
 mod layout;
 mod level;
 mod newton;
+mod prescribed;
 mod pressures;
 mod punch;
 mod refine;
@@ -18,6 +19,8 @@ use crate::kernel::{self, Kernel};
 use crate::options::{Method, Options};
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution, Stats};
+
+pub(crate) use prescribed::press_to;
 
 use level::{Level, coefficients};
 use newton::Converged;
@@ -46,10 +49,11 @@ pub(crate) fn press(
     if punch.load().is_some() && options.method == Method::Collocation {
         return Err(Error::LoadByCollocation);
     }
-    if options.method == Method::Collocation {
-        return collocation::press(kernel, interfaces, &indentation, options);
-    }
-    solve(kernel, interfaces, &indentation, options)
+    let solution = match options.method {
+        Method::Collocation => collocation::press(kernel, interfaces, &indentation, options)?,
+        Method::Galerkin => solve(kernel, interfaces, &indentation, options)?,
+    };
+    Ok(Solution { force, ..solution })
 }
 
 /// Starts from formulas, and refines until the answer is admissible and good enough.
@@ -187,6 +191,8 @@ fn solution(
         .collect();
     Solution {
         contacts,
+        force: indentation.force * kernel.modulus() * kernel.length(),
+        force_error: 0.0,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
         stats: Stats {

@@ -12,6 +12,12 @@ const ON_SOFT_BASE: f64 = 1.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
 const TYPICAL: f64 = 1.2;
 
+/// The force P' at which the contact under the punch is expected to have a half-length (in units of L), for an
+/// indentation by P' = 1.
+pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> Result<f64, Error> {
+    Ok(punch.first_row(half_length) * half_length / compliances(kernel, TYPICAL / half_length)?[0])
+}
+
 /// Half-lengths in units of L, from the top down.
 pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
     let first = if let Some(given) = punch.given() {

@@ -243,9 +243,8 @@ impl Map<'_> {
 
     fn punch(&self) -> Punch<'_> {
         let Frame { left, top, right, .. } = self.chart.frame;
-        let touching = self.contacts.first().map_or(0.0, |contact| contact.half_length);
         let (middle, _) = self.chart.place((0.0, 0.0));
-        Punch { scene: self.scene, touching, scale: self.scale, middle, top, ends: (left, right) }
+        Punch { scene: self.scene, contact: self.contacts.first(), scale: self.scale, middle, top, ends: (left, right) }
     }
 
     /// A ring at the largest value, and what it is.

@@ -74,6 +74,7 @@ pub(super) fn of_path(path: &str) -> (String, Dimension) {
     let (owner, field) = path.rsplit_once('.').unwrap_or(("", path));
     let (name, dimension) = match field {
         "force" => (format!("force {}", italic("P")), Dimension::LineLoad),
+        "half_length" => (format!("half-length {}", italic("a")), Dimension::Length),
         "radius" => (format!("radius {}", italic("R")), Dimension::Length),
         "thickness" => (format!("thickness {}", italic("h")), Dimension::Length),
         "shear_modulus" => (format!("shear modulus {}", italic("μ")), Dimension::Stress),

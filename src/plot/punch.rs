@@ -4,7 +4,8 @@ use super::names::{Dimension, unit};
 use super::scale::label;
 use super::style::{FAINT, INK, SMALL, TEXT};
 use super::target::PlotError;
-use crate::scene::Scene;
+use crate::scene::{Force, Scene};
+use crate::solution::Contact;
 
 /// Room for the punch and its force, in points.
 pub(super) const ABOVE: f64 = 72.0;
@@ -16,8 +17,8 @@ const POINTS: usize = 200;
 /// A punch in a drawing.
 pub(super) struct Punch<'a> {
     pub(super) scene: &'a Scene,
-    /// It is pressed in as far as it touches.
-    pub(super) touching: f64,
+    /// What is under it: it is pressed in as far as it touches.
+    pub(super) contact: Option<&'a Contact>,
     /// Points per length along the layers and across them.
     pub(super) scale: [f64; 2],
     /// Where x = 0 is.
@@ -35,9 +36,10 @@ impl Punch<'_> {
         let [along, across] = self.scale;
         let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| along * edge);
         let (from, to) = (left.max(self.middle - edge), right.min(self.middle + edge));
+        let touching = self.contact.map_or(0.0, |contact| contact.half_length);
         let rise = |x: f64| {
             let x = (x - self.middle) / along;
-            (across * (punch.profile(x) - punch.profile(self.touching))).clamp(0.0, HIGHEST)
+            (across * (punch.profile(x) - punch.profile(touching))).clamp(0.0, HIGHEST)
         };
         if from < to {
             let at = |i: usize| from + (to - from) * i as f64 / POINTS as f64;
@@ -60,7 +62,11 @@ impl Punch<'_> {
         canvas.line(&[(self.middle, tip - 18.0), (self.middle, tip)], shaft)?;
         let head = [(self.middle, tip + 3.0), (self.middle - 3.2, tip - 5.0), (self.middle + 3.2, tip - 5.0)];
         canvas.area(&head, INK, 1.0)?;
-        let force = format!("{} = {}{line_load}", italic("P"), label(self.scene.force));
+        let number = match (self.scene.force, self.contact) {
+            (Force::ForHalfLength(_), Some(contact)) => label(contact.resultant),
+            (force, _) => label(force.number()),
+        };
+        let force = format!("{} = {number}{line_load}", italic("P"));
         canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)
     }
 }

@@ -140,9 +140,15 @@ impl Drawing<'_> {
     }
 
     fn punch(&self) -> Punch<'_> {
-        let touching = self.contacts.first().map_or(0.0, |contact| contact.half_length);
         let scale = [self.scale; 2];
-        Punch { scene: self.scene, touching, scale, middle: self.middle, top: self.top, ends: self.ends() }
+        Punch {
+            scene: self.scene,
+            contact: self.contacts.first(),
+            scale,
+            middle: self.middle,
+            top: self.top,
+            ends: self.ends(),
+        }
     }
 
     /// A thick line where bodies touch, and its half-length.

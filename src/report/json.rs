@@ -9,6 +9,8 @@ use super::Report;
 struct Document<'a> {
     scene: &'a str,
     contacts: Vec<Contact>,
+    force: f64,
+    force_error: f64,
     min_pressure: f64,
     min_gap: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -84,6 +86,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let document = Document {
         scene: report.scene.title(),
         contacts: contacts.collect(),
+        force: solution.force(),
+        force_error: solution.force_error(),
         min_pressure: solution.min_pressure(),
         min_gap: solution.min_gap(),
         max_shear: report.max_shear.map(|max| MaxShear {

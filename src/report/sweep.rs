@@ -2,11 +2,15 @@
 use std::io;
 
 use crate::error::Error;
+use crate::scene::Force;
 use crate::solution::{Contact, Interface};
 use crate::sweep::{Row, Sweep};
 
 /// What is told of each contact.
 const OF_A_CONTACT: [&str; 4] = ["half_length", "half_length_error", "peak_pressure", "peak_pressure_error"];
+
+/// What is told besides where the force is found.
+const FOUND: [&str; 2] = ["force", "force_error"];
 
 /// Lines of comma-separated values for the rows of a sweep, the same columns for all.
 ///
@@ -48,7 +52,11 @@ impl<'a> SweepCsv<'a> {
         let axes = self.sweep.axes().iter().map(|axis| axis.path().to_owned());
         let of = |interface: &Interface| OF_A_CONTACT.map(|quantity| format!("{interface}.{quantity}"));
         let contacts = self.sweep.interfaces().iter().flat_map(of);
-        line(axes.chain(contacts).chain(["status", "message", "sweep"].map(str::to_owned)))
+        line(
+            axes.chain(contacts)
+                .chain(self.found().iter().map(|name| (*name).to_owned()))
+                .chain(["status", "message", "sweep"].map(str::to_owned)),
+        )
     }
 
     /// One row, with the end of the line. A contact that the row does not have is left empty.
@@ -66,19 +74,30 @@ impl<'a> SweepCsv<'a> {
         line(numbers.chain([status.to_owned(), message, self.fingerprint.clone()]))
     }
 
-    /// The numbers of a row: its values, then those of each contact; NaN for a contact that it does not have.
+    /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; and the force
+    /// with its error, if they are found for a half-length.
     pub fn numbers(&self, row: &Row) -> Vec<f64> {
         let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());
         let of = |interface: &Interface| {
             let contact = contacts.iter().find(|contact| contact.interface == *interface);
             contact.map_or([f64::NAN; OF_A_CONTACT.len()], quantities)
         };
-        row.values.iter().copied().chain(self.sweep.interfaces().iter().flat_map(of)).collect()
+        let force = match &row.result {
+            Ok(solution) => [solution.force(), solution.force_error()],
+            Err(_) => [f64::NAN; FOUND.len()],
+        };
+        let contacts = self.sweep.interfaces().iter().flat_map(of);
+        row.values.iter().copied().chain(contacts).chain(force.into_iter().take(self.found().len())).collect()
+    }
+
+    /// The columns of a force that is found.
+    fn found(&self) -> &'static [&'static str] {
+        if matches!(self.sweep.scene().force, Force::ForHalfLength(_)) { &FOUND } else { &[] }
     }
 
     /// The numbers of a row from its line.
     pub fn numbers_of(&self, line: &str) -> Vec<f64> {
-        let numbers = self.sweep.axes().len() + OF_A_CONTACT.len() * self.sweep.interfaces().len();
+        let numbers = self.sweep.axes().len() + OF_A_CONTACT.len() * self.sweep.interfaces().len() + self.found().len();
         line.split(',').take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect()
     }
 }

@@ -23,7 +23,11 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     if let Some(description) = &scene.description {
         writeln!(out, "{}", printable(description))?;
     }
-    writeln!(out, "{}, force {}{line_load}", scene.punch.label(), plain(scene.force))?;
+    let force = match solution.force_error() {
+        0.0 => plain(solution.force()),
+        error => with_error(solution.force(), error),
+    };
+    writeln!(out, "{}, force {force}{line_load}", scene.punch.label())?;
 
     let mut table = Table::new();
     table.load_style(RULES);

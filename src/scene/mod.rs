@@ -1,5 +1,6 @@
 //! A scene: what is pressed by what, as read from a text.
 mod explain;
+mod force;
 mod heights;
 mod item;
 mod load;
@@ -18,6 +19,7 @@ use recede_layers::Plane;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+pub use force::Force;
 pub use heights::HeightsError;
 pub use item::Item;
 pub use load::Load;
@@ -73,8 +75,8 @@ pub struct Scene {
     pub plane: Plane,
     /// The punch on top, or the pressure that is given in its place, [`Punch::Given`].
     pub punch: Punch,
-    /// Line load P > 0 pressing the punch down: force per unit length out of plane.
-    pub force: f64,
+    /// Line load P > 0 pressing the punch down: force per unit length out of plane, or the half-length that it makes.
+    pub force: Force,
     /// Layers and the interfaces between them from the top down, ending in a base.
     pub stack: Vec<Item>,
     origin: Option<Arc<Origin>>,
@@ -93,8 +95,8 @@ pub struct Units {
 impl Scene {
     /// A scene without name and units. Nothing is checked here: [`Scene::stack`] checks the stack and
     /// [`Model::press_with`](crate::Model::press_with) the force.
-    pub fn new(plane: Plane, punch: Punch, force: f64, stack: Vec<Item>) -> Self {
-        Self { name: None, description: None, units: None, plane, punch, force, stack, origin: None }
+    pub fn new(plane: Plane, punch: Punch, force: impl Into<Force>, stack: Vec<Item>) -> Self {
+        Self { name: None, description: None, units: None, plane, punch, force: force.into(), stack, origin: None }
     }
 
     /// What to call the scene in a report: its name, or else that of its file without folder and ending.
@@ -122,6 +124,10 @@ impl Scene {
             Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
                 let hint = Some("a larger punch or a smaller force keeps the contact within the punch".into());
                 origin.error(Some(origin.places.punch.start), cause.to_string(), hint).because(cause).into()
+            }
+            Error::NoSolution(cause @ NoSolution::HalfLength { .. }) => {
+                let hint = Error::from(cause.clone()).hint();
+                origin.error(self.place_of_force(), cause.to_string(), hint).because(cause).into()
             }
             other => other,
         }

@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer};
 use super::explain::{bare_token, did_you_mean};
 use super::origin::{Origin, Places};
 use super::read::{Part, name_and_rest, parse, part, read_item, read_top, without_comments};
-use super::{Item, Punch, Scene, quoted_list};
+use super::{Force, Item, Punch, Scene, quoted_list};
 use crate::error::Error;
 
 /// Most paths that a message lists.
@@ -31,7 +31,7 @@ pub(crate) struct Slot {
 /// What a quantity belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
-    /// The scene itself: it is the force.
+    /// The scene itself: it is the force, or the half-length in its place.
     Force,
     /// The punch.
     Punch,
@@ -106,10 +106,10 @@ impl Scene {
     }
 
     /// The force with other values; nothing but the force is read again.
-    pub(crate) fn force_with(&self, changes: &[Change]) -> Result<f64, Error> {
+    pub(crate) fn force_with(&self, changes: &[Change]) -> Result<Force, Error> {
         match changes.iter().find(|(slot, _)| slot.owner == Owner::Force) {
             Some((_, value)) => match Positive::try_from(*value) {
-                Ok(force) => Ok(force.get()),
+                Ok(number) => Ok(self.force.with(number)),
                 Err(_) => self.with_changes(changes).map(|scene| scene.force),
             },
             None => Ok(self.force),
@@ -147,13 +147,19 @@ impl Scene {
         Ok(items)
     }
 
+    /// Where the number stands that says the force.
+    pub(super) fn place_of_force(&self) -> Option<usize> {
+        let text = &self.origin.as_deref()?.text[..];
+        field(text, self.force.field()).map(|value| part(text, value).name_at)
+    }
+
     fn slots(&self) -> Vec<(String, Slot)> {
         let Some(origin) = self.origin.as_deref() else { return Vec::new() };
         let text = &origin.text[..];
         let mut slots = Vec::new();
-        let force = fields(text).into_iter().find(|(name, _)| name == "force");
-        if let Some((_, force)) = force {
-            add("force", Owner::Force, text, force, &mut slots);
+        let name = self.force.field();
+        if let Some(force) = field(text, name) {
+            add(name, Owner::Force, text, force, &mut slots);
         }
         let at = &origin.places.punch;
         let top = if self.punch.load().is_some() { "load" } else { "punch" };
@@ -180,6 +186,11 @@ fn add(path: &str, owner: Owner, text: &str, value: &str, slots: &mut Vec<(Strin
     for (name, inner) in fields(value) {
         add(&format!("{path}.{name}"), owner, text, inner, slots);
     }
+}
+
+/// The text of one field of a structure.
+pub(super) fn field<'a>(text: &'a str, name: &str) -> Option<&'a str> {
+    fields(text).into_iter().find(|(found, _)| found == name).map(|(_, value)| value)
 }
 
 /// The fields of a structure as written, with or without its name before it.
@@ -249,7 +260,7 @@ mod tests {
         let values = [0.004, 250.0, 3.0, 1e-7, 0.5];
         let changes: Vec<Change> = slots.iter().zip(values).collect();
         let changed = scene.with_changes(&changes).unwrap();
-        assert_eq!((changed.force, changed.punch.clone()), (0.004, Punch::cylinder(250.0).unwrap()));
+        assert_eq!((changed.force, changed.punch.clone()), (Force::Given(0.004), Punch::cylinder(250.0).unwrap()));
         assert_eq!(changed.paths(), paths);
         // bit by bit is the same
         assert_eq!(scene.force_with(&changes).unwrap(), changed.force);

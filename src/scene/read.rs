@@ -21,7 +21,8 @@ use serde::{Deserialize, Deserializer};
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
 use super::item::SPRING;
 use super::origin::{Origin, Places};
-use super::{Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
+use super::paths::field;
+use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
 use crate::error::Error;
 
 /// The scene with punch and stack still unread.
@@ -48,7 +49,11 @@ struct Draft<'a> {
     #[schemars(with = "Option<Load>")]
     load: Option<&'a RawValue>,
     /// Line load P that presses the punch down, or resultant of the load: force per unit length out of the plane.
-    force: Positive,
+    #[serde(default)]
+    force: Option<Positive>,
+    /// In place of the force: half-length of the contact under the punch, for which the force is found; in length.
+    #[serde(default)]
+    half_length: Option<Positive>,
     /// Layers and the interfaces between them from the top down, ending in a base.
     #[serde(borrow)]
     #[schemars(with = "StackText")]
@@ -245,6 +250,24 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
             return Err(origin.error(Some(whole.name_at), message, Some(hint.into())).into());
         }
     };
+    let force = match (draft.force, draft.half_length) {
+        (Some(force), None) => Force::Given(force.get()),
+        (None, Some(half_length)) if draft.load.is_none() => Force::ForHalfLength(half_length.get()),
+        (None, None) => {
+            let hint = "add `force: ...` or, for a punch, `half_length: ...` between its parentheses";
+            let message = "`force` is missing in the scene".into();
+            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())).into());
+        }
+        (given, _) => {
+            let (other, hint) = match given {
+                Some(_) => ("force", "the force is found for the half-length: remove one of them"),
+                None => ("load", "no force changes how far a load reaches: give its resultant, `force: ...`"),
+            };
+            let at = field(text, "half_length").map_or(whole.name_at, |value| part(text, value).name_at);
+            let message = format!("the scene has `{other}` and `half_length`");
+            return Err(origin.error(Some(at), message, Some(hint.into())).into());
+        }
+    };
     let punch = Part { owner: owner.into(), ..part(text, top.get_ron()) };
     let list = Part { owner: "the stack".into(), ..part(text, draft.stack.get_ron()) };
     let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
@@ -264,8 +287,8 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
         layers += usize::from(!item.is_interface());
         stack.push(item);
     }
-    let Draft { name, description, units, plane, force, .. } = draft;
-    Ok((Scene { name, description, units, ..Scene::new(plane, punch, force.get(), stack) }, places))
+    let Draft { name, description, units, plane, .. } = draft;
+    Ok((Scene { name, description, units, ..Scene::new(plane, punch, force, stack) }, places))
 }
 
 /// Reads a punch, or the load that is `given` in its place.

@@ -35,7 +35,7 @@ impl Scene {
         }
         field("plane", format!("{:?}", self.plane));
         field(if self.punch.load().is_some() { "load" } else { "punch" }, self.punch.to_string());
-        field("force", format!("{:?}", self.force));
+        field(self.force.field(), format!("{:?}", self.force.number()));
         text += "    stack: [\n";
         for item in &self.stack {
             let parameters = item.parameters().map_or(String::new(), |parameters| format!("({parameters})"));

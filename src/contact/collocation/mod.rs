@@ -231,6 +231,8 @@ impl Problem<'_> {
         }
         Ok(Solution {
             contacts,
+            force: pressure_unit * length,
+            force_error: 0.0,
             min_pressure: min_pressure * pressure_unit,
             min_gap: min_gap * self.punch.force * length,
             stats: Stats {

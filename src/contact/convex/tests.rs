@@ -24,7 +24,7 @@ fn half_lengths_are_those_of_the_convex_programme() {
             continue;
         };
         let kernel = Kernel::new(&stack).unwrap();
-        let indentation = Indentation::new(&scene.punch, &kernel, scene.force);
+        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
         let expected = start::half_lengths(&kernel, &indentation).unwrap();
         let zones = zones(&kernel, &indentation, &expected, 0.0).unwrap();
         for (zones, contact) in zones.iter().zip(solution.contacts()) {

@@ -115,8 +115,9 @@ fn resultants(samples: &[Sample], limit: f64, half_lengths: [f64; 2], scene: &Sc
         slopes[j] = scene.punch.slope(half_lengths[0] * place(j));
     }
     let pressures = matrix.lu().solve(&slopes)?;
+    let force = scene.force.given()?;
     Some([0, 1].map(|i| {
         let sum: f64 = (0..half).map(|k| 2.0 * weight(k) * pressures[i * half + k]).sum();
-        PI * half_lengths[i] * sum / scene.force - 1.0
+        PI * half_lengths[i] * sum / force - 1.0
     }))
 }

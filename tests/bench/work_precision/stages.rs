@@ -22,7 +22,7 @@ pub fn table(text: &mut String) {
         let (cold, solution) = time(|| recede::solve(&scene).expect("a solution"));
         line(format!("| {what} | {} |", seconds(cold)));
         let model = Model::new(scene.stack().expect("a stack")).expect("a model");
-        let mut force = scene.force;
+        let mut force = solution.force();
         let (more, _) = time(|| {
             // never the same load twice
             force *= 1.001;

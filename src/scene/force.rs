@@ -1,0 +1,78 @@
+//! The force that presses, as it is written.
+use std::fmt;
+
+use recede_layers::Positive;
+
+use crate::error::Error;
+
+/// The line load P that presses: force per unit length out of plane, or what it is to bring about.
+///
+/// ```
+/// use recede::{Force, HalfPlane, Model, Plane, Punch, Stack};
+/// let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+/// let solution = model.press(&Punch::parabola(500.0)?, Force::ForHalfLength(0.5))?;
+/// let hertz = 2.0 * std::f64::consts::PI / 3.0 * 0.5f64.powi(2) / 500.0;
+/// assert!((solution.force() / hertz - 1.0).abs() < 1e-10);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Force {
+    /// A force > 0; in a scene `force: ...`.
+    Given(f64),
+    /// The force that makes the contact under the punch so long: its half-length > 0, in length; in a scene
+    /// `half_length: ...`.
+    ForHalfLength(f64),
+}
+
+impl From<f64> for Force {
+    fn from(force: f64) -> Self {
+        Self::Given(force)
+    }
+}
+
+impl Force {
+    /// The force, if it is given.
+    pub fn given(self) -> Option<f64> {
+        match self {
+            Self::Given(force) => Some(force),
+            Self::ForHalfLength(_) => None,
+        }
+    }
+
+    /// The name of the field of a scene that says it.
+    pub(crate) fn field(self) -> &'static str {
+        match self {
+            Self::Given(_) => "force",
+            Self::ForHalfLength(_) => "half_length",
+        }
+    }
+
+    /// The number that is written.
+    pub(crate) fn number(self) -> f64 {
+        match self {
+            Self::Given(number) | Self::ForHalfLength(number) => number,
+        }
+    }
+
+    /// The same kind with another number.
+    pub(super) fn with(self, number: Positive) -> Self {
+        match self {
+            Self::Given(_) => Self::Given(number.get()),
+            Self::ForHalfLength(_) => Self::ForHalfLength(number.get()),
+        }
+    }
+
+    /// The same, if its number is legal.
+    pub(crate) fn checked(self) -> Result<Self, Error> {
+        Error::checked(self.field(), self.number()).map(|number| self.with(number))
+    }
+}
+
+impl fmt::Display for Force {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Given(force) => write!(f, "force {force:?}"),
+            Self::ForHalfLength(half_length) => write!(f, "half-length {half_length:?}"),
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! Half-lengths prescribed in place of the force.
+//!
+//! Goal: the force found is that of closed forms on a half-plane, for every punch the one under which the contact is as long as
+//! wanted, within its error; what no force can bring about, and scenes that say too much or too little, are refused where
+//! they are wrong.
+//!
+//! Source of the numbers: Hertz's formula, and the solver pressed with the force that was found.
+#[path = "support/mod.rs"]
+mod support;
+
+use recede::{
+    Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane, Punch, Scene, Stack, Sweep,
+    report::SweepCsv,
+};
+
+fn half_plane() -> Model {
+    Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.3, 0.3).unwrap()).build().unwrap()).unwrap()
+}
+
+fn strip() -> Model {
+    let strip = Exponential::new(1.0, 1.0, 0.25, -0.7).unwrap();
+    let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(0.5, 0.3).unwrap());
+    Model::new(stack.build().unwrap()).unwrap()
+}
+
+#[test]
+fn on_a_half_plane_the_force_is_that_of_hertz() {
+    // P = πE*a²/(4R), E* = 2μ/(1 − ν)
+    let modulus = 2.0 * 1.3 / 0.7;
+    for (radius, half_length) in [(1.0, 1e-6), (50.0, 0.3), (1e4, 200.0)] {
+        let punch = Punch::parabola(radius).unwrap();
+        let solution = half_plane().press(&punch, Force::ForHalfLength(half_length)).unwrap();
+        let expected = std::f64::consts::PI * modulus * half_length * half_length / (4.0 * radius);
+        let error = (solution.force() - expected).abs();
+        assert!(error < 1e-10 * expected, "{} {expected}", solution.force());
+        assert!(error <= solution.force_error() && solution.force_error() < 1e-9 * expected, "{solution:?}");
+        assert!((solution.contacts()[0].half_length / half_length - 1.0).abs() < 1e-11);
+    }
+}
+
+#[test]
+fn the_force_found_makes_the_contact_as_long_as_wanted() {
+    let model = strip();
+    for (punch, half_lengths) in [
+        (Punch::cylinder(20.0).unwrap(), [0.5, 4.0]),
+        (Punch::cylinder(1.0).unwrap(), [0.01, 0.97]),
+        (Punch::wedge(0.05).unwrap(), [0.01, 2.0]),
+        (Punch::power(4.0, 1.0, 0.1).unwrap(), [0.05, 1.5]),
+        (Punch::rounded_flat(0.4, 3.0).unwrap(), [0.401, 1.5]),
+        (Punch::elastic_cylinder(20.0, 0.8, 0.3).unwrap(), [0.01, 2.0]),
+    ] {
+        for half_length in half_lengths {
+            let solution = model.press(&punch, Force::ForHalfLength(half_length)).unwrap();
+            let top = &solution.contacts()[0];
+            assert!((top.half_length / half_length - 1.0).abs() < 1.1e-11, "{punch} {half_length} {top:?}");
+            let again = model.press(&punch, solution.force()).unwrap();
+            assert_eq!(again.contacts(), solution.contacts());
+            assert_eq!((again.force(), again.force_error()), (solution.force(), 0.0));
+            // a force that differs by its error changes the half-length by hardly more
+            let more = model.press(&punch, solution.force() + 1e6 * solution.force_error()).unwrap();
+            let changed = more.contacts()[0].half_length / half_length - 1.0;
+            let relative = top.half_length_error / top.half_length;
+            assert!(
+                changed > 0.2e6 * relative && changed < 4e6 * (relative + 1e-11),
+                "{punch} {half_length} {changed}"
+            );
+        }
+    }
+}
+
+#[test]
+fn collocation_finds_the_same_force() {
+    let punch = Punch::parabola(50.0).unwrap();
+    let options = Options { method: Method::Collocation, tolerance: 1e-7 };
+    let force = |options: &Options| strip().press_with(&punch, Force::ForHalfLength(0.4), options).unwrap().force();
+    let [found, expected] = [force(&options), force(&Options::default())];
+    assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
+}
+
+#[test]
+fn what_no_force_brings_about_is_refused() {
+    let model = half_plane();
+    let refused = |punch: Punch, half_length: f64| model.press(&punch, Force::ForHalfLength(half_length)).unwrap_err();
+    for (punch, half_length) in [(Punch::cylinder(1.0), 1.0), (Punch::rounded_flat(0.5, 1.0), 0.5)] {
+        let error = refused(punch.unwrap(), half_length);
+        assert!(matches!(error, Error::NoSolution(NoSolution::HalfLength { .. })) && error.is_input(), "{error}");
+    }
+    let load = refused(Punch::Given(Load::Line), 1.0);
+    assert!(matches!(load, Error::LoadWithHalfLength) && load.is_input());
+    assert!(refused(Punch::parabola(1.0).unwrap(), -1.0).to_string().starts_with("half_length: found -1.0"));
+}
+
+const SCENE: &str = "Scene(plane: Strain, punch: Parabola(radius: 50), half_length: 0.5, stack: [
+    Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
+
+#[test]
+fn scenes_say_one_or_the_other() {
+    let scene = Scene::from_ron(SCENE).unwrap();
+    assert_eq!(scene.force, Force::ForHalfLength(0.5));
+    assert_eq!(scene.paths()[..2], ["half_length", "punch.radius"]);
+    assert_eq!(scene.with("half_length", 0.75).unwrap().force, Force::ForHalfLength(0.75));
+    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().force, scene.force);
+    let said = |from: &str, to: &str| Scene::from_ron(&SCENE.replace(from, to)).unwrap_err().to_string();
+    assert_eq!(said("0.5,", "0,"), "scene:1:64: `half_length` of the scene: found 0.0, allowed is a finite number > 0");
+    assert_eq!(said("half_length: 0.5, ", ""), "scene:1:1: `force` is missing in the scene");
+    assert_eq!(said("0.5,", "0.5, force: 1,"), "scene:1:64: the scene has `force` and `half_length`");
+    assert_eq!(said("punch: Parabola(radius: 50)", "load: Line"), "scene:1:47: the scene has `load` and `half_length`");
+    let short = Scene::from_ron(&SCENE.replace("Parabola(radius: 50)", "Cylinder(radius: 0.5)")).unwrap();
+    let error = recede::solve(&short).unwrap_err().to_string();
+    assert!(error.starts_with("scene:1:65: no force was found that makes the half-length"), "{error}");
+}
+
+#[test]
+fn sweeps_vary_it_and_tell_the_force() {
+    let scene = Scene::from_ron(SCENE).unwrap();
+    let sweep = Sweep::new(scene.clone(), vec!["half_length=[0.2, 0.4]".parse().unwrap()]).unwrap();
+    let csv = SweepCsv::new(&sweep);
+    assert!(csv.header().unwrap().contains("1|2.peak_pressure_error,force,force_error,status"));
+    for row in sweep.rows() {
+        let alone = recede::solve(&scene.with("half_length", row.values[0]).unwrap()).unwrap();
+        let numbers = csv.numbers(&row);
+        assert_eq!(numbers[numbers.len() - 2], alone.force());
+        assert_eq!(csv.numbers_of(&csv.line(&row).unwrap()), numbers);
+    }
+    assert!(Sweep::new(scene, vec!["half_length=[0.2, -0.4]".parse().unwrap()]).is_err());
+}
+
+#[test]
+fn the_command_tells_the_force() {
+    let json = support::recede(&["solve", "-", "--format", "json"], SCENE.as_bytes());
+    assert_eq!(json.status, Some(0), "{}", json.stderr);
+    let expected = recede::solve(&Scene::from_ron(SCENE).unwrap()).unwrap().force();
+    assert!(json.stdout.contains(&format!("\"force\": {expected:?},")), "{}", json.stdout);
+    let check = support::recede(&["check", "-"], SCENE.as_bytes());
+    assert!(check.stdout.contains("Parabola(radius: 50.0), half-length 0.5"), "{}", check.stdout);
+}
