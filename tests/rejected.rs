@@ -156,7 +156,7 @@ fn unknown_names() {
         |            ^
     hint: did you mean `Strain`?
 
-    error: stdin:4:5: the scene has no field `weight`; allowed are `name`, `description`, `units`, `plane`, `punch`, `load`, `force`, `stack`
+    error: stdin:4:5: the scene has no field `weight`; allowed are `name`, `description`, `units`, `plane`, `punch`, `load`, `force`, `half_length`, `stack`
       4 |     weight: 0.002,
         |     ^
 
@@ -194,7 +194,7 @@ fn missing_and_repeated_fields() {
     error: stdin:1:1: `force` is missing in the scene
       1 | Scene(
         | ^
-    hint: add `force: ...` between its parentheses
+    hint: add `force: ...` or, for a punch, `half_length: ...` between its parentheses
 
     error: stdin:6:9: `thickness` is missing in layer 1 (Homogeneous)
       6 |         Homogeneous(shear_modulus: 1.0, poisson: 0.25),

@@ -91,7 +91,8 @@ fn curves(case: &Case) -> Vec<Curve> {
         let scaled =
             Settings { low: settings.low / case.thinnest.max(1.0), high: settings.high / case.thinnest, ..*settings };
         let slope = |x: f64| scene.punch.slope(x);
-        let (seconds, answer) = time(|| literal::solve(&*case.literal, &slope, solution.force(), &start, &scaled));
+        let (seconds, answer) =
+            time(|| literal::solve(&*case.literal, &slope, scene.force.given().expect("a force"), &start, &scaled));
         let found: Vec<f64> = answer.half_lengths.iter().zip(&answer.peaks).flat_map(|(a, p)| [*a, *p]).collect();
         let Settings { nodes, low, residual, .. } = settings;
         let mut setting =
