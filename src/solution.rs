@@ -98,7 +98,8 @@ pub struct Stats {
     pub interpolated: usize,
     /// Terms in the series of each pressure, contacts from the top down.
     pub modes: Vec<usize>,
-    /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first.
+    /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first; for each force that was tried, if
+    /// it was found.
     pub newton_steps: Vec<usize>,
     /// Systems of equations that were factorised.
     pub factorisations: usize,

@@ -72,7 +72,7 @@ fn file(name: &str) -> String {
 
 fn of_scene(name: &str) -> Effort {
     let scene = Scene::read(file(name)).expect("a scene of the project");
-    Effort::of(scene.stack().expect("a stack"), &scene.punch, scene.force)
+    Effort::of(scene.stack().expect("a stack"), &scene.punch, scene.force.given().unwrap())
 }
 
 /// 100 layers, stiff and soft ones in turn, on a half-plane of their own.

@@ -6,7 +6,7 @@ use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
 use crate::scene::Punch;
-use crate::solution::{Interface, Solution};
+use crate::solution::{Interface, Solution, Stats};
 
 use super::level::BEST;
 use super::punch::Indentation;
@@ -45,9 +45,9 @@ pub(crate) fn press_to(
     let enough = MET * options.tolerance.max(floor);
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut last: Option<(f64, f64)> = None;
-    let mut steps = 0;
+    let mut all = Stats::default();
     for _ in 0..TRIALS {
-        let solution = match press(kernel, interfaces, punch, trial.exp(), options) {
+        let mut solution = match press(kernel, interfaces, punch, trial.exp(), options) {
             Ok(solution) => solution,
             // so much that the punch is too small for it
             Err(Error::NoSolution(NoSolution::PunchTooSmall { .. })) => {
@@ -57,7 +57,9 @@ pub(crate) fn press_to(
             }
             Err(error) => return Err(error),
         };
-        steps += solution.newton_steps;
+        all.newton_steps.append(&mut solution.stats.newton_steps);
+        all.factorisations += solution.stats.factorisations;
+        all.interpolated += solution.stats.interpolated;
         let Some(found) = solution.contacts.first() else { return Err(unreachable()) };
         let missing = (half_length / found.half_length).ln();
         if let Some((force, before)) = last
@@ -69,7 +71,9 @@ pub(crate) fn press_to(
         if missing.abs() <= enough {
             let relative = found.half_length_error / found.half_length + missing.abs();
             let force_error = slope * relative * solution.force;
-            return Ok(Solution { force_error, newton_steps: steps, ..solution });
+            let Stats { newton_steps, factorisations, interpolated, .. } = all;
+            let stats = Stats { newton_steps, factorisations, interpolated, ..solution.stats };
+            return Ok(Solution { force_error, stats, ..solution });
         }
         if missing > 0.0 {
             low = low.max(trial)
