@@ -78,6 +78,21 @@ fn collocation_finds_the_same_force() {
 }
 
 #[test]
+fn half_lengths_beyond_all_measure_are_met_or_refused() {
+    let punch = Punch::parabola(50.0).unwrap();
+    for half_length in [f64::MIN_POSITIVE, 1e-150, 1e-12, 1e3, 1e150, f64::MAX] {
+        match strip().press(&punch, Force::ForHalfLength(half_length)) {
+            Ok(solution) => {
+                let found = solution.contacts()[0].half_length;
+                assert!((found / half_length - 1.0).abs() < 1e-10, "{found} is not {half_length}");
+                assert!(solution.force().is_normal() && solution.force_error().is_finite(), "{solution:?}");
+            }
+            Err(error) => assert!(matches!(error, Error::NoSolution(_) | Error::Unresolved { .. }), "{error}"),
+        }
+    }
+}
+
+#[test]
 fn what_no_force_brings_about_is_refused() {
     let model = half_plane();
     let refused = |punch: Punch, half_length: f64| model.press(&punch, Force::ForHalfLength(half_length)).unwrap_err();

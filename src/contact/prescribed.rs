@@ -47,7 +47,11 @@ pub(crate) fn press_to(
     let mut last: Option<(f64, f64)> = None;
     let mut all = Stats::default();
     for _ in 0..TRIALS {
-        let mut solution = match press(kernel, interfaces, punch, trial.exp(), options) {
+        let force = trial.exp();
+        if !force.is_normal() {
+            break;
+        }
+        let mut solution = match press(kernel, interfaces, punch, force, options) {
             Ok(solution) => solution,
             // so much that the punch is too small for it
             Err(Error::NoSolution(NoSolution::PunchTooSmall { .. })) => {
@@ -62,10 +66,10 @@ pub(crate) fn press_to(
         all.interpolated += solution.stats.interpolated;
         let Some(found) = solution.contacts.first() else { return Err(unreachable()) };
         let missing = (half_length / found.half_length).ln();
-        if let Some((force, before)) = last
+        if let Some((earlier, before)) = last
             && before != missing
         {
-            let secant = (trial - force) / (before - missing);
+            let secant = (trial - earlier) / (before - missing);
             slope = if secant.is_finite() && secant > 0.0 { secant } else { slope };
         }
         if missing.abs() <= enough {
@@ -83,7 +87,7 @@ pub(crate) fn press_to(
         last = Some((trial, missing));
         let next = trial + (slope * missing).clamp(-LONGEST, LONGEST);
         trial = if low < next && next < high { next } else { 0.5 * (low + high) };
-        if !trial.is_finite() || trial == low || trial == high {
+        if trial == low || trial == high {
             break;
         }
     }
