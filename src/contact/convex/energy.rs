@@ -95,14 +95,14 @@ impl Energy {
             let zeta: Vec<(f64, f64)> = rule(waves.nodes).on(from, to).collect();
             let mut transforms = Mat::<f64>::zeros(zeta.len(), elements);
             let reference: Vec<f64> = zeta.iter().map(|(zeta, _)| (-0.5 * (zeta * end).powi(2)).exp()).collect();
+            let beyond: Vec<f64> = zeta.iter().map(|(zeta, _)| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect();
             let mut edge = vec![0.0; zeta.len()];
             for e in 0..elements {
                 let x = grid.edges()[e + 1];
                 let column = transforms.col_as_slice_mut(e);
                 for (k, (zeta, _)) in zeta.iter().enumerate() {
                     let next = deficit(*zeta, x);
-                    let all = -(-0.5 * (zeta * end).powi(2)).exp_m1();
-                    column[k] = 2.0 * (next - edge[k]) + self.resultants[e] * all;
+                    column[k] = 2.0 * (next - edge[k]) + self.resultants[e] * beyond[k];
                     edge[k] = next;
                 }
             }
