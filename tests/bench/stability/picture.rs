@@ -66,7 +66,7 @@ pub fn draw(path: &std::path::Path, diagrams: &[Diagram], columns: u32) -> Resul
         if diagram.curves.len() > 1 {
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::MiddleRight)
+                .position(SeriesLabelPosition::MiddleLeft)
                 .background_style(WHITE.mix(0.0))
                 .label_font(("sans-serif", 12))
                 .draw()?;
