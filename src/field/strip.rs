@@ -134,7 +134,8 @@ impl Image {
         0.5 * self.half_length * (sum * square + first * w.ln())
     }
 
-    /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink, eq. (26a).
+    /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink: below
+    /// eq. (26).
     fn closed(&self, z: Complex64) -> Option<Closed> {
         let (upper, lower) = (logarithm(z + Complex64::I), logarithm(z - Complex64::I));
         // arccot z, ln (z² + 1)
