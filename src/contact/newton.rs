@@ -331,7 +331,7 @@ impl Newton<'_> {
             .map(|(i, (a, modes))| {
                 let table = self.spare.pop().unwrap_or_default();
                 match given.filter(|_| i == 0) {
-                    Some(given) => Basis::new(layout, i, *a, given.modes.len(), table).together(&given.modes, layout),
+                    Some(given) => Basis::given(layout, given),
                     None => Basis::new(layout, i, *a, *modes, table),
                 }
             })
