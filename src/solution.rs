@@ -43,6 +43,22 @@ pub struct Contact {
     pub resultant: f64,
     /// What the pressure is the sum of: one strip, but where several loads press.
     pub(crate) strips: Vec<Strip>,
+    /// Where the bodies touch again, from the middle outwards: empty where the contact is one interval.
+    pub parts: Vec<Part>,
+}
+
+/// An interval from < |x| < to in which the bodies of a contact touch besides that about x = 0. Lengths are in the unit
+/// of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Where it begins, > 0.
+    pub from: f64,
+    /// The solver's estimate of the absolute error of `from`.
+    pub from_error: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// The solver's estimate of the absolute error of `to`.
+    pub to_error: f64,
 }
 
 /// A pressure on |x − at| < extent, symmetric about x = at, and where `at` is not 0 its mirror image. In stress.
@@ -54,6 +70,8 @@ pub(crate) struct Strip {
     pub(crate) extent: f64,
     /// p = Σ_m coefficients[m] sin((2m + 1) φ) with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
+    /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
+    pub(crate) skew: Vec<f64>,
     /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
     /// where the punch is not smooth.
     pub(crate) found: usize,
@@ -77,7 +95,7 @@ pub(crate) enum Form {
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
     pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
-        Self { at: 0.0, extent, coefficients, found, form: Form::Series }
+        Self { at: 0.0, extent, coefficients, skew: Vec::new(), found, form: Form::Series }
     }
 
     /// The resultant of one image.
@@ -85,8 +103,8 @@ impl Strip {
         0.5 * PI * self.extent * self.coefficients.first().copied().unwrap_or(0.0)
     }
 
-    /// Pressure of one image at a distance from its middle.
-    fn image(&self, x: f64) -> f64 {
+    /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
+    fn image(&self, x: f64, mirror: f64) -> f64 {
         let s = x / self.extent;
         // NaN is outside, too
         if s.is_nan() || s.abs() > 1.0 {
@@ -101,13 +119,19 @@ impl Strip {
             Form::Parabolic => 1.5 * mean * (1.0 - s * s),
             Form::Series => {
                 let phi = s.acos();
-                self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin()).sum()
+                let sum = |coefficients: &[f64], first: usize| -> f64 {
+                    coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + first) as f64 * phi).sin()).sum()
+                };
+                sum(&self.coefficients, 1) + mirror * sum(&self.skew, 2)
             }
         }
     }
 
     fn pressure(&self, x: f64) -> f64 {
-        if self.at == 0.0 { self.image(x) } else { self.image(x - self.at) + self.image(x + self.at) }
+        if self.at == 0.0 {
+            return self.image(x, 1.0);
+        }
+        self.image(x - self.at, 1.0) + self.image(x + self.at, -1.0)
     }
 }
 

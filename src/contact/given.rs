@@ -71,7 +71,7 @@ pub(super) fn strips(load: &Load, force: f64, length: f64) -> Vec<Strip> {
             Form::Uniform => unit / order(m),
             Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
         };
-        Strip { at, extent, coefficients: (0..terms).map(coefficient).collect(), found: terms, form }
+        Strip { at, extent, coefficients: (0..terms).map(coefficient).collect(), skew: Vec::new(), found: terms, form }
     };
     load.parts().into_iter().map(strip).collect()
 }
@@ -86,6 +86,7 @@ pub(super) fn contact(load: &Load, interface: Interface, force: f64, strips: Vec
         peak_pressure_error: 0.0,
         resultant: force,
         strips,
+        parts: Vec::new(),
     }
 }
 

@@ -16,6 +16,8 @@ const MOST_WAVENUMBERS: usize = 16_000;
 const MOST_ENTRIES: usize = 10_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
+/// Without tails, integrals end after about so many wavenumbers.
+const CUT_AFTER: f64 = 6_000.0;
 /// Real wavenumbers that a tail must save.
 const TAIL_PAYS: f64 = 100.0;
 
@@ -73,6 +75,8 @@ struct Plan<'a> {
     accuracy: Accuracy,
     /// Fields are resolved as far out as this.
     span: f64,
+    /// There are no tails: all wavenumbers are real.
+    cut: bool,
 }
 
 /// Contacts next to each other that share a tail, or have none.
@@ -137,6 +141,7 @@ impl Layout {
                 .collect(),
             accuracy,
             span,
+            cut: false,
         };
         layout.real(&plan)?;
         for group in &groups {
@@ -169,6 +174,37 @@ impl Layout {
         (entries <= MOST_ENTRIES).then_some(layout)
     }
 
+    /// Real wavenumbers only, for contacts that end at `ends`, able to resolve fields out to `span` besides. Kernels that
+    /// never vanish are cut off where that would take too many; `None` if there are too many all the same.
+    pub(super) fn without_tails(kernel: &Kernel, ends: &[f64], accuracy: Accuracy, span: f64) -> Option<Self> {
+        let n = kernel.contacts();
+        // two wavenumbers per wavelength
+        let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
+        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: i };
+        let mut layout = Self {
+            zeta: Vec::new(),
+            own: (0..n).map(own).collect(),
+            coupling: vec![Weights::default(); n - 1],
+            tails: (0..n).map(|_| Tail::default()).collect(),
+        };
+        let plan = Plan {
+            kernel,
+            half_lengths: ends,
+            reaches: (0..n).map(|i| kernel.vanishes(i, accuracy.negligible).min(cut(ends[i]))).collect(),
+            coupled: (0..n - 1)
+                .map(|i| kernel.uncoupled(i, accuracy.negligible).min(cut(ends[i].max(ends[i + 1]))))
+                .collect(),
+            accuracy,
+            span,
+            cut: true,
+        };
+        layout.real(&plan)?;
+        for i in 0..n {
+            layout.own[i].reach = layout.felt(i);
+        }
+        Some(layout)
+    }
+
     /// The tail of contact i.
     pub(super) fn tail(&self, i: usize) -> &Tail {
         &self.tails[self.own[i].tail]
@@ -184,7 +220,7 @@ impl Layout {
     fn real(&mut self, plan: &Plan) -> Option<()> {
         let last = plan.coupled.iter().chain(&plan.reaches).copied().fold(0.0, f64::max);
         // fields far away take more
-        let most = if plan.span > 0.0 { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
+        let most = if plan.span > 0.0 || plan.cut { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {

@@ -8,6 +8,7 @@ mod given;
 mod layout;
 mod level;
 mod newton;
+mod parts;
 mod prescribed;
 mod pressures;
 mod punch;
@@ -72,7 +73,7 @@ fn solve(
         let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
         return Ok(solution(kernel, interfaces, indentation, level, check, work, Vec::new()));
     }
-    from_any_start(kernel, interfaces, indentation, |half_lengths, finer| {
+    from_any_start(kernel, interfaces, indentation, options, |half_lengths, finer| {
         let (level, warnings) = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut work)?;
         if level.errors.iter().any(|[half_length, _]| *half_length > UNUSABLE) {
             return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
@@ -88,6 +89,7 @@ fn from_any_start(
     kernel: &Kernel,
     interfaces: &[Interface],
     indentation: &Indentation,
+    options: &Options,
     mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
 ) -> Result<Solution, Error> {
     let expected = start::half_lengths(kernel, indentation)?;
@@ -106,7 +108,8 @@ fn from_any_start(
         far = overlap;
         zones = convex::zones(kernel, indentation, &expected, far);
         if let Some(error) = several(kernel, interfaces, zones.as_deref(), true) {
-            return Err(error);
+            let zones = zones.as_deref().unwrap_or_default();
+            return parts::solve(kernel, interfaces, indentation, zones, options).ok_or(error);
         }
         let ends: Vec<f64> = (0..expected.len())
             .map(|i| match zones.as_ref().map_or(0.0, |zones| zones[i].end()) {
@@ -128,7 +131,9 @@ fn from_any_start(
             }
         }
     }
-    Err(several(kernel, interfaces, zones.as_deref(), false).unwrap_or(failure.into()))
+    let zones = zones.as_deref();
+    let Some(error) = several(kernel, interfaces, zones, false) else { return Err(failure.into()) };
+    parts::solve(kernel, interfaces, indentation, zones.unwrap_or_default(), options).ok_or(error)
 }
 
 /// The error that says in which intervals bodies touch, if there are several.
@@ -185,6 +190,7 @@ fn solution(
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
                 strips: vec![Strip::series(half_length, coefficients, level.counts[i])],
+                parts: Vec::new(),
             }
         })
         .collect();

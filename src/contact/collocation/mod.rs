@@ -60,7 +60,7 @@ pub(super) fn press(
     options: &Options,
 ) -> Result<Solution, Error> {
     let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
-    from_any_start(kernel, interfaces, punch, |half_lengths, finer| {
+    from_any_start(kernel, interfaces, punch, options, |half_lengths, finer| {
         problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options)
     })
 }
@@ -225,6 +225,7 @@ impl Problem<'_> {
                 peak_pressure_error,
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
                 strips: vec![Strip::series(half_length, coefficients, nodes.half())],
+                parts: Vec::new(),
             });
         }
         Ok(Solution {

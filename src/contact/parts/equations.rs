@@ -1,0 +1,307 @@
+//! The contact equations on given intervals, and how far their ends are from right.
+//!
+//! The slopes that all pressures make of the gap, F_i(x) = (1/π) ∫ (unit p̂_i + ...) sin ζx dζ, are tested on every
+//! interval. What the kernels have in common with half-planes, g∞, is integrated in space: on its own interval sin jφ
+//! makes g∞ T_j(s), elsewhere g∞ ρ^j with ρ = s ∓ √(s² − 1). Half-lengths that are not right show in the first test of
+//! each interval, and in gaps between intervals that do not close.
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use faer::linalg::solvers::Solve;
+use faer::{Mat, MatRef};
+
+use crate::kernel::Kernel;
+use crate::numeric::quadrature::rule;
+
+use super::super::layout::Layout;
+use super::super::punch::Indentation;
+use super::patch::Patch;
+
+/// Points of integrals over an interval, per pressure, and more.
+const PER_PRESSURE: usize = 3;
+const POINTS: usize = 48;
+
+/// The equations of some patches, in the order of contacts and outwards.
+pub(super) struct Equations<'a> {
+    pub(super) kernel: &'a Kernel,
+    pub(super) punch: &'a Indentation<'a>,
+    pub(super) layout: &'a Layout,
+    pub(super) patches: &'a [Patch],
+    /// Pressures on each patch.
+    pub(super) count: usize,
+}
+
+/// Pressures at given ends, and what these leave over.
+#[derive(Clone)]
+pub(super) struct Pressures {
+    /// c_j of each patch, per unit of P'.
+    pub(super) coefficients: Vec<Vec<f64>>,
+    /// One for each end.
+    pub(super) residuals: Vec<f64>,
+}
+
+/// What is known of one contact at all wavenumbers: pressures by columns, and tests.
+struct Waves {
+    transforms: Mat<f64>,
+    rests: Mat<f64>,
+    tests: Mat<f64>,
+}
+
+impl Equations<'_> {
+    fn contacts(&self) -> usize {
+        self.kernel.contacts()
+    }
+
+    /// The patches of one contact.
+    fn of(&self, contact: usize) -> impl Iterator<Item = (usize, &Patch)> {
+        self.patches.iter().enumerate().filter(move |(_, patch)| patch.contact == contact)
+    }
+
+    /// The gap that ends where a patch begins.
+    fn opening(&self, index: usize) -> Option<[f64; 2]> {
+        let patch = &self.patches[index];
+        let before = self.patches.get(index.checked_sub(1)?)?;
+        (before.contact == patch.contact).then(|| [before.to(), patch.from()])
+    }
+
+    /// Tests of a patch: their orders, and whether a gap is to be closed besides.
+    fn rows(&self, index: usize) -> usize {
+        self.patches[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
+    }
+
+    /// Pressures, and what is left over; `None` if there is none in double precision.
+    pub(super) fn solve(&self) -> Option<Pressures> {
+        let n = self.contacts();
+        let waves: Vec<Waves> = (0..n).map(|contact| self.waves(contact)).collect();
+        let size = self.patches.len() * self.count;
+        let mut kept: Vec<(Vec<f64>, f64)> = Vec::with_capacity(size);
+        let mut left: Vec<(Vec<f64>, f64)> = Vec::new();
+        for contact in 0..n {
+            let place = |contact: usize| self.of(contact).next().map_or(0, |(index, _)| index * self.count);
+            let mut blocks = vec![(contact, self.own(contact, &waves[contact]))];
+            if contact > 0 {
+                blocks.push((contact - 1, self.between(contact - 1, &waves[contact], &waves[contact - 1])));
+            }
+            if contact + 1 < n {
+                blocks.push((contact + 1, self.between(contact, &waves[contact], &waves[contact + 1])));
+            }
+            let mut at = 0;
+            for (index, patch) in self.of(contact) {
+                let rows = self.rows(index);
+                for row in 0..rows {
+                    let mut entries = vec![0.0; size];
+                    for (other, block) in &blocks {
+                        for column in 0..block.ncols() {
+                            entries[place(*other) + column] += block[(at + row, column)];
+                        }
+                    }
+                    let right = self.load(index, row);
+                    let list = if row == 0 || row >= patch.tests(self.count).len() { &mut left } else { &mut kept };
+                    list.push((entries, right));
+                }
+                at += rows;
+            }
+            // equilibrium
+            let mut entries = vec![0.0; size];
+            for (index, patch) in self.of(contact) {
+                entries[index * self.count] = patch.resultant();
+            }
+            kept.push((entries, 1.0));
+        }
+        let scales: Vec<f64> =
+            kept.iter().map(|(row, _)| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()))).collect();
+        let matrix = Mat::from_fn(size, size, |row, column| kept[row].0[column] / scales[row]);
+        let right = Mat::from_fn(size, 1, |row, _| kept[row].1 / scales[row]);
+        let solution = matrix.partial_piv_lu().solve(&right);
+        let all = solution.col_as_slice(0);
+        let residual = |(row, right): &(Vec<f64>, f64)| dot(row, all) - right;
+        let residuals: Vec<f64> = left.iter().map(residual).collect();
+        let coefficients = all.chunks_exact(self.count).map(<[f64]>::to_vec).collect();
+        residuals.iter().chain(all).all(|value| value.is_finite()).then_some(Pressures { coefficients, residuals })
+    }
+
+    fn waves(&self, contact: usize) -> Waves {
+        let reach = self.layout.own[contact].reach;
+        let zeta = &self.layout.zeta[..reach];
+        let end = self.patches.iter().map(Patch::to).fold(0.0, f64::max);
+        let beyond: Vec<f64> = zeta.iter().map(|zeta| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect();
+        let columns = self.of(contact).count() * self.count;
+        let rows: usize = self.of(contact).map(|(index, _)| self.rows(index)).sum();
+        let mut waves = Waves {
+            transforms: Mat::zeros(reach, columns),
+            rests: Mat::zeros(reach, columns),
+            tests: Mat::zeros(reach, rows),
+        };
+        let (mut column, mut row) = (0, 0);
+        for (index, patch) in self.of(contact) {
+            let [transforms, rests, tests] = patch.waves(zeta, &beyond, self.count);
+            waves.transforms.as_mut().subcols_mut(column, self.count).copy_from(&transforms);
+            waves.rests.as_mut().subcols_mut(column, self.count).copy_from(&rests);
+            waves.tests.as_mut().subcols_mut(row, tests.ncols()).copy_from(&tests);
+            column += self.count;
+            row += tests.ncols();
+            if let Some([from, to]) = self.opening(index) {
+                // cos ζb − cos ζl
+                let closing = waves.tests.col_as_slice_mut(row);
+                for (closing, zeta) in closing.iter_mut().zip(zeta) {
+                    *closing = 2.0 * (0.5 * zeta * (to + from)).sin() * (0.5 * zeta * (to - from)).sin() / zeta;
+                }
+                row += 1;
+            }
+        }
+        waves
+    }
+
+    /// What the pressures of a contact do to itself.
+    fn own(&self, contact: usize, waves: &Waves) -> Mat<f64> {
+        let own = &self.layout.own[contact];
+        let mut block = self.tested(waves, &own.unit.plain, &waves.transforms);
+        for coupling in [contact.checked_sub(1), Some(contact)].into_iter().flatten() {
+            if let Some(weights) = self.layout.coupling.get(coupling) {
+                block += self.tested(waves, &weights.plain, &waves.rests);
+            }
+        }
+        self.add_half_plane(contact, own.limit, &mut block);
+        block
+    }
+
+    /// What the pressures of another contact do to one.
+    fn between(&self, coupling: usize, waves: &Waves, other: &Waves) -> Mat<f64> {
+        let mut block = self.tested(waves, &self.layout.coupling[coupling].plain, &other.rests);
+        block *= faer::Scale(-1.0);
+        block
+    }
+
+    /// (1/π) Σ tests · ζ weights · fields.
+    fn tested(&self, waves: &Waves, weights: &[f64], fields: &Mat<f64>) -> Mat<f64> {
+        let count = weights.len().min(fields.nrows()).min(waves.tests.nrows());
+        let weighted = Mat::from_fn(count, fields.ncols(), |node, column| {
+            weights[node] * self.layout.zeta[node] / PI * fields[(node, column)]
+        });
+        let tests: MatRef<'_, f64> = waves.tests.as_ref().subrows(0, count);
+        tests.transpose() * &weighted
+    }
+
+    /// What a half-plane would do, in space.
+    fn add_half_plane(&self, contact: usize, limit: f64, block: &mut Mat<f64>) {
+        let mut at = 0;
+        for (index, patch) in self.of(contact) {
+            let tests = patch.tests(self.count);
+            let rows = self.rows(index);
+            for (source, (other, from)) in self.of(contact).enumerate() {
+                let column = source * self.count;
+                let own = other == index;
+                if own {
+                    for (row, test) in tests.iter().enumerate() {
+                        if let Some(m) = patch.orders(self.count).position(|order| order == *test) {
+                            block[(at + row, column + m)] += limit * FRAC_PI_2;
+                        }
+                    }
+                }
+                if own && patch.is_central() {
+                    continue;
+                }
+                let mut slopes = vec![0.0; self.count];
+                for (theta, weight) in self.places() {
+                    slopes.fill(0.0);
+                    from.outside(patch.middle + patch.half * theta.cos(), self.count, own, &mut slopes);
+                    for (row, test) in tests.iter().enumerate() {
+                        let factor = limit * weight * (*test as f64 * theta).cos();
+                        for (m, slope) in slopes.iter().enumerate() {
+                            block[(at + row, column + m)] += factor * slope;
+                        }
+                    }
+                }
+            }
+            if let Some([start, end]) = self.opening(index) {
+                let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
+                let mut slopes = vec![0.0; self.count];
+                for (theta, weight) in rule(POINTS + self.count).on(0.0, PI) {
+                    let x = middle + half * theta.cos();
+                    for (source, (_, from)) in self.of(contact).enumerate() {
+                        slopes.fill(0.0);
+                        from.outside(x, self.count, false, &mut slopes);
+                        for (m, slope) in slopes.iter().enumerate() {
+                            block[(at + rows - 1, source * self.count + m)] +=
+                                limit * weight * half * theta.sin() * slope;
+                        }
+                    }
+                }
+            }
+            at += rows;
+        }
+    }
+
+    /// θ and weights of ∫ ... dθ from 0 to π.
+    fn places(&self) -> impl Iterator<Item = (f64, f64)> {
+        let points = POINTS + PER_PRESSURE * self.count;
+        (0..points).map(move |q| (PI * (q as f64 + 0.5) / points as f64, PI / points as f64))
+    }
+
+    /// The right-hand side of one row.
+    fn load(&self, index: usize, row: usize) -> f64 {
+        let patch = &self.patches[index];
+        if patch.contact > 0 {
+            return 0.0;
+        }
+        match (patch.tests(self.count).get(row), self.opening(index)) {
+            (Some(test), _) => self
+                .places()
+                .map(|(theta, weight)| {
+                    weight * (*test as f64 * theta).cos() * self.punch.slope(patch.middle + patch.half * theta.cos())
+                })
+                .sum(),
+            (None, Some([from, to])) => self.punch.profile(to) - self.punch.profile(from),
+            (None, None) => 0.0,
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// What known pressures do outside the contacts.
+impl Equations<'_> {
+    /// Slopes of waves, weights included, what half-planes do left out.
+    pub(super) fn response(&self, contact: usize, coefficients: &[Vec<f64>]) -> Vec<f64> {
+        let of = |contact: usize, rests: bool| -> Vec<f64> {
+            let waves = self.waves(contact);
+            let matrix = if rests { waves.rests } else { waves.transforms };
+            let all: Vec<f64> = self.of(contact).flat_map(|(index, _)| coefficients[index].clone()).collect();
+            let mut sum = vec![0.0; matrix.nrows()];
+            for (column, c) in all.iter().enumerate() {
+                sum.iter_mut().zip(matrix.col_as_slice(column)).for_each(|(sum, value)| *sum += c * value);
+            }
+            sum
+        };
+        let own = &self.layout.own[contact];
+        let mut response = vec![0.0; own.reach];
+        let mut add = |weights: &[f64], field: Vec<f64>, sign: f64| {
+            for (((response, weight), value), zeta) in
+                response.iter_mut().zip(weights).zip(field).zip(&self.layout.zeta)
+            {
+                *response += sign * weight * zeta / PI * value;
+            }
+        };
+        add(&own.unit.plain, of(contact, false), 1.0);
+        for (coupling, other) in [(contact.checked_sub(1), contact.wrapping_sub(1)), (Some(contact), contact + 1)] {
+            if let Some(weights) = coupling.and_then(|coupling| self.layout.coupling.get(coupling)) {
+                add(&weights.plain, of(contact, true), 1.0);
+                add(&weights.plain, of(other, true), -1.0);
+            }
+        }
+        response
+    }
+
+    /// The slope at x outside a contact on a half-plane with λμ₀C = 1.
+    pub(super) fn half_plane(&self, contact: usize, coefficients: &[Vec<f64>], x: f64) -> f64 {
+        let mut slopes = vec![0.0; self.count];
+        let mut sum = 0.0;
+        for (index, patch) in self.of(contact) {
+            slopes.fill(0.0);
+            patch.outside(x, self.count, false, &mut slopes);
+            sum += dot(&slopes, &coefficients[index]);
+        }
+        sum
+    }
+}

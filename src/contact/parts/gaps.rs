@@ -1,0 +1,99 @@
+//! No pressure may pull, and no gap be overlapped, between the parts of a contact and beyond them.
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::kernel::Kernel;
+use crate::numeric::quadrature::rule;
+
+use super::super::layout::{Accuracy, Layout};
+use super::super::punch::Indentation;
+use super::Level;
+use super::equations::Equations;
+
+/// Pressures are looked at in so many places per term.
+const PER_TERM: usize = 3;
+/// Gaps are looked at in so many places.
+const PLACES: usize = 24;
+/// Gaps are found to about this part.
+const GAPS: f64 = 1e-6;
+/// What is below zero by less than this part of the largest value is zero.
+const ZERO: f64 = 1e-4;
+
+/// Smallest pressure and smallest gap; `None` if one of them is negative.
+pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Option<[f64; 2]> {
+    let (patches, coefficients) = (&level.patches, &level.pressures.coefficients);
+    let count = coefficients.first()?.len();
+    let mut least = [0.0f64; 2];
+    let mut largest = vec![0.0f64; kernel.contacts()];
+    let mut smallest = vec![0.0f64; kernel.contacts()];
+    for (patch, coefficients) in patches.iter().zip(coefficients) {
+        let places = PER_TERM * count;
+        for k in 1..2 * places {
+            let x = patch.middle + patch.half * (PI * k as f64 / (2 * places) as f64).cos();
+            let pressure = patch.pressure(coefficients, x);
+            largest[patch.contact] = largest[patch.contact].max(pressure);
+            smallest[patch.contact] = smallest[patch.contact].min(pressure);
+        }
+    }
+    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -ZERO * largest) {
+        return None;
+    }
+    least[0] = smallest.iter().copied().fold(0.0, f64::min);
+    let reach: Vec<f64> = (0..kernel.contacts())
+        .map(|i| patches.iter().filter(|patch| patch.contact == i).map(super::Patch::to).fold(0.0, f64::max))
+        .collect();
+    let span = 2.0 * reach.iter().copied().fold(0.0, f64::max) + 2.0;
+    let layout = Layout::without_tails(kernel, &reach, Accuracy::of(GAPS), span)?;
+    let equations = Equations { kernel, punch, layout: &layout, patches, count };
+    for (i, patch) in patches.iter().enumerate() {
+        let next = patches.get(i + 1).filter(|next| next.contact == patch.contact);
+        let end = match (next, patch.contact, punch.max_half_length()) {
+            (Some(next), ..) => next.from(),
+            (None, 0, Some(edge)) => span.min(edge),
+            _ => span,
+        };
+        let gaps = equations.gaps(patch.contact, coefficients, patch.to(), end, PLACES);
+        let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+        if gaps.iter().any(|(_, gap)| *gap < -ZERO * widest) {
+            return None;
+        }
+        least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));
+    }
+    Some(least)
+}
+
+impl Equations<'_> {
+    /// Places from one end of a gap to the other, dense next to both, and the gap there.
+    pub(super) fn gaps(
+        &self,
+        contact: usize,
+        coefficients: &[Vec<f64>],
+        from: f64,
+        to: f64,
+        places: usize,
+    ) -> Vec<(f64, f64)> {
+        let waves = self.response(contact, coefficients);
+        let limit = self.layout.own[contact].limit;
+        let place = |t: f64| from + (to - from) * (FRAC_PI_2 * t).sin().powi(2);
+        let mut near = 0.0;
+        (1..=places)
+            .map(|k| {
+                let t = |k: usize| k as f64 / places as f64;
+                for (t, weight) in rule(12).on(t(k - 1), t(k)) {
+                    let x = place(t);
+                    let slope: f64 = self.half_plane(contact, coefficients, x);
+                    near += weight * FRAC_PI_2 * (PI * t).sin() * (to - from) * limit * slope;
+                }
+                let x = place(t(k));
+                let far: f64 = waves
+                    .iter()
+                    .zip(&self.layout.zeta)
+                    .map(|(wave, zeta)| {
+                        wave * 2.0 * (0.5 * zeta * (x + from)).sin() * (0.5 * zeta * (x - from)).sin() / zeta
+                    })
+                    .sum();
+                let opened = if contact == 0 { self.punch.profile(x) - self.punch.profile(from) } else { 0.0 };
+                (x, opened - near - far)
+            })
+            .collect()
+    }
+}

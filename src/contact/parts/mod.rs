@@ -1,0 +1,327 @@
+//! Contacts in several intervals: bodies that touch about the middle and again farther out.
+//!
+//! The convex programme tells where bodies touch, roughly; Newton's method finds where exactly, with more and more
+//! pressures on each interval until two numbers of them agree.
+mod equations;
+mod gaps;
+mod patch;
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+use crate::kernel::Kernel;
+use crate::options::Options;
+use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
+
+use super::convex::Zones;
+use super::layout::{Accuracy, Layout};
+use super::punch::Indentation;
+use super::{UNUSABLE, stats};
+
+use equations::{Equations, Pressures};
+use patch::Patch;
+
+/// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
+const COARSEST: usize = 12;
+const FINEST: usize = 96;
+/// Steps of Newton's method for one number of pressures.
+const STEPS: usize = 20;
+/// An end moves by at most this part of the intervals next to it in one step.
+const LONGEST_STEP: f64 = 0.4;
+/// Derivatives are differences over this part of the intervals next to an end.
+const DIFFERENCE: f64 = 1e-6;
+/// Relative steps below this are none; short steps that no longer shorten are rounding.
+const SETTLED: f64 = 1e-13;
+const SHORT: f64 = 1e-7;
+/// Integrals serve ends that have moved by this part at most.
+const SERVES: f64 = 0.02;
+/// What rounding leaves of an end, relative.
+const ROUNDING: f64 = 1e-12;
+/// Estimates are so many times the difference between two numbers of pressures.
+const SAFETY: f64 = 2.0;
+
+/// Ends and pressures for one number of pressures.
+#[derive(Clone)]
+struct Level {
+    patches: Vec<Patch>,
+    pressures: Pressures,
+    /// Length of the last step, relative.
+    last_step: f64,
+}
+
+/// Presses a punch on a stack some contacts of which have several parts, about where `zones` says; `None` if no
+/// admissible answer was found.
+pub(super) fn solve(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    zones: &[Zones],
+    options: &Options,
+) -> Option<Solution> {
+    let patches = patches(zones)?;
+    let accuracy = Accuracy::of(options.tolerance);
+    let mut steps = Vec::new();
+    let mut jacobian = None;
+    let mut before: Option<Level> = None;
+    let mut best: Option<(Level, Errors, usize)> = None;
+    let mut count = COARSEST;
+    while count <= FINEST {
+        let start = before.as_ref().map_or(&patches, |before| &before.patches);
+        let level = converge(kernel, punch, start.clone(), count, accuracy, &mut jacobian, &mut steps);
+        let Some(level) = level else {
+            // where neither few nor some will do, more will not
+            if best.is_some() || count > COARSEST {
+                break;
+            }
+            count *= 2;
+            continue;
+        };
+        if let Some(before) = before.replace(level.clone()) {
+            let errors = Errors::between(&level, &before);
+            let done = errors.worst() <= options.tolerance;
+            if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
+                best = Some((level, errors, count));
+            }
+            if done {
+                break;
+            }
+        }
+        count *= 2;
+    }
+    let (level, errors, count) = best?;
+    if errors.ends.iter().flatten().any(|error| *error > UNUSABLE) {
+        return None;
+    }
+    let mut warnings = Vec::new();
+    if errors.worst() > options.tolerance {
+        warnings.push(format!(
+            "the tolerance {:e} is not met with {count} pressures on each interval of contacts in several parts; the error \
+             estimates tell what was reached",
+            options.tolerance
+        ));
+    }
+    let min = gaps::check(kernel, punch, &level)?;
+    Some(solution(kernel, interfaces, punch, &level, &errors, min, count, steps, warnings))
+}
+
+/// Intervals to begin with; `None` if there is one that does not end, or none about the middle.
+fn patches(zones: &[Zones]) -> Option<Vec<Patch>> {
+    let mut patches = Vec::new();
+    for (contact, zones) in zones.iter().enumerate() {
+        let parts = zones.hull();
+        if parts.first().is_none_or(|first| first[0] != 0.0) || parts.iter().any(|part| part[1].is_infinite()) {
+            return None;
+        }
+        patches.extend(parts.iter().map(|part| Patch::new(contact, *part)));
+    }
+    Some(patches)
+}
+
+/// Where intervals end, from the middle outwards.
+fn ends(patches: &[Patch]) -> Vec<f64> {
+    let own = |patch: &Patch| if patch.is_central() { vec![patch.to()] } else { vec![patch.from(), patch.to()] };
+    patches.iter().flat_map(own).collect()
+}
+
+/// Intervals like others, with other ends; `None` if they are none.
+fn with_ends(patches: &[Patch], ends: &[f64]) -> Option<Vec<Patch>> {
+    let mut next = 0;
+    let mut moved = Vec::with_capacity(patches.len());
+    for patch in patches {
+        let from = if patch.is_central() { 0.0 } else { ends[next] };
+        next += usize::from(!patch.is_central());
+        let to = ends[next];
+        next += 1;
+        if !(to > from) || to.is_infinite() {
+            return None;
+        }
+        moved.push(Patch::new(patch.contact, [from, to]));
+    }
+    let apart = |pair: &[Patch]| pair[0].contact != pair[1].contact || pair[0].to() < pair[1].from();
+    moved.windows(2).all(apart).then_some(moved)
+}
+
+/// The shorter of the intervals that meet in each end.
+fn rooms(patches: &[Patch]) -> Vec<f64> {
+    let mut rooms = Vec::new();
+    for (i, patch) in patches.iter().enumerate() {
+        let whole = patch.to() - patch.from();
+        let same = |other: &&Patch| other.contact == patch.contact;
+        if !patch.is_central() {
+            let before = i.checked_sub(1).and_then(|before| patches.get(before)).filter(same);
+            rooms.push(before.map_or(whole, |before| whole.min(patch.from() - before.to())));
+        }
+        rooms.push(patches.get(i + 1).filter(same).map_or(whole, |after| whole.min(after.from() - patch.to())));
+    }
+    rooms
+}
+
+/// Newton's method for the ends; `None` if it is lost.
+fn converge(
+    kernel: &Kernel,
+    punch: &Indentation,
+    mut patches: Vec<Patch>,
+    count: usize,
+    accuracy: Accuracy,
+    jacobian: &mut Option<Mat<f64>>,
+    steps: &mut Vec<usize>,
+) -> Option<Level> {
+    let mut layout: Option<(Layout, Vec<f64>)> = None;
+    let mut last = f64::INFINITY;
+    let mut moved_by: Vec<f64> = Vec::new();
+    let mut left_before: Vec<f64> = Vec::new();
+    steps.push(0);
+    for _ in 0..STEPS {
+        let reach: Vec<f64> = (0..kernel.contacts())
+            .map(|i| patches.iter().filter(|patch| patch.contact == i).map(Patch::to).fold(0.0, f64::max))
+            .collect();
+        let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
+        let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
+            Some(kept) => kept,
+            None => (Layout::without_tails(kernel, &reach, accuracy, 0.0)?, reach),
+        };
+        let pressures = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.solve();
+        let here = pressures(&patches)?;
+        *steps.last_mut()? += 1;
+        let (at, rooms) = (ends(&patches), rooms(&patches));
+        let derivatives = match jacobian.take() {
+            Some(mut kept) => {
+                if !moved_by.is_empty() {
+                    broyden(&mut kept, &moved_by, &left_before, &here.residuals);
+                }
+                kept
+            }
+            None => {
+                let mut derivatives = Mat::zeros(at.len(), at.len());
+                for by in 0..at.len() {
+                    let mut moved = at.clone();
+                    moved[by] += DIFFERENCE * rooms[by];
+                    let there = pressures(&with_ends(&patches, &moved)?)?;
+                    for (row, (there, here)) in there.residuals.iter().zip(&here.residuals).enumerate() {
+                        derivatives[(row, by)] = (there - here) / DIFFERENCE;
+                    }
+                }
+                derivatives
+            }
+        };
+        // steps in units of the intervals next to each end
+        let right = Mat::from_fn(at.len(), 1, |i, _| -here.residuals[i]);
+        let step: Vec<f64> = derivatives.partial_piv_lu().solve(&right).col_as_slice(0).to_vec();
+        let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+        if step.iter().any(|step| !step.is_finite()) {
+            return None;
+        }
+        if longest < SETTLED || last < SHORT && longest > 0.5 * last {
+            *jacobian = Some(derivatives);
+            return Some(Level { patches, pressures: here, last_step: longest });
+        }
+        *jacobian = (longest < 0.5 * last && longest < 0.1).then_some(derivatives);
+        last = longest;
+        // an end where the pressure is next to nothing is known badly, and does not hold up the others
+        moved_by = step.iter().map(|step| step.clamp(-LONGEST_STEP, LONGEST_STEP)).collect();
+        left_before = here.residuals;
+        let moved: Vec<f64> =
+            at.iter().zip(&moved_by).zip(&rooms).map(|((end, step), room)| end + step * room).collect();
+        patches = with_ends(&patches, &moved)?;
+        layout = Some((waves, about));
+    }
+    None
+}
+
+/// Makes derivatives tell what a step has done (Broyden 1965).
+fn broyden(derivatives: &mut Mat<f64>, step: &[f64], before: &[f64], after: &[f64]) {
+    let square: f64 = step.iter().map(|step| step * step).sum();
+    for row in 0..before.len() {
+        let expected: f64 = step.iter().enumerate().map(|(by, step)| derivatives[(row, by)] * step).sum();
+        let wrong = (after[row] - before[row] - expected) / square;
+        for (by, step) in step.iter().enumerate() {
+            derivatives[(row, by)] += wrong * step;
+        }
+    }
+}
+
+/// By how much two levels differ.
+struct Errors {
+    /// Of the ends of each patch, relative.
+    ends: Vec<[f64; 2]>,
+    /// Of p(0) of each contact, relative.
+    peaks: Vec<f64>,
+}
+
+impl Errors {
+    fn between(level: &Level, before: &Level) -> Self {
+        let change = |new: f64, old: f64| if new == 0.0 { 0.0 } else { SAFETY * (new / old - 1.0).abs() };
+        let rest = level.last_step + ROUNDING;
+        let ends = level.patches.iter().zip(&before.patches);
+        let ends = ends.map(|(new, old)| [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]);
+        let central = level.peaks().zip(before.peaks());
+        Self { ends: ends.collect(), peaks: central.map(|(new, old)| change(new, old) + rest).collect() }
+    }
+
+    fn worst(&self) -> f64 {
+        self.ends.iter().flatten().chain(&self.peaks).fold(0.0, |worst: f64, error| worst.max(*error))
+    }
+}
+
+impl Level {
+    /// p(0) of each contact, per unit of P'.
+    fn peaks(&self) -> impl Iterator<Item = f64> {
+        let central = self.patches.iter().zip(&self.pressures.coefficients).filter(|(patch, _)| patch.is_central());
+        central.map(|(patch, coefficients)| patch.pressure(coefficients, 0.0))
+    }
+}
+
+/// The answer in the units of the scene.
+#[expect(clippy::too_many_arguments, reason = "all that makes an answer")]
+fn solution(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    level: &Level,
+    errors: &Errors,
+    [min_pressure, min_gap]: [f64; 2],
+    count: usize,
+    steps: Vec<usize>,
+    warnings: Vec<String>,
+) -> Solution {
+    let (length, pressure_unit) = (kernel.length(), kernel.modulus() * punch.force);
+    let mut contacts: Vec<Contact> = Vec::new();
+    let all = level.patches.iter().zip(&level.pressures.coefficients).zip(&errors.ends);
+    let mut peaks = level.peaks().zip(&errors.peaks);
+    for ((patch, coefficients), [from_error, to_error]) in all {
+        let mut coefficients: Vec<f64> = coefficients.iter().map(|c| c * pressure_unit).collect();
+        let (at, extent) = (patch.middle * length, patch.half * length);
+        let resultant = coefficients[0] * pressure_unit.recip() * patch.resultant() * pressure_unit * length;
+        let (from, to) = (patch.from() * length, patch.to() * length);
+        if patch.is_central() {
+            let (peak, peak_error) = peaks.next().unwrap_or((0.0, &0.0));
+            let sharp = patch.contact == 0 && punch.is_sharp();
+            let peak_pressure = if sharp { f64::INFINITY } else { peak * pressure_unit };
+            contacts.push(Contact {
+                interface: interfaces[patch.contact],
+                half_length: to,
+                half_length_error: to_error * to,
+                peak_pressure,
+                peak_pressure_error: if sharp { 0.0 } else { peak_error * peak_pressure.abs() },
+                resultant,
+                strips: vec![Strip::series(extent, coefficients, count)],
+                parts: Vec::new(),
+            });
+        } else if let Some(contact) = contacts.last_mut() {
+            let skew = coefficients.iter().skip(1).step_by(2).copied().collect();
+            coefficients = coefficients.iter().step_by(2).copied().collect();
+            contact.resultant += resultant;
+            contact.strips.push(Strip { at, skew, ..Strip::series(extent, coefficients, count) });
+            contact.parts.push(Part { from, from_error: from_error * from, to, to_error: to_error * to });
+        }
+    }
+    Solution {
+        contacts,
+        force: punch.force * kernel.modulus() * length,
+        force_error: 0.0,
+        min_pressure: min_pressure * pressure_unit,
+        min_gap: min_gap * punch.force * length,
+        stats: Stats { modes: vec![count; interfaces.len()], newton_steps: steps, ..stats(kernel) },
+        warnings,
+    }
+}
