@@ -38,6 +38,9 @@ pub(super) struct Level {
     pub(super) errors: Vec<[f64; 2]>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
+    /// Under a punch that is not smooth, the higher half of what its modes have besides those of a half-plane, the lower
+    /// half being 0.
+    pub(super) rest: Option<Vec<f64>>,
 }
 
 impl Level {
@@ -53,6 +56,7 @@ impl Level {
             punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]))
         };
         let (mut errors, mut tails, mut settled, mut peaks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut rest = None;
         for (i, y) in modes.iter().enumerate() {
             let local = local.as_ref().filter(|_| i == 0);
             let own = without(y, local);
@@ -87,6 +91,10 @@ impl Level {
             // compared with that of a mean pressure where there is hardly any in the middle
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
+            if local.is_some() {
+                let half = own.len() / 2;
+                rest = Some([vec![0.0; half], own[half..].to_vec()].concat());
+            }
         }
         if punch.given().is_some() {
             // nothing of it is unknown
@@ -95,7 +103,7 @@ impl Level {
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
-        Self { half_lengths, modes, counts, peaks, settled, errors, tails }
+        Self { half_lengths, modes, counts, peaks, settled, errors, tails, rest }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer

@@ -95,7 +95,7 @@ pub(super) fn refine(
             }
         };
         if level.settled.iter().all(|settled| *settled) {
-            admissible::pushes(kernel, interfaces, &level)?;
+            admissible::pushes(kernel, interfaces, punch, &level)?;
         }
         if level.worst_error() <= tolerance {
             if options.tolerance < BEST {
