@@ -73,10 +73,19 @@ pub(super) fn pushes(
 ) -> Result<f64, Error> {
     let mut min_pressure = 0.0f64;
     for (i, modes) in level.modes.iter().enumerate() {
-        let pressures = pressures(modes, modes.len());
+        let mut pressures = pressures(modes, modes.len());
+        if i == 0 && level.corners != 0.0 {
+            let places = pressures.len();
+            for (place, pressure) in pressures.iter_mut().enumerate() {
+                let sine = angle(place, places).sin();
+                *pressure += 0.5 * level.corners / PI * (sine.recip() - 2.0 * sine);
+            }
+        }
         let largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
-        let (place, pressure) =
-            pressures.iter().enumerate().fold((0, f64::INFINITY), |least, (k, p)| if *p < least.1 { (k, *p) } else { least });
+        let (place, pressure) = pressures
+            .iter()
+            .enumerate()
+            .fold((0, f64::INFINITY), |least, (k, p)| if *p < least.1 { (k, *p) } else { least });
         let feigned = match level.rest.as_ref().filter(|_| i == 0) {
             // next to where the punch is not smooth pressures are less certain than elsewhere
             Some(rest) => {
@@ -87,7 +96,9 @@ pub(super) fn pushes(
             None => level.tails[i] * largest,
         };
         if pressure < -ZERO * largest - UNRESOLVED * feigned {
-            let x = angle(place, pressures.len()).cos() * level.half_lengths[i] * kernel.length();
+            let middle = place + 1 == pressures.len();
+            let s = if middle { 0.0 } else { angle(place, pressures.len()).cos() };
+            let x = s * level.half_lengths[i] * kernel.length();
             return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
         }
         if level.rest.is_some() && i == 0 && pressure < -PULL * largest {
@@ -145,7 +156,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let bases: Vec<Basis> = (0..n).map(basis).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
-    let equations = Equations::new(&layout, &bases, &counts, &linked);
+    let equations = Equations::new(&layout, &bases, &counts, &linked).with_corners(punch.flat().map(|_| level.corners));
     let transforms = equations.responses(&modes);
     let mut gaps = Vec::with_capacity(n);
     for (i, modes) in modes.iter().enumerate() {
@@ -155,7 +166,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
             end = end.min(edge);
         }
         let mut own = Vec::new();
-        if i == 0 && punch.given().is_some() {
+        if i == 0 && (punch.given().is_some() || punch.flat().is_some()) {
             // where nothing presses there is no gap to be looked at
             gaps.push(own);
             continue;

@@ -28,6 +28,8 @@ pub(super) struct Level {
     /// y_im of contact i, y_i0 = 1, see [`super::galerkin`]; under a punch that is not smooth continued by what it does to
     /// a half-plane.
     pub(super) modes: Modes,
+    /// q, the amplitude of the pressure next to the corners of the punch; 0 if there are none.
+    pub(super) corners: f64,
     /// How many of them were found.
     pub(super) counts: Vec<usize>,
     /// Σ y_m/(πj), p(0) a/(2 μ₀P'), per contact; infinite under a sharp tip.
@@ -48,7 +50,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding } = found;
+        let Converged { half_lengths, mut modes, corners, solved, shift, unsettled, rounding } = found;
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -67,7 +69,8 @@ impl Level {
             let iterated = weight(&own, solved[i]..own.len());
             let fall = ratio(third, fourth);
             let beyond = SAFETY * fourth * fall / (1.0 - fall);
-            let peak = peak(&own, averaged) + local.map_or(0.0, |local| local.peak);
+            let peak = peak(&own, averaged) + local.map_or(0.0, |local| local.peak)
+                - corners.filter(|_| i == 0).map_or(0.0, |corners| 0.5 * corners / PI);
             // an infinite pressure is known, and others are judged by that of a mean pressure
             let size = if peak.is_finite() { peak.abs() } else { PI.recip() };
             // half-lengths feel what is missing squared, and no more than pressures do; but where a known load falls
@@ -100,10 +103,14 @@ impl Level {
             // nothing of it is unknown
             (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
         }
+        if corners.is_some() {
+            // the half-length is that of the punch
+            errors[0][0] = 0.0;
+        }
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
-        Self { half_lengths, modes, counts, peaks, settled, errors, tails, rest }
+        Self { half_lengths, modes, corners: corners.unwrap_or(0.0), counts, peaks, settled, errors, tails, rest }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer
