@@ -48,6 +48,9 @@ pub enum Error {
     /// A given pressure, and a method that wants a punch.
     #[error("a given pressure in place of a punch is solved for by the Galerkin method only")]
     LoadByCollocation,
+    /// A flat punch with sharp corners, and a method that wants pressures that end at 0.
+    #[error("a flat punch with sharp corners is solved for by the Galerkin method only")]
+    FlatByCollocation,
     /// A given pressure, and a half-length of the contact under a punch.
     #[error("half_length: a given pressure has no contact whose half-length a force could be found for")]
     LoadWithHalfLength,
@@ -109,7 +112,7 @@ pub enum NoSolution {
         /// Where, in length.
         x: f64,
     },
-    /// Bodies touch in more than one interval.
+    /// Bodies touch in more than one interval, and where exactly was not found.
     #[error("the contact at {} is not one interval: the bodies touch where {}", place(.interface), intervals(.parts))]
     Parts {
         /// The contact.
@@ -154,9 +157,8 @@ impl Error {
             Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Loads(_) | Self::Axis(_) => {
                 true
             }
-            Self::OutOfRange { .. } | Self::Tolerance { .. } | Self::LoadByCollocation | Self::LoadWithHalfLength => {
-                true
-            }
+            Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
+            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
             Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,
             Self::NoSolution(cause) => {
@@ -176,17 +178,20 @@ impl Error {
                     .to_owned(),
             ),
             Self::NoSolution(NoSolution::Parts { .. }) => Some(
-                "only contacts of one interval about the middle can be solved: other stiffnesses, thicknesses or another \
-                 force may make it one"
+                "its parts could not be found more exactly than that: other stiffnesses, thicknesses or another force may \
+                 make it one interval, or easier to solve"
                     .to_owned(),
             ),
             Self::NoSolution(NoSolution::Tension { .. } | NoSolution::Overlap { .. }) => Some(
                 "the contact may be more than one interval (open in the middle, touching again farther out), which is not \
-                 supported, or too long for the layers next to it, which a smaller force shortens"
+                 always solved, or too long for the layers next to it, which a smaller force shortens"
                     .to_owned(),
             ),
             Self::NoSolution(NoSolution::HalfLength { .. }) => {
                 Some("a contact is longer than the flat part of its punch, and shorter than the punch".to_owned())
+            }
+            Self::FlatByCollocation => {
+                Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
             Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
             _ => None,

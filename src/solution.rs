@@ -35,7 +35,7 @@ pub struct Contact {
     pub half_length: f64,
     /// The solver's estimate of the absolute error of `half_length`.
     pub half_length_error: f64,
-    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge.
+    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge, and under a line load.
     pub peak_pressure: f64,
     /// The solver's estimate of the absolute error of `peak_pressure`.
     pub peak_pressure_error: f64,
@@ -68,10 +68,12 @@ pub(crate) struct Strip {
     pub(crate) at: f64,
     /// Half-length a of the strip: that of the contact, but of a line load, which is a very narrow strip.
     pub(crate) extent: f64,
-    /// p = Σ_m coefficients[m] sin((2m + 1) φ) with x − at = a cos φ.
+    /// p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
     /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
     pub(crate) skew: Vec<f64>,
+    /// How strong it is next to the sharp corners of a punch; 0 if there are none.
+    pub(crate) corners: f64,
     /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
     /// where the punch is not smooth.
     pub(crate) found: usize,
@@ -95,12 +97,12 @@ pub(crate) enum Form {
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
     pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
-        Self { at: 0.0, extent, coefficients, skew: Vec::new(), found, form: Form::Series }
+        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, found, form: Form::Series }
     }
 
     /// The resultant of one image.
     pub(crate) fn resultant(&self) -> f64 {
-        0.5 * PI * self.extent * self.coefficients.first().copied().unwrap_or(0.0)
+        0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * self.corners)
     }
 
     /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
@@ -122,7 +124,8 @@ impl Strip {
                 let sum = |coefficients: &[f64], first: usize| -> f64 {
                     coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + first) as f64 * phi).sin()).sum()
                 };
-                sum(&self.coefficients, 1) + mirror * sum(&self.skew, 2)
+                let corners = if self.corners == 0.0 { 0.0 } else { self.corners / phi.sin() };
+                sum(&self.coefficients, 1) + mirror * sum(&self.skew, 2) + corners
             }
         }
     }
@@ -136,6 +139,18 @@ impl Strip {
 }
 
 impl Contact {
+    /// As far as the bodies touch: the half-length, or the end of the last part.
+    pub fn reach(&self) -> f64 {
+        self.parts.last().map_or(self.half_length, |part| part.to)
+    }
+
+    /// All intervals in which the bodies touch, from left to right.
+    pub fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
+        let left = self.parts.iter().rev().map(|part| [-part.to, -part.from]);
+        let right = self.parts.iter().map(|part| [part.from, part.to]);
+        left.chain([[-self.half_length, self.half_length]]).chain(right)
+    }
+
     /// Contact pressure at `x` (compression positive); zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
         if x == 0.0 && self.peak_pressure.is_infinite() {

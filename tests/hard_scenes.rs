@@ -22,14 +22,10 @@ const SOLVED: [(&str, f64); 7] = [
     // Newton's method leaves for a receding contact three hundred times too long
     ("seed_2_number_150", 1e-10),
 ];
-/// Scenes in which bodies touch in several intervals, the contact and where it ends.
-const IN_PARTS: [(&str, &str, f64); 5] = [
-    ("seed_1_number_0", "2|3", 0.12),
-    ("seed_1_number_21", "1|2", 6.5),
-    ("seed_1_number_42", "5|6", 12.0),
-    ("seed_1_number_74", "1|2", 0.85),
-    ("seed_2_number_108", "1|2", 0.041),
-];
+/// Scenes in which bodies touch in several intervals that are not found to more than some per cent, the contact and where
+/// it ends: the far ends are where the pressure is next to nothing.
+const IN_PARTS: [(&str, &str, f64); 3] =
+    [("seed_1_number_21", "1|2", 6.5), ("seed_1_number_42", "5|6", 12.0), ("seed_2_number_108", "1|2", 0.041)];
 
 fn trial(name: &str, tolerance: f64) -> Trial {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));

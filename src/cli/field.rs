@@ -163,7 +163,7 @@ impl Field {
 
     /// Places along x and depths, so many unless it is said how many.
     fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
-        let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.half_length));
+        let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.reach()));
         let last = field
             .layers()
             .last()

@@ -10,6 +10,8 @@
 //! laminate between them that bends much more easily than it is squeezed.
 //!
 //! Everything is per unit of P' = P/(μ₀L): p̂_i = (2P'/ζ) Σ_m y_im ψ_im(ζ), y_i0 = 1.
+mod corners;
+
 use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
@@ -56,6 +58,8 @@ pub(super) struct Equations<'a> {
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
     /// coupling; else those of contact i.
     differences: Vec<Mat<f64>>,
+    /// What a punch with sharp corners adds to the pressure of the first contact: its amplitude q, and its transform.
+    corners: Option<(f64, Rows)>,
 }
 
 /// Fields at the rows of one contact.
@@ -75,9 +79,22 @@ impl<'a> Equations<'a> {
                 }
             }
         }
-        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new() };
+        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new(), corners: None };
         equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
         equations
+    }
+
+    /// Σ y_m ψ_m of contact i, corners included.
+    fn pressure(&self, i: usize, y: &[f64]) -> Rows {
+        let mut pressure = self.bases[i].combine(y);
+        self.add_corners(i, &mut pressure);
+        pressure
+    }
+
+    fn add_corners(&self, i: usize, pressure: &mut [f64]) {
+        if let Some((amplitude, rows)) = self.corners.as_ref().filter(|_| i == 0) {
+            pressure.iter_mut().zip(rows).for_each(|(sum, row)| *sum += amplitude * row);
+        }
     }
 
     pub(super) fn contacts(&self) -> usize {
@@ -224,13 +241,15 @@ impl<'a> Equations<'a> {
     }
 
     /// Derivatives of matrix · unknowns − right-hand side with respect to ln a of each contact in turn, in the order of
-    /// the matrix. `modes` are those of the unknowns.
+    /// the matrix; under a punch with corners the first of them with respect to q. `modes` are those of the unknowns.
     pub(super) fn derivatives(&self, unknowns: &[f64], modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<f64>> {
         let n = self.contacts();
-        let pressures: Vec<Rows> = self.bases.iter().zip(modes).map(|(basis, y)| basis.combine(y)).collect();
+        let pressures: Vec<Rows> = modes.iter().enumerate().map(|(i, y)| self.pressure(i, y)).collect();
         let jumps: Vec<Rows> = (0..n - 1).map(|i| self.jump(i, unknowns, modes)).collect();
         let mut derivatives = Vec::with_capacity(n);
-        for by in 0..n {
+        let corners = self.corner_rows();
+        derivatives.extend(corners);
+        for by in derivatives.len()..n {
             let mut rows: Vec<Vec<f64>> = self.modes.iter().map(|modes| vec![0.0; *modes]).collect();
             let basis = &self.bases[by];
             // the tests of this contact change ...
@@ -297,6 +316,7 @@ impl<'a> Equations<'a> {
         let upper = MatRef::from_column_major_slice(&modes[i], modes[i].len(), 1);
         let upper = &self.differences[i] * upper;
         jump.iter_mut().zip(upper.col_as_slice(0)).for_each(|(jump, upper)| *jump = upper - *jump);
+        self.add_corners(i, &mut jump);
         jump
     }
 
@@ -323,7 +343,7 @@ impl<'a> Equations<'a> {
             })
             .collect();
         for (i, basis) in self.bases.iter().enumerate() {
-            let pressure = basis.combine(&modes[i]);
+            let pressure = self.pressure(i, &modes[i]);
             let mut response = vec![0.0; basis.rows()];
             self.layout.own[i].unit.add_times(1.0, &pressure, &mut response);
             for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {

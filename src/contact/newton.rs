@@ -48,6 +48,8 @@ pub(super) struct Converged {
     pub(super) half_lengths: Vec<f64>,
     /// y_im of contact i, y_i0 = 1.
     pub(super) modes: Modes,
+    /// q, the amplitude of the pressure next to the corners of the punch, if it has any.
+    pub(super) corners: Option<f64>,
     /// Modes solved for.
     pub(super) solved: Vec<usize>,
     /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
@@ -64,6 +66,7 @@ impl Converged {
         Self {
             half_lengths,
             modes: vec![vec![1.0]],
+            corners: None,
             solved: vec![1],
             shift: vec![0.0],
             unsettled: vec![[0.0; 2]],
@@ -177,10 +180,11 @@ impl Newton<'_> {
         let linked = ties(self.kernel, &point.half_lengths);
         let Pressures { modes: mut all, mut step } = point.pressures;
         let mut half_lengths = point.half_lengths;
+        let mut corners = point.corners;
         let mut shift = vec![0.0; n];
         let mut last = vec![[f64::INFINITY; 2]; n];
         let mut unsettled = last.clone();
-        let plain = (all.clone(), half_lengths.clone(), step.clone());
+        let plain = (all.clone(), half_lengths.clone(), corners, step.clone());
         let short = tolerance.min(NEARBY);
         let mut lost = false;
         let mut bases: Vec<Basis> = Vec::new();
@@ -188,7 +192,7 @@ impl Newton<'_> {
         for round in 0..ROUNDS {
             // a step so short that its derivatives do not matter is taken at the end
             if bases.is_empty() || longest(&step) > short {
-                half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+                advance(&mut half_lengths, &mut corners, &step, 1.0);
                 point.linearised.follow(&mut all, &step);
                 step.fill(0.0);
                 self.spare.extend(bases.into_iter().map(Basis::into_table));
@@ -196,7 +200,7 @@ impl Newton<'_> {
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             }
             self.work.step();
-            let equations = Equations::new(&layout, &bases, solved, &linked);
+            let equations = Equations::new(&layout, &bases, solved, &linked).with_corners(corners);
             let found = point.linearised.settle(&equations, &slopes, &mut all);
             let mut slow = false;
             for i in 0..n {
@@ -220,7 +224,7 @@ impl Newton<'_> {
             }
         }
         self.spare.extend(bases.into_iter().map(Basis::into_table));
-        half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+        advance(&mut half_lengths, &mut corners, &step, 1.0);
         point.linearised.follow(&mut all, &step);
         for (unsettled, step) in unsettled.iter_mut().zip(&step) {
             unsettled[0] += DERIVATIVES * step.abs();
@@ -234,14 +238,15 @@ impl Newton<'_> {
         {
             let rounding = end.linearised.rounding;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
-            let (half_lengths, modes) = (end.half_lengths, end.pressures.modes);
-            let found = Converged { half_lengths, modes, solved: solved.to_vec(), shift, unsettled, rounding };
+            let Point { half_lengths, corners, pressures, .. } = end;
+            let (modes, solved) = (pressures.modes, solved.to_vec());
+            let found = Converged { half_lengths, modes, corners, solved, shift, unsettled, rounding };
             return Ok((found, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
-            (all, half_lengths, step) = plain.clone();
-            half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
+            (all, half_lengths, corners, step) = plain.clone();
+            advance(&mut half_lengths, &mut corners, &step, 1.0);
             point.linearised.follow(&mut all, &step);
             for (own, solved) in all.iter_mut().zip(solved) {
                 own.truncate(*solved);
@@ -260,7 +265,7 @@ impl Newton<'_> {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
         let solved = solved.to_vec();
-        Ok((Converged { half_lengths, modes: all, solved, shift, unsettled, rounding }, settled))
+        Ok((Converged { half_lengths, modes: all, corners, solved, shift, unsettled, rounding }, settled))
     }
 
     /// Newton's method until what would be left of the next step is below `enough`.
@@ -278,6 +283,7 @@ impl Newton<'_> {
             orders[0] = 0;
         }
         let start = half_lengths.clone();
+        let mut corners = punch.flat().map(|_| 1.0);
         let mut layout: Option<(Layout, Vec<f64>)> = None;
         self.work.steps.push(0);
         let mut last = f64::INFINITY;
@@ -301,22 +307,25 @@ impl Newton<'_> {
             let linked = ties(kernel, &half_lengths);
             self.work.step();
             self.work.factorisations += 1;
-            let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes, punch.given().is_some());
+            let equations = Equations::new(&at.0, &bases, solved, &linked).with_corners(corners);
+            let found = solve(&equations, &slopes, punch.given().is_some());
             self.spare.extend(bases.into_iter().map(Basis::into_table));
             let Some((pressures, linearised)) = found else { break };
-            let longest = longest(&pressures.step);
+            let left = longest(&pressures.step);
             // short steps that no longer shorten are rounding
-            let stuck = last < NEARBY && longest > 0.5 * last;
-            if longest * longest < enough || stuck {
-                return Ok((Point { half_lengths, pressures, linearised }, at.0));
+            let stuck = last < NEARBY && left > 0.5 * last;
+            if left * left < enough || stuck {
+                return Ok((Point { half_lengths, corners, pressures, linearised }, at.0));
             }
-            last = longest;
+            last = left;
+            // the amplitude of corners, in which all is linear, may take any step
+            let longest = longest(&pressures.step[usize::from(corners.is_some())..]);
             let shorten = (LONGEST_STEP / longest).min(1.0);
             let before = half_lengths[0];
-            for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
-                *a *= (shorten * step).exp();
+            advance(&mut half_lengths, &mut corners, &pressures.step, shorten);
+            if corners.is_none() {
+                half_lengths[0] = punch.within(before, half_lengths[0]);
             }
-            half_lengths[0] = punch.within(before, half_lengths[0]);
             layout = Some(at);
         }
         Err(not_converged(kernel, punch, &half_lengths))
@@ -339,6 +348,17 @@ impl Newton<'_> {
     }
 }
 
+/// Takes a part of a step: in the logarithms of the half-lengths, and in the amplitude of corners in place of the first.
+fn advance(half_lengths: &mut [f64], corners: &mut Option<f64>, step: &[f64], part: f64) {
+    let first = usize::from(corners.is_some());
+    if let Some(corners) = corners {
+        *corners += part * step[0];
+    }
+    for (a, step) in half_lengths.iter_mut().zip(step).skip(first) {
+        *a *= (part * step).exp();
+    }
+}
+
 fn longest(step: &[f64]) -> f64 {
     // a step that is no number leads nowhere, and is longer than any
     step.iter().fold(0.0, |longest: f64, step| if step.is_nan() { f64::INFINITY } else { longest.max(step.abs()) })
@@ -347,6 +367,7 @@ fn longest(step: &[f64]) -> f64 {
 /// Half-lengths with the solution of the equations there.
 struct Point {
     half_lengths: Vec<f64>,
+    corners: Option<f64>,
     pressures: Pressures,
     linearised: Linearised,
 }

@@ -22,6 +22,8 @@ pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> R
 pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
     let first = if let Some(given) = punch.given() {
         given.half_length
+    } else if let Some(flat) = punch.flat() {
+        flat
     } else {
         // punch: Hertz, on the compliance that the whole stack has for waves as long as the contact
         let (mut low, mut high): (f64, f64) = (1e-100, 1e6);

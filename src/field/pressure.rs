@@ -56,6 +56,12 @@ impl Pressure {
                 };
                 *sum = [sum[0] + all, sum[1] + excess];
             }
+            if image.is_skew() {
+                for ((sum, odd), wavenumber) in sums.iter_mut().zip(image.sines(wavenumbers)).zip(wavenumbers) {
+                    let odd = -2.0 * (wavenumber * at).sin() * odd;
+                    *sum = [sum[0] + odd, sum[1] + odd];
+                }
+            }
         }
         sums
     }
@@ -63,8 +69,8 @@ impl Pressure {
     /// The potentials at a depth, eq. (25). G_1 and G_2 are infinite at the ends of the contact.
     pub(super) fn potentials(&self, x: f64, depth: f64) -> Potentials {
         let mut sums = [Complex64::ZERO; 3];
-        self.images(x, |image, x| {
-            let Potentials(own) = image.potentials(x, depth);
+        self.images(x, |image, x, mirror| {
+            let Potentials(own) = image.potentials(x, depth, mirror);
             sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
         });
         Potentials(sums)
@@ -73,16 +79,16 @@ impl Pressure {
     /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
     pub(super) fn integral(&self, x: f64, depth: f64) -> Complex64 {
         let mut sum = Complex64::ZERO;
-        self.images(x, |image, x| sum += image.integral(x, depth));
+        self.images(x, |image, x, mirror| sum += image.integral(x, depth, mirror));
         sum
     }
 
     /// All strips and their mirror images, with places as seen from their middles.
-    fn images(&self, x: f64, mut each: impl FnMut(&Image, f64)) {
+    fn images(&self, x: f64, mut each: impl FnMut(&Image, f64, f64)) {
         for (at, image) in &self.strips {
-            each(image, x - at);
+            each(image, x - at, 1.0);
             if *at != 0.0 {
-                each(image, x + at);
+                each(image, x + at, -1.0);
             }
         }
     }

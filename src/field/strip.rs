@@ -19,6 +19,10 @@ pub(super) struct Image {
     pub(super) half_length: f64,
     /// (−1)^m c_j.
     series: Vec<f64>,
+    /// (−1)^m c_j of j = 2m + 2, which the mirror image has with the other sign.
+    skew: Vec<f64>,
+    /// Of 1/sin φ.
+    corners: f64,
     /// How many terms are felt farther off than where they are smooth.
     felt: usize,
     form: Form,
@@ -27,8 +31,10 @@ pub(super) struct Image {
 impl Image {
     pub(super) fn new(strip: &Strip) -> Self {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let series = strip.coefficients.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
-        Self { half_length: strip.extent, series, felt: strip.found, form: strip.form }.truncated(ROUNDED)
+        let signed = |all: &[f64]| all.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
+        let (series, skew) = (signed(&strip.coefficients), signed(&strip.skew));
+        let Strip { extent: half_length, corners, found: felt, form, .. } = *strip;
+        Self { half_length, series, skew, corners, felt, form }.truncated(ROUNDED)
     }
 
     /// Without the last terms of the series, as long as together they stay below this part of the largest one. The
@@ -37,22 +43,27 @@ impl Image {
         if self.form != Form::Series {
             return self.clone();
         }
-        let largest = self.series.iter().fold(0.0, |a: f64, c| a.max(c.abs()));
+        let largest = self.series.iter().fold(self.corners.abs(), |a, c| a.max(c.abs()));
         let mut left_out = 0.0;
         let mut keep = self.series.len();
         while keep > 1 {
-            left_out += self.series[keep - 1].abs();
+            left_out += self.series[keep - 1].abs() + self.skew.get(keep - 1).map_or(0.0, |c| c.abs());
             if left_out > part * largest {
                 break;
             }
             keep -= 1;
         }
-        Self { series: self.series[..keep].to_vec(), felt: self.felt.min(keep), ..*self }
+        let skew = self.skew[..keep.min(self.skew.len())].to_vec();
+        Self { series: self.series[..keep].to_vec(), skew, felt: self.felt.min(keep), ..*self }
     }
 
     /// The resultant P = p̂(0).
     pub(super) fn resultant(&self) -> f64 {
-        FRAC_PI_2 * self.half_length * self.series.first().copied().unwrap_or(0.0)
+        FRAC_PI_2 * self.half_length * (self.first() + 2.0 * self.corners)
+    }
+
+    fn first(&self) -> f64 {
+        self.series.first().copied().unwrap_or(0.0)
     }
 
     /// p̂ − P at some wavenumbers, eq. (22): O(λ²), with all its digits.
@@ -67,16 +78,36 @@ impl Image {
             Form::Series => {
                 let n = arguments.len();
                 let felt = &self.series[..self.felt.min(self.series.len())];
-                let mut bessel = vec![0.0; 2 * felt.len() * n];
-                bessel::table(2 * felt.len(), &arguments, &mut bessel);
+                let orders = 2 * felt.len() + 1;
+                let mut bessel = vec![0.0; orders * n];
+                bessel::table(orders, &arguments, &mut bessel);
                 let at = |i: usize| {
                     let higher = felt.iter().enumerate().skip(1);
                     let sum: f64 = higher.map(|(m, c)| (2 * m + 1) as f64 * c * bessel[(2 * m + 1) * n + i]).sum();
-                    resultant * bessel::jinc_deficit_from(arguments[i], bessel[n + i]) + PI * sum / wavenumbers[i]
+                    // J_0 − 1 = (2 J_1/z − 1) − J_2
+                    let corners = PI * self.half_length * self.corners * bessel[2 * n + i];
+                    let deficit = bessel::jinc_deficit_from(arguments[i], bessel[n + i]);
+                    resultant * deficit - corners + PI * sum / wavenumbers[i]
                 };
                 (0..n).map(at).collect()
             }
         }
+    }
+
+    /// ∫ of what is odd about the middle times sin λx dx, at some wavenumbers.
+    pub(super) fn sines(&self, wavenumbers: &[f64]) -> Vec<f64> {
+        let n = wavenumbers.len();
+        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
+        let orders = 2 * self.skew.len() + 1;
+        let mut bessel = vec![0.0; orders * n];
+        bessel::table(orders, &arguments, &mut bessel);
+        let term = |i: usize, m: usize| (2 * m + 2) as f64 * self.skew[m] * bessel[(2 * m + 2) * n + i];
+        (0..n).map(|i| PI / wavenumbers[i] * (0..self.skew.len()).map(|m| term(i, m)).sum::<f64>()).collect()
+    }
+
+    /// Whether anything is odd about the middle.
+    pub(super) fn is_skew(&self) -> bool {
+        !self.skew.is_empty()
     }
 
     /// w = √(z² + 1) − z with z = (d − ix)/a, and the root: ∫ J_j(λa) e^(−λaz) dλ/λ = wʲ/j.
@@ -96,29 +127,49 @@ impl Image {
         (most.min(enough), enough <= most)
     }
 
-    /// The potentials at a depth, eq. (25). G_1 and G_2 are infinite at the ends of the strip.
-    pub(super) fn potentials(&self, x: f64, depth: f64) -> Potentials {
+    /// The potentials at a depth, eq. (25), of the image or, with `mirror` −1, of that on the other side. G_1 and G_2 are
+    /// infinite at the ends of the strip.
+    pub(super) fn potentials(&self, x: f64, depth: f64, mirror: f64) -> Potentials {
         let (z, root, w) = self.map(x, depth);
         let square = w * w;
         let (terms, enough) = self.terms(square);
         if let (false, Some(closed)) = (enough, self.closed(z)) {
             return closed.potentials;
         }
-        let mut sums = [Complex64::ZERO; 3];
-        for (m, c) in self.series[..terms].iter().enumerate().rev() {
-            let order = (2 * m + 1) as f64;
-            sums[0] = sums[0] * square + c;
-            sums[1] = sums[1] * square + order * c;
-            sums[2] = sums[2] * square + order * order * c;
+        let sums = |series: &[f64], lowest: usize| {
+            let mut sums = [Complex64::ZERO; 3];
+            for (m, c) in series.iter().enumerate().rev() {
+                let order = (2 * m + lowest) as f64;
+                sums[0] = sums[0] * square + c;
+                sums[1] = sums[1] * square + order * c;
+                sums[2] = sums[2] * square + order * order * c;
+            }
+            sums
+        };
+        let mut all = sums(&self.series[..terms], 1).map(|sum| sum * w);
+        if self.is_skew() {
+            // −2 sin λm e^(iλx) = −i e^(iλ(x − m)) + i e^(iλ(x + m))
+            let turned = Complex64::new(0.0, -mirror) * square;
+            let odd = sums(&self.skew[..terms.min(self.skew.len())], 2);
+            all.iter_mut().zip(odd).for_each(|(sum, odd)| *sum += turned * odd);
         }
-        let [zeroth, first, second] = sums.map(|sum| sum * w);
+        let [zeroth, first, second] = all;
         let over = root.inv();
         let a = self.half_length;
-        Potentials([zeroth, first * over / a, (second + z * first * over) * over * over / (a * a)])
+        let mut potentials = [zeroth, first * over / a, (second + z * first * over) * over * over / (a * a)];
+        if self.corners != 0.0 {
+            // 1/root and its derivatives; at the ends, those as close to them as numbers go
+            let over = if root == Complex64::ZERO { Complex64::new(f64::EPSILON.sqrt().recip(), 0.0) } else { over };
+            let third = over * over * over;
+            potentials[0] += self.corners * over;
+            potentials[1] += self.corners * z * third / a;
+            potentials[2] += self.corners * (2.0 * z * z - 1.0) * third * over * over / (a * a);
+        }
+        Potentials(potentials)
     }
 
     /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
-    pub(super) fn integral(&self, x: f64, depth: f64) -> Complex64 {
+    pub(super) fn integral(&self, x: f64, depth: f64, mirror: f64) -> Complex64 {
         let (z, _, w) = self.map(x, depth);
         let square = w * w;
         let (terms, enough) = self.terms(square);
@@ -130,8 +181,14 @@ impl Image {
             let next = self.series.get(m + 1).copied().unwrap_or(0.0);
             sum = sum * square + (self.series[m] + next) / (2 * m + 2) as f64;
         }
-        let first = self.series.first().copied().unwrap_or(0.0);
-        0.5 * self.half_length * (sum * square + first * w.ln())
+        let mut sum = sum * square + (self.first() + 2.0 * self.corners) * w.ln();
+        for (m, c) in self.skew.iter().enumerate().take(terms) {
+            let (below, above) = ((2 * m + 1) as f64, (2 * m + 3) as f64);
+            sum += Complex64::new(0.0, -mirror)
+                * c
+                * (w.powi(2 * m as i32 + 1) / below + w.powi(2 * m as i32 + 3) / above);
+        }
+        0.5 * self.half_length * sum
     }
 
     /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink: below
@@ -187,7 +244,8 @@ mod tests {
             Form::Uniform => (0..64).map(|m| 1.3 / order(m)).collect(),
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
-        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, form })
+        let corners = if form == Form::Series { 0.8 } else { 0.0 };
+        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, skew: Vec::new(), corners, form })
     }
 
     const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
@@ -210,13 +268,13 @@ mod tests {
                     sums[2] += wave * l * l;
                 }
             }
-            let Potentials(found) = image.potentials(x, depth);
+            let Potentials(found) = image.potentials(x, depth, 1.0);
             for (found, expected) in found.iter().zip(sums) {
                 assert!((found - expected).norm() < 1e-12 * expected.norm().max(1.0), "{x} {depth} {found} {expected}");
             }
             // the integral of G_0 over the depth
             let step = 1e-4;
-            let slope = (image.integral(x, depth + step) - image.integral(x, depth - step)) / (2.0 * step);
+            let slope = (image.integral(x, depth + step, 1.0) - image.integral(x, depth - step, 1.0)) / (2.0 * step);
             assert!((slope + found[0]).norm() < 1e-7);
         }
     }
@@ -227,12 +285,13 @@ mod tests {
             for form in FORMS {
                 let image = image(form);
                 let x = s * image.half_length;
-                let Potentials([zeroth, ..]) = image.potentials(x, 0.0);
+                let Potentials([zeroth, ..]) = image.potentials(x, 0.0, 1.0);
                 let phi = s.min(1.0).acos();
                 let sum = image.series.iter().enumerate().map(|(m, c)| {
                     let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
                     sign * c * ((2 * m + 1) as f64 * phi).sin()
                 });
+                let sum = sum.chain([image.corners / phi.sin()]);
                 let mean = 0.5 * image.resultant() / image.half_length;
                 let expected = match form {
                     _ if !inside => 0.0,
@@ -254,9 +313,9 @@ mod tests {
                 let (z, _, w) = image.map(x, depth);
                 assert!(image.terms(w * w).1);
                 let closed = image.closed(z).unwrap();
-                let (Potentials(found), Potentials(expected)) = (image.potentials(x, depth), closed.potentials);
+                let (Potentials(found), Potentials(expected)) = (image.potentials(x, depth, 1.0), closed.potentials);
                 for (found, expected) in
-                    found.iter().zip(expected).chain([(&image.integral(x, depth), closed.integral)])
+                    found.iter().zip(expected).chain([(&image.integral(x, depth, 1.0), closed.integral)])
                 {
                     assert!(
                         (found - expected).norm() < 1e-13 * (1.0 + expected.norm()),
@@ -264,8 +323,8 @@ mod tests {
                     );
                 }
             }
-            let edge = image.potentials(image.half_length, 0.0);
-            assert!(edge.0[0].re.is_finite() && image.integral(image.half_length, 0.0).is_finite());
+            let edge = image.potentials(image.half_length, 0.0, 1.0);
+            assert!(edge.0[0].re.is_finite() && image.integral(image.half_length, 0.0, 1.0).is_finite());
         }
     }
 }

@@ -222,17 +222,20 @@ impl Map<'_> {
         }
         let Some(contact) = contact else { return canvas.line(&[(left, y), (right, y)], hair(INK)) };
         let end = |x: f64| self.chart.place((x, 0.0)).0.clamp(left, right);
-        let (from, to) = (end(-contact.half_length), end(contact.half_length));
         let open = match contact.interface {
             Interface::Punch => hair(INK),
             Interface::Between { .. } => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
         };
-        for (from, to) in [(left, from), (to, right)] {
-            if from < to {
-                canvas.line(&[(from, y), (to, y)], open)?;
+        let mut touching = Vec::new();
+        let mut before = left;
+        for [from, to] in contact.intervals().map(|interval| interval.map(end)).chain([[right, right]]) {
+            if before < from {
+                canvas.line(&[(before, y), (from, y)], open)?;
             }
+            touching.push((from, to));
+            before = to;
         }
-        if from < to {
+        for (from, to) in touching.into_iter().filter(|(from, to)| from < to) {
             if inside {
                 canvas.line(&[(from, y), (to, y)], seam(4.0))?;
             }

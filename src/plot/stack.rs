@@ -36,7 +36,7 @@ const SLICES: usize = 48;
 /// [`PlotError::Drawing`] if the drawing library fails.
 pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String, PlotError> {
     let contacts = solution.contacts();
-    let longest = contacts.iter().map(|contact| contact.half_length).fold(0.0, f64::max);
+    let longest = contacts.iter().map(Contact::reach).fold(0.0, f64::max);
     let total = stack.total_thickness();
     // points per length
     let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
@@ -158,18 +158,24 @@ impl Drawing<'_> {
         let unit = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
         let (left, right) = self.ends();
         for (i, ((contact, y), (symbol, _))) in self.contacts.iter().zip(heights).zip(symbols).enumerate() {
-            let half = self.scale * contact.half_length;
             let Stroke { colour, .. } = curve(i, self.contacts.len());
             let touching = Stroke { colour, width: 3.0, dash: None };
             if contact.interface != Interface::Punch {
                 // farther out it has opened
                 let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
-                canvas.line(&[(left, y), (self.middle - half, y)], open)?;
-                canvas.line(&[(self.middle + half, y), (right, y)], open)?;
+                let mut from = left;
+                for [start, end] in contact.intervals() {
+                    canvas.line(&[(from, y), (self.middle + self.scale * start, y)], open)?;
+                    from = self.middle + self.scale * end;
+                }
+                canvas.line(&[(from, y), (right, y)], open)?;
             }
-            canvas.line(&[(self.middle - half, y), (self.middle + half, y)], touching)?;
-            for end in [self.middle - half, self.middle + half] {
-                canvas.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching })?;
+            for interval in contact.intervals() {
+                let [from, to] = interval.map(|x| self.middle + self.scale * x);
+                canvas.line(&[(from, y), (to, y)], touching)?;
+                for end in [from, to] {
+                    canvas.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching })?;
+                }
             }
             let text = format!("{symbol} = {}{unit}", short(contact.half_length));
             canvas.text((left - 6.0, y), &text, SMALL, INK, Anchor::Right)?;
@@ -218,7 +224,7 @@ impl Drawing<'_> {
 
     /// The pressures over x, below the contacts where they act.
     fn pressures(&self, canvas: &Canvas, top: f64) -> Result<(), PlotError> {
-        let longest = self.contacts.iter().map(|contact| contact.half_length).fold(0.0, f64::max);
+        let longest = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
         let mut half = 0.5 * WIDTH / self.scale;
         if longest < SMALLEST * half {
             half = longest / FILLED;
@@ -251,11 +257,11 @@ impl Drawing<'_> {
 
 /// The pressure of a contact, denser towards its ends, where it falls like a root.
 pub(super) fn pressure(contact: &Contact) -> Vec<(f64, f64)> {
-    let at = |i: usize| {
-        let x = -contact.half_length * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
+    let at = |[from, to]: [f64; 2], i: usize| {
+        let x = 0.5 * (from + to) - 0.5 * (to - from) * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
         (x, contact.pressure(x))
     };
-    (0..=POINTS).map(at).collect()
+    contact.intervals().flat_map(|interval| (0..=POINTS).map(move |i| at(interval, i))).collect()
 }
 
 /// The highest point of a curve, where it is finite.

@@ -4,6 +4,7 @@ use std::io;
 use serde::Serialize;
 
 use super::Report;
+use crate::solution;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -71,6 +72,24 @@ struct Contact {
     peak_pressure: Option<f64>,
     peak_pressure_error: Option<f64>,
     resultant: f64,
+    /// Not written if the contact is one interval.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parts: Vec<Part>,
+}
+
+#[derive(Serialize)]
+struct Part {
+    from: f64,
+    from_error: f64,
+    to: f64,
+    to_error: f64,
+}
+
+impl Part {
+    fn of(part: &solution::Part) -> Self {
+        let solution::Part { from, from_error, to, to_error } = *part;
+        Self { from, from_error, to, to_error }
+    }
 }
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
@@ -82,6 +101,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         peak_pressure: finite(contact.peak_pressure),
         peak_pressure_error: finite(contact.peak_pressure).map(|_| contact.peak_pressure_error),
         resultant: contact.resultant,
+        parts: contact.parts.iter().map(Part::of).collect(),
     });
     let document = Document {
         scene: report.scene.title(),

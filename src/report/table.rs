@@ -6,6 +6,7 @@ use comfy_table::{LineStyle, Table, TableStyle};
 use super::Report;
 use super::digits::{plain, rounded, with_error};
 use crate::field::MaxShear;
+use crate::solution::Part;
 
 const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
@@ -49,6 +50,12 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         ]);
     }
     writeln!(out, "{table}")?;
+    for contact in solution.contacts() {
+        for Part { from, from_error, to, to_error } in &contact.parts {
+            let (from, to) = (with_error(*from, *from_error), with_error(*to, *to_error));
+            writeln!(out, "{}: the bodies touch again from |x| = {from} to {to}", report.name(contact))?;
+        }
+    }
     if solution.contacts().iter().any(|contact| contact.peak_pressure.is_infinite()) {
         writeln!(
             out,

@@ -25,7 +25,7 @@ use patch::Patch;
 const COARSEST: usize = 12;
 const FINEST: usize = 96;
 /// Steps of Newton's method for one number of pressures.
-const STEPS: usize = 20;
+const STEPS: usize = 30;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
 /// Derivatives are differences over this part of the intervals next to an end.
@@ -47,10 +47,12 @@ struct Level {
     pressures: Pressures,
     /// Length of the last step, relative.
     last_step: f64,
+    /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
+    left_out: Vec<f64>,
 }
 
 /// Presses a punch on a stack some contacts of which have several parts, about where `zones` says; `None` if no
-/// admissible answer was found.
+/// admissible answer was found, or the pressure under the punch is of another kind.
 pub(super) fn solve(
     kernel: &Kernel,
     interfaces: &[Interface],
@@ -58,16 +60,20 @@ pub(super) fn solve(
     zones: &[Zones],
     options: &Options,
 ) -> Option<Solution> {
+    if punch.flat().is_some() || punch.given().is_some() {
+        return None;
+    }
     let patches = patches(zones)?;
     let accuracy = Accuracy::of(options.tolerance);
     let mut steps = Vec::new();
-    let mut jacobian = None;
     let mut before: Option<Level> = None;
     let mut best: Option<(Level, Errors, usize)> = None;
     let mut count = COARSEST;
     while count <= FINEST {
         let start = before.as_ref().map_or(&patches, |before| &before.patches);
-        let level = converge(kernel, punch, start.clone(), count, accuracy, &mut jacobian, &mut steps);
+        let level = [true, false]
+            .into_iter()
+            .find_map(|together| converge(kernel, punch, start.clone(), count, accuracy, together, &mut steps));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -132,7 +138,7 @@ fn with_ends(patches: &[Patch], ends: &[f64]) -> Option<Vec<Patch>> {
         next += usize::from(!patch.is_central());
         let to = ends[next];
         next += 1;
-        if !(to > from) || to.is_infinite() {
+        if !to.is_finite() || to <= from {
             return None;
         }
         moved.push(Patch::new(patch.contact, [from, to]));
@@ -156,18 +162,20 @@ fn rooms(patches: &[Patch]) -> Vec<f64> {
     rooms
 }
 
-/// Newton's method for the ends; `None` if it is lost.
+/// Newton's method for the ends, with long steps shortened all `together` or each alone; `None` if it is lost.
 fn converge(
     kernel: &Kernel,
     punch: &Indentation,
     mut patches: Vec<Patch>,
     count: usize,
     accuracy: Accuracy,
-    jacobian: &mut Option<Mat<f64>>,
+    together: bool,
     steps: &mut Vec<usize>,
 ) -> Option<Level> {
     let mut layout: Option<(Layout, Vec<f64>)> = None;
+    let mut jacobian: Option<Mat<f64>> = None;
     let mut last = f64::INFINITY;
+    let mut limit = LONGEST_STEP;
     let mut moved_by: Vec<f64> = Vec::new();
     let mut left_before: Vec<f64> = Vec::new();
     steps.push(0);
@@ -212,13 +220,17 @@ fn converge(
             return None;
         }
         if longest < SETTLED || last < SHORT && longest > 0.5 * last {
-            *jacobian = Some(derivatives);
-            return Some(Level { patches, pressures: here, last_step: longest });
+            let left_out = (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, accuracy)).collect();
+            return Some(Level { patches, pressures: here, last_step: longest, left_out });
         }
-        *jacobian = (longest < 0.5 * last && longest < 0.1).then_some(derivatives);
+        jacobian = (longest < 0.2 * last && longest < 0.1).then_some(derivatives);
         last = longest;
-        // an end where the pressure is next to nothing is known badly, and does not hold up the others
-        moved_by = step.iter().map(|step| step.clamp(-LONGEST_STEP, LONGEST_STEP)).collect();
+        // an end where the pressure is next to nothing is known badly, and does not hold up the others; steps back and
+        // forth grow shorter
+        let back = moved_by.iter().zip(&step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
+        limit = if back && !together { 0.5 * limit } else { (1.5 * limit).min(LONGEST_STEP) };
+        let shorten = if together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
+        moved_by = step.iter().map(|step| (shorten * step).clamp(-limit, limit)).collect();
         left_before = here.residuals;
         let moved: Vec<f64> =
             at.iter().zip(&moved_by).zip(&rooms).map(|((end, step), room)| end + step * room).collect();
@@ -226,6 +238,15 @@ fn converge(
         layout = Some((waves, about));
     }
     None
+}
+
+/// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.
+fn left_out(kernel: &Kernel, layout: &Layout, i: usize, accuracy: Accuracy) -> f64 {
+    let end = layout.zeta[..layout.own[i].reach].last().copied().unwrap_or(0.0);
+    if kernel.vanishes(i, accuracy.negligible) <= end {
+        return 0.0;
+    }
+    (kernel.unit_excess(i, end) / kernel.far(i).limit).abs() / end
 }
 
 /// Makes derivatives tell what a step has done (Broyden 1965).
@@ -251,11 +272,15 @@ struct Errors {
 impl Errors {
     fn between(level: &Level, before: &Level) -> Self {
         let change = |new: f64, old: f64| if new == 0.0 { 0.0 } else { SAFETY * (new / old - 1.0).abs() };
-        let rest = level.last_step + ROUNDING;
-        let ends = level.patches.iter().zip(&before.patches);
-        let ends = ends.map(|(new, old)| [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]);
-        let central = level.peaks().zip(before.peaks());
-        Self { ends: ends.collect(), peaks: central.map(|(new, old)| change(new, old) + rest).collect() }
+        // short waves are felt where a patch is short
+        let rest = |patch: &Patch| level.last_step + ROUNDING + level.left_out[patch.contact] / patch.half;
+        let ends = level.patches.iter().zip(&before.patches).map(|(new, old)| {
+            let rest = rest(new);
+            [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]
+        });
+        let central = level.patches.iter().filter(|patch| patch.is_central());
+        let peaks = level.peaks().zip(before.peaks()).zip(central);
+        Self { ends: ends.collect(), peaks: peaks.map(|((new, old), patch)| change(new, old) + rest(patch)).collect() }
     }
 
     fn worst(&self) -> f64 {
