@@ -65,7 +65,8 @@ fn parts_share_the_force_and_push() {
             assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{name}: {contact:?}");
         }
         let [touching, open] = places(contact, part);
-        assert!(touching.iter().all(|x| contact.pressure(*x) > 0.0 && contact.pressure(-*x) == contact.pressure(*x)));
+        let even = |x: &f64| (contact.pressure(-x) - contact.pressure(*x)).abs() < 1e-9 * contact.pressure(0.0);
+        assert!(touching.iter().all(|x| contact.pressure(*x) > 0.0 && even(x)), "{name}");
         assert!(open.iter().all(|x| contact.pressure(*x) == 0.0));
         // by a rule that knows nothing of series
         let all: f64 = contact
