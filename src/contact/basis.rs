@@ -93,6 +93,14 @@ impl Basis {
         times(self.values(y.len()), y)
     }
 
+    /// Σ_m y_m ψ_m for the modes from number `first` on, in every row.
+    pub(super) fn combine_from(&self, first: usize, y: &[f64]) -> Vec<f64> {
+        if y.is_empty() {
+            return vec![0.0; self.rows];
+        }
+        times(self.values(first + y.len()).subcols(first, y.len()), y)
+    }
+
     /// The derivative of [`Self::combine`] with respect to ln a.
     pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Vec<f64> {
         // Σ y_m (E_m − E_(m+1)), E the even orders

@@ -223,50 +223,41 @@ impl<'a> Equations<'a> {
         unknowns
     }
 
-    /// Derivatives of matrix · unknowns − right-hand side with respect to ln a of each contact in turn, in the order of
-    /// the matrix. `modes` are those of the unknowns.
-    pub(super) fn derivatives(&self, unknowns: &[f64], modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<f64>> {
+    /// Derivatives of the rows of all contacts, matrix · modes − right-hand side, with respect to ln a of each contact in
+    /// turn. `modes` may be more than are solved for, and so are the rows then.
+    pub(super) fn derivatives(&self, modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Modes> {
         let n = self.contacts();
-        let pressures: Vec<Rows> = self.bases.iter().zip(modes).map(|(basis, y)| basis.combine(y)).collect();
-        let jumps: Vec<Rows> = (0..n - 1).map(|i| self.jump(i, unknowns, modes)).collect();
+        let Fields { pressures, jumps } = self.fields(modes);
         let mut derivatives = Vec::with_capacity(n);
         for by in 0..n {
-            let mut rows: Vec<Vec<f64>> = self.modes.iter().map(|modes| vec![0.0; *modes]).collect();
+            let mut rows: Modes = modes.iter().map(|modes| vec![0.0; modes.len()]).collect();
             let basis = &self.bases[by];
+            let count = modes[by].len();
             // the tests of this contact change ...
-            let mut response = vec![0.0; basis.rows()];
-            self.layout.own[by].unit.add_times(1.0, &pressures[by], &mut response);
-            let mut sides = Vec::with_capacity(2);
-            if by > 0 {
-                sides.push((by - 1, by - 1, -1.0));
-            }
-            if by + 1 < n {
-                sides.push((by, by + 1, 1.0));
-            }
-            for &(laminate, _, sign) in &sides {
-                self.layout.coupling[laminate].add_times(sign, &jumps[laminate], &mut response);
-            }
-            let tested = basis.test(&response, self.modes[by]);
+            let response = self.response(by, &pressures[by], &jumps);
+            let tested = basis.test(&response, count);
             add(&mut rows[by], &basis.test_slopes(&response, &tested));
             // ... and so does its pressure
             let change = basis.combine_slopes(&modes[by], &pressures[by]);
             let mut response = vec![0.0; basis.rows()];
             self.layout.own[by].unit.add_times(1.0, &change, &mut response);
-            for &(laminate, other, _) in &sides {
+            let above = by.checked_sub(1).map(|above| (above, above));
+            let below = (by + 1 < n).then_some((by, by + 1));
+            for (laminate, other) in above.into_iter().chain(below) {
                 let coupling = &self.layout.coupling[laminate];
-                let mut there = vec![0.0; self.bases[other].rows()];
                 coupling.add_times(1.0, &change, &mut response);
+                let mut there = vec![0.0; self.bases[other].rows()];
                 coupling.add_times(-1.0, &change, &mut there);
-                add(&mut rows[other], &self.bases[other].test(&there, self.modes[other]));
+                add(&mut rows[other], &self.bases[other].test(&there, modes[other].len()));
             }
-            add(&mut rows[by], &basis.test(&response, self.modes[by]));
+            add(&mut rows[by], &basis.test(&response, count));
             for (m, row) in rows[by].iter_mut().enumerate() {
                 *row -= 2.0 * self.cauchy(by, m) * modes[by][m];
                 if by == 0 {
                     *row -= slopes.load_slope(m);
                 }
             }
-            derivatives.push(self.rows_of(&rows));
+            derivatives.push(rows);
         }
         derivatives
     }
@@ -300,41 +291,53 @@ impl<'a> Equations<'a> {
         jump
     }
 
+    /// What all modes of each contact make, and what neighbours differ by. `modes` may be more than are solved for.
+    fn fields(&self, modes: &[Vec<f64>]) -> Fields {
+        let n = self.contacts();
+        let solved = |i: usize| self.modes[i].min(modes[i].len());
+        let low: Modes = (0..n).map(|i| modes[i][..solved(i)].to_vec()).collect();
+        let unknowns = self.unknowns_of(&low);
+        let high: Vec<Rows> = (0..n).map(|i| self.bases[i].combine_from(solved(i), &modes[i][solved(i)..])).collect();
+        let jump = |i: usize| {
+            let mut jump = self.jump(i, &unknowns, &low);
+            let between = high[i].iter().zip(&high[i + 1]);
+            jump.iter_mut().zip(between).for_each(|(jump, (u, v))| *jump += u - v);
+            jump
+        };
+        let jumps = (0..n - 1).map(jump).collect();
+        let pressures = low.iter().zip(self.bases).zip(high).map(|((low, basis), mut pressure)| {
+            add(&mut pressure, &basis.combine(low));
+            pressure
+        });
+        Fields { pressures: pressures.collect(), jumps }
+    }
+
+    /// What the kernels make of a pressure and of the jumps to its neighbours.
+    fn response(&self, i: usize, pressure: &[f64], jumps: &[Rows]) -> Rows {
+        let mut response = vec![0.0; self.bases[i].rows()];
+        self.layout.own[i].unit.add_times(1.0, pressure, &mut response);
+        for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
+            if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
+                weights.add_times(sign, jump, &mut response);
+            }
+        }
+        response
+    }
+
     /// The slope transforms of all contacts, weights included and g∞ left out: what the kernels make of the modes.
     /// `modes` may be more than are solved for.
     pub(super) fn responses(&self, modes: &[Vec<f64>]) -> Vec<Rows> {
-        let n = self.contacts();
-        let solved = |i: usize| &modes[i][..self.modes[i].min(modes[i].len())];
-        let beyond = |i: usize| {
-            let mut beyond = modes[i].clone();
-            beyond[..self.modes[i].min(modes[i].len())].fill(0.0);
-            self.bases[i].combine(&beyond)
-        };
-        let low: Modes = (0..n).map(|i| solved(i).to_vec()).collect();
-        let unknowns = self.unknowns_of(&low);
-        let high: Vec<Rows> = (0..n).map(beyond).collect();
-        let mut responses = Vec::with_capacity(n);
-        let jumps: Vec<Rows> = (0..n - 1)
-            .map(|i| {
-                let mut jump = self.jump(i, &unknowns, &low);
-                let between = high[i].iter().zip(&high[i + 1]);
-                jump.iter_mut().zip(between).for_each(|(jump, (u, v))| *jump += u - v);
-                jump
-            })
-            .collect();
-        for (i, basis) in self.bases.iter().enumerate() {
-            let pressure = basis.combine(&modes[i]);
-            let mut response = vec![0.0; basis.rows()];
-            self.layout.own[i].unit.add_times(1.0, &pressure, &mut response);
-            for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
-                if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
-                    weights.add_times(sign, jump, &mut response);
-                }
-            }
-            responses.push(response);
-        }
-        responses
+        let Fields { pressures, jumps } = self.fields(modes);
+        pressures.iter().enumerate().map(|(i, pressure)| self.response(i, pressure, &jumps)).collect()
     }
+}
+
+/// Transforms at the rows of each contact.
+struct Fields {
+    /// p̂_i.
+    pressures: Vec<Rows>,
+    /// p̂_i − p̂_(i+1) at the rows of the coupling.
+    jumps: Vec<Rows>,
 }
 
 /// (−1)^m, the sign of the test functions and modes of order 2m + 1.

@@ -19,24 +19,22 @@ const MOST_PARTS: usize = 8;
 /// Real wavenumbers that a tail must save.
 const TAIL_PAYS: f64 = 100.0;
 
-/// What a layout is made for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Accuracy {
-    /// Parts of a kernel that are smaller than this, relative to its limit, are left out.
-    pub(super) negligible: f64,
-    /// Gauss points besides those that the oscillation takes.
-    pub(super) spare: f64,
+/// Parts of a kernel that are smaller than this, relative to its limit, are left out of a layout: what answers with a
+/// relative error of `tolerance` need.
+pub(super) fn negligible(tolerance: f64) -> f64 {
+    (1e-3 * tolerance).min(1e-10)
 }
 
-impl Accuracy {
-    /// What answers with a relative error of `tolerance` need.
-    pub(super) fn of(tolerance: f64) -> Self {
-        Self { negligible: (1e-4 * tolerance).min(1e-10), spare: 10.0 }
-    }
-}
+/// The same for the first steps.
+pub(super) const COARSE: f64 = 1e-6;
 
-/// For the first steps.
-pub(super) const COARSE: Accuracy = Accuracy { negligible: 1e-5, spare: 6.0 };
+/// The Gauss points that a wave of this phase takes, times a kernel of which so many decimal digits matter.
+fn points(phase: f64, digits: f64) -> usize {
+    // two points per wavelength, those of the turning points, and what kernel and wave take besides
+    let turning = (0.5 * phase).cbrt();
+    let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
+    (0.25 * phase + digits / 14.0 * spare).ceil() as usize
+}
 
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(super) struct Layout {
@@ -62,6 +60,10 @@ pub(super) struct Own {
     tail: usize,
 }
 
+/// Digits of integrands that matter.
+const FEWEST_DIGITS: f64 = 3.0;
+const MOST_DIGITS: f64 = 15.0;
+
 /// What a layout is built from.
 struct Plan<'a> {
     kernel: &'a Kernel,
@@ -70,7 +72,8 @@ struct Plan<'a> {
     reaches: Vec<f64>,
     /// Where those of each coupling end.
     coupled: Vec<f64>,
-    accuracy: Accuracy,
+    /// See [`negligible`].
+    negligible: f64,
     /// Fields are resolved as far out as this.
     span: f64,
 }
@@ -110,14 +113,18 @@ impl Layout {
         kernel: &Kernel,
         half_lengths: &[f64],
         orders: &[usize],
-        accuracy: Accuracy,
+        negligible: f64,
         span: f64,
     ) -> Option<Self> {
         let n = kernel.contacts();
         // a given pressure is felt by others only
-        let end = |i: usize| if orders[i] == 0 { 0.0 } else { kernel.vanishes(i, accuracy.negligible) };
+        let end = |i: usize| if orders[i] == 0 { 0.0 } else { kernel.vanishes(i, half_lengths[i], negligible) };
         let ends: Vec<f64> = (0..n).map(end).collect();
-        let coupled: Vec<f64> = (0..n - 1).map(|i| kernel.uncoupled(i, accuracy.negligible)).collect();
+        let coupled: Vec<f64> = half_lengths
+            .windows(2)
+            .enumerate()
+            .map(|(i, pair)| kernel.uncoupled(i, pair[0].min(pair[1]), negligible))
+            .collect();
         let groups = groups(half_lengths, orders, &ends, &coupled);
         let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
         let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
@@ -135,7 +142,7 @@ impl Layout {
             coupled: (0..n - 1)
                 .map(|i| if shared(i) { groups[group_of(i)].from.min(coupled[i]) } else { coupled[i] })
                 .collect(),
-            accuracy,
+            negligible,
             span,
         };
         layout.real(&plan)?;
@@ -212,23 +219,26 @@ impl Layout {
     fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
         let Plan { kernel, half_lengths, span, .. } = *plan;
         let n = kernel.contacts();
-        let mut frequency: f64 = 0.0;
-        for (a, reach) in half_lengths.iter().zip(&plan.reaches) {
+        let (mut frequency, mut size): (f64, f64) = (0.0, 0.0);
+        for (i, (a, reach)) in half_lengths.iter().zip(&plan.reaches).enumerate() {
             if to <= *reach {
                 frequency = frequency.max(a + a.max(span));
+                let far = kernel.far(i);
+                let beyond = if from < far.from { 0.0 } else { far.excess(from).abs() };
+                size = size.max((beyond + panel.map_or(0.0, |panel| panel.excess[i])) / far.limit);
             }
         }
-        for (pair, reach) in half_lengths.windows(2).zip(&plan.coupled) {
+        for (i, (pair, reach)) in half_lengths.windows(2).zip(&plan.coupled).enumerate() {
             if to <= *reach {
                 frequency = frequency.max(2.0 * pair[0].max(pair[1])).max(span);
+                size = size.max(panel.map_or(0.0, |panel| panel.couplings[i]) / kernel.least(i));
             }
         }
         if frequency == 0.0 {
             return;
         }
-        // a Gauss rule resolves a wave once it has two points per wavelength and some to spare
-        let phase = frequency * (to - from);
-        let needed = (plan.accuracy.spare + 0.25 * phase + 3.0 * (0.5 * phase).cbrt()).ceil() as usize;
+        let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
+        let needed = points(frequency * (to - from), digits);
         let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
         if span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter

@@ -3,9 +3,9 @@ use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 
 use super::basis::Basis;
-use super::galerkin::{Equations, Modes};
-use super::layout::{Accuracy, Layout};
-use super::pressures::{Linearised, Pressures, solve};
+use super::galerkin::{Equations, Modes, Slopes};
+use super::layout::{Layout, negligible};
+use super::pressures::{Drift, Linearised, Pressures, solve};
 use super::punch::Indentation;
 
 /// Longest step in the logarithm of a half-length.
@@ -26,6 +26,8 @@ const DIVERGED: f64 = 1e-2;
 const UNKNOWN: f64 = 1e-4;
 /// A round is taken to leave at least this part of what it changed.
 const LEAST_LEFT: f64 = 0.1;
+/// Half-lengths may move by the root of a hundredth of the tolerance before tables are made anew, with so many modes.
+const FEW: usize = 8;
 /// Changes below this are rounding.
 const NOISE: f64 = 1e-13;
 /// A laminate that bends this much more easily than its contacts are squeezed ties their pressures together.
@@ -100,11 +102,16 @@ impl Newton<'_> {
         &mut self,
         half_lengths: Vec<f64>,
         modes: &[usize],
-        accuracy: Accuracy,
+        negligible: f64,
         enough: f64,
     ) -> Result<Vec<f64>, Error> {
-        let (point, _) = self.iterate(half_lengths, modes, modes, accuracy, enough)?;
-        Ok(point.half_lengths)
+        let Point { mut half_lengths, pressures, bases, .. } =
+            self.iterate(half_lengths, modes, modes, negligible, enough)?;
+        self.spare.extend(bases.into_iter().map(Basis::into_table));
+        let before = half_lengths[0];
+        go(&mut half_lengths, &pressures.step);
+        half_lengths[0] = self.punch.within(before, half_lengths[0]);
+        Ok(half_lengths)
     }
 
     /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`.
@@ -115,48 +122,44 @@ impl Newton<'_> {
         modes: &[usize],
         tolerance: f64,
     ) -> Result<Converged, Error> {
-        let (mut point, layout) = self.iterate(half_lengths, solved, modes, Accuracy::of(tolerance), NEARBY)?;
-        for (own, modes) in point.pressures.modes.iter_mut().zip(modes) {
+        let Point { mut half_lengths, pressures, linearised, layout, mut bases, mut slopes } =
+            self.iterate(half_lengths, solved, modes, negligible(tolerance), NEARBY)?;
+        let Pressures { modes: mut all, mut step } = pressures;
+        for (own, modes) in all.iter_mut().zip(modes) {
             own.resize(*modes, 0.0);
         }
         let n = solved.len();
-        let linked = ties(self.kernel, &point.half_lengths);
-        let Pressures { modes: mut all, mut step } = point.pressures;
-        let mut half_lengths = point.half_lengths;
+        let linked = ties(self.kernel, &half_lengths);
         let mut shift = vec![0.0; n];
-        let mut last = vec![[f64::INFINITY; 2]; n];
-        let mut unsettled = last.clone();
+        // of the last round and of that before
+        let mut last = [vec![[f64::INFINITY; 2]; n], vec![[f64::INFINITY; 2]; n]];
+        let mut unsettled = last[0].clone();
         let plain = (all.clone(), half_lengths.clone(), step.clone());
         let short = tolerance.min(NEARBY);
+        // high modes oscillate, and are linear over a shorter way
+        let highest = solved.iter().copied().fold(FEW, usize::max);
+        let linear = (0.01 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64;
+        let mut drift = Drift::default();
         let mut lost = false;
-        let mut bases: Vec<Basis> = Vec::new();
-        let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
         for round in 0..ROUNDS {
-            // a step so short that its derivatives do not matter is taken at the end
-            if bases.is_empty() || longest(&step) > short {
-                half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
-                point.linearised.follow(&mut all, &step);
-                step.fill(0.0);
-                self.spare.extend(bases.into_iter().map(Basis::into_table));
-                bases = self.bases(&layout, &half_lengths, modes);
-                slopes = self.punch.slopes(half_lengths[0], modes[0]);
-            }
             self.work.step();
             let equations = Equations::new(&layout, &bases, solved, &linked);
-            let found = point.linearised.settle(&equations, &slopes, &mut all);
+            let found = linearised.settle(&equations, &slopes, &drift, &mut all);
             let mut slow = false;
+            last.swap(0, 1);
             for i in 0..n {
-                let now = [(found.step[i] - step[i]).abs(), found.changes[i]];
+                let (now, before, earlier) = ([found.step[i].abs(), found.changes[i]], last[1][i], last[0][i]);
                 if round > 0 {
-                    shift[i] += found.step[i] - step[i];
+                    shift[i] += found.step[i];
                 }
                 for k in 0..2 {
                     // a geometric series goes on with the ratio of its last terms
-                    let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / last[i][k] };
+                    let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / before[k] };
                     unsettled[i][k] = now[k] * (ratio / (1.0 - ratio.min(0.9))).max(LEAST_LEFT);
-                    slow |= round > 1 && ratio > SLOW && now[k] > NOISE;
+                    let twice = SLOW * SLOW * earlier[k];
+                    slow |= round > 1 && ratio > SLOW && now[k] > twice.max(NOISE);
                 }
-                last[i] = now;
+                last[0][i] = now;
             }
             step = found.step;
             lost = round > 0 && (longest(&step) >= DIVERGED || longest(&step).is_nan());
@@ -164,18 +167,33 @@ impl Newton<'_> {
             if slow || lost || round > 0 && longest(&step) <= short && unsettled.iter().all(settled) {
                 break;
             }
+            linearised.follow(&mut all, &step);
+            drift.shift.resize(n, 0.0);
+            drift.shift.iter_mut().zip(&step).for_each(|(shift, step)| *shift += step);
+            step.fill(0.0);
+            if longest(&drift.shift) > linear {
+                go(&mut half_lengths, &drift.shift);
+                drift = Drift::default();
+                self.spare.extend(bases.into_iter().map(Basis::into_table));
+                bases = self.bases(&layout, &half_lengths, modes);
+                slopes = self.punch.slopes(half_lengths[0], modes[0]);
+            } else if drift.derivatives.is_empty() {
+                drift.derivatives = equations.derivatives(&all, &slopes);
+            }
         }
+        linearised.follow(&mut all, &step);
+        for (i, unsettled) in unsettled.iter_mut().enumerate() {
+            let drifted = drift.shift.get(i).copied().unwrap_or_default();
+            unsettled[0] += DERIVATIVES * step[i].abs() + drifted * drifted;
+        }
+        go(&mut half_lengths, &drift.shift);
+        go(&mut half_lengths, &step);
         self.spare.extend(bases.into_iter().map(Basis::into_table));
-        half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
-        point.linearised.follow(&mut all, &step);
-        for (unsettled, step) in unsettled.iter_mut().zip(&step) {
-            unsettled[0] += DERIVATIVES * step.abs();
-        }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
             (all, half_lengths, step) = plain.clone();
-            half_lengths.iter_mut().zip(&step).for_each(|(a, step)| *a *= step.exp());
-            point.linearised.follow(&mut all, &step);
+            go(&mut half_lengths, &step);
+            linearised.follow(&mut all, &step);
             for (own, solved) in all.iter_mut().zip(solved) {
                 own.truncate(*solved);
             }
@@ -188,7 +206,7 @@ impl Newton<'_> {
             all[i] = plain.0[i][..solved[i]].to_vec();
             *unsettled = UNKNOWN;
         }
-        let rounding = point.linearised.rounding;
+        let rounding = linearised.rounding;
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
@@ -201,9 +219,9 @@ impl Newton<'_> {
         mut half_lengths: Vec<f64>,
         solved: &[usize],
         modes: &[usize],
-        accuracy: Accuracy,
+        negligible: f64,
         enough: f64,
-    ) -> Result<(Point, Layout), Error> {
+    ) -> Result<Point, Error> {
         let (kernel, punch) = (self.kernel, self.punch);
         let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
         if punch.given().is_some() {
@@ -219,7 +237,7 @@ impl Newton<'_> {
             }
             let at = match layout.take().filter(|(_, about)| near(about, LAYOUT_SERVES)) {
                 Some(serves) => serves,
-                None => match Layout::new(kernel, &half_lengths, &orders, accuracy, 0.0) {
+                None => match Layout::new(kernel, &half_lengths, &orders, negligible, 0.0) {
                     Some(new) => {
                         self.work.interpolated += new.zeta.len();
                         (new, half_lengths.clone())
@@ -227,18 +245,18 @@ impl Newton<'_> {
                     None => break,
                 },
             };
-            let bases = self.bases(&at.0, &half_lengths, solved);
-            let slopes = punch.slopes(half_lengths[0], solved[0]);
+            let bases = self.bases(&at.0, &half_lengths, modes);
+            let slopes = punch.slopes(half_lengths[0], modes[0]);
             let linked = ties(kernel, &half_lengths);
             self.work.step();
             self.work.factorisations += 1;
             let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes, punch.given().is_some());
-            self.spare.extend(bases.into_iter().map(Basis::into_table));
             let Some((pressures, linearised)) = found else { break };
             let longest = longest(&pressures.step);
             if longest * longest < enough {
-                return Ok((Point { half_lengths, pressures, linearised }, at.0));
+                return Ok(Point { half_lengths, pressures, linearised, layout: at.0, bases, slopes });
             }
+            self.spare.extend(bases.into_iter().map(Basis::into_table));
             let shorten = (LONGEST_STEP / longest).min(1.0);
             let before = half_lengths[0];
             for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
@@ -272,11 +290,20 @@ fn longest(step: &[f64]) -> f64 {
     step.iter().fold(0.0, |longest: f64, step| if step.is_nan() { f64::INFINITY } else { longest.max(step.abs()) })
 }
 
+/// Goes a step in the logarithms of half-lengths.
+fn go(half_lengths: &mut [f64], step: &[f64]) {
+    half_lengths.iter_mut().zip(step).for_each(|(a, step)| *a *= step.exp());
+}
+
 /// Half-lengths with the solution of the equations there.
 struct Point {
     half_lengths: Vec<f64>,
     pressures: Pressures,
     linearised: Linearised,
+    layout: Layout,
+    /// All modes, more than are solved for.
+    bases: Vec<Basis>,
+    slopes: Slopes,
 }
 
 /// Which laminates tie the pressures of their contacts together.

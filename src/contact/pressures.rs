@@ -52,7 +52,8 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     let mut unknowns = back(&factor, &gamma, n);
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
-    let derivatives = equations.derivatives(&unknowns, &modes, slopes);
+    let derivatives: Vec<Vec<f64>> =
+        equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
     let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
     solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
     let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
@@ -93,6 +94,23 @@ fn back(factor: &Llt<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
     unknowns
 }
 
+/// How far half-lengths have moved, in the logarithm, since the tables were made, and what that does to the rows: the
+/// square of the way is left out.
+#[derive(Default)]
+pub(super) struct Drift {
+    pub(super) shift: Vec<f64>,
+    /// Derivatives of the rows: `derivatives[k][i][m]`.
+    pub(super) derivatives: Vec<Modes>,
+}
+
+impl Drift {
+    fn add_to(&self, i: usize, rows: &mut [f64]) {
+        for (shift, derivatives) in self.shift.iter().zip(&self.derivatives) {
+            rows.iter_mut().zip(&derivatives[i]).for_each(|(row, derivative)| *row += shift * derivative);
+        }
+    }
+}
+
 /// What one round of [`Linearised::settle`] changed.
 pub(super) struct Round {
     /// The step still to be taken in the logarithms of the half-lengths.
@@ -120,7 +138,7 @@ impl Linearised {
     /// One round of iteration at half-lengths nearby, with more modes than are solved for: those follow row by row
     /// (iterated Galerkin, Sloan 1976), since the dominant part of each row is its own diagonal; the others, and the
     /// half-lengths, from what is left in their rows.
-    pub(super) fn settle(&self, equations: &Equations, slopes: &Slopes, modes: &mut Modes) -> Round {
+    pub(super) fn settle(&self, equations: &Equations, slopes: &Slopes, drift: &Drift, modes: &mut Modes) -> Round {
         let n = equations.contacts();
         let responses = equations.responses(modes);
         let mut changes = vec![0.0; n];
@@ -130,6 +148,7 @@ impl Linearised {
             for (m, row) in own.iter_mut().enumerate() {
                 *row += equations.cauchy(i, m) * modes[i][m] - if i == 0 { slopes.load(m) } else { 0.0 };
             }
+            drift.add_to(i, &mut own);
             for m in equations.modes(i)..own.len() {
                 let change = -own[m] / equations.cauchy(i, m);
                 modes[i][m] += change;

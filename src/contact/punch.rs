@@ -60,7 +60,7 @@ impl<'a> Indentation<'a> {
         let given = punch.load().map(|load| {
             let half_length = (load.half_width() / length).max(LINE);
             // orders beyond the phase of the shortest wave that is coupled to anything are not felt
-            let phase = if kernel.contacts() > 1 { half_length * kernel.uncoupled(0, 1e-16) } else { 0.0 };
+            let phase = if kernel.contacts() > 1 { half_length * kernel.uncoupled(0, 0.0, 1e-16) } else { 0.0 };
             let modes = load.modes((0.6 * phase) as usize + 20);
             Given { half_length, modes }
         });

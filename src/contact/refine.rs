@@ -5,7 +5,7 @@ use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;
-use super::layout::{Accuracy, COARSE};
+use super::layout::{COARSE, negligible};
 use super::level::{BEST, Level};
 use super::newton::{Newton, Work};
 use super::punch::Indentation;
@@ -70,7 +70,7 @@ pub(super) fn refine(
         *work = newton.work.clone();
         let level = match (found, before.take()) {
             (Ok(found), _) => {
-                let mut level = Level::new(found, kernel, punch, Accuracy::of(tolerance).negligible);
+                let mut level = Level::new(found, kernel, punch, negligible(tolerance));
                 level.doubt(&half_lengths);
                 level
             }
@@ -86,7 +86,7 @@ pub(super) fn refine(
                 let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
                 let rough = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
                 *work = newton.work.clone();
-                let mut level = Level::new(found, kernel, punch, Accuracy::of(FEW_DIGITS).negligible);
+                let mut level = Level::new(found, kernel, punch, negligible(FEW_DIGITS));
                 level.doubt(&rough);
                 if level.worst_error() > tolerance {
                     warnings.push(not_met(options, &modes));
