@@ -26,7 +26,21 @@ pub(super) fn negligible(tolerance: f64) -> f64 {
 }
 
 /// The same for the first steps.
-pub(super) const COARSE: f64 = 1e-6;
+pub(super) const COARSE: f64 = FIELDS;
+
+/// How far out, in units of L, gaps are looked at.
+pub(super) fn span(half_lengths: &[f64]) -> f64 {
+    2.0 * longest(half_lengths) + 2.0
+}
+
+/// The highest frequency of waves there, times the waves of a pressure.
+pub(super) fn frequency_of_fields(half_lengths: &[f64]) -> f64 {
+    longest(half_lengths) + span(half_lengths)
+}
+
+fn longest(half_lengths: &[f64]) -> f64 {
+    half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b))
+}
 
 /// The Gauss points that a wave of this phase takes, times a kernel of which so many decimal digits matter.
 fn points(phase: f64, digits: f64) -> usize {
@@ -35,6 +49,11 @@ fn points(phase: f64, digits: f64) -> usize {
     let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
     (0.25 * phase + digits / 14.0 * spare).ceil() as usize
 }
+
+/// Fields away from the contacts are wanted to this, relative.
+const FIELDS: f64 = 1e-6;
+/// Points of a stretch may be so many times more than contacts need, for the sake of fields.
+const MORE_FOR_FIELDS: f64 = 1.5;
 
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(super) struct Layout {
@@ -46,6 +65,24 @@ pub(super) struct Layout {
     pub(super) coupling: Vec<Weights>,
     /// What lies beyond, for contacts that share it.
     tails: Vec<Tail>,
+    stretches: Vec<Stretch>,
+}
+
+/// Real wavenumbers of one Gauss rule.
+struct Stretch {
+    /// Where they end among all.
+    end: usize,
+    points: usize,
+    width: f64,
+    /// The largest part of a kernel there.
+    size: f64,
+}
+
+impl Stretch {
+    /// The points that fields with waves of this frequency take.
+    fn for_fields(&self, frequency: f64) -> usize {
+        points(frequency * self.width, (self.size / FIELDS).log10().clamp(1.0, 8.0))
+    }
 }
 
 /// What belongs to one contact alone.
@@ -133,6 +170,7 @@ impl Layout {
             own: (0..n).map(own).collect(),
             coupling: vec![Weights::default(); n - 1],
             tails: Vec::new(),
+            stretches: Vec::new(),
         };
         let shared = |i: usize| group_of(i) == group_of(i + 1);
         let plan = Plan {
@@ -179,6 +217,15 @@ impl Layout {
     /// The tail of contact i.
     pub(super) fn tail(&self, i: usize) -> &Tail {
         &self.tails[self.own[i].tail]
+    }
+
+    /// How many of the real wavenumbers, the first of all, resolve fields with waves of this frequency.
+    pub(super) fn resolved(&self, frequency: f64) -> usize {
+        let unresolved = self.stretches.iter().position(|part| part.for_fields(frequency) > part.points);
+        match unresolved {
+            Some(first) => first.checked_sub(1).map_or(0, |last| self.stretches[last].end),
+            None => self.zeta.len(),
+        }
     }
 
     /// How many real wavenumbers contact i needs.
@@ -238,7 +285,12 @@ impl Layout {
             return;
         }
         let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
-        let needed = points(frequency * (to - from), digits);
+        let mut needed = points(frequency * (to - from), digits);
+        let stretch = Stretch { end: 0, points: 0, width: to - from, size };
+        let for_fields = stretch.for_fields(frequency.max(frequency_of_fields(half_lengths)));
+        if plan.negligible < FIELDS && for_fields as f64 <= MORE_FOR_FIELDS * needed as f64 {
+            needed = needed.max(for_fields);
+        }
         let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
         if span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
@@ -248,6 +300,8 @@ impl Layout {
         for part in 0..parts {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let first = self.zeta.len();
+            let (end, width) = (first + points.nodes.len(), stretch.width / parts as f64);
+            self.stretches.push(Stretch { end, points: points.nodes.len(), width, size });
             let mut weights = Vec::with_capacity(points.nodes.len());
             for (zeta, weight) in points.on(at(part), at(part + 1)) {
                 self.zeta.push(zeta);

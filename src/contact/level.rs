@@ -3,7 +3,8 @@ use std::f64::consts::PI;
 
 use crate::kernel::Kernel;
 
-use super::galerkin::{Modes, alternating, order};
+use super::galerkin::{Modes, Rows, alternating, order};
+use super::layout::Layout;
 use super::newton::Converged;
 use super::pressures::weight;
 use super::punch::{Indentation, Local, continued};
@@ -38,6 +39,8 @@ pub(super) struct Level {
     pub(super) errors: Vec<[f64; 2]>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
+    /// A layout, and the slope transforms of all contacts there.
+    pub(super) waves: Option<(Layout, Vec<Rows>)>,
 }
 
 impl Level {
@@ -45,7 +48,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding } = found;
+        let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding, waves } = found;
         let mut counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -99,7 +102,7 @@ impl Level {
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
-        Self { half_lengths, modes, counts, peaks, settled, errors, tails }
+        Self { half_lengths, modes, counts, peaks, settled, errors, tails, waves }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer

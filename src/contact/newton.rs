@@ -3,7 +3,7 @@ use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 
 use super::basis::Basis;
-use super::galerkin::{Equations, Modes, Slopes};
+use super::galerkin::{Equations, Modes, Rows, Slopes};
 use super::layout::{Layout, negligible};
 use super::pressures::{Drift, Linearised, Pressures, solve};
 use super::punch::Indentation;
@@ -52,6 +52,8 @@ pub(super) struct Converged {
     pub(super) unsettled: Vec<[f64; 2]>,
     /// What rounding may change in the logarithms of the half-lengths.
     pub(super) rounding: Vec<f64>,
+    /// The last layout, and what the kernels make there of the pressures, almost.
+    pub(super) waves: Option<(Layout, Vec<Rows>)>,
 }
 
 impl Converged {
@@ -64,6 +66,7 @@ impl Converged {
             shift: vec![0.0],
             unsettled: vec![[0.0; 2]],
             rounding: vec![0.0],
+            waves: None,
         }
     }
 }
@@ -97,21 +100,21 @@ pub(super) struct Newton<'a> {
 }
 
 impl Newton<'_> {
-    /// Goes on with given numbers of modes until the half-lengths are right to about `enough`.
+    /// Goes on with given numbers of modes until the half-lengths are right to about `enough`: these, and the modes.
     pub(super) fn approach(
         &mut self,
         half_lengths: Vec<f64>,
         modes: &[usize],
         negligible: f64,
         enough: f64,
-    ) -> Result<Vec<f64>, Error> {
+    ) -> Result<(Vec<f64>, Modes), Error> {
         let Point { mut half_lengths, pressures, bases, .. } =
             self.iterate(half_lengths, modes, modes, negligible, enough)?;
         self.spare.extend(bases.into_iter().map(Basis::into_table));
         let before = half_lengths[0];
         go(&mut half_lengths, &pressures.step);
         half_lengths[0] = self.punch.within(before, half_lengths[0]);
-        Ok(half_lengths)
+        Ok((half_lengths, pressures.modes))
     }
 
     /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`.
@@ -141,6 +144,7 @@ impl Newton<'_> {
         let linear = (0.01 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64;
         let mut drift = Drift::default();
         let mut lost = false;
+        let mut responses = None;
         for round in 0..ROUNDS {
             self.work.step();
             let equations = Equations::new(&layout, &bases, solved, &linked);
@@ -162,6 +166,7 @@ impl Newton<'_> {
                 last[0][i] = now;
             }
             step = found.step;
+            responses = Some(found.responses);
             lost = round > 0 && (longest(&step) >= DIVERGED || longest(&step).is_nan());
             let settled = |[length, pressure]: &[f64; 2]| *length <= 0.01 * tolerance && *pressure <= 0.1 * tolerance;
             if slow || lost || round > 0 && longest(&step) <= short && unsettled.iter().all(settled) {
@@ -191,6 +196,7 @@ impl Newton<'_> {
         self.spare.extend(bases.into_iter().map(Basis::into_table));
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
+            responses = None;
             (all, half_lengths, step) = plain.clone();
             go(&mut half_lengths, &step);
             linearised.follow(&mut all, &step);
@@ -205,12 +211,14 @@ impl Newton<'_> {
         for (i, [_, unsettled]) in unsettled.iter_mut().enumerate().filter(|(_, [_, pressure])| *pressure > DIVERGED) {
             all[i] = plain.0[i][..solved[i]].to_vec();
             *unsettled = UNKNOWN;
+            responses = None;
         }
         let rounding = linearised.rounding;
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
-        Ok(Converged { half_lengths, modes: all, solved: solved.to_vec(), shift, unsettled, rounding })
+        let waves = responses.map(|responses| (layout, responses));
+        Ok(Converged { half_lengths, modes: all, solved: solved.to_vec(), shift, unsettled, rounding, waves })
     }
 
     /// Newton's method until what would be left of the next step is below `enough`.

@@ -7,7 +7,7 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Mat, Par, Side};
 
-use super::galerkin::{Equations, Modes, Slopes, order};
+use super::galerkin::{Equations, Modes, Rows, Slopes, order};
 
 /// The equations about a set of half-lengths, factorised.
 pub(super) struct Linearised {
@@ -117,6 +117,8 @@ pub(super) struct Round {
     pub(super) step: Vec<f64>,
     /// Changes of the modes, Σ |Δy_m|/order per contact.
     pub(super) changes: Vec<f64>,
+    /// What the kernels make of the modes, up to these changes.
+    pub(super) responses: Vec<Rows>,
 }
 
 impl Linearised {
@@ -168,7 +170,7 @@ impl Linearised {
                 *change += dy.abs() / order(m);
             }
         }
-        Round { step: self.step(&residuals), changes }
+        Round { step: self.step(&residuals), changes, responses }
     }
 }
 

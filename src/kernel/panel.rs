@@ -2,6 +2,7 @@
 use std::sync::LazyLock;
 
 use crate::Error;
+use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 
 use super::{Chains, Far, Work};
@@ -184,9 +185,11 @@ impl Panel {
             if component >= 2 * n && !self.coupled[component - 2 * n] {
                 continue;
             }
-            for (column, own) in columns.chunks_exact(count).zip(&self.values[component]) {
-                values.iter_mut().zip(column).for_each(|(value, part)| *value += part * own);
-            }
+            vectorised(|| {
+                for (column, own) in columns.chunks_exact(count).zip(&self.values[component]) {
+                    values.iter_mut().zip(column).for_each(|(value, part)| *value += part * own);
+                }
+            });
             let power = powers(n, component);
             values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= zeta.powi(power));
         }

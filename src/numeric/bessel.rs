@@ -12,6 +12,8 @@
 //! Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
 
 use num_complex::Complex64;
+
+use super::vector::vectorised;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI, LN_2};
 use std::ops::{Mul, Sub};
 
@@ -57,6 +59,11 @@ pub fn scaled_table(orders: usize, arguments: &[f64], factor: f64, stride: usize
         return;
     }
     assert!(arguments.len() <= stride && (orders - 1) * stride + arguments.len() <= out.len(), "the table fits");
+    vectorised(|| fill(orders, arguments, factor, stride, out));
+}
+
+#[inline(always)]
+fn fill(orders: usize, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
     let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
     let mut rows: Vec<Lanes> = Vec::new();
     for first in (0..arguments.len()).step_by(LANES) {
@@ -95,6 +102,7 @@ struct Window<'a> {
 
 impl Window<'_> {
     /// Writes `rows * scale` for the lanes wanted.
+    #[inline(always)]
     fn store(&mut self, rows: &[Lanes], scale: &Lanes, wanted: impl Fn(usize) -> bool) {
         let whole = self.width == LANES && (0..LANES).all(&wanted);
         for (row, column) in rows.iter().zip(self.out.chunks_mut(self.stride)) {
@@ -112,6 +120,7 @@ impl Window<'_> {
 }
 
 /// Miller's recurrence: fills `rows[n]` (n = 0..orders at least) up to a factor per lane, and returns that factor.
+#[inline(always)]
 fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     let starts = start_orders(z, orders);
     let two_over_z = z.map(|z| if z < TINY { 0.0 } else { 2.0 / z });
@@ -121,7 +130,7 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     }
     rows[orders.min(highest + 1)..orders].fill([0.0; LANES]);
 
-    let (mut above, mut here) = ([0.0; LANES], [0.0; LANES]);
+    let (mut above, mut here, mut sum) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut n = highest;
     loop {
         // A lane is zero until its own start: an earlier one would overflow before it reaches order zero.
@@ -134,12 +143,26 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
             }
         }
         let mut order = n as f64;
-        for row in rows[next + 1..=n].iter_mut().rev() {
+        let mut step = |row: &mut Lanes, even: bool| {
             *row = here;
-            let below: Lanes = std::array::from_fn(|lane| order * two_over_z[lane] * here[lane] - above[lane]);
-            above = here;
-            here = below;
+            for lane in 0..LANES {
+                if even {
+                    sum[lane] += here[lane];
+                }
+                (above[lane], here[lane]) = (here[lane], order * two_over_z[lane] * here[lane] - above[lane]);
+            }
             order -= 1.0;
+        };
+        // from the top down, two by two
+        let (lower, odd) = rows[next + 1..=n].split_at_mut((n - next) & !1);
+        let parity = n % 2 == 0;
+        odd.iter_mut().for_each(|row| step(row, parity));
+        let parity = parity ^ !odd.is_empty();
+        for pair in lower.rchunks_exact_mut(2) {
+            if let [below, row] = pair {
+                step(row, parity);
+                step(below, !parity);
+            }
         }
         if n == 0 {
             break;
@@ -147,17 +170,11 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
         n = next;
     }
     rows[0] = here;
-
-    let mut sum = [0.0; LANES];
-    for row in rows[..=highest].iter().skip(2).step_by(2).rev() {
-        for lane in 0..LANES {
-            sum[lane] += row[lane];
-        }
-    }
     std::array::from_fn(|lane| 1.0 / (2.0 * sum[lane] + here[lane]))
 }
 
 /// Forward recurrence from Hankel's expansion: fills `rows[n]`, n = 0..orders.
+#[inline(always)]
 fn upward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
     if rows.len() < orders {
         rows.resize(orders, [0.0; LANES]);
@@ -303,8 +320,10 @@ pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) 
             }
         }
     }
-    recur_upward(&two_over_z, j);
-    recur_upward(&two_over_z, y);
+    vectorised(|| {
+        recur_upward(&two_over_z, j);
+        recur_upward(&two_over_z, y);
+    });
 }
 
 /// exp(-iz) H_n(z), H the Hankel function of the first kind, for n = 0..`orders`, laid out as in [`table`].
@@ -333,10 +352,11 @@ pub fn hankel_table(orders: usize, arguments: &[Complex64], out: &mut [Complex64
         }
         two_over_z.push(2.0 * w);
     }
-    recur_upward(&two_over_z, out);
+    vectorised(|| recur_upward(&two_over_z, out));
 }
 
 /// Completes a table whose orders 0 and 1 are given.
+#[inline(always)]
 fn recur_upward<T>(two_over_z: &[T], table: &mut [T])
 where
     T: Copy + Mul<f64, Output = T> + Mul<T, Output = T> + Sub<T, Output = T>,

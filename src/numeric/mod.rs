@@ -3,3 +3,4 @@
 pub mod bessel;
 pub mod chebyshev;
 pub mod quadrature;
+pub(crate) mod vector;
