@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::Error;
 use crate::error::NoSolution;
 use crate::kernel::Kernel;
+use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
 use crate::solution::Interface;
 
@@ -105,15 +106,22 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     let n = level.half_lengths.len();
     let frequency = frequency_of_fields(&level.half_lengths);
     if let Some((layout, responses)) = &level.waves {
-        let beyond = layout.resolved(frequency);
-        let left = |i: usize| -> f64 {
-            let rest = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]).skip(beyond);
-            rest.map(|(zeta, slope)| (slope / zeta).abs()).sum()
+        // what is beyond is nothing
+        let end = |i: usize| {
+            let mut left = 0.1 * NO_GAP * layout.own[i].limit;
+            let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
+            let last = waves.rposition(|(zeta, slope)| {
+                left -= (slope / zeta).abs();
+                left < 0.0
+            });
+            last.map_or(0, |last| last + 1)
         };
-        if (0..n).all(|i| left(i) <= 0.1 * NO_GAP * layout.own[i].limit) {
-            let of = |i: usize| responses[i][..layout.own[i].reach.min(beyond)].to_vec();
-            let (zeta, limits) = (layout.zeta.clone(), layout.own.iter().map(|own| own.limit).collect());
-            return Ok(Waves { zeta, limits, slopes: (0..n).map(of).collect() });
+        let ends: Vec<usize> = (0..n).map(end).collect();
+        let needed = ends.iter().copied().fold(0, usize::max);
+        if needed <= layout.resolved(frequency) {
+            let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
+            let limits = layout.own.iter().map(|own| own.limit).collect();
+            return Ok(Waves { zeta: layout.zeta[..needed].to_vec(), limits, slopes });
         }
     }
     let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
@@ -122,12 +130,11 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     }
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span(&level.half_lengths))
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
-    let bases: Vec<Basis> =
-        (0..n).map(|i| Basis::new(&layout, i, level.half_lengths[i], modes[i].len(), Vec::new())).collect();
+    let bases: Vec<Basis> = (0..n).map(|i| Basis::new(&layout, i, level.half_lengths[i], modes[i].len())).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
     let mut slopes = Equations::new(&layout, &bases, &counts, &linked).responses(modes);
-    slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.truncate(own.reach));
+    slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
     let limits = layout.own.iter().map(|own| own.limit).collect();
     Ok(Waves { zeta: layout.zeta, limits, slopes })
 }
@@ -138,7 +145,7 @@ struct Waves {
     /// g∞ of each contact.
     limits: Vec<f64>,
     /// Slope transforms, weights included and g∞ left out.
-    slopes: Vec<Vec<f64>>,
+    slopes: Vec<Buffer>,
 }
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
@@ -163,9 +170,12 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
             continue;
         }
         // next to the contact, and far from it
-        for reach in [0.5 * a.min(end - a), end - a] {
-            let step = reach / GAPS as f64;
-            let rest = vectorised(|| deflections(&waves.zeta, &waves.slopes[i], a, step));
+        let steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+        let rest = vectorised(
+            #[inline(always)]
+            || deflections(&waves.zeta, &waves.slopes[i], a, steps),
+        );
+        for (step, rest) in steps.into_iter().zip(rest) {
             own.extend(rest.into_iter().enumerate().map(|(k, rest)| {
                 let x = a + step * (k + 1) as f64;
                 let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
@@ -177,28 +187,35 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     Ok(gaps)
 }
 
-/// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ...: neighbouring cosines follow from each other.
+/// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ... with each of two steps: neighbouring cosines follow from
+/// each other.
 #[inline(always)]
-fn deflections(zeta: &[f64], slopes: &[f64], a: f64, step: f64) -> [f64; GAPS] {
-    let mut sums = [0.0; GAPS];
-    let mut parts = [[0.0; LANES]; GAPS];
+fn deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; GAPS]; 2] {
+    let mut parts = [[[0.0; LANES]; GAPS]; 2];
     for (zetas, slopes) in zeta.chunks(LANES).zip(slopes.chunks(LANES)) {
-        let [mut weight, mut first, mut before, mut here, mut turn] = [[0.0; LANES]; 5];
+        let [mut weight, mut sin, mut cos] = [[0.0; LANES]; 3];
         for (lane, (zeta, slope)) in zetas.iter().zip(slopes).enumerate() {
-            let (sin, cos) = (zeta * a).sin_cos();
-            let (sin_step, cos_step) = (zeta * step).sin_cos();
-            (weight[lane], first[lane], before[lane]) = (slope / zeta, cos, cos);
-            (here[lane], turn[lane]) = (cos * cos_step - sin * sin_step, 2.0 * cos_step);
+            weight[lane] = slope / zeta;
+            (sin[lane], cos[lane]) = (zeta * a).sin_cos();
         }
-        for part in &mut parts {
-            for lane in 0..LANES {
-                part[lane] += weight[lane] * (first[lane] - here[lane]);
-                (before[lane], here[lane]) = (here[lane], turn[lane] * here[lane] - before[lane]);
+        for (parts, step) in parts.iter_mut().zip(steps) {
+            let [mut before, mut here, mut turn] = [cos, cos, [0.0; LANES]];
+            for (lane, zeta) in zetas.iter().enumerate() {
+                let (sin_step, cos_step) = (zeta * step).sin_cos();
+                here[lane] = cos[lane] * cos_step - sin[lane] * sin_step;
+                turn[lane] = 2.0 * cos_step;
+            }
+            for part in parts {
+                let mut next = [0.0; LANES];
+                for lane in 0..LANES {
+                    part[lane] += weight[lane] * (cos[lane] - here[lane]);
+                    next[lane] = turn[lane] * here[lane] - before[lane];
+                }
+                (before, here) = (here, next);
             }
         }
     }
-    sums.iter_mut().zip(&parts).for_each(|(sum, part)| *sum = part.iter().sum());
-    sums
+    parts.map(|parts| parts.map(|part| part.iter().sum()))
 }
 
 /// Σ y_m ∫ from a to x of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, x = a cosh t, j = 2m + 1.

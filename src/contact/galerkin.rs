@@ -17,7 +17,9 @@ use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::reborrow::ReborrowMut;
 use faer::{Accum, Mat, MatRef, Par};
 
-use super::basis::Basis;
+use crate::numeric::buffer::Buffer;
+
+use super::basis::{Basis, times};
 use super::layout::Layout;
 use super::tail::Weights;
 
@@ -55,11 +57,35 @@ pub(super) struct Equations<'a> {
     place: Vec<Vec<usize>>,
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
     /// coupling; else those of contact i.
-    differences: Vec<Mat<f64>>,
+    differences: Vec<Columns>,
+}
+
+/// Columns of a matrix, one after the other.
+struct Columns {
+    rows: usize,
+    values: Buffer,
+}
+
+impl Columns {
+    fn new(rows: usize, columns: usize) -> Self {
+        Self { rows, values: Buffer::any(rows * columns) }
+    }
+
+    fn column(&self, m: usize) -> &[f64] {
+        &self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    fn column_mut(&mut self, m: usize) -> &mut [f64] {
+        &mut self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    fn first(&self, columns: usize) -> MatRef<'_, f64> {
+        MatRef::from_column_major_slice(&self.values[..columns * self.rows], self.rows, columns)
+    }
 }
 
 /// Fields at the rows of one contact.
-pub(super) type Rows = Vec<f64>;
+pub(super) type Rows = Buffer;
 /// Per contact, per mode.
 pub(super) type Modes = Vec<Vec<f64>>;
 
@@ -112,12 +138,12 @@ impl<'a> Equations<'a> {
         first..i + 1
     }
 
-    fn difference(&self, i: usize) -> Mat<f64> {
+    fn difference(&self, i: usize) -> Columns {
         let (upper, lower) = (&self.bases[i], &self.bases[i + 1]);
         let rows = self.layout.coupling[i].rows();
-        let mut difference = Mat::zeros(rows, self.modes[i]);
+        let mut difference = Columns::new(rows, self.modes[i]);
         for m in 0..self.modes[i] {
-            let column = difference.col_as_slice_mut(m);
+            let column = difference.column_mut(m);
             if self.links(i, m) {
                 for (value, (u, v)) in column.iter_mut().zip(upper.value(m).iter().zip(lower.value(m))) {
                     *value = u - v;
@@ -128,7 +154,7 @@ impl<'a> Equations<'a> {
             if m == 0 {
                 // long waves feel only what is beyond the resultant
                 for (value, (zeta, (u, v))) in
-                    column.iter_mut().zip(self.layout.zeta.iter().zip(upper.deficit.iter().zip(&lower.deficit)))
+                    column.iter_mut().zip(self.layout.zeta.iter().zip(upper.deficit.iter().zip(lower.deficit.iter())))
                 {
                     *value = 0.5 * zeta * (u - v);
                 }
@@ -158,12 +184,13 @@ impl<'a> Equations<'a> {
             let lower = below.values(self.modes[i + 1]);
             let lower = lower.subrows(0, weights.rows());
             let weighted_lower = weighted(weights, self.modes[i + 1], |m| below.value(m));
-            let weighted_difference = weighted(weights, self.modes[i], |m| difference.col_as_slice(m));
-            let gram = symmetric_product(difference.as_ref(), &weighted_difference);
+            let weighted_difference = weighted(weights, self.modes[i], |m| difference.column(m));
+            let difference = difference.first(self.modes[i]);
+            let gram = symmetric_product(difference, &weighted_difference);
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
             let gram = symmetric_product(lower, &weighted_lower);
             self.add_symmetric(&mut matrix, &gram, |_| i + 1..i + 2);
-            let gram = product(difference.as_ref(), &weighted_lower);
+            let gram = product(difference, &weighted_lower);
             for m in 0..gram.nrows() {
                 for n in 0..gram.ncols() {
                     let column = self.place(i + 1, n);
@@ -211,11 +238,11 @@ impl<'a> Equations<'a> {
         modes
     }
 
-    /// The inverse of [`Self::modes_of`].
-    pub(super) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Vec<f64> {
-        let mut unknowns = vec![0.0; self.size()];
+    /// The inverse of [`Self::modes_of`], for the modes that are solved for.
+    pub(super) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Buffer {
+        let mut unknowns = Buffer::zeros(self.size());
         for (i, own) in modes.iter().enumerate() {
-            for (m, y) in own.iter().enumerate() {
+            for (m, y) in own.iter().enumerate().take(self.modes[i]) {
                 let above = if i > 0 && self.links(i - 1, m) { modes[i - 1][m] } else { 0.0 };
                 unknowns[self.place(i, m)] = y - above;
             }
@@ -225,12 +252,12 @@ impl<'a> Equations<'a> {
 
     /// Derivatives of the rows of all contacts, matrix · modes − right-hand side, with respect to ln a of each contact in
     /// turn. `modes` may be more than are solved for, and so are the rows then.
-    pub(super) fn derivatives(&self, modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Modes> {
+    pub(super) fn derivatives(&self, modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<Rows>> {
         let n = self.contacts();
         let Fields { pressures, jumps } = self.fields(modes);
         let mut derivatives = Vec::with_capacity(n);
         for by in 0..n {
-            let mut rows: Modes = modes.iter().map(|modes| vec![0.0; modes.len()]).collect();
+            let mut rows: Vec<Rows> = modes.iter().map(|modes| Buffer::zeros(modes.len())).collect();
             let basis = &self.bases[by];
             let count = modes[by].len();
             // the tests of this contact change ...
@@ -239,15 +266,14 @@ impl<'a> Equations<'a> {
             add(&mut rows[by], &basis.test_slopes(&response, &tested));
             // ... and so does its pressure
             let change = basis.combine_slopes(&modes[by], &pressures[by]);
-            let mut response = vec![0.0; basis.rows()];
-            self.layout.own[by].unit.add_times(1.0, &change, &mut response);
+            let mut response = self.layout.own[by].unit.over(basis.rows(), &change);
             let above = by.checked_sub(1).map(|above| (above, above));
             let below = (by + 1 < n).then_some((by, by + 1));
             for (laminate, other) in above.into_iter().chain(below) {
                 let coupling = &self.layout.coupling[laminate];
                 coupling.add_times(1.0, &change, &mut response);
-                let mut there = vec![0.0; self.bases[other].rows()];
-                coupling.add_times(-1.0, &change, &mut there);
+                let mut there = coupling.over(self.bases[other].rows(), &change);
+                there.iter_mut().for_each(|value| *value = -*value);
                 add(&mut rows[other], &self.bases[other].test(&there, modes[other].len()));
             }
             add(&mut rows[by], &basis.test(&response, count));
@@ -263,8 +289,8 @@ impl<'a> Equations<'a> {
     }
 
     /// Rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
-    pub(super) fn rows_of(&self, rows: &[Vec<f64>]) -> Vec<f64> {
-        let mut ordered = vec![0.0; self.size()];
+    pub(super) fn rows_of(&self, rows: &[Rows]) -> Buffer {
+        let mut ordered = Buffer::zeros(self.size());
         for (i, rows) in rows.iter().enumerate() {
             for (m, row) in rows.iter().enumerate().take(self.modes[i]) {
                 for k in self.chain(i, m) {
@@ -276,18 +302,18 @@ impl<'a> Equations<'a> {
     }
 
     /// Tests a response of contact i with its first `count` modes.
-    pub(super) fn test(&self, i: usize, response: &[f64], count: usize) -> Vec<f64> {
+    pub(super) fn test(&self, i: usize, response: &[f64], count: usize) -> Buffer {
         self.bases[i].test(response, count)
     }
 
-    /// p̂_i − p̂_(i+1) at the rows of the coupling.
+    /// p̂_i − p̂_(i+1) at the rows of the coupling, of the modes that are solved for.
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
-        let own: Vec<f64> = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
-        let mut jump = self.bases[i + 1].combine(&own);
-        jump.truncate(self.differences[i].nrows());
-        let upper = MatRef::from_column_major_slice(&modes[i], modes[i].len(), 1);
-        let upper = &self.differences[i] * upper;
-        jump.iter_mut().zip(upper.col_as_slice(0)).for_each(|(jump, upper)| *jump = upper - *jump);
+        let own: Buffer = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
+        let difference = &self.differences[i];
+        let count = self.modes[i].min(modes[i].len());
+        let mut jump = times(difference.first(count), &modes[i][..count]);
+        let lower = self.bases[i + 1].combine(&own);
+        jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
         jump
     }
 
@@ -295,27 +321,25 @@ impl<'a> Equations<'a> {
     fn fields(&self, modes: &[Vec<f64>]) -> Fields {
         let n = self.contacts();
         let solved = |i: usize| self.modes[i].min(modes[i].len());
-        let low: Modes = (0..n).map(|i| modes[i][..solved(i)].to_vec()).collect();
-        let unknowns = self.unknowns_of(&low);
-        let high: Vec<Rows> = (0..n).map(|i| self.bases[i].combine_from(solved(i), &modes[i][solved(i)..])).collect();
+        let unknowns = self.unknowns_of(modes);
+        let mut pressures: Vec<Rows> =
+            (0..n).map(|i| self.bases[i].combine_from(solved(i), &modes[i][solved(i)..])).collect();
         let jump = |i: usize| {
-            let mut jump = self.jump(i, &unknowns, &low);
-            let between = high[i].iter().zip(&high[i + 1]);
+            let mut jump = self.jump(i, &unknowns, modes);
+            let between = pressures[i].iter().zip(pressures[i + 1].iter());
             jump.iter_mut().zip(between).for_each(|(jump, (u, v))| *jump += u - v);
             jump
         };
         let jumps = (0..n - 1).map(jump).collect();
-        let pressures = low.iter().zip(self.bases).zip(high).map(|((low, basis), mut pressure)| {
-            add(&mut pressure, &basis.combine(low));
-            pressure
-        });
-        Fields { pressures: pressures.collect(), jumps }
+        for (i, pressure) in pressures.iter_mut().enumerate() {
+            add(pressure, &self.bases[i].combine(&modes[i][..solved(i)]));
+        }
+        Fields { pressures, jumps }
     }
 
     /// What the kernels make of a pressure and of the jumps to its neighbours.
     fn response(&self, i: usize, pressure: &[f64], jumps: &[Rows]) -> Rows {
-        let mut response = vec![0.0; self.bases[i].rows()];
-        self.layout.own[i].unit.add_times(1.0, pressure, &mut response);
+        let mut response = self.layout.own[i].unit.over(self.bases[i].rows(), pressure);
         for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
             if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
                 weights.add_times(sign, jump, &mut response);
@@ -355,23 +379,24 @@ fn add(sum: &mut [f64], more: &[f64]) {
 }
 
 /// Weights times as many columns, over the rows that they cover.
-fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b [f64]) -> Mat<f64> {
-    let mut weighted = Mat::zeros(weights.rows(), columns);
+fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b [f64]) -> Columns {
+    let mut weighted = Columns::new(weights.rows(), columns);
     for m in 0..columns {
-        weights.add_times(1.0, column(m), weighted.col_as_slice_mut(m));
+        weights.times(column(m), weighted.column_mut(m));
     }
     weighted
 }
 
 /// leftᵀ right.
-fn product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
+fn product(left: MatRef<'_, f64>, right: &Columns) -> Mat<f64> {
+    let right = right.first(right.values.len() / right.rows);
     let mut product = Mat::zeros(left.ncols(), right.ncols());
-    matmul(product.as_mut(), Accum::Replace, left.transpose(), right.as_ref(), 1.0, Par::Seq);
+    matmul(product.as_mut(), Accum::Replace, left.transpose(), right, 1.0, Par::Seq);
     product
 }
 
 /// leftᵀ right where that is symmetric, its lower half.
-fn symmetric_product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
+fn symmetric_product(left: MatRef<'_, f64>, right: &Columns) -> Mat<f64> {
     let mut product = Mat::zeros(left.ncols(), left.ncols());
     triangular::matmul(
         product.as_mut().rb_mut(),
@@ -379,7 +404,7 @@ fn symmetric_product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
         Accum::Replace,
         left.transpose(),
         BlockStructure::Rectangular,
-        right.as_ref(),
+        right.first(left.ncols()),
         BlockStructure::Rectangular,
         1.0,
         Par::Seq,

@@ -4,10 +4,13 @@
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
 use crate::kernel::{Kernel, Panel};
+use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::rule;
 
 use super::tail::{MOST_UNLIKE, Tail, Weights, turning};
 
+/// Most scenes need no more wavenumbers.
+const USUAL: usize = 256;
 /// Longest stretch, in Gauss points, before it is cut in two.
 const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
@@ -164,11 +167,12 @@ impl Layout {
             .collect();
         let groups = groups(half_lengths, orders, &ends, &coupled);
         let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
-        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
+        let own =
+            |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
         let mut layout = Self {
-            zeta: Vec::new(),
+            zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
-            coupling: vec![Weights::default(); n - 1],
+            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
             tails: Vec::new(),
             stretches: Vec::new(),
         };
@@ -302,11 +306,8 @@ impl Layout {
             let first = self.zeta.len();
             let (end, width) = (first + points.nodes.len(), stretch.width / parts as f64);
             self.stretches.push(Stretch { end, points: points.nodes.len(), width, size });
-            let mut weights = Vec::with_capacity(points.nodes.len());
-            for (zeta, weight) in points.on(at(part), at(part + 1)) {
-                self.zeta.push(zeta);
-                weights.push(weight / zeta);
-            }
+            self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
+            let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
             let zeta = &self.zeta[first..];
             let values = panel.map(|panel| panel.values(zeta, at(part), at(part + 1)));
             let coupling = |i: usize, k: usize| match &values {

@@ -95,8 +95,6 @@ pub(super) struct Newton<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) punch: &'a Indentation<'a>,
     pub(super) work: Work,
-    /// Storage of tables to be used again.
-    pub(super) spare: Vec<Vec<f64>>,
 }
 
 impl Newton<'_> {
@@ -108,9 +106,7 @@ impl Newton<'_> {
         negligible: f64,
         enough: f64,
     ) -> Result<(Vec<f64>, Modes), Error> {
-        let Point { mut half_lengths, pressures, bases, .. } =
-            self.iterate(half_lengths, modes, modes, negligible, enough)?;
-        self.spare.extend(bases.into_iter().map(Basis::into_table));
+        let Point { mut half_lengths, pressures, .. } = self.iterate(half_lengths, modes, modes, negligible, enough)?;
         let before = half_lengths[0];
         go(&mut half_lengths, &pressures.step);
         half_lengths[0] = self.punch.within(before, half_lengths[0]);
@@ -179,7 +175,6 @@ impl Newton<'_> {
             if longest(&drift.shift) > linear {
                 go(&mut half_lengths, &drift.shift);
                 drift = Drift::default();
-                self.spare.extend(bases.into_iter().map(Basis::into_table));
                 bases = self.bases(&layout, &half_lengths, modes);
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             } else if drift.derivatives.is_empty() {
@@ -193,7 +188,6 @@ impl Newton<'_> {
         }
         go(&mut half_lengths, &drift.shift);
         go(&mut half_lengths, &step);
-        self.spare.extend(bases.into_iter().map(Basis::into_table));
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
             responses = None;
@@ -264,7 +258,6 @@ impl Newton<'_> {
             if longest * longest < enough {
                 return Ok(Point { half_lengths, pressures, linearised, layout: at.0, bases, slopes });
             }
-            self.spare.extend(bases.into_iter().map(Basis::into_table));
             let shorten = (LONGEST_STEP / longest).min(1.0);
             let before = half_lengths[0];
             for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
@@ -278,16 +271,13 @@ impl Newton<'_> {
 }
 
 impl Newton<'_> {
-    fn bases(&mut self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
+    fn bases(&self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
         let given = self.punch.given();
         let contacts = half_lengths.iter().zip(modes).enumerate();
         contacts
-            .map(|(i, (a, modes))| {
-                let table = self.spare.pop().unwrap_or_default();
-                match given.filter(|_| i == 0) {
-                    Some(given) => Basis::new(layout, i, *a, given.modes.len(), table).together(&given.modes, layout),
-                    None => Basis::new(layout, i, *a, *modes, table),
-                }
+            .map(|(i, (a, modes))| match given.filter(|_| i == 0) {
+                Some(given) => Basis::new(layout, i, *a, given.modes.len()).together(&given.modes, layout),
+                None => Basis::new(layout, i, *a, *modes),
             })
             .collect()
     }

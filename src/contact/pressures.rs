@@ -7,6 +7,8 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Mat, Par, Side};
 
+use crate::numeric::buffer::Buffer;
+
 use super::galerkin::{Equations, Modes, Rows, Slopes, order};
 
 /// The equations about a set of half-lengths, factorised.
@@ -52,7 +54,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     let mut unknowns = back(&factor, &gamma, n);
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
-    let derivatives: Vec<Vec<f64>> =
+    let derivatives: Vec<Buffer> =
         equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
     let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
     solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
@@ -100,13 +102,13 @@ fn back(factor: &Llt<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
 pub(super) struct Drift {
     pub(super) shift: Vec<f64>,
     /// Derivatives of the rows: `derivatives[k][i][m]`.
-    pub(super) derivatives: Vec<Modes>,
+    pub(super) derivatives: Vec<Vec<Rows>>,
 }
 
 impl Drift {
     fn add_to(&self, i: usize, rows: &mut [f64]) {
         for (shift, derivatives) in self.shift.iter().zip(&self.derivatives) {
-            rows.iter_mut().zip(&derivatives[i]).for_each(|(row, derivative)| *row += shift * derivative);
+            rows.iter_mut().zip(derivatives[i].iter()).for_each(|(row, derivative)| *row += shift * derivative);
         }
     }
 }
@@ -144,7 +146,7 @@ impl Linearised {
         let n = equations.contacts();
         let responses = equations.responses(modes);
         let mut changes = vec![0.0; n];
-        let mut rows: Modes = Vec::with_capacity(n);
+        let mut rows: Vec<Rows> = Vec::with_capacity(n);
         for (i, response) in responses.iter().enumerate() {
             let mut own = equations.test(i, response, modes[i].len());
             for (m, row) in own.iter_mut().enumerate() {

@@ -45,7 +45,7 @@ pub(super) fn refine(
 ) -> Result<(Level, Vec<String>), Error> {
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
-    let mut newton = Newton { kernel, punch, work: work.clone(), spare: Vec::new() };
+    let mut newton = Newton { kernel, punch, work: work.clone() };
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
     let mut coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
     // all modes of a given pressure are known together

@@ -2,6 +2,7 @@
 use std::sync::LazyLock;
 
 use crate::Error;
+use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 
@@ -169,27 +170,30 @@ impl Panel {
     /// the panel or a part of it.
     pub(crate) fn values(&self, zeta: &[f64], from: f64, to: f64) -> Values {
         let count = zeta.len();
-        let mut columns = Vec::new();
+        let mut columns = Buffer::default();
         let columns: &[f64] = if from == self.from && to == self.to {
             chebyshev::panel_matrix(count)
         } else {
-            columns.resize(count * POINTS, 0.0);
+            columns.resize(count * POINTS);
             for (k, zeta) in zeta.iter().enumerate() {
                 self.row(*zeta).iter().enumerate().for_each(|(j, value)| columns[j * count + k] = *value);
             }
             &columns
         };
         let n = self.contacts;
-        let mut values = vec![0.0; count * (2 * n - 1)];
+        let mut values = Buffer::zeros(count * (2 * n - 1));
         for (component, values) in (n..3 * n - 1).zip(values.chunks_exact_mut(count)) {
             if component >= 2 * n && !self.coupled[component - 2 * n] {
                 continue;
             }
-            vectorised(|| {
-                for (column, own) in columns.chunks_exact(count).zip(&self.values[component]) {
-                    values.iter_mut().zip(column).for_each(|(value, part)| *value += part * own);
-                }
-            });
+            vectorised(
+                #[inline(always)]
+                || {
+                    for (column, own) in columns.chunks_exact(count).zip(&self.values[component]) {
+                        values.iter_mut().zip(column).for_each(|(value, part)| *value += part * own);
+                    }
+                },
+            );
             let power = powers(n, component);
             values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= zeta.powi(power));
         }
@@ -201,7 +205,7 @@ impl Panel {
 pub(crate) struct Values {
     count: usize,
     contacts: usize,
-    values: Vec<f64>,
+    values: Buffer,
 }
 
 impl Values {

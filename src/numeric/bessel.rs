@@ -59,7 +59,10 @@ pub fn scaled_table(orders: usize, arguments: &[f64], factor: f64, stride: usize
         return;
     }
     assert!(arguments.len() <= stride && (orders - 1) * stride + arguments.len() <= out.len(), "the table fits");
-    vectorised(|| fill(orders, arguments, factor, stride, out));
+    vectorised(
+        #[inline(always)]
+        || fill(orders, arguments, factor, stride, out),
+    );
 }
 
 #[inline(always)]
@@ -142,28 +145,7 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
                 next = next.max(starts[lane]);
             }
         }
-        let mut order = n as f64;
-        let mut step = |row: &mut Lanes, even: bool| {
-            *row = here;
-            for lane in 0..LANES {
-                if even {
-                    sum[lane] += here[lane];
-                }
-                (above[lane], here[lane]) = (here[lane], order * two_over_z[lane] * here[lane] - above[lane]);
-            }
-            order -= 1.0;
-        };
-        // from the top down, two by two
-        let (lower, odd) = rows[next + 1..=n].split_at_mut((n - next) & !1);
-        let parity = n % 2 == 0;
-        odd.iter_mut().for_each(|row| step(row, parity));
-        let parity = parity ^ !odd.is_empty();
-        for pair in lower.rchunks_exact_mut(2) {
-            if let [below, row] = pair {
-                step(row, parity);
-                step(below, !parity);
-            }
-        }
+        (above, here, sum) = descend(&mut rows[next + 1..=n], n, &two_over_z, (above, here, sum));
         if n == 0 {
             break;
         }
@@ -171,6 +153,41 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     }
     rows[0] = here;
     std::array::from_fn(|lane| 1.0 / (2.0 * sum[lane] + here[lane]))
+}
+
+/// Goes down from order `n` through as many rows: values of the order above, of this one, and the sum of even orders.
+#[inline(always)]
+fn descend(rows: &mut [Lanes], n: usize, two_over_z: &Lanes, start: (Lanes, Lanes, Lanes)) -> (Lanes, Lanes, Lanes) {
+    let (mut above, mut here, mut sum) = start;
+    let mut order = n as f64;
+    let single = rows.len() % 2;
+    let (lower, top) = rows.split_at_mut(rows.len() - single);
+    for row in top {
+        let mut below = [0.0; LANES];
+        for lane in 0..LANES {
+            row[lane] = here[lane];
+            below[lane] = order * two_over_z[lane] * here[lane] - above[lane];
+        }
+        for lane in 0..LANES {
+            sum[lane] += if n.is_multiple_of(2) { here[lane] } else { 0.0 };
+        }
+        (above, here) = (here, below);
+        order -= 1.0;
+    }
+    let even = (n - single) % 2 == 0;
+    for pair in lower.rchunks_exact_mut(2) {
+        let [mut below, mut next] = [[0.0; LANES]; 2];
+        for lane in 0..LANES {
+            below[lane] = order * two_over_z[lane] * here[lane] - above[lane];
+            next[lane] = (order - 1.0) * two_over_z[lane] * below[lane] - here[lane];
+            sum[lane] += if even { here[lane] } else { below[lane] };
+            pair[1][lane] = here[lane];
+            pair[0][lane] = below[lane];
+        }
+        (above, here) = (below, next);
+        order -= 2.0;
+    }
+    (above, here, sum)
 }
 
 /// Forward recurrence from Hankel's expansion: fills `rows[n]`, n = 0..orders.
@@ -320,10 +337,13 @@ pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) 
             }
         }
     }
-    vectorised(|| {
-        recur_upward(&two_over_z, j);
-        recur_upward(&two_over_z, y);
-    });
+    vectorised(
+        #[inline(always)]
+        || {
+            recur_upward(&two_over_z, j);
+            recur_upward(&two_over_z, y);
+        },
+    );
 }
 
 /// exp(-iz) H_n(z), H the Hankel function of the first kind, for n = 0..`orders`, laid out as in [`table`].
@@ -352,7 +372,10 @@ pub fn hankel_table(orders: usize, arguments: &[Complex64], out: &mut [Complex64
         }
         two_over_z.push(2.0 * w);
     }
-    vectorised(|| recur_upward(&two_over_z, out));
+    vectorised(
+        #[inline(always)]
+        || recur_upward(&two_over_z, out),
+    );
 }
 
 /// Completes a table whose orders 0 and 1 are given.

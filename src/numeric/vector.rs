@@ -1,6 +1,6 @@
 //! Loops compiled for the vector instructions that the processor turns out to have.
 
-/// Runs `work` with the widest vector instructions there are. What it calls must be inlined to profit.
+/// Runs `work`, a closure marked `#[inline(always)]` like all that it calls, with the widest vector instructions there are.
 ///
 /// No product and sum are fused, so that results are the same on all processors.
 #[inline(always)]
