@@ -56,7 +56,7 @@ fn points(phase: f64, digits: f64) -> usize {
 /// Fields away from the contacts are wanted to this, relative.
 const FIELDS: f64 = 1e-6;
 /// Points of a stretch may be so many times more than contacts need, for the sake of fields.
-const MORE_FOR_FIELDS: f64 = 1.5;
+const MORE_FOR_FIELDS: f64 = 2.0;
 
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(super) struct Layout {

@@ -26,7 +26,9 @@ const DIVERGED: f64 = 1e-2;
 const UNKNOWN: f64 = 1e-4;
 /// A round is taken to leave at least this part of what it changed.
 const LEAST_LEFT: f64 = 0.1;
-/// Half-lengths may move by the root of a hundredth of the tolerance before tables are made anew, with so many modes.
+/// What is left of a step no longer than this does not matter to the first steps.
+const QUADRATIC: f64 = 1e-4;
+/// Half-lengths may move by the root of a thousandth of the tolerance before tables are made anew, with so many modes.
 const FEW: usize = 8;
 /// Changes below this are rounding.
 const NOISE: f64 = 1e-13;
@@ -106,11 +108,26 @@ impl Newton<'_> {
         negligible: f64,
         enough: f64,
     ) -> Result<(Vec<f64>, Modes), Error> {
-        let Point { mut half_lengths, pressures, .. } = self.iterate(half_lengths, modes, modes, negligible, enough)?;
+        let Point { mut half_lengths, pressures, linearised, layout, .. } =
+            self.iterate(half_lengths, modes, modes, negligible, enough)?;
+        let Pressures { modes: mut all, step } = pressures;
         let before = half_lengths[0];
-        go(&mut half_lengths, &pressures.step);
+        let linked = ties(self.kernel, &half_lengths);
+        go(&mut half_lengths, &step);
         half_lengths[0] = self.punch.within(before, half_lengths[0]);
-        Ok((half_lengths, pressures.modes))
+        if longest(&step) > QUADRATIC {
+            // one more step with the same derivatives
+            linearised.follow(&mut all, &step);
+            let bases = self.bases(&layout, &half_lengths, modes);
+            let slopes = self.punch.slopes(half_lengths[0], modes[0]);
+            let equations = Equations::new(&layout, &bases, modes, &linked);
+            self.work.step();
+            let found = linearised.settle(&equations, &slopes, &Drift::default(), &mut all);
+            let before = half_lengths[0];
+            go(&mut half_lengths, &found.step);
+            half_lengths[0] = self.punch.within(before, half_lengths[0]);
+        }
+        Ok((half_lengths, all))
     }
 
     /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`.
@@ -137,7 +154,7 @@ impl Newton<'_> {
         let short = tolerance.min(NEARBY);
         // high modes oscillate, and are linear over a shorter way
         let highest = solved.iter().copied().fold(FEW, usize::max);
-        let linear = (0.01 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64;
+        let linear = (1e-3 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64;
         let mut drift = Drift::default();
         let mut lost = false;
         let mut responses = None;
