@@ -3,6 +3,7 @@ use recede_layers::{LayerError, OutOfRange};
 
 use crate::options::Options;
 use crate::scene::HeightsError;
+use crate::scene::LoadsError;
 use crate::scene::SceneError;
 use crate::solution::Interface;
 use crate::stack::StackError;
@@ -23,6 +24,9 @@ pub enum Error {
     /// Heights that do not describe a punch.
     #[error(transparent)]
     Heights(#[from] HeightsError),
+    /// A list of loads that is none.
+    #[error(transparent)]
+    Loads(#[from] LoadsError),
     /// Something is no axis of a sweep.
     #[error(transparent)]
     Axis(#[from] AxisError),
@@ -147,7 +151,9 @@ impl Error {
     /// ```
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Axis(_) => true,
+            Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Loads(_) | Self::Axis(_) => {
+                true
+            }
             Self::OutOfRange { .. } | Self::Tolerance { .. } | Self::LoadByCollocation | Self::LoadWithHalfLength => {
                 true
             }

@@ -89,7 +89,8 @@ pub use recede_layers::{
     Profile, Registry, Wave, Winkler,
 };
 pub use scene::{
-    Force, HeightsError, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units, Vocabulary,
+    Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,
+    Vocabulary,
 };
 pub use solution::{Contact, Interface, Solution, Stats};
 pub use stack::{

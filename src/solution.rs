@@ -1,4 +1,5 @@
 //! What a solved scene tells.
+use std::f64::consts::PI;
 use std::fmt;
 
 /// Which contact: the punch on top, or a receding interface.
@@ -30,7 +31,7 @@ impl fmt::Display for Interface {
 pub struct Contact {
     /// Which contact this is.
     pub interface: Interface,
-    /// Half-length a: the contact covers |x| < a.
+    /// Half-length a: the contact covers |x| < a. Of several loads, as far as the farthest of them reaches.
     pub half_length: f64,
     /// The solver's estimate of the absolute error of `half_length`.
     pub half_length_error: f64,
@@ -40,28 +41,83 @@ pub struct Contact {
     pub peak_pressure_error: f64,
     /// Resultant of the pressure, force per unit length out of plane.
     pub resultant: f64,
-    /// p(x) = Σ_m coefficients[m] sin((2m + 1) φ) with x = a cos φ, in stress.
+    /// What the pressure is the sum of: one strip, but where several loads press.
+    pub(crate) strips: Vec<Strip>,
+}
+
+/// A pressure on |x − at| < extent, symmetric about x = at, and where `at` is not 0 its mirror image. In stress.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Strip {
+    /// Where its middle is, ≥ 0, in length.
+    pub(crate) at: f64,
+    /// Half-length a of the strip: that of the contact, but of a line load, which is a very narrow strip.
+    pub(crate) extent: f64,
+    /// p = Σ_m coefficients[m] sin((2m + 1) φ) with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
     /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
     /// where the punch is not smooth.
     pub(crate) found: usize,
-    /// The length a of the series: half_length, but of a line load, which is a very narrow strip.
-    pub(crate) extent: f64,
+    /// What else is known of it.
+    pub(crate) form: Form,
+}
+
+/// Pressures that are known in closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// What the series says.
+    Series,
+    /// All on a line, which the strip stands for.
+    Line,
+    /// The same everywhere.
+    Uniform,
+    /// Like 1 − s², s = (x − at)/a.
+    Parabolic,
+}
+
+impl Strip {
+    /// A pressure about x = 0 of which nothing is known but its series.
+    pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
+        Self { at: 0.0, extent, coefficients, found, form: Form::Series }
+    }
+
+    /// The resultant of one image.
+    pub(crate) fn resultant(&self) -> f64 {
+        0.5 * PI * self.extent * self.coefficients.first().copied().unwrap_or(0.0)
+    }
+
+    /// Pressure of one image at a distance from its middle.
+    fn image(&self, x: f64) -> f64 {
+        let s = x / self.extent;
+        // NaN is outside, too
+        if s.is_nan() || s.abs() > 1.0 {
+            return 0.0;
+        }
+        let mean = 0.5 * self.resultant() / self.extent;
+        match self.form {
+            Form::Line => f64::INFINITY,
+            // where it ends, the mean of both sides
+            Form::Uniform if s.abs() == 1.0 => 0.5 * mean,
+            Form::Uniform => mean,
+            Form::Parabolic => 1.5 * mean * (1.0 - s * s),
+            Form::Series => {
+                let phi = s.acos();
+                self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin()).sum()
+            }
+        }
+    }
+
+    fn pressure(&self, x: f64) -> f64 {
+        if self.at == 0.0 { self.image(x) } else { self.image(x - self.at) + self.image(x + self.at) }
+    }
 }
 
 impl Contact {
     /// Contact pressure at `x` (compression positive); zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
-        let s = x / self.extent;
-        // NaN is outside, too
-        if s.is_nan() || s.abs() >= 1.0 {
-            return 0.0;
-        }
-        if s == 0.0 && self.peak_pressure.is_infinite() {
+        if x == 0.0 && self.peak_pressure.is_infinite() {
             return self.peak_pressure;
         }
-        let phi = s.acos();
-        self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin()).sum()
+        self.strips.iter().map(|strip| strip.pressure(x)).sum()
     }
 }
 

@@ -30,9 +30,10 @@ const MAY_IMPORT: [(&str, &[&str]); 15] = [
 const SHARED: [&str; 3] = ["error", "options", "solution"];
 
 /// One error type holds those of all stages, so it names them, and nothing else of these modules.
-const NAMED_BY_ERROR: [&str; 6] = [
+const NAMED_BY_ERROR: [&str; 7] = [
     "crate::options::Options",
     "crate::scene::HeightsError",
+    "crate::scene::LoadsError",
     "crate::scene::SceneError",
     "crate::solution::Interface",
     "crate::stack::StackError",

@@ -93,8 +93,8 @@ fn fields_are_those_of_the_given_pressure() {
         let field = model.field(&solution);
         for s in [0.0, 0.3, 0.7, 0.9] {
             let expected = top.peak_pressure * shape(s);
-            close(top.pressure(0.8 * s), expected, 1e-5);
-            close(-field.at(0.8 * s, 0.0).unwrap().sigma_yy, expected, 1e-5);
+            close(top.pressure(0.8 * s), expected, 1e-14);
+            close(-field.at(0.8 * s, 0.0).unwrap().sigma_yy, expected, 1e-9);
         }
         // at the bottom of the strip, the other contact
         let below = solution.contacts()[1].peak_pressure;
@@ -106,6 +106,163 @@ fn fields_are_those_of_the_given_pressure() {
     let [found, expected] = [model.field(&solution), other.field(&narrow)].map(|field| field.at(0.4, 1.0).unwrap());
     close(found.sigma_yy, expected.sigma_yy, 1e-6);
     close(found.sigma_xx, expected.sigma_xx, 1e-6);
+}
+
+/// A uniform load as so many next to each other.
+fn slices(half_width: f64, count: usize) -> Load {
+    let width = half_width / count as f64;
+    let slice = |k: usize| ((k as f64 + 0.5) * width, 1.0, Load::uniform(0.5 * width).unwrap());
+    Load::several(&(0..count).map(slice).collect::<Vec<_>>()).unwrap()
+}
+
+/// Two stacks with a receding contact, one of them next to a graded face, and one without.
+fn stacks() -> [StackBuilder; 3] {
+    let layer = Exponential::new(1.0, 1.0, 0.3, -1.5).unwrap();
+    [
+        strip().layer(ground(0.5)),
+        Stack::builder(Plane::Strain).layer(layer).receding().layer(ground(0.7)),
+        Stack::builder(Plane::Strain).layer(layer).bonded().layer(ground(3.0)),
+    ]
+}
+
+/// Contacts, fields inside and on the face.
+fn assert_same(stack: StackBuilder, found: Load, expected: Load, error: f64) {
+    let shifted = (found.half_width() / expected.half_width() - 1.0).abs();
+    let (found, expected) = (press(stack.clone(), found, 0.01), press(stack, expected, 0.01));
+    for (found, expected) in found.1.contacts().iter().zip(expected.1.contacts()) {
+        close(found.half_length, expected.half_length, error.max(shifted));
+        close(found.peak_pressure, expected.peak_pressure, error);
+        close(found.resultant, expected.resultant, error);
+        for s in [0.13, 0.52, 0.93] {
+            let x = s * expected.half_length;
+            assert!((found.pressure(x) - expected.pressure(x)).abs() < 10.0 * error * expected.peak_pressure);
+        }
+    }
+    let peak = expected.1.contacts()[0].peak_pressure;
+    let [found, expected] = [&found, &expected].map(|(model, solution)| model.field(solution));
+    for (x, depth) in [(0.0, 0.0), (0.31, 0.0), (0.0, 0.4), (0.5, 0.2), (0.3, 1.5), (2.0, 3.0)] {
+        let (found, expected) = (found.at(x, depth).unwrap(), expected.at(x, depth).unwrap());
+        let numbers = |p: &recede::FieldPoint| [p.sigma_xx, p.sigma_yy, p.sigma_xy, p.u, p.v];
+        for (found, expected) in numbers(&found).into_iter().zip(numbers(&expected)) {
+            let error = 1e-9f64.max(10.0 * error) * peak;
+            assert!((found - expected).abs() < error, "({x}, {depth}): {found} {expected} {error}");
+        }
+    }
+}
+
+#[test]
+fn several_loads_at_one_place_are_one() {
+    for stack in stacks() {
+        let elliptic = |a| Load::elliptic(a).unwrap();
+        let halves = Load::several(&[(0.0, 2.0, elliptic(0.7)), (0.0, 1.0, elliptic(0.7))]).unwrap();
+        assert_same(stack.clone(), halves, elliptic(0.7), 1e-13);
+        // and of a pair whose distance vanishes nothing but the square of the distance is left
+        let pair = |at| Load::several(&[(at, 1.0, elliptic(0.7))]).unwrap();
+        assert_same(stack.clone(), pair(1e-7), elliptic(0.7), 1e-12);
+    }
+}
+
+#[test]
+fn slices_of_a_uniform_load_are_that_load() {
+    for stack in stacks() {
+        for count in [1, 3, 20] {
+            assert_same(stack.clone(), slices(0.6, count), Load::uniform(0.6).unwrap(), 1e-12);
+        }
+    }
+}
+
+#[test]
+fn many_lines_come_to_a_uniform_load() {
+    let lines = |count: usize| {
+        let line = |k: usize| ((k as f64 + 0.5) * 0.6 / count as f64, 1.0, Load::Line);
+        Load::several(&(0..count).map(line).collect::<Vec<_>>()).unwrap()
+    };
+    for stack in stacks().into_iter().take(2) {
+        let expected = receding(stack.clone(), Load::uniform(0.6).unwrap(), 1.0);
+        let error = |count| receding(stack.clone(), lines(count), 1.0) / expected - 1.0;
+        let (few, many) = (error(8), error(32));
+        assert!(many.abs() < 1e-4 && (few / many - 16.0).abs() < 0.3, "{few} {many}");
+    }
+}
+
+#[test]
+fn the_pressure_of_a_punch_in_slices_makes_the_contact_of_the_punch() {
+    let model = Model::new(strip().layer(ground(0.5)).build().unwrap()).unwrap();
+    let punch = model.press(&Punch::parabola(100.0).unwrap(), 0.05).unwrap();
+    let [top, below] = punch.contacts() else { panic!("two contacts") };
+    let sliced = |count: usize| {
+        let width = top.half_length / count as f64;
+        let slice = |k: usize| {
+            let x = (k as f64 + 0.5) * width;
+            (x, top.pressure(x), Load::uniform(0.5 * width).unwrap())
+        };
+        let load = Load::several(&(0..count).map(slice).collect::<Vec<_>>()).unwrap();
+        model.press(&Punch::Given(load), 0.05).unwrap().contacts()[1].half_length
+    };
+    close(sliced(400), below.half_length, 1e-5);
+    assert!((sliced(400) - below.half_length).abs() < 0.4 * (sliced(200) - below.half_length).abs());
+}
+
+#[test]
+fn fields_of_several_loads_are_sums() {
+    let [.., bonded] = stacks();
+    let parts = [
+        (0.5, 1.0, Load::uniform(0.2).unwrap()),
+        (0.0, 2.0, Load::parabolic(0.4).unwrap()),
+        (0.3, 0.5, Load::elliptic(0.1).unwrap()),
+    ];
+    let model = Model::new(bonded.build().unwrap()).unwrap();
+    let solve = |load: Load, force| model.press(&Punch::Given(load), force).unwrap();
+    let all = solve(Load::several(&parts).unwrap(), 0.07);
+    let each = parts.map(|part| solve(Load::several(std::slice::from_ref(&part)).unwrap(), 0.02 * part.1));
+    close(all.contacts()[0].peak_pressure, 0.04 * 0.75 / 0.4, 1e-14);
+    assert_eq!((all.contacts()[0].half_length, all.contacts()[0].resultant), (0.7, 0.07));
+    for x in [0.0, 0.25, 0.35, 0.6, 0.71] {
+        let sum: f64 = each.iter().map(|solution| solution.contacts()[0].pressure(x)).sum();
+        assert!((all.contacts()[0].pressure(x) - sum).abs() < 1e-15);
+        for depth in [0.0, 0.1, 0.9, 1.4] {
+            let found = model.field(&all).at(x, depth).unwrap();
+            let parts = each.iter().map(|solution| model.field(solution).at(x, depth).unwrap());
+            let sum = parts.fold([0.0; 3], |sum, p| [sum[0] + p.sigma_xx, sum[1] + p.sigma_yy, sum[2] + p.u]);
+            for (found, sum) in [found.sigma_xx, found.sigma_yy, found.u].into_iter().zip(sum) {
+                assert!((found - sum).abs() < 1e-10, "({x}, {depth}): {found} {sum}");
+            }
+        }
+    }
+}
+
+#[test]
+fn two_lines_on_a_half_plane_are_those_of_flamant() {
+    let at = 0.8;
+    let pair = Load::several(&[(at, 1.0, Load::Line)]).unwrap();
+    let (model, solution) = press(Stack::builder(Plane::Strain).layer(ground(1.0)), pair, 3.0);
+    assert_eq!((solution.contacts()[0].half_length, solution.contacts()[0].peak_pressure), (at, 0.0));
+    assert_eq!(solution.contacts()[0].pressure(at), f64::INFINITY);
+    for (x, d) in [(0.0, 0.5), (0.8, 0.1), (1.3, 0.7), (-4.0, 2.0)] {
+        let line = |x: f64| -2.0 * 1.5 / std::f64::consts::PI * d / (x * x + d * d).powi(2);
+        let point = model.field(&solution).at(x, d).unwrap();
+        let sum = |of: &dyn Fn(f64) -> f64| of(x - at) + of(x + at);
+        for (found, expected) in [
+            (point.sigma_xx, sum(&|x| line(x) * x * x)),
+            (point.sigma_yy, sum(&|x| line(x) * d * d)),
+            // y upwards: the sign of depth turned
+            (point.sigma_xy, -sum(&|x| line(x) * x * d)),
+        ] {
+            assert!((found - expected).abs() < 1e-12, "({x}, {d}): {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn loads_too_far_apart_for_one_contact_are_said_to_be() {
+    let far = Load::several(&[(30.0, 1.0, Load::uniform(0.5).unwrap())]).unwrap();
+    let model = Model::new(strip().layer(ground(1.0)).build().unwrap()).unwrap();
+    let error = model.press(&Punch::Given(far), 0.01).unwrap_err();
+    assert!(matches!(error, Error::NoSolution(_)), "{error}");
+    // near each other they are pressed by one
+    let near = Load::several(&[(0.9, 1.0, Load::uniform(0.5).unwrap())]).unwrap();
+    let (_, solution) = press(strip().layer(ground(1.0)), near, 0.01);
+    assert!(solution.contacts()[1].half_length > 1.4 && solution.min_pressure() >= 0.0);
 }
 
 #[test]
@@ -126,6 +283,12 @@ fn scenes_have_a_load_or_a_punch() {
     assert_eq!(scene.paths()[..2], ["force", "load.half_width"]);
     assert_eq!(scene.with("load.half_width", 0.75).unwrap().punch.to_string(), "Uniform(half_width: 0.75)");
     assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().punch, scene.punch);
+    let several = SCENE.replace("Uniform(half_width: 0.5)", "Several([(at: 1, share: 2, load: Line)])");
+    let several = Scene::from_ron(&several).unwrap();
+    assert_eq!(several.paths()[..3], ["force", "load[1].at", "load[1].share"]);
+    assert_eq!(several.with("load[1].at", 0.5).unwrap().punch.load().unwrap().half_width(), 0.5);
+    assert_eq!(several.punch.to_string(), "Several([(at: 1.0, share: 2.0, load: Line)])");
+    assert_eq!(Scene::from_ron(&several.to_ron()).unwrap().punch, several.punch);
     let said = |from: &str, to: &str| Scene::from_ron(&SCENE.replace(from, to)).unwrap_err().to_string();
     assert_eq!(said("0.5)", "0)"), "scene:1:48: `half_width` of the load: found 0.0, allowed is a finite number > 0");
     assert_eq!(said("load:", "punch: Wedge(slope: 1), load:"), "scene:1:52: the scene has `punch` and `load`");

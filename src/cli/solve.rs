@@ -65,7 +65,7 @@ impl Solve {
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
         // it is infinite under a line load
-        let line = scene.punch.load() == Some(&Load::Line);
+        let line = scene.punch.load().is_some_and(Load::has_lines);
         let max_shear = if line { None } else { Some(model.field(&solution).max_shear()?) };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));

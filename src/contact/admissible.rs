@@ -130,7 +130,11 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     }
     let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span(&level.half_lengths))
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
-    let bases: Vec<Basis> = (0..n).map(|i| Basis::new(&layout, i, level.half_lengths[i], modes[i].len())).collect();
+    let basis = |i: usize| match punch.given().filter(|_| i == 0) {
+        Some(given) => Basis::given(&layout, given),
+        None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
+    };
+    let bases: Vec<Basis> = (0..n).map(basis).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
     let mut slopes = Equations::new(&layout, &bases, &counts, &linked).responses(modes);

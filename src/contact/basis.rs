@@ -9,6 +9,7 @@ use num_complex::Complex64;
 use crate::numeric::bessel;
 use crate::numeric::buffer::Buffer;
 
+use super::given::Given;
 use super::layout::Layout;
 use super::tail::Tail;
 
@@ -49,17 +50,18 @@ impl Basis {
         Self { half_length, deficit, rows, table, arguments, paths }
     }
 
-    /// One mode that has the transform of all these together: a given pressure.
-    pub(super) fn together(mut self, modes: &[f64], layout: &Layout) -> Self {
-        let sum = self.combine(modes);
-        let rest =
-            self.combine(&modes.iter().enumerate().map(|(m, y)| if m == 0 { 0.0 } else { *y }).collect::<Vec<_>>());
-        for ((deficit, rest), zeta) in self.deficit.iter_mut().zip(rest.iter()).zip(&layout.zeta) {
-            *deficit += 2.0 * rest / zeta;
+    /// The only mode of a given pressure on top, whatever its transform. Its half-length is not varied, so that the even
+    /// orders do not matter.
+    pub(super) fn given(layout: &Layout, given: &Given) -> Self {
+        let zeta = &layout.zeta[..layout.own[0].reach];
+        let deficit: Buffer = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
+        let rows = zeta.len();
+        let mut table = Buffer::zeros(3 * rows);
+        for ((value, zeta), deficit) in table[rows..].iter_mut().zip(zeta).zip(deficit.iter()) {
+            *value = 0.5 * zeta * (1.0 + deficit);
         }
-        self.table = Buffer::zeros(3 * self.rows);
-        self.table[self.rows..2 * self.rows].copy_from_slice(&sum);
-        self
+        let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
+        Self { half_length: given.half_length, deficit, rows, table, arguments, paths: Vec::new() }
     }
 
     /// Number of rows.

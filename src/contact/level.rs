@@ -49,7 +49,7 @@ impl Level {
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
         let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding, waves } = found;
-        let mut counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+        let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
         } else {
@@ -91,13 +91,9 @@ impl Level {
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
         }
-        if let Some(given) = punch.given() {
+        if punch.given().is_some() {
             // nothing of it is unknown
-            (errors[0], tails[0], settled[0], counts[0]) = ([0.0; 2], 0.0, true, given.modes.len());
-            modes[0].clone_from(&given.modes);
-            if let Some((_, all)) = punch.load(CONTINUED) {
-                continued(&mut modes[0], &all);
-            }
+            (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
         }
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);

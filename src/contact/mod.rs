@@ -4,6 +4,7 @@ mod basis;
 mod collocation;
 mod convex;
 mod galerkin;
+mod given;
 mod layout;
 mod level;
 mod newton;
@@ -18,7 +19,7 @@ use crate::error::{Error, NoSolution};
 use crate::kernel::{self, Kernel};
 use crate::options::{Method, Options};
 use crate::scene::Punch;
-use crate::solution::{Contact, Interface, Solution, Stats};
+use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
 pub(crate) use prescribed::press_to;
 
@@ -161,20 +162,20 @@ fn solution(
     warnings: Vec<String>,
 ) -> Solution {
     let pressure_unit = kernel.modulus() * indentation.force;
+    let force = pressure_unit * kernel.length();
     let contacts = interfaces
         .iter()
         .enumerate()
         .map(|(i, interface)| {
-            let extent = level.half_lengths[i] * kernel.length();
+            if let (0, Some(load)) = (i, indentation.load()) {
+                let strips = given::strips(load, force, kernel.length());
+                return given::contact(load, *interface, force, strips);
+            }
+            let half_length = level.half_lengths[i] * kernel.length();
             let pressure_unit = pressure_unit * 2.0 / level.half_lengths[i];
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
-            let mut peak_pressure = level.peaks[i] * pressure_unit;
-            let mut half_length = extent;
-            if let (0, Some((load, _))) = (i, indentation.load(0)) {
-                let resultant = indentation.force * kernel.modulus() * kernel.length();
-                (half_length, peak_pressure) = (load.half_width(), load.peak_pressure(resultant));
-            }
+            let peak_pressure = level.peaks[i] * pressure_unit;
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
@@ -182,16 +183,14 @@ fn solution(
                 half_length_error: length_error * half_length,
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
-                resultant: 0.5 * std::f64::consts::PI * extent * coefficients[0],
-                coefficients,
-                found: level.counts[i],
-                extent,
+                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                strips: vec![Strip::series(half_length, coefficients, level.counts[i])],
             }
         })
         .collect();
     Solution {
         contacts,
-        force: indentation.force * kernel.modulus() * kernel.length(),
+        force,
         force_error: 0.0,
         min_pressure: check.min_pressure * pressure_unit,
         min_gap: check.min_gap * indentation.force * kernel.length(),
@@ -210,7 +209,7 @@ fn solution(
 mod tests {
     use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
-    use super::punch::Given;
+    use super::given::Given;
     use super::*;
     use crate::stack::Stack;
 
@@ -229,7 +228,7 @@ mod tests {
             for force in [1e-4, 0.02] {
                 let expected = press(&kernel, &interfaces, &punch, force, &options).unwrap();
                 let top = &expected.contacts[0];
-                let given = Given::of(top.half_length / kernel.length(), &top.coefficients);
+                let given = Given::of(top.half_length / kernel.length(), &top.strips[0].coefficients);
                 let indentation = Indentation::new(&punch, &kernel, force).with(given);
                 let found = solve(&kernel, &interfaces, &indentation, &options).unwrap();
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {

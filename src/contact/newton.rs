@@ -18,6 +18,12 @@ const STEPS: usize = 40;
 const FARTHEST: f64 = 4.0;
 /// Rounds of iteration begin when what is left of a Newton step is below this.
 const NEARBY: f64 = 1e-5;
+/// More modes than these, all contacts together, are not solved for only because they did not settle otherwise.
+const MOST_SOLVED: usize = 600;
+/// Pressures are let go on settling from level to level with an error of so many tolerances.
+const PRESSURES: f64 = 10.0;
+/// Where there are no rounds, Newton's method goes on to this.
+const FULLY: f64 = 1e-20;
 /// Derivatives from few modes are right to about this part.
 const DERIVATIVES: f64 = 1e-2;
 /// Rounds that change more than this are not going anywhere.
@@ -130,14 +136,62 @@ impl Newton<'_> {
         Ok((half_lengths, all))
     }
 
-    /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`.
+    /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`; where they do not,
+    /// all modes are solved for. The half-lengths to begin with were found with `fewer` modes.
     pub(super) fn converge(
+        &mut self,
+        half_lengths: Vec<f64>,
+        fewer: &[usize],
+        solved: &[usize],
+        modes: &[usize],
+        tolerance: f64,
+    ) -> Result<Converged, Error> {
+        let tied = self.tied(&half_lengths, solved, modes);
+        let (mut found, settled) = self.settle(half_lengths.clone(), &tied.0, &tied.1, tolerance)?;
+        if !settled
+            && tied.0 != tied.1
+            && tied.1.iter().sum::<usize>() <= MOST_SOLVED
+            && let Ok((all, true)) = self.settle(half_lengths.clone(), &tied.1, &tied.1, tolerance)
+        {
+            found = all;
+        }
+        // where all modes were solved for, what those beyond fewer ones changed is the change since then
+        for (i, fewer) in fewer.iter().enumerate() {
+            if found.solved[i] == found.modes[i].len() {
+                found.shift[i] = (found.half_lengths[i] / half_lengths[i]).ln();
+                found.solved[i] = found.solved[i].min(*fewer);
+            }
+        }
+        Ok(found)
+    }
+
+    /// Modes to be solved for, and all. Contacts that are tied together have the same, all of them solved for: the
+    /// dominant part of a row is the difference of two pressures, not its own diagonal.
+    fn tied(&self, half_lengths: &[f64], solved: &[usize], modes: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let (mut solved, mut modes) = (solved.to_vec(), modes.to_vec());
+        let linked = ties(self.kernel, half_lengths);
+        let mut first = usize::from(self.punch.given().is_some());
+        while first < modes.len() {
+            let group = first..first + 1 + linked[first..].iter().take_while(|linked| **linked).count();
+            if group.len() > 1 {
+                let most = modes[group.clone()].iter().copied().fold(0, usize::max);
+                modes[group.clone()].fill(most);
+                solved[group.clone()].fill(most);
+            }
+            first = group.end;
+        }
+        (solved, modes)
+    }
+
+    /// Lets pressures settle with given numbers of modes, and says whether they did.
+    fn settle(
         &mut self,
         half_lengths: Vec<f64>,
         solved: &[usize],
         modes: &[usize],
         tolerance: f64,
-    ) -> Result<Converged, Error> {
+    ) -> Result<(Converged, bool), Error> {
+        let start = half_lengths.clone();
         let Point { mut half_lengths, pressures, linearised, layout, mut bases, mut slopes } =
             self.iterate(half_lengths, solved, modes, negligible(tolerance), NEARBY)?;
         let Pressures { modes: mut all, mut step } = pressures;
@@ -205,6 +259,20 @@ impl Newton<'_> {
         }
         go(&mut half_lengths, &drift.shift);
         go(&mut half_lengths, &step);
+        let enough = [tolerance, PRESSURES * tolerance];
+        let settled =
+            !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
+        if !settled
+            && solved == modes
+            && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), FULLY)
+        {
+            let rounding = end.linearised.rounding;
+            let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
+            let (half_lengths, modes) = (end.half_lengths, end.pressures.modes);
+            let found =
+                Converged { half_lengths, modes, solved: solved.to_vec(), shift, unsettled, rounding, waves: None };
+            return Ok((found, true));
+        }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
             responses = None;
@@ -229,7 +297,8 @@ impl Newton<'_> {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
         let waves = responses.map(|responses| (layout, responses));
-        Ok(Converged { half_lengths, modes: all, solved: solved.to_vec(), shift, unsettled, rounding, waves })
+        let solved = solved.to_vec();
+        Ok((Converged { half_lengths, modes: all, solved, shift, unsettled, rounding, waves }, settled))
     }
 
     /// Newton's method until what would be left of the next step is below `enough`.
@@ -249,6 +318,7 @@ impl Newton<'_> {
         let start = half_lengths.clone();
         let mut layout: Option<(Layout, Vec<f64>)> = None;
         self.work.steps.push(0);
+        let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let near = |about: &[f64], by: f64| half_lengths.iter().zip(about).all(|(a, b)| (a / b).ln().abs() <= by);
             if !near(&start, FARTHEST) {
@@ -272,9 +342,12 @@ impl Newton<'_> {
             let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes, punch.given().is_some());
             let Some((pressures, linearised)) = found else { break };
             let longest = longest(&pressures.step);
-            if longest * longest < enough {
+            // short steps that no longer shorten are rounding
+            let stuck = last < NEARBY && longest > 0.5 * last;
+            if longest * longest < enough || stuck {
                 return Ok(Point { half_lengths, pressures, linearised, layout: at.0, bases, slopes });
             }
+            last = longest;
             let shorten = (LONGEST_STEP / longest).min(1.0);
             let before = half_lengths[0];
             for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
@@ -293,7 +366,7 @@ impl Newton<'_> {
         let contacts = half_lengths.iter().zip(modes).enumerate();
         contacts
             .map(|(i, (a, modes))| match given.filter(|_| i == 0) {
-                Some(given) => Basis::new(layout, i, *a, given.modes.len()).together(&given.modes, layout),
+                Some(given) => Basis::given(layout, given),
                 None => Basis::new(layout, i, *a, *modes),
             })
             .collect()

@@ -10,21 +10,19 @@ use crate::numeric::quadrature::rule;
 use crate::scene::{Load, Piece, Punch, Shape};
 
 use super::galerkin::{Slopes, order};
+use super::given::Given;
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
 const NEARLY: f64 = 0.999;
 /// Most oscillations of a test function, as a phase, that one Gauss rule is asked to integrate.
 const PHASE: f64 = 150.0;
-/// Half-width of a line load in units of L: no wave is so short.
-const LINE: f64 = 1e-10;
 /// Slopes at x = a/cosh u are nothing beyond this u.
 const FARTHEST: f64 = 45.0;
 /// Gauss points besides those that the oscillation takes.
 const SPARE: f64 = 14.0;
 
 /// A punch pressed with a force, in the units of the kernel.
-#[derive(Clone, Debug)]
 pub(super) struct Indentation<'a> {
     punch: &'a Punch,
     shape: Shape<'a>,
@@ -32,16 +30,7 @@ pub(super) struct Indentation<'a> {
     length: f64,
     /// P' = P/(μ₀L).
     pub(super) force: f64,
-    given: Option<Given>,
-}
-
-/// A given pressure in place of a punch.
-#[derive(Clone, Debug)]
-pub(super) struct Given {
-    /// Half-width of the loaded strip, in units of L.
-    pub(super) half_length: f64,
-    /// Its modes y_m: as many as the other contacts feel.
-    pub(super) modes: Vec<f64>,
+    given: Option<Given<'a>>,
 }
 
 /// What a half-plane of the material at the face does under the punch, all rows but the first fulfilled: the pressure
@@ -57,24 +46,18 @@ impl<'a> Indentation<'a> {
     pub(super) fn new(punch: &'a Punch, kernel: &Kernel, force: f64) -> Self {
         let length = kernel.length();
         let force = force / (kernel.modulus() * length);
-        let given = punch.load().map(|load| {
-            let half_length = (load.half_width() / length).max(LINE);
-            // orders beyond the phase of the shortest wave that is coupled to anything are not felt
-            let phase = if kernel.contacts() > 1 { half_length * kernel.uncoupled(0, 0.0, 1e-16) } else { 0.0 };
-            let modes = load.modes((0.6 * phase) as usize + 20);
-            Given { half_length, modes }
-        });
+        let given = punch.load().map(|load| Given::new(load, length));
         Self { punch, shape: punch.shape(), length, force, given }
     }
 
     /// The pressure on top, if it is given.
-    pub(super) fn given(&self) -> Option<&Given> {
+    pub(super) fn given(&self) -> Option<&Given<'a>> {
         self.given.as_ref()
     }
 
-    /// The given load itself, and its modes continued to those of its edges.
-    pub(super) fn load(&self, count: usize) -> Option<(&Load, Vec<f64>)> {
-        self.punch.load().map(|load| (load, load.modes(count)))
+    /// The given load itself.
+    pub(super) fn load(&self) -> Option<&Load> {
+        self.punch.load()
     }
 
     /// Whether the pressure is infinite at the tip.
@@ -274,18 +257,9 @@ pub(super) fn continued(modes: &mut Vec<f64>, local: &[f64]) {
 }
 
 #[cfg(test)]
-impl Given {
-    /// The pressure Σ c_j sin jφ.
-    pub(super) fn of(half_length: f64, coefficients: &[f64]) -> Self {
-        let mode = |(m, c): (usize, &f64)| super::galerkin::alternating(m) * order(m) * c / coefficients[0];
-        Self { half_length, modes: coefficients.iter().enumerate().map(mode).collect() }
-    }
-}
-
-#[cfg(test)]
-impl Indentation<'_> {
+impl<'a> Indentation<'a> {
     /// The same with a given pressure in place of the punch.
-    pub(super) fn with(self, given: Given) -> Self {
+    pub(super) fn with(self, given: Given<'a>) -> Self {
         Self { given: Some(given), ..self }
     }
 }
@@ -365,27 +339,5 @@ mod tests {
             let exact = 2.0 * (sinc(k - 1.0) + sinc(k + 1.0) - sinc(k));
             assert!((alternating(m) * rows[m] - exact).abs() < 1e-13, "{m}: {} {exact}", rows[m]);
         }
-    }
-
-    #[test]
-    fn given_pressures_have_their_transforms() {
-        use crate::numeric::bessel;
-        let a = recede_layers::Positive::try_from(1.0).unwrap();
-        type Transform = fn(f64) -> f64;
-        let cases: [(Load, Transform); 3] = [
-            (Load::Uniform { half_width: a }, |z| z.sin() / z),
-            (Load::Parabolic { half_width: a }, |z| 3.0 * (z.sin() - z * z.cos()) / z.powi(3)),
-            (Load::Elliptic { half_width: a }, |z| 1.0 + bessel::jinc_deficit(z)),
-        ];
-        for (load, transform) in cases {
-            let modes = load.modes(40);
-            for z in [0.3, 1.0, 7.0, 30.0] {
-                let mut table = vec![0.0; 80];
-                bessel::table(80, &[z], &mut table);
-                let sum: f64 = modes.iter().enumerate().map(|(m, y)| 2.0 * y * table[2 * m + 1] / z).sum();
-                assert!((sum - transform(z)).abs() < 1e-13, "{load} at {z}: {sum} {}", transform(z));
-            }
-        }
-        assert_eq!(Load::Line.modes(3), [1.0, 0.0, 0.0]);
     }
 }

@@ -72,8 +72,9 @@ pub(super) fn refine(
     }
     let mut warnings = Vec::new();
     let mut before: Option<Level> = None;
+    let mut fewer = coarse.clone();
     loop {
-        let found = newton.converge(half_lengths.clone(), &solved, &modes, tolerance);
+        let found = newton.converge(half_lengths.clone(), &fewer, &solved, &modes, tolerance);
         *work = newton.work.clone();
         let level = match (found, before.take()) {
             (Ok(found), _) => {
@@ -89,7 +90,7 @@ pub(super) fn refine(
             (Err(_), None) => {
                 let mut modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
                 modes[..first].fill(1);
-                let found = newton.converge(half_lengths, &coarse, &modes, FEW_DIGITS)?;
+                let found = newton.converge(half_lengths, &coarse, &coarse, &modes, FEW_DIGITS)?;
                 let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
                 let (rough, _) = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
                 *work = newton.work.clone();
@@ -127,6 +128,7 @@ pub(super) fn refine(
             solved[i] = wanted(solved[i]).min(finest);
             modes[i] = wanted(modes[i]).max(with_more(solved[i], tolerance)).min(with_more(finest, tolerance));
         }
+        fewer = level.counts.clone();
         half_lengths = level.half_lengths.clone();
         before = Some(level);
     }

@@ -8,6 +8,7 @@ mod peak;
 mod point;
 mod pressure;
 mod roots;
+mod strip;
 mod sum;
 mod surface;
 mod waves;

@@ -1,4 +1,5 @@
 //! The largest shear stress: a coarse mesh in every layer, then parabolas through ever closer points around its peaks.
+use super::pressure::Pressure;
 use super::sum::Row;
 use super::waves::{self, Precision};
 use super::{Field, FieldPoint};
@@ -9,6 +10,8 @@ use crate::error::Error;
 const BESIDE: [f64; 6] = [0.0, 0.25, 0.5, 0.8, 1.0, 1.3];
 const BELOW: [f64; 4] = [0.25, 0.5, 0.8, 1.3];
 const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
+/// So many strips of one pressure are looked at one by one.
+const APART: usize = 16;
 /// A half-plane is searched down to so many half-lengths of the longest contact.
 const FAR: f64 = 3.0;
 /// Peaks of the coarse mesh are followed if they reach this part of the highest one, and so many.
@@ -88,11 +91,12 @@ fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
         let body = &field.bodies[own.body];
         let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
         let deepest = field.deepest(stratum);
-        let xs = contacts.iter().flat_map(|contact| BESIDE.map(|part| part * contact.half_length));
+        let xs = contacts.iter().flat_map(beside);
         let mut depths: Vec<f64> = THROUGH.iter().map(|part| part * deepest).collect();
         for (side, contact) in contacts.iter().enumerate() {
             let next_to = if side == 0 { own.place == 0 } else { own.place + 1 == body.layers };
-            let distances = BELOW.map(|part| part * contact.half_length).into_iter();
+            let lengths = [contact.half_length, contact.narrowest()];
+            let distances = lengths.iter().flat_map(|length| BELOW.map(|part| part * length));
             let distances = distances.filter(|distance| next_to && *distance < deepest);
             depths.extend(distances.map(|distance| if side == 0 { distance } else { deepest - distance }));
         }
@@ -123,7 +127,7 @@ fn climb(field: &Field, mut best: Peak, step: f64, precision: &Precision) -> Res
     let stratum = best.stratum;
     let body = &field.bodies[field.strata[stratum].body];
     let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
-    let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.half_length));
+    let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.narrowest()));
     let deepest = field.deepest(stratum);
     let along = step * shortest;
     let across = along.min(0.25 * deepest);
@@ -196,6 +200,16 @@ impl Field {
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
         self.strata[stratum].thickness.unwrap_or(FAR * longest)
     }
+}
+
+/// Places of the coarse mesh for one contact.
+fn beside(contact: &Pressure) -> Vec<f64> {
+    let about =
+        |(at, a): (f64, f64)| [-1.0, 1.0].into_iter().flat_map(move |side| BESIDE.map(|part| at + side * part * a));
+    // of many strips together, which are as good as one, or of one
+    let strips: Vec<(f64, f64)> = contact.strips().filter(|_| contact.strips().count() <= APART).collect();
+    let all = strips.into_iter().chain([(0.0, contact.half_length)]).flat_map(about);
+    all.filter(|x| *x >= 0.0).collect()
 }
 
 fn ascending(mut list: Vec<f64>) -> Vec<f64> {

@@ -69,7 +69,7 @@ impl Field {
                 distance,
                 reflected: (distance + shift).min(2.0 * thickness - distance),
                 left: face.map(|face| [face.size, face.power]),
-                half_length: self.pressures[body.contact + side].half_length,
+                half_length: self.pressures[body.contact + side].narrowest(),
             };
             Some(decay.end(precision, most))
         });

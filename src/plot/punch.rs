@@ -1,10 +1,11 @@
-//! The punch above a stack, and the force on it.
+//! The punch above a stack, and the force on it; or the load in its place.
 use super::canvas::{Anchor, Canvas, Stroke, italic};
 use super::names::{Dimension, unit};
 use super::scale::label;
+use super::stack::{highest, pressure};
 use super::style::{FAINT, INK, SMALL, TEXT};
 use super::target::PlotError;
-use crate::scene::{Force, Scene};
+use crate::scene::{Force, Load, Scene};
 use crate::solution::Contact;
 
 /// Room for the punch and its force, in points.
@@ -36,6 +37,9 @@ impl Punch<'_> {
         let [along, across] = self.scale;
         let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| along * edge);
         let (from, to) = (left.max(self.middle - edge), right.min(self.middle + edge));
+        if let Some(load) = punch.load() {
+            return self.load(load, canvas);
+        }
         let touching = self.contact.map_or(0.0, |contact| contact.half_length);
         let rise = |x: f64| {
             let x = (x - self.middle) / along;
@@ -55,13 +59,40 @@ impl Punch<'_> {
         canvas.text((right + 9.0, self.top - 0.5 * HIGHEST), &punch.label(), SMALL, INK, Anchor::Left)
     }
 
+    /// Pressures as curves, lines as arrows.
+    fn load(&self, load: &Load, canvas: &Canvas) -> Result<(), PlotError> {
+        let (left, right) = self.ends;
+        let curve = self.contact.map_or(Vec::new(), pressure);
+        let most = highest(&curve);
+        let place = |x: f64| (self.middle + self.scale[0] * x).clamp(left, right);
+        if most > 0.0 {
+            let inside = curve.iter().filter(|(_, p)| p.is_finite());
+            let outline = inside.map(|(x, p)| (place(*x), self.top - HIGHEST * p / most));
+            let mut outline: Vec<(f64, f64)> = outline.collect();
+            if let (Some((first, _)), Some((last, _))) = (outline.first().copied(), outline.last().copied()) {
+                outline.insert(0, (first, self.top));
+                outline.push((last, self.top));
+            }
+            canvas.area(&outline, FAINT, 0.8)?;
+            canvas.line(&outline, Stroke { colour: INK, width: 1.0, dash: None })?;
+        }
+        for (at, _, _) in load.parts().into_iter().filter(|(_, _, part)| part.half_width() == 0.0) {
+            for x in [at, -at] {
+                arrow(canvas, place(x), self.top - 3.0, HIGHEST - 3.0)?;
+            }
+        }
+        self.number(canvas)?;
+        canvas.text((right + 9.0, self.top - 0.5 * HIGHEST), &self.scene.punch.label(), SMALL, INK, Anchor::Left)
+    }
+
     fn force(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        arrow(canvas, self.middle, self.top - HIGHEST - 4.0, 18.0)?;
+        self.number(canvas)
+    }
+
+    fn number(&self, canvas: &Canvas) -> Result<(), PlotError> {
         let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
         let tip = self.top - HIGHEST - 4.0;
-        let shaft = Stroke { colour: INK, width: 1.2, dash: None };
-        canvas.line(&[(self.middle, tip - 18.0), (self.middle, tip)], shaft)?;
-        let head = [(self.middle, tip + 3.0), (self.middle - 3.2, tip - 5.0), (self.middle + 3.2, tip - 5.0)];
-        canvas.area(&head, INK, 1.0)?;
         let number = match (self.scene.force, self.contact) {
             (Force::ForHalfLength(_), Some(contact)) => label(contact.resultant),
             (force, _) => label(force.number()),
@@ -69,4 +100,10 @@ impl Punch<'_> {
         let force = format!("{} = {number}{line_load}", italic("P"));
         canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)
     }
+}
+
+/// An arrow that points down to a tip.
+fn arrow(canvas: &Canvas, x: f64, tip: f64, length: f64) -> Result<(), PlotError> {
+    canvas.line(&[(x, tip - length), (x, tip)], Stroke { colour: INK, width: 1.2, dash: None })?;
+    canvas.area(&[(x, tip + 3.0), (x - 3.2, tip - 5.0), (x + 3.2, tip - 5.0)], INK, 1.0)
 }

@@ -45,7 +45,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let bottom = drawing.top + scale * total + if rigid { 12.0 } else { BASE };
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
-    let peaks = contacts.iter().map(|contact| format!("12345678{}", short(contact.peak_pressure)));
+    let peaks = contacts.iter().map(|contact| format!("1234567890{}", short(contact.peak_pressure)));
     let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
     svg(SIDES.0 + WIDTH + right, height, |canvas| {
@@ -224,11 +224,7 @@ impl Drawing<'_> {
             half = longest / FILLED;
         }
         // an infinite pressure is drawn as far as its curve goes
-        let drawn = |contact: &Contact| pressure(contact).into_iter().map(|(_, p)| p).fold(0.0, f64::max);
-        let highest = self
-            .contacts
-            .iter()
-            .map(|contact| Some(contact.peak_pressure).filter(|p| p.is_finite()).unwrap_or_else(|| drawn(contact)));
+        let highest = self.contacts.iter().map(|contact| highest(&pressure(contact)));
         let (left, right) = self.ends();
         let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
             points: pressure(contact),
@@ -254,12 +250,17 @@ impl Drawing<'_> {
 }
 
 /// The pressure of a contact, denser towards its ends, where it falls like a root.
-fn pressure(contact: &Contact) -> Vec<(f64, f64)> {
+pub(super) fn pressure(contact: &Contact) -> Vec<(f64, f64)> {
     let at = |i: usize| {
         let x = -contact.half_length * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
         (x, contact.pressure(x))
     };
     (0..=POINTS).map(at).collect()
+}
+
+/// The highest point of a curve, where it is finite.
+pub(super) fn highest(curve: &[(f64, f64)]) -> f64 {
+    curve.iter().map(|(_, p)| *p).filter(|p| p.is_finite()).fold(0.0, f64::max)
 }
 
 /// Four digits.

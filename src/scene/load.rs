@@ -5,6 +5,8 @@ use recede_layers::Positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::loads::{Loads, Part};
+use super::write::written;
 use crate::error::Error;
 
 /// A pressure on the top face that is given, symmetric about x = 0, with the force as its resultant.
@@ -37,9 +39,37 @@ pub enum Load {
         /// Half-width of the loaded strip, in length.
         half_width: Positive,
     },
+    /// Several of these at once, each at a distance from x = 0 and, beyond 0, with its mirror image.
+    ///
+    /// The force is divided among them in the ratio of their shares, a share being that of both images together. They may
+    /// overlap.
+    Several(Loads),
 }
 
 impl Load {
+    /// Several loads at once: for each the distance ≥ 0 of its middle from x = 0, in length, beyond which it has a mirror
+    /// image; its share > 0 of the force, in relation to the others; and what it is.
+    ///
+    /// ```
+    /// use recede::Load;
+    /// let wheels = Load::several(&[(0.7, 1.0, Load::uniform(0.1)?)])?; // one on each side, half of the force each
+    /// assert_eq!(wheels.to_string(), "Several([(at: 0.7, share: 1.0, load: Uniform(half_width: 0.1))])");
+    /// assert!((wheels.half_width() - 0.8).abs() < 1e-15);
+    /// assert_eq!(wheels.peak_pressure(1.0), 0.0);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if a number is not legal, [`Error::Loads`] if there are none or too many, or if one of them is
+    /// itself several.
+    pub fn several(loads: &[(f64, f64, Self)]) -> Result<Self, Error> {
+        let part = |(at, share, load): &(f64, f64, Self)| {
+            Ok(Part { at: Error::checked("at", *at)?, share: Error::checked("share", *share)?, load: load.clone() })
+        };
+        let parts: Vec<Part> = loads.iter().map(part).collect::<Result<_, Error>>()?;
+        Ok(Self::Several(parts.try_into()?))
+    }
+
     /// The same pressure everywhere on |x| < half_width, > 0, in length.
     ///
     /// # Errors
@@ -64,14 +94,22 @@ impl Load {
         Ok(Self::Elliptic { half_width: Error::checked("half_width", half_width)? })
     }
 
-    /// Half-width of the loaded strip, in length; 0 of a line.
+    /// Half-width of what is loaded, in length; 0 of a line. Of several loads, as far as the farthest of them reaches.
     pub fn half_width(&self) -> f64 {
         match self {
             Self::Line => 0.0,
             Self::Uniform { half_width } | Self::Parabolic { half_width } | Self::Elliptic { half_width } => {
                 half_width.get()
             }
+            Self::Several(loads) => {
+                loads.parts().into_iter().fold(0.0, |reach, (at, _, load)| reach.max(at + load.half_width()))
+            }
         }
+    }
+
+    /// Whether some of the force presses on lines, where the pressure is infinite.
+    pub fn has_lines(&self) -> bool {
+        self.parts().into_iter().any(|(_, _, load)| *load == Self::Line)
     }
 
     /// Pressure at x = 0 for a force; infinite on a line.
@@ -82,33 +120,41 @@ impl Load {
             Self::Uniform { .. } => mean,
             Self::Parabolic { .. } => 1.5 * mean,
             Self::Elliptic { .. } => 4.0 / std::f64::consts::PI * mean,
+            Self::Several(loads) => {
+                let part = |(at, share, load): (f64, f64, &Self)| match load.half_width() {
+                    0.0 if at == 0.0 => f64::INFINITY,
+                    a if at <= a => share * load.peak_pressure(force) * load.relative(at / a),
+                    _ => 0.0,
+                };
+                loads.parts().into_iter().map(part).sum()
+            }
         }
     }
 
-    /// y_m of p̂(λ) = (2P/λa) Σ y_m J_(2m+1)(λa), y_0 = 1, a the half-width: the first `count` of them.
-    pub(crate) fn modes(&self, count: usize) -> Vec<f64> {
-        let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let mode = |m: usize| match self {
-            Self::Line | Self::Elliptic { .. } => f64::from(u8::from(m == 0)),
-            Self::Uniform { .. } => sign(m),
-            Self::Parabolic { .. } => {
-                let j = (2 * m + 1) as f64;
-                -3.0 * sign(m) / (j * j - 4.0)
-            }
-        };
-        (0..count).map(mode).collect()
+    /// Pressure at a distance from the middle of the loaded strip, in half-widths, over that in the middle: where it
+    /// jumps, the mean of both sides.
+    fn relative(&self, s: f64) -> f64 {
+        match self {
+            Self::Uniform { .. } if s == 1.0 => 0.5,
+            Self::Parabolic { .. } => 1.0 - s * s,
+            Self::Elliptic { .. } => (1.0 - s * s).sqrt(),
+            _ => 1.0,
+        }
+    }
+
+    /// What it consists of: distances from x = 0, parts of the force with mirror images included, and loads that are no
+    /// longer several.
+    pub(crate) fn parts(&self) -> Vec<(f64, f64, &Self)> {
+        match self {
+            Self::Several(loads) => loads.parts(),
+            one => vec![(0.0, 1.0, one)],
+        }
     }
 }
 
 impl fmt::Display for Load {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self {
-            Self::Line => return f.write_str("Line"),
-            Self::Uniform { .. } => "Uniform",
-            Self::Parabolic { .. } => "Parabolic",
-            Self::Elliptic { .. } => "Elliptic",
-        };
-        write!(f, "{name}(half_width: {:?})", self.half_width())
+        written(self, f)
     }
 }

@@ -186,6 +186,9 @@ fn add(path: &str, owner: Owner, text: &str, value: &str, slots: &mut Vec<(Strin
     for (name, inner) in fields(value) {
         add(&format!("{path}.{name}"), owner, text, inner, slots);
     }
+    for (index, inner) in elements(value).into_iter().enumerate() {
+        add(&format!("{path}[{}]", index + 1), owner, text, inner, slots);
+    }
 }
 
 /// The text of one field of a structure.
@@ -197,6 +200,15 @@ pub(super) fn field<'a>(text: &'a str, name: &str) -> Option<&'a str> {
 fn fields(text: &str) -> Vec<(String, &str)> {
     let rest = name_and_rest(text).map_or(text, |(_, rest)| rest);
     read_ron::<Fields>(rest).map_or_else(|_| Vec::new(), |Fields(fields)| fields)
+}
+
+/// The elements of a list as written, with or without a name and parentheses about it.
+fn elements(text: &str) -> Vec<&str> {
+    let list = match name_and_rest(text) {
+        Some((_, rest)) => read_ron::<(Vec<&RawValue>,)>(rest).map(|(list,)| list),
+        None => read_ron::<Vec<&RawValue>>(text),
+    };
+    list.map_or_else(|_| Vec::new(), |list| list.into_iter().map(RawValue::get_ron).collect())
 }
 
 /// Fields with the text of their values.

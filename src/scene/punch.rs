@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::heights::{Heights, PolynomialHeights};
 use super::load::Load;
 use super::shape::{Piece, Shape};
+use super::write::written;
 use crate::error::Error;
 
 /// A frictionless punch with its tip at x = 0, rigid unless it says otherwise.
@@ -245,13 +246,7 @@ impl fmt::Display for Punch {
         if let Self::Given(load) = self {
             return load.fmt(f);
         }
-        let style = ron::ser::PrettyConfig::new()
-            .compact_structs(true)
-            .compact_arrays(true)
-            .extensions(ron::extensions::Extensions::UNWRAP_VARIANT_NEWTYPES);
-        let text = ron::ser::to_string_pretty(self, style).map_err(|_| fmt::Error)?;
-        // extensions are announced in a first line
-        f.write_str(text.rsplit('\n').next().unwrap_or(&text))
+        written(self, f)
     }
 }
 

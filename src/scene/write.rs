@@ -1,5 +1,7 @@
 //! A scene as text, to be read again.
-use std::fmt::Write;
+use std::fmt::{self, Write};
+
+use serde::Serialize;
 
 use super::Scene;
 
@@ -43,6 +45,17 @@ impl Scene {
         }
         text + "    ],\n)\n"
     }
+}
+
+/// Writes a punch or a load as it stands in a scene, in one line.
+pub(super) fn written(value: &impl Serialize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let style = ron::ser::PrettyConfig::new()
+        .compact_structs(true)
+        .compact_arrays(true)
+        .extensions(ron::extensions::Extensions::UNWRAP_VARIANT_NEWTYPES);
+    let text = ron::ser::to_string_pretty(value, style).map_err(|_| fmt::Error)?;
+    // extensions are announced in a first line
+    f.write_str(text.rsplit('\n').next().unwrap_or(&text))
 }
 
 /// A text in double quotes, whatever it contains.

@@ -212,7 +212,8 @@ mod tests {
         scene.force = Force::Given(1e-3 * (1.0 + 1e-6));
         assert!(wrong(&scene, solution).unwrap().ends_with("at contact punch"));
         let mut pulling = solution.contacts()[0].clone();
-        pulling.coefficients = vec![pulling.coefficients[0], -pulling.coefficients[0]];
+        let first = pulling.strips[0].coefficients[0];
+        pulling.strips[0].coefficients = vec![first, -first];
         scene.force = pulling.resultant.into();
         assert!(wrong_contact(&scene, &pulling).unwrap().starts_with("a pull of"));
         pulling.peak_pressure_error = f64::NAN;

@@ -14,7 +14,7 @@ use faer::linalg::solvers::Solve;
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::solution::{Contact, Interface, Solution, Stats};
+use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
 use super::galerkin::alternating;
 use super::newton::not_converged;
@@ -224,9 +224,7 @@ impl Problem<'_> {
                 peak_pressure,
                 peak_pressure_error,
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
-                found: coefficients.len(),
-                extent: half_length,
-                coefficients,
+                strips: vec![Strip::series(half_length, coefficients, nodes.half())],
             });
         }
         Ok(Solution {

@@ -1,0 +1,271 @@
+//! The pressure on one strip, about its middle: its transform, and potentials in closed form.
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+
+use num_complex::Complex64;
+
+use super::pressure::Potentials;
+use crate::numeric::bessel;
+use crate::solution::{Form, Strip};
+
+/// Terms of the potentials below this part of the largest one are left out.
+const NEGLIGIBLE: f64 = 1e-18;
+
+/// Terms of the series that are together below this part of the largest one change nothing.
+const ROUNDED: f64 = 1e-16;
+
+/// p(x) = Σ c_j sin jφ, x = a cos φ, j = 2m + 1.
+#[derive(Clone, Debug)]
+pub(super) struct Image {
+    pub(super) half_length: f64,
+    /// (−1)^m c_j.
+    series: Vec<f64>,
+    /// How many terms are felt farther off than where they are smooth.
+    felt: usize,
+    form: Form,
+}
+
+impl Image {
+    pub(super) fn new(strip: &Strip) -> Self {
+        let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let series = strip.coefficients.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
+        Self { half_length: strip.extent, series, felt: strip.found, form: strip.form }.truncated(ROUNDED)
+    }
+
+    /// Without the last terms of the series, as long as together they stay below this part of the largest one. The
+    /// resultant remains.
+    pub(super) fn truncated(&self, part: f64) -> Self {
+        if self.form != Form::Series {
+            return self.clone();
+        }
+        let largest = self.series.iter().fold(0.0, |a: f64, c| a.max(c.abs()));
+        let mut left_out = 0.0;
+        let mut keep = self.series.len();
+        while keep > 1 {
+            left_out += self.series[keep - 1].abs();
+            if left_out > part * largest {
+                break;
+            }
+            keep -= 1;
+        }
+        Self { series: self.series[..keep].to_vec(), felt: self.felt.min(keep), ..*self }
+    }
+
+    /// The resultant P = p̂(0).
+    pub(super) fn resultant(&self) -> f64 {
+        FRAC_PI_2 * self.half_length * self.series.first().copied().unwrap_or(0.0)
+    }
+
+    /// p̂ − P at some wavenumbers, eq. (22): O(λ²), with all its digits.
+    pub(super) fn excesses(&self, wavenumbers: &[f64]) -> Vec<f64> {
+        let resultant = self.resultant();
+        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
+        let each = |deficit: fn(f64) -> f64| arguments.iter().map(|z| resultant * deficit(*z)).collect();
+        match self.form {
+            Form::Line => each(|_| 0.0),
+            Form::Uniform => each(bessel::sinc_deficit),
+            Form::Parabolic => each(bessel::spherical_jinc_deficit),
+            Form::Series => {
+                let n = arguments.len();
+                let felt = &self.series[..self.felt.min(self.series.len())];
+                let mut bessel = vec![0.0; 2 * felt.len() * n];
+                bessel::table(2 * felt.len(), &arguments, &mut bessel);
+                let at = |i: usize| {
+                    let higher = felt.iter().enumerate().skip(1);
+                    let sum: f64 = higher.map(|(m, c)| (2 * m + 1) as f64 * c * bessel[(2 * m + 1) * n + i]).sum();
+                    resultant * bessel::jinc_deficit_from(arguments[i], bessel[n + i]) + PI * sum / wavenumbers[i]
+                };
+                (0..n).map(at).collect()
+            }
+        }
+    }
+
+    /// w = √(z² + 1) − z with z = (d − ix)/a, and the root: ∫ J_j(λa) e^(−λaz) dλ/λ = wʲ/j.
+    fn map(&self, x: f64, depth: f64) -> (Complex64, Complex64, Complex64) {
+        let z = Complex64::new(depth, -x) / self.half_length;
+        let root = (z * z + 1.0).sqrt();
+        // the branch on which w is inside the unit circle
+        let root = if root.re * z.re + root.im * z.im < 0.0 { -root } else { root };
+        (z, root, (z + root).inv())
+    }
+
+    /// How many terms of the series matter where powers of w² fall as fast as this, and whether there are as many.
+    fn terms(&self, square: Complex64) -> (usize, bool) {
+        let falls = square.norm().ln();
+        let most = self.series.len();
+        let enough = if falls < 0.0 { (NEGLIGIBLE.ln() / falls) as usize + 1 } else { usize::MAX };
+        (most.min(enough), enough <= most)
+    }
+
+    /// The potentials at a depth, eq. (25). G_1 and G_2 are infinite at the ends of the strip.
+    pub(super) fn potentials(&self, x: f64, depth: f64) -> Potentials {
+        let (z, root, w) = self.map(x, depth);
+        let square = w * w;
+        let (terms, enough) = self.terms(square);
+        if let (false, Some(closed)) = (enough, self.closed(z)) {
+            return closed.potentials;
+        }
+        let mut sums = [Complex64::ZERO; 3];
+        for (m, c) in self.series[..terms].iter().enumerate().rev() {
+            let order = (2 * m + 1) as f64;
+            sums[0] = sums[0] * square + c;
+            sums[1] = sums[1] * square + order * c;
+            sums[2] = sums[2] * square + order * order * c;
+        }
+        let [zeroth, first, second] = sums.map(|sum| sum * w);
+        let over = root.inv();
+        let a = self.half_length;
+        Potentials([zeroth, first * over / a, (second + z * first * over) * over * over / (a * a)])
+    }
+
+    /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
+    pub(super) fn integral(&self, x: f64, depth: f64) -> Complex64 {
+        let (z, _, w) = self.map(x, depth);
+        let square = w * w;
+        let (terms, enough) = self.terms(square);
+        if let (false, Some(closed)) = (enough, self.closed(z)) {
+            return closed.integral;
+        }
+        let mut sum = Complex64::ZERO;
+        for m in (0..terms).rev() {
+            let next = self.series.get(m + 1).copied().unwrap_or(0.0);
+            sum = sum * square + (self.series[m] + next) / (2 * m + 2) as f64;
+        }
+        let first = self.series.first().copied().unwrap_or(0.0);
+        0.5 * self.half_length * (sum * square + first * w.ln())
+    }
+
+    /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink: below
+    /// eq. (26).
+    fn closed(&self, z: Complex64) -> Option<Closed> {
+        let (upper, lower) = (logarithm(z + Complex64::I), logarithm(z - Complex64::I));
+        // arccot z, ln (z² + 1)
+        let (angle, both) = (-0.5 * Complex64::I * (upper - lower), upper + lower);
+        let (a, resultant) = (self.half_length, self.resultant());
+        let square = z * z + 1.0;
+        let (factor, potentials, integral) = match self.form {
+            Form::Uniform => {
+                let unit = resultant / (PI * a);
+                let potentials = [angle, square.inv() / a, 2.0 * z / (square * square) / (a * a)];
+                (unit, potentials, -z * angle - 0.5 * both + (1.0 - LN_2))
+            }
+            Form::Parabolic => {
+                let unit = 1.5 * resultant / (PI * a);
+                let potentials =
+                    [square * angle - z, 2.0 * (1.0 - z * angle) / a, 2.0 * (angle - z / square) / (a * a)];
+                let integral = -z * (1.0 + z * z / 3.0) * angle - both / 3.0 + z * z / 3.0;
+                (unit, potentials, integral + (8.0 / 9.0 - 2.0 / 3.0 * LN_2))
+            }
+            Form::Series | Form::Line => return None,
+        };
+        Some(Closed {
+            potentials: Potentials(potentials.map(|potential| factor * potential)),
+            integral: factor * a * integral,
+        })
+    }
+}
+
+/// Potentials in closed form.
+struct Closed {
+    potentials: Potentials,
+    integral: Complex64,
+}
+
+/// ln z, finite at 0.
+fn logarithm(z: Complex64) -> Complex64 {
+    if z == Complex64::ZERO { Complex64::new(f64::MIN_POSITIVE.ln(), 0.0) } else { z.ln() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn image(form: Form) -> Image {
+        let (at, extent) = (0.0, 0.7);
+        let order = |m: usize| (2 * m + 1) as f64;
+        let coefficients = match form {
+            Form::Line | Form::Series => vec![1.3, -0.4, -0.1, -0.02],
+            Form::Uniform => (0..64).map(|m| 1.3 / order(m)).collect(),
+            Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
+        };
+        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, form })
+    }
+
+    const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
+
+    #[test]
+    fn potentials_are_integrals_of_the_transform() {
+        let rule = crate::numeric::quadrature::rule(64);
+        let places = [(0.0, 0.5), (0.3, 0.9), (0.7, 0.4), (1.9, 0.6)];
+        for (form, (x, depth)) in FORMS.into_iter().flat_map(|form| places.map(|place| (form, place))) {
+            let image = image(form);
+            let mut sums = [Complex64::ZERO; 3];
+            for panel in 0..20 {
+                let (wavenumbers, weights): (Vec<f64>, Vec<f64>) =
+                    rule.on(5.0 * f64::from(panel), 5.0 * f64::from(panel + 1)).unzip();
+                for ((l, weight), excess) in wavenumbers.iter().zip(weights).zip(image.excesses(&wavenumbers)) {
+                    let p = image.resultant() + excess;
+                    let wave = Complex64::new(-l * depth, l * x).exp() * (weight * p / PI);
+                    sums[0] += wave;
+                    sums[1] += wave * l;
+                    sums[2] += wave * l * l;
+                }
+            }
+            let Potentials(found) = image.potentials(x, depth);
+            for (found, expected) in found.iter().zip(sums) {
+                assert!((found - expected).norm() < 1e-12 * expected.norm().max(1.0), "{x} {depth} {found} {expected}");
+            }
+            // the integral of G_0 over the depth
+            let step = 1e-4;
+            let slope = (image.integral(x, depth + step) - image.integral(x, depth - step)) / (2.0 * step);
+            assert!((slope + found[0]).norm() < 1e-7);
+        }
+    }
+
+    #[test]
+    fn on_the_face_the_potential_is_the_pressure() {
+        for (s, inside) in [(0.0, true), (0.5, true), (0.99, true), (1.01, false), (30.0, false)] {
+            for form in FORMS {
+                let image = image(form);
+                let x = s * image.half_length;
+                let Potentials([zeroth, ..]) = image.potentials(x, 0.0);
+                let phi = s.min(1.0).acos();
+                let sum = image.series.iter().enumerate().map(|(m, c)| {
+                    let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+                    sign * c * ((2 * m + 1) as f64 * phi).sin()
+                });
+                let mean = 0.5 * image.resultant() / image.half_length;
+                let expected = match form {
+                    _ if !inside => 0.0,
+                    Form::Uniform => mean,
+                    Form::Parabolic => 1.5 * mean * (1.0 - s * s),
+                    Form::Line | Form::Series => sum.sum(),
+                };
+                assert!((zeroth.re - expected).abs() < 1e-14, "{form:?} {s}: {} {expected}", zeroth.re);
+            }
+        }
+    }
+
+    #[test]
+    fn series_and_closed_forms_are_one() {
+        // where 64 terms are just enough
+        for form in [Form::Uniform, Form::Parabolic] {
+            let image = image(form);
+            for (x, depth) in [(0.0, 0.25), (0.9, 0.01), (0.6, 0.3)] {
+                let (z, _, w) = image.map(x, depth);
+                assert!(image.terms(w * w).1);
+                let closed = image.closed(z).unwrap();
+                let (Potentials(found), Potentials(expected)) = (image.potentials(x, depth), closed.potentials);
+                for (found, expected) in
+                    found.iter().zip(expected).chain([(&image.integral(x, depth), closed.integral)])
+                {
+                    assert!(
+                        (found - expected).norm() < 1e-13 * (1.0 + expected.norm()),
+                        "{form:?} {x} {found} {expected}"
+                    );
+                }
+            }
+            let edge = image.potentials(image.half_length, 0.0);
+            assert!(edge.0[0].re.is_finite() && image.integral(image.half_length, 0.0).is_finite());
+        }
+    }
+}
