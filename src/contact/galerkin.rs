@@ -14,14 +14,16 @@ use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
-use faer::reborrow::ReborrowMut;
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 use crate::numeric::buffer::Buffer;
 
 use super::basis::{Basis, times};
 use super::layout::Layout;
 use super::tail::Weights;
+
+/// Modes of a small block.
+const SMALL: usize = 24;
 
 /// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
@@ -63,12 +65,13 @@ pub(super) struct Equations<'a> {
 /// Columns of a matrix, one after the other.
 struct Columns {
     rows: usize,
+    columns: usize,
     values: Buffer,
 }
 
 impl Columns {
     fn new(rows: usize, columns: usize) -> Self {
-        Self { rows, values: Buffer::any(rows * columns) }
+        Self { rows, columns, values: Buffer::any(rows * columns) }
     }
 
     fn column(&self, m: usize) -> &[f64] {
@@ -77,6 +80,10 @@ impl Columns {
 
     fn column_mut(&mut self, m: usize) -> &mut [f64] {
         &mut self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    fn whole(&mut self) -> MatMut<'_, f64> {
+        MatMut::from_column_major_slice_mut(&mut self.values, self.rows, self.columns)
     }
 
     fn first(&self, columns: usize) -> MatRef<'_, f64> {
@@ -171,7 +178,7 @@ impl<'a> Equations<'a> {
             let weighted_values = weighted(&self.layout.own[i].unit, self.modes[i], |m| basis.value(m));
             let mut gram = symmetric_product(basis.values(self.modes[i]), &weighted_values);
             for m in 0..self.modes[i] {
-                gram[(m, m)] += self.cauchy(i, m);
+                gram.column_mut(m)[m] += self.cauchy(i, m);
             }
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
         }
@@ -191,12 +198,12 @@ impl<'a> Equations<'a> {
             let gram = symmetric_product(lower, &weighted_lower);
             self.add_symmetric(&mut matrix, &gram, |_| i + 1..i + 2);
             let gram = product(difference, &weighted_lower);
-            for m in 0..gram.nrows() {
-                for n in 0..gram.ncols() {
-                    let column = self.place(i + 1, n);
+            for n in 0..self.modes[i + 1] {
+                let column = self.place(i + 1, n);
+                for (m, value) in gram.column(n).iter().enumerate() {
                     for k in self.chain(i, m) {
                         let row = self.place(k, m);
-                        matrix[(row.max(column), row.min(column))] -= gram[(m, n)];
+                        matrix[(row.max(column), row.min(column))] -= value;
                     }
                 }
             }
@@ -205,15 +212,15 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds a symmetric block (its lower half) to the modes of all contacts in the chain of its own.
-    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Mat<f64>, chain: impl Fn(usize) -> Range<usize>) {
-        for n in 0..block.ncols() {
+    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Columns, chain: impl Fn(usize) -> Range<usize>) {
+        for n in 0..block.rows {
             let columns = chain(n);
-            for m in n..block.nrows() {
+            for m in n..block.rows {
                 let rows = chain(m);
                 for row in rows.clone().map(|i| self.place(i, m)) {
                     for column in columns.clone().map(|i| self.place(i, n)) {
                         if row >= column {
-                            matrix[(row, column)] += block[(m, n)];
+                            matrix[(row, column)] += block.column(n)[m];
                         }
                     }
                 }
@@ -388,18 +395,22 @@ fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b
 }
 
 /// leftᵀ right.
-fn product(left: MatRef<'_, f64>, right: &Columns) -> Mat<f64> {
-    let right = right.first(right.values.len() / right.rows);
-    let mut product = Mat::zeros(left.ncols(), right.ncols());
-    matmul(product.as_mut(), Accum::Replace, left.transpose(), right, 1.0, Par::Seq);
+fn product(left: MatRef<'_, f64>, right: &Columns) -> Columns {
+    let right = right.first(right.columns);
+    let mut product = Columns::new(left.ncols(), right.ncols());
+    matmul(product.whole(), Accum::Replace, left.transpose(), right, 1.0, Par::Seq);
     product
 }
 
-/// leftᵀ right where that is symmetric, its lower half.
-fn symmetric_product(left: MatRef<'_, f64>, right: &Columns) -> Mat<f64> {
-    let mut product = Mat::zeros(left.ncols(), left.ncols());
+/// leftᵀ right where that is symmetric, its lower half at least.
+fn symmetric_product(left: MatRef<'_, f64>, right: &Columns) -> Columns {
+    // what half of a small product saves is less than what it takes
+    if left.ncols() <= SMALL {
+        return product(left, right);
+    }
+    let mut product = Columns::new(left.ncols(), left.ncols());
     triangular::matmul(
-        product.as_mut().rb_mut(),
+        product.whole(),
         BlockStructure::TriangularLower,
         Accum::Replace,
         left.transpose(),

@@ -253,13 +253,13 @@ impl Layout {
             }
             let panel = plan.kernel.panels().get(panel);
             let next = panel.map_or(2.0 * edge, |panel| panel.to);
-            let mut cuts = vec![edge];
-            cuts.extend(plan.reaches.iter().chain(&plan.coupled).copied().filter(|&r| edge < r && r < next));
-            cuts.push(next);
-            cuts.sort_by(f64::total_cmp);
-            cuts.dedup();
-            for pair in cuts.windows(2) {
-                self.stretch(plan, panel, pair[0], pair[1]);
+            // ends within the panel, in order
+            let mut from = edge;
+            while from < next {
+                let ends = plan.reaches.iter().chain(&plan.coupled).copied();
+                let to = ends.filter(|&end| from < end && end < next).fold(next, f64::min);
+                self.stretch(plan, panel, from, to);
+                from = to;
             }
             edge = next;
         }

@@ -48,7 +48,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, solved, shift, unsettled, rounding, waves } = found;
+        let Converged { half_lengths, mut modes, solved, shift, whole, unsettled, rounding, waves } = found;
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -70,8 +70,8 @@ impl Level {
             // an infinite pressure is known, and others are judged by that of a mean pressure
             let size = if peak.is_finite() { peak.abs() } else { PI.recip() };
             // half-lengths feel what is missing squared, and no more than pressures do; but where a known load falls
-            // slowly, only what it meets of the kernels falls fast
-            let power = if local.is_some() { 1 } else { 2 };
+            // slowly, only what it meets of the kernels falls fast, and contacts that are tied together feel no less
+            let power = if local.is_some() || whole[i] { 1 } else { 2 };
             let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(power);
             let beyond_length = (shift[i].abs() * further).min(beyond / (PI * size));
             let length = beyond_length + unsettled[i][0] + negligible + ROUNDING + rounding[i];
@@ -90,6 +90,14 @@ impl Level {
             // compared with that of a mean pressure where there is hardly any in the middle
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
+        }
+        // contacts that are tied together feel what each of them misses
+        for run in (0..errors.len()).collect::<Vec<_>>().chunk_by(|i, k| whole[*i] && whole[*k]) {
+            let worst = run.iter().map(|i| errors[*i][0]).fold(0.0, f64::max);
+            for i in run {
+                errors[*i][1] += 3.0 * (worst - errors[*i][0]);
+                errors[*i][0] = worst;
+            }
         }
         if punch.given().is_some() {
             // nothing of it is unknown

@@ -32,8 +32,8 @@ const DIVERGED: f64 = 1e-2;
 const UNKNOWN: f64 = 1e-4;
 /// A round is taken to leave at least this part of what it changed.
 const LEAST_LEFT: f64 = 0.1;
-/// What is left of a step no longer than this does not matter to the first steps.
-const QUADRATIC: f64 = 1e-4;
+/// What Newton's method may leave in the logarithms of the half-lengths before the rounds.
+const QUADRATIC: f64 = 1e-7;
 /// Half-lengths may move by the root of a thousandth of the tolerance before tables are made anew, with so many modes.
 const FEW: usize = 8;
 /// Changes below this are rounding.
@@ -56,6 +56,8 @@ pub(super) struct Converged {
     pub(super) solved: Vec<usize>,
     /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
     pub(super) shift: Vec<f64>,
+    /// Whether all modes were solved for.
+    pub(super) whole: Vec<bool>,
     /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
     pub(super) unsettled: Vec<[f64; 2]>,
     /// What rounding may change in the logarithms of the half-lengths.
@@ -72,6 +74,7 @@ impl Converged {
             modes: vec![vec![1.0]],
             solved: vec![1],
             shift: vec![0.0],
+            whole: vec![false],
             unsettled: vec![[0.0; 2]],
             rounding: vec![0.0],
             waves: None,
@@ -121,16 +124,22 @@ impl Newton<'_> {
         let linked = ties(self.kernel, &half_lengths);
         go(&mut half_lengths, &step);
         half_lengths[0] = self.punch.within(before, half_lengths[0]);
-        if longest(&step) > QUADRATIC {
-            // one more step with the same derivatives
-            linearised.follow(&mut all, &step);
+        // and on with the same derivatives, as far as these shorten the steps
+        let (first, mut last) = (longest(&step), longest(&step));
+        linearised.follow(&mut all, &step);
+        while first * last > QUADRATIC {
             let bases = self.bases(&layout, &half_lengths, modes);
             let slopes = self.punch.slopes(half_lengths[0], modes[0]);
             let equations = Equations::new(&layout, &bases, modes, &linked);
             self.work.step();
-            let found = linearised.settle(&equations, &slopes, &Drift::default(), &mut all);
+            let step = linearised.settle(&equations, &slopes, &Drift::default(), &mut all).step;
+            if longest(&step) > 0.5 * last {
+                break;
+            }
+            last = longest(&step);
+            linearised.follow(&mut all, &step);
             let before = half_lengths[0];
-            go(&mut half_lengths, &found.step);
+            go(&mut half_lengths, &step);
             half_lengths[0] = self.punch.within(before, half_lengths[0]);
         }
         Ok((half_lengths, all))
@@ -160,6 +169,7 @@ impl Newton<'_> {
             if found.solved[i] == found.modes[i].len() {
                 found.shift[i] = (found.half_lengths[i] / half_lengths[i]).ln();
                 found.solved[i] = found.solved[i].min(*fewer);
+                found.whole[i] = true;
             }
         }
         Ok(found)
@@ -269,9 +279,8 @@ impl Newton<'_> {
             let rounding = end.linearised.rounding;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
             let (half_lengths, modes) = (end.half_lengths, end.pressures.modes);
-            let found =
-                Converged { half_lengths, modes, solved: solved.to_vec(), shift, unsettled, rounding, waves: None };
-            return Ok((found, true));
+            let (solved, whole, waves) = (solved.to_vec(), vec![false; n], None);
+            return Ok((Converged { half_lengths, modes, solved, shift, whole, unsettled, rounding, waves }, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
@@ -297,8 +306,8 @@ impl Newton<'_> {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
         let waves = responses.map(|responses| (layout, responses));
-        let solved = solved.to_vec();
-        Ok((Converged { half_lengths, modes: all, solved, shift, unsettled, rounding, waves }, settled))
+        let (solved, whole) = (solved.to_vec(), vec![false; n]);
+        Ok((Converged { half_lengths, modes: all, solved, shift, whole, unsettled, rounding, waves }, settled))
     }
 
     /// Newton's method until what would be left of the next step is below `enough`.

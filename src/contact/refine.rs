@@ -102,9 +102,6 @@ pub(super) fn refine(
                 return Ok((level, warnings));
             }
         };
-        if level.settled.iter().all(|settled| *settled) {
-            admissible::pushes(kernel, interfaces, &level)?;
-        }
         if level.worst_error() <= tolerance {
             if options.tolerance < BEST {
                 warnings.push(format!(
@@ -113,6 +110,9 @@ pub(super) fn refine(
                 ));
             }
             return Ok((level, warnings));
+        }
+        if level.settled.iter().all(|settled| *settled) {
+            admissible::pushes(kernel, interfaces, &level)?;
         }
         let error = |i: usize| level.errors[i][0].max(level.errors[i][1]);
         let enough = |i: usize| error(i) <= 0.1 * tolerance;

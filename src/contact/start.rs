@@ -63,10 +63,10 @@ fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, Error> {
         }
         last = missing.is_finite().then_some((x, missing));
         let next = x + missing / slope;
-        let next = if low < next && next < high { next } else { 0.5 * (low + high) };
-        let step = (next - x).abs();
-        x = next;
-        if step < FOUND {
+        let inside = low < next && next < high;
+        let found = inside && (next - x).abs() < FOUND;
+        x = if inside { next } else { 0.5 * (low + high) };
+        if found {
             break;
         }
     }

@@ -48,6 +48,15 @@ fn powers(contacts: usize, component: usize) -> i32 {
     }
 }
 
+/// ζ to one of these powers.
+fn power(zeta: f64, power: i32) -> f64 {
+    match power {
+        0 => 1.0,
+        1 => zeta,
+        _ => zeta * zeta * zeta,
+    }
+}
+
 /// Adds panels for [from, to], halved until every component is resolved.
 pub(super) fn resolve(
     chains: &Chains,
@@ -77,7 +86,7 @@ impl Panel {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
             chains.sample(zeta, wanted, &mut sample, work)?;
             for (c, value) in sample.iter().enumerate() {
-                values[c][k] = value * zeta.powi(powers(contacts, c));
+                values[c][k] = value * power(zeta, powers(contacts, c));
             }
         }
         let (coupled, excess, couplings) = Default::default();
@@ -94,9 +103,9 @@ impl Panel {
     /// Adds a flexibility that is the same for all wavenumbers to contact 0.
     pub(super) fn add_to_first(&mut self, flexibility: f64) {
         for component in [0, self.contacts] {
-            let power = powers(self.contacts, component);
+            let exponent = powers(self.contacts, component);
             for ((zeta, _), value) in quadrature::rule(POINTS).on(self.from, self.to).zip(&mut self.values[component]) {
-                *value += flexibility * zeta.powi(power);
+                *value += flexibility * power(zeta, exponent);
             }
         }
     }
@@ -122,17 +131,17 @@ impl Panel {
 
     /// The largest value of a component less `limit`, on the Gauss points.
     fn largest(&self, component: usize, limit: f64) -> f64 {
-        let power = powers(self.contacts, component);
+        let exponent = powers(self.contacts, component);
         let nodes = quadrature::rule(POINTS).on(self.from, self.to);
-        let values = nodes.zip(&self.values[component]).map(|((zeta, _), value)| value / zeta.powi(power) - limit);
+        let values = nodes.zip(&self.values[component]).map(|((zeta, _), value)| value / power(zeta, exponent) - limit);
         values.fold(0.0, |largest, value| largest.max(value.abs()))
     }
 
     /// The largest wavenumber at which the kernel of contact `i` differs from `limit` by more than `little`.
     pub(super) fn last_above(&self, i: usize, limit: f64, little: f64) -> Option<f64> {
-        let power = powers(self.contacts, i);
+        let exponent = powers(self.contacts, i);
         let nodes: Vec<f64> = quadrature::rule(POINTS).on(self.from, self.to).map(|(zeta, _)| zeta).collect();
-        let above = |(zeta, value): &(&f64, &f64)| (*value / zeta.powi(power) - limit).abs() > little;
+        let above = |(zeta, value): &(&f64, &f64)| (*value / power(**zeta, exponent) - limit).abs() > little;
         nodes.iter().zip(&self.values[i]).rev().find(above).map(|(zeta, _)| *zeta)
     }
 
@@ -194,8 +203,8 @@ impl Panel {
                     }
                 },
             );
-            let power = powers(n, component);
-            values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= zeta.powi(power));
+            let exponent = powers(n, component);
+            values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= power(*zeta, exponent));
         }
         Values { count, contacts: n, values }
     }
@@ -230,7 +239,7 @@ pub(super) struct At<'a> {
 impl At<'_> {
     fn component(&self, component: usize) -> f64 {
         let value: f64 = self.row.iter().zip(&self.panel.values[component]).map(|(r, v)| r * v).sum();
-        value / self.zeta.powi(powers(self.panel.contacts, component))
+        value / power(self.zeta, powers(self.panel.contacts, component))
     }
 
     /// The kernel of contact `i` under equal neighbouring pressures.
