@@ -48,6 +48,9 @@ pub enum Error {
     /// A given pressure, and a method that wants a punch.
     #[error("a given pressure in place of a punch is solved for by the Galerkin method only")]
     LoadByCollocation,
+    /// A flat punch with sharp corners, and a method that wants pressures that end at 0.
+    #[error("a flat punch with sharp corners is solved for by the Galerkin method only")]
+    FlatByCollocation,
     /// A given pressure, and a half-length of the contact under a punch.
     #[error("half_length: a given pressure has no contact whose half-length a force could be found for")]
     LoadWithHalfLength,
@@ -154,9 +157,8 @@ impl Error {
             Self::Scene(_) | Self::Stack(_) | Self::Layer(_) | Self::Heights(_) | Self::Loads(_) | Self::Axis(_) => {
                 true
             }
-            Self::OutOfRange { .. } | Self::Tolerance { .. } | Self::LoadByCollocation | Self::LoadWithHalfLength => {
-                true
-            }
+            Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
+            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
             Self::Outside { .. } | Self::TooFar { .. } => true,
             Self::Unresolved { .. } => false,
             Self::NoSolution(cause) => {
@@ -187,6 +189,9 @@ impl Error {
             ),
             Self::NoSolution(NoSolution::HalfLength { .. }) => {
                 Some("a contact is longer than the flat part of its punch, and shorter than the punch".to_owned())
+            }
+            Self::FlatByCollocation => {
+                Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
             Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
             _ => None,

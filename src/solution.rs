@@ -35,7 +35,7 @@ pub struct Contact {
     pub half_length: f64,
     /// The solver's estimate of the absolute error of `half_length`.
     pub half_length_error: f64,
-    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge.
+    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge, and under a line load.
     pub peak_pressure: f64,
     /// The solver's estimate of the absolute error of `peak_pressure`.
     pub peak_pressure_error: f64,
@@ -52,8 +52,10 @@ pub(crate) struct Strip {
     pub(crate) at: f64,
     /// Half-length a of the strip: that of the contact, but of a line load, which is a very narrow strip.
     pub(crate) extent: f64,
-    /// p = Σ_m coefficients[m] sin((2m + 1) φ) with x − at = a cos φ.
+    /// p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
+    /// How strong it is next to the sharp corners of a punch; 0 if there are none.
+    pub(crate) corners: f64,
     /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
     /// where the punch is not smooth.
     pub(crate) found: usize,
@@ -77,12 +79,12 @@ pub(crate) enum Form {
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
     pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
-        Self { at: 0.0, extent, coefficients, found, form: Form::Series }
+        Self { at: 0.0, extent, coefficients, corners: 0.0, found, form: Form::Series }
     }
 
     /// The resultant of one image.
     pub(crate) fn resultant(&self) -> f64 {
-        0.5 * PI * self.extent * self.coefficients.first().copied().unwrap_or(0.0)
+        0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * self.corners)
     }
 
     /// Pressure of one image at a distance from its middle.
@@ -101,7 +103,9 @@ impl Strip {
             Form::Parabolic => 1.5 * mean * (1.0 - s * s),
             Form::Series => {
                 let phi = s.acos();
-                self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin()).sum()
+                let terms = self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin());
+                let corners = if self.corners == 0.0 { 0.0 } else { self.corners / phi.sin() };
+                terms.sum::<f64>() + corners
             }
         }
     }

@@ -142,7 +142,7 @@ fn unknown_names() {
       10 |         HalfPlane(shear_modulus: 4.0, poisson: 0.4, thickness: 1.0),
          |                                                     ^
 
-    error: stdin:3:12: the punch is `Cilinder`; allowed are `Cylinder`, `Parabola`, `Power`, `Polynomial`, `Wedge`, `RoundedFlat`, `Table`, `ElasticCylinder`
+    error: stdin:3:12: the punch is `Cilinder`; allowed are `Cylinder`, `Parabola`, `Power`, `Polynomial`, `Wedge`, `RoundedFlat`, `Flat`, `Table`, `ElasticCylinder`
       3 |     punch: Cilinder(radius: 500.0),
         |            ^
     hint: did you mean `Cylinder`?

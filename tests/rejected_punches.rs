@@ -31,6 +31,7 @@ fn numbers_out_of_range_are_told_with_what_is_allowed() {
         ("Wedge(slope: -0.1)", 25, "`slope` of the punch: found -0.1, allowed is a finite number > 0"),
         ("RoundedFlat(half_width: -1, radius: 1)", 36, "`half_width` of the punch: found -1.0"),
         ("RoundedFlat(half_width: 1, radius: 0)", 47, "`radius` of the punch: found 0.0"),
+        ("Flat(half_width: 0)", 29, "`half_width` of the punch: found 0.0, allowed is a finite number > 0"),
         ("Table([(0, 0)])", 12, "there are 1 heights; allowed are 2 to 1000"),
         ("Table([(0.1, 0), (1, 1)])", 12, "the table begins at x = 0.1; allowed is 0, the tip"),
         (
@@ -59,6 +60,7 @@ fn numbers_out_of_range_are_told_with_what_is_allowed() {
 fn fields_that_are_missing_or_unknown_are_told() {
     for (punch, expected) in [
         ("Wedge(angle: 1)", "the punch has no field `angle`; allowed is `slope`"),
+        ("Flat(width: 1)", "the punch has no field `width`; allowed is `half_width`"),
         ("Wedge()", "`slope` is missing in the punch"),
         ("RoundedFlat(half_width: 1)", "`radius` is missing in the punch"),
         ("Power(exponent: 2)", "is missing in the punch"),

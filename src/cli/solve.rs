@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use recede::report::{self, Report};
-use recede::{Load, Model, Options};
+use recede::{Load, Model, Options, Punch};
 
 use super::{Failure, SceneFile, tell};
 
@@ -64,9 +64,9 @@ impl Solve {
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        // it is infinite under a line load
-        let line = scene.punch.load().is_some_and(Load::has_lines);
-        let max_shear = if line { None } else { Some(model.field(&solution).max_shear()?) };
+        // it is infinite under a line load, and next to sharp corners
+        let infinite = scene.punch.load().is_some_and(Load::has_lines) || matches!(scene.punch, Punch::Flat { .. });
+        let max_shear = if infinite { None } else { Some(model.field(&solution).max_shear()?) };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }

@@ -35,6 +35,10 @@ const ZERO: f64 = 1e-7;
 const NO_GAP: f64 = 1e-5;
 /// So many times the part of its highest modes a pressure may be wrong anywhere.
 const UNRESOLVED: f64 = 10.0;
+/// Places around a pull at which the highest modes are looked at.
+const NEAR: usize = 4 * PER_MODE;
+/// Pressures under a punch that is not smooth pull by no more than this part of the largest.
+const PULL: f64 = 1e-6;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(super) struct Check {
@@ -49,7 +53,7 @@ pub(super) fn check(
     punch: &Indentation,
     level: &Level,
 ) -> Result<Check, Error> {
-    let mut check = Check { min_pressure: pushes(kernel, interfaces, level)?, min_gap: 0.0 };
+    let mut check = Check { min_pressure: pushes(kernel, interfaces, punch, level)?, min_gap: 0.0 };
     for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
         let little = NO_GAP.max(UNRESOLVED * level.worst_error());
@@ -65,26 +69,62 @@ pub(super) fn check(
 }
 
 /// Smallest pressure inside the contacts; an error if one pulls by more than its highest modes may feign.
-pub(super) fn pushes(kernel: &Kernel, interfaces: &[Interface], level: &Level) -> Result<f64, Error> {
+pub(super) fn pushes(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    level: &Level,
+) -> Result<f64, Error> {
     let mut min_pressure = 0.0f64;
     for (i, modes) in level.modes.iter().enumerate() {
-        let (x, pressure, largest) = smallest_pressure(modes);
-        if pressure < -(ZERO + UNRESOLVED * level.tails[i]) * largest {
-            let x = x * level.half_lengths[i] * kernel.length();
+        let mut pressures = pressures(modes, modes.len());
+        if i == 0 && level.corners != 0.0 {
+            let places = pressures.len();
+            for (place, pressure) in pressures.iter_mut().enumerate() {
+                let sine = angle(place, places).sin();
+                *pressure += 0.5 * level.corners / PI * (sine.recip() - 2.0 * sine);
+            }
+        }
+        let largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
+        let (place, pressure) = pressures
+            .iter()
+            .enumerate()
+            .fold((0, f64::INFINITY), |least, (k, p)| if *p < least.1 { (k, *p) } else { least });
+        let feigned = match level.rest.as_ref().filter(|_| i == 0) {
+            // next to where the punch is not smooth pressures are less certain than elsewhere
+            Some(rest) => {
+                let rest = self::pressures(rest, modes.len());
+                let near = place.saturating_sub(NEAR)..(place + NEAR).min(rest.len());
+                rest[near].iter().fold(0.0, |most: f64, p| most.max(p.abs()))
+            }
+            None => level.tails[i] * largest,
+        };
+        if pressure < -ZERO * largest - UNRESOLVED * feigned {
+            let middle = place + 1 == pressures.len();
+            let s = if middle { 0.0 } else { angle(place, pressures.len()).cos() };
+            let x = s * level.half_lengths[i] * kernel.length();
             return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
+        }
+        if level.rest.is_some() && i == 0 && pressure < -PULL * largest {
+            // it cannot be said whether this is a pull
+            return Err(not_converged(kernel, punch, &level.half_lengths));
         }
         min_pressure = min_pressure.min(pressure);
     }
     Ok(min_pressure)
 }
 
-/// Where the pressure is smallest (x/a), the pressure there, and the largest pressure.
-fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
+/// The angle φ of a place, x = a cos φ.
+fn angle(place: usize, places: usize) -> f64 {
+    FRAC_PI_2 * (place + 1) as f64 / places as f64
+}
+
+/// The pressures at so many places per mode of `resolved`, from the end of the contact to its middle.
+fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
     let coefficients = coefficients(modes);
-    let places = PER_MODE * modes.len();
-    let (mut smallest, mut largest) = ((0.0, f64::INFINITY), 0.0f64);
-    for k in 1..=places {
-        let phi = FRAC_PI_2 * k as f64 / places as f64;
+    let places = PER_MODE * resolved;
+    let at = |place: usize| {
+        let phi = angle(place, places);
         // sin(3φ), sin(5φ), ... from sin φ
         let turn = 2.0 * (2.0 * phi).cos();
         let (mut before, mut sine, mut pressure) = (-phi.sin(), phi.sin(), 0.0);
@@ -92,12 +132,9 @@ fn smallest_pressure(modes: &[f64]) -> (f64, f64, f64) {
             pressure += c * sine;
             (before, sine) = (sine, turn * sine - before);
         }
-        largest = largest.max(pressure.abs());
-        if pressure < smallest.1 {
-            smallest = (phi.cos(), pressure);
-        }
-    }
-    (smallest.0, smallest.1, largest)
+        pressure
+    };
+    (0..places).map(at).collect()
 }
 
 /// The slope transforms of all contacts at real wavenumbers that resolve fields out to `span`: those of the equations, if
@@ -137,7 +174,8 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     let bases: Vec<Basis> = (0..n).map(basis).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
-    let mut slopes = Equations::new(&layout, &bases, &counts, &linked).responses(modes);
+    let equations = Equations::new(&layout, &bases, &counts, &linked).with_corners(punch.flat().map(|_| level.corners));
+    let mut slopes = equations.responses(modes);
     slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
     let limits = layout.own.iter().map(|own| own.limit).collect();
     Ok(Waves { zeta: layout.zeta, limits, slopes })
@@ -168,7 +206,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
             end = end.min(edge);
         }
         let mut own = Vec::new();
-        if i == 0 && punch.given().is_some() {
+        if i == 0 && (punch.given().is_some() || punch.flat().is_some()) {
             // where nothing presses there is no gap to be looked at
             gaps.push(own);
             continue;

@@ -64,6 +64,15 @@ impl Basis {
         Self { half_length: given.half_length, deficit, rows, table, arguments, paths: Vec::new() }
     }
 
+    /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
+    /// pressure of the same resultant.
+    pub(super) fn corners(&self) -> Buffer {
+        let mut corners = Buffer::of(&self.table[2 * self.rows..3 * self.rows]);
+        self.scale(&mut corners, false);
+        corners.iter_mut().for_each(|value| *value = -*value);
+        corners
+    }
+
     /// Number of rows.
     pub(super) fn rows(&self) -> usize {
         self.rows

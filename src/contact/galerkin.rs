@@ -10,6 +10,8 @@
 //! laminate between them that bends much more easily than it is squeezed.
 //!
 //! Everything is per unit of P' = P/(μ₀L): p̂_i = (2P'/ζ) Σ_m y_im ψ_im(ζ), y_i0 = 1.
+mod corners;
+
 use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
@@ -60,6 +62,8 @@ pub(super) struct Equations<'a> {
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
     /// coupling; else those of contact i.
     differences: Vec<Columns>,
+    /// What a punch with sharp corners adds to the pressure of the first contact: its amplitude q, and its transform.
+    corners: Option<(f64, Rows)>,
 }
 
 /// Columns of a matrix, one after the other.
@@ -108,9 +112,15 @@ impl<'a> Equations<'a> {
                 }
             }
         }
-        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new() };
+        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new(), corners: None };
         equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
         equations
+    }
+
+    fn add_corners(&self, i: usize, pressure: &mut [f64]) {
+        if let Some((amplitude, rows)) = self.corners.as_ref().filter(|_| i == 0) {
+            pressure.iter_mut().zip(rows.iter()).for_each(|(sum, row)| *sum += amplitude * row);
+        }
     }
 
     pub(super) fn contacts(&self) -> usize {
@@ -258,15 +268,18 @@ impl<'a> Equations<'a> {
     }
 
     /// Derivatives of the rows of all contacts, matrix · modes − right-hand side, with respect to ln a of each contact in
-    /// turn. `modes` may be more than are solved for, and so are the rows then.
+    /// turn; under a punch with corners the first of them with respect to q. `modes` may be more than are solved for, and
+    /// so are the rows then.
     pub(super) fn derivatives(&self, modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<Rows>> {
         let n = self.contacts();
         let Fields { pressures, jumps } = self.fields(modes);
         let mut derivatives = Vec::with_capacity(n);
-        for by in 0..n {
-            let mut rows: Vec<Rows> = modes.iter().map(|modes| Buffer::zeros(modes.len())).collect();
+        let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+        derivatives.extend(self.corner_rows(&counts));
+        for by in derivatives.len()..n {
+            let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
             let basis = &self.bases[by];
-            let count = modes[by].len();
+            let count = counts[by];
             // the tests of this contact change ...
             let response = self.response(by, &pressures[by], &jumps);
             let tested = basis.test(&response, count);
@@ -281,7 +294,7 @@ impl<'a> Equations<'a> {
                 coupling.add_times(1.0, &change, &mut response);
                 let mut there = coupling.over(self.bases[other].rows(), &change);
                 there.iter_mut().for_each(|value| *value = -*value);
-                add(&mut rows[other], &self.bases[other].test(&there, modes[other].len()));
+                add(&mut rows[other], &self.bases[other].test(&there, counts[other]));
             }
             add(&mut rows[by], &basis.test(&response, count));
             for (m, row) in rows[by].iter_mut().enumerate() {
@@ -321,6 +334,7 @@ impl<'a> Equations<'a> {
         let mut jump = times(difference.first(count), &modes[i][..count]);
         let lower = self.bases[i + 1].combine(&own);
         jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
+        self.add_corners(i, &mut jump);
         jump
     }
 
@@ -340,6 +354,7 @@ impl<'a> Equations<'a> {
         let jumps = (0..n - 1).map(jump).collect();
         for (i, pressure) in pressures.iter_mut().enumerate() {
             add(pressure, &self.bases[i].combine(&modes[i][..solved(i)]));
+            self.add_corners(i, pressure);
         }
         Fields { pressures, jumps }
     }

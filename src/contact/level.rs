@@ -29,6 +29,8 @@ pub(super) struct Level {
     /// y_im of contact i, y_i0 = 1, see [`super::galerkin`]; under a punch that is not smooth continued by what it does to
     /// a half-plane.
     pub(super) modes: Modes,
+    /// q, the amplitude of the pressure next to the corners of the punch; 0 if there are none.
+    pub(super) corners: f64,
     /// How many of them were found.
     pub(super) counts: Vec<usize>,
     /// Σ y_m/(πj), p(0) a/(2 μ₀P'), per contact; infinite under a sharp tip.
@@ -41,6 +43,9 @@ pub(super) struct Level {
     pub(super) tails: Vec<f64>,
     /// A layout, and the slope transforms of all contacts there.
     pub(super) waves: Option<(Layout, Vec<Rows>)>,
+    /// Under a punch that is not smooth, the higher half of what its modes have besides those of a half-plane, the lower
+    /// half being 0.
+    pub(super) rest: Option<Vec<f64>>,
 }
 
 impl Level {
@@ -48,7 +53,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, solved, shift, whole, unsettled, rounding, waves } = found;
+        let Converged { half_lengths, mut modes, corners, solved, shift, whole, unsettled, rounding, waves } = found;
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -56,6 +61,7 @@ impl Level {
             punch.local(half_lengths[0], kernel.far(0).limit, CONTINUED.max(counts[0]))
         };
         let (mut errors, mut tails, mut settled, mut peaks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut rest = None;
         for (i, y) in modes.iter().enumerate() {
             let local = local.as_ref().filter(|_| i == 0);
             let own = without(y, local);
@@ -66,7 +72,8 @@ impl Level {
             let iterated = weight(&own, solved[i]..own.len());
             let fall = ratio(third, fourth);
             let beyond = SAFETY * fourth * fall / (1.0 - fall);
-            let peak = peak(&own, averaged) + local.map_or(0.0, |local| local.peak);
+            let peak = peak(&own, averaged) + local.map_or(0.0, |local| local.peak)
+                - corners.filter(|_| i == 0).map_or(0.0, |corners| 0.5 * corners / PI);
             // an infinite pressure is known, and others are judged by that of a mean pressure
             let size = if peak.is_finite() { peak.abs() } else { PI.recip() };
             // half-lengths feel what is missing squared, and no more than pressures do; but where a known load falls
@@ -90,6 +97,10 @@ impl Level {
             // compared with that of a mean pressure where there is hardly any in the middle
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
+            if local.is_some() {
+                let half = own.len() / 2;
+                rest = Some([vec![0.0; half], own[half..].to_vec()].concat());
+            }
         }
         // contacts that are tied together feel what each of them misses
         for run in (0..errors.len()).collect::<Vec<_>>().chunk_by(|i, k| whole[*i] && whole[*k]) {
@@ -103,10 +114,15 @@ impl Level {
             // nothing of it is unknown
             (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
         }
+        if corners.is_some() {
+            // the half-length is that of the punch
+            errors[0][0] = 0.0;
+        }
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
-        Self { half_lengths, modes, counts, peaks, settled, errors, tails, waves }
+        let corners = corners.unwrap_or(0.0);
+        Self { half_lengths, modes, corners, counts, peaks, settled, errors, tails, waves, rest }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer

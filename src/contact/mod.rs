@@ -50,6 +50,9 @@ pub(crate) fn press(
     if punch.load().is_some() && options.method == Method::Collocation {
         return Err(Error::LoadByCollocation);
     }
+    if indentation.flat().is_some() && options.method == Method::Collocation {
+        return Err(Error::FlatByCollocation);
+    }
     let solution = match options.method {
         Method::Collocation => collocation::press(kernel, interfaces, &indentation, options)?,
         Method::Galerkin => solve(kernel, interfaces, &indentation, options)?,
@@ -110,6 +113,7 @@ fn from_any_start(
         }
         let ends: Vec<f64> = (0..expected.len())
             .map(|i| match zones.as_ref().map_or(0.0, |zones| zones[i].end()) {
+                _ if i == 0 && indentation.flat().is_some() => expected[i],
                 0.0 => expected[i],
                 end => end,
             })
@@ -123,7 +127,9 @@ fn from_any_start(
                 }
                 // there are roots whose contacts reach past where they should end
                 let NoSolution::Tension { interface, x } = failure else { break };
-                let Some(pulling) = interfaces.iter().position(|contact| *contact == interface) else { break };
+                let fixed = usize::from(indentation.flat().is_some());
+                let pulling = interfaces.iter().position(|contact| *contact == interface);
+                let Some(pulling) = pulling.filter(|pulling| *pulling >= fixed) else { break };
                 half_lengths[pulling] = x / kernel.length();
             }
         }
@@ -176,6 +182,9 @@ fn solution(
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
             let peak_pressure = level.peaks[i] * pressure_unit;
+            let resultant = 0.5 * std::f64::consts::PI * half_length * coefficients[0];
+            let corners = if i == 0 { 0.5 * level.corners * pressure_unit / std::f64::consts::PI } else { 0.0 };
+            coefficients[0] -= 2.0 * corners;
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
@@ -183,8 +192,8 @@ fn solution(
                 half_length_error: length_error * half_length,
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
-                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
-                strips: vec![Strip::series(half_length, coefficients, level.counts[i])],
+                resultant,
+                strips: vec![Strip { corners, ..Strip::series(half_length, coefficients, level.counts[i]) }],
             }
         })
         .collect();

@@ -52,6 +52,8 @@ pub(super) struct Converged {
     pub(super) half_lengths: Vec<f64>,
     /// y_im of contact i, y_i0 = 1.
     pub(super) modes: Modes,
+    /// q, the amplitude of the pressure next to the corners of the punch, if it has any.
+    pub(super) corners: Option<f64>,
     /// Modes solved for.
     pub(super) solved: Vec<usize>,
     /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
@@ -72,6 +74,7 @@ impl Converged {
         Self {
             half_lengths,
             modes: vec![vec![1.0]],
+            corners: None,
             solved: vec![1],
             shift: vec![0.0],
             whole: vec![false],
@@ -117,30 +120,32 @@ impl Newton<'_> {
         negligible: f64,
         enough: f64,
     ) -> Result<(Vec<f64>, Modes), Error> {
-        let Point { mut half_lengths, pressures, linearised, layout, .. } =
+        let Point { mut half_lengths, mut corners, pressures, linearised, layout, .. } =
             self.iterate(half_lengths, modes, modes, negligible, enough)?;
-        let Pressures { modes: mut all, step } = pressures;
-        let before = half_lengths[0];
+        let Pressures { modes: mut all, mut step } = pressures;
         let linked = ties(self.kernel, &half_lengths);
-        go(&mut half_lengths, &step);
-        half_lengths[0] = self.punch.within(before, half_lengths[0]);
-        // and on with the same derivatives, as far as these shorten the steps
-        let (first, mut last) = (longest(&step), longest(&step));
-        linearised.follow(&mut all, &step);
-        while first * last > QUADRATIC {
-            let bases = self.bases(&layout, &half_lengths, modes);
-            let slopes = self.punch.slopes(half_lengths[0], modes[0]);
-            let equations = Equations::new(&layout, &bases, modes, &linked);
-            self.work.step();
-            let step = linearised.settle(&equations, &slopes, &Drift::default(), &mut all).step;
-            if longest(&step) > 0.5 * last {
-                break;
-            }
-            last = longest(&step);
+        let fixed = usize::from(corners.is_some());
+        let first = longest(&step[fixed..]);
+        loop {
+            let last = longest(&step[fixed..]);
             linearised.follow(&mut all, &step);
             let before = half_lengths[0];
-            go(&mut half_lengths, &step);
-            half_lengths[0] = self.punch.within(before, half_lengths[0]);
+            advance(&mut half_lengths, &mut corners, &step, 1.0);
+            if corners.is_none() {
+                half_lengths[0] = self.punch.within(before, half_lengths[0]);
+            }
+            // on with the same derivatives, as far as these shorten the steps
+            if first * last <= QUADRATIC {
+                break;
+            }
+            let bases = self.bases(&layout, &half_lengths, modes);
+            let slopes = self.punch.slopes(half_lengths[0], modes[0]);
+            let equations = Equations::new(&layout, &bases, modes, &linked).with_corners(corners);
+            self.work.step();
+            step = linearised.settle(&equations, &slopes, &Drift::default(), &mut all).step;
+            if longest(&step[fixed..]) > 0.5 * last {
+                break;
+            }
         }
         Ok((half_lengths, all))
     }
@@ -202,7 +207,7 @@ impl Newton<'_> {
         tolerance: f64,
     ) -> Result<(Converged, bool), Error> {
         let start = half_lengths.clone();
-        let Point { mut half_lengths, pressures, linearised, layout, mut bases, mut slopes } =
+        let Point { mut half_lengths, mut corners, pressures, linearised, layout, mut bases, mut slopes } =
             self.iterate(half_lengths, solved, modes, negligible(tolerance), NEARBY)?;
         let Pressures { modes: mut all, mut step } = pressures;
         for (own, modes) in all.iter_mut().zip(modes) {
@@ -214,17 +219,19 @@ impl Newton<'_> {
         // of the last round and of that before
         let mut last = [vec![[f64::INFINITY; 2]; n], vec![[f64::INFINITY; 2]; n]];
         let mut unsettled = last[0].clone();
-        let plain = (all.clone(), half_lengths.clone(), step.clone());
+        let plain = (all.clone(), half_lengths.clone(), corners, step.clone());
         let short = tolerance.min(NEARBY);
         // high modes oscillate, and are linear over a shorter way
         let highest = solved.iter().copied().fold(FEW, usize::max);
         let linear = (1e-3 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64;
-        let mut drift = Drift::default();
+        // corners are linear over any way
+        let fixed = usize::from(corners.is_some());
+        let mut drift = Drift { shift: vec![0.0; n], ..Drift::default() };
         let mut lost = false;
         let mut responses = None;
         for round in 0..ROUNDS {
             self.work.step();
-            let equations = Equations::new(&layout, &bases, solved, &linked);
+            let equations = Equations::new(&layout, &bases, solved, &linked).with_corners(corners);
             let found = linearised.settle(&equations, &slopes, &drift, &mut all);
             let mut slow = false;
             last.swap(0, 1);
@@ -250,12 +257,11 @@ impl Newton<'_> {
                 break;
             }
             linearised.follow(&mut all, &step);
-            drift.shift.resize(n, 0.0);
             drift.shift.iter_mut().zip(&step).for_each(|(shift, step)| *shift += step);
             step.fill(0.0);
-            if longest(&drift.shift) > linear {
-                go(&mut half_lengths, &drift.shift);
-                drift = Drift::default();
+            if longest(&drift.shift[fixed..]) > linear {
+                advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
+                drift = Drift { shift: vec![0.0; n], ..Drift::default() };
                 bases = self.bases(&layout, &half_lengths, modes);
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             } else if drift.derivatives.is_empty() {
@@ -264,11 +270,10 @@ impl Newton<'_> {
         }
         linearised.follow(&mut all, &step);
         for (i, unsettled) in unsettled.iter_mut().enumerate() {
-            let drifted = drift.shift.get(i).copied().unwrap_or_default();
-            unsettled[0] += DERIVATIVES * step[i].abs() + drifted * drifted;
+            unsettled[0] += DERIVATIVES * step[i].abs() + drift.shift[i] * drift.shift[i];
         }
-        go(&mut half_lengths, &drift.shift);
-        go(&mut half_lengths, &step);
+        advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
+        advance(&mut half_lengths, &mut corners, &step, 1.0);
         let enough = [tolerance, PRESSURES * tolerance];
         let settled =
             !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
@@ -278,15 +283,17 @@ impl Newton<'_> {
         {
             let rounding = end.linearised.rounding;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
-            let (half_lengths, modes) = (end.half_lengths, end.pressures.modes);
-            let (solved, whole, waves) = (solved.to_vec(), vec![false; n], None);
-            return Ok((Converged { half_lengths, modes, solved, shift, whole, unsettled, rounding, waves }, true));
+            let Point { half_lengths, corners, pressures, .. } = end;
+            let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
+            let waves = None;
+            let found = Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, waves };
+            return Ok((found, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
             responses = None;
-            (all, half_lengths, step) = plain.clone();
-            go(&mut half_lengths, &step);
+            (all, half_lengths, corners, step) = plain.clone();
+            advance(&mut half_lengths, &mut corners, &step, 1.0);
             linearised.follow(&mut all, &step);
             for (own, solved) in all.iter_mut().zip(solved) {
                 own.truncate(*solved);
@@ -307,7 +314,8 @@ impl Newton<'_> {
         }
         let waves = responses.map(|responses| (layout, responses));
         let (solved, whole) = (solved.to_vec(), vec![false; n]);
-        Ok((Converged { half_lengths, modes: all, solved, shift, whole, unsettled, rounding, waves }, settled))
+        let found = Converged { half_lengths, modes: all, corners, solved, shift, whole, unsettled, rounding, waves };
+        Ok((found, settled))
     }
 
     /// Newton's method until what would be left of the next step is below `enough`.
@@ -325,6 +333,7 @@ impl Newton<'_> {
             orders[0] = 0;
         }
         let start = half_lengths.clone();
+        let mut corners = punch.flat().map(|_| 1.0);
         let mut layout: Option<(Layout, Vec<f64>)> = None;
         self.work.steps.push(0);
         let mut last = f64::INFINITY;
@@ -348,21 +357,24 @@ impl Newton<'_> {
             let linked = ties(kernel, &half_lengths);
             self.work.step();
             self.work.factorisations += 1;
-            let found = solve(&Equations::new(&at.0, &bases, solved, &linked), &slopes, punch.given().is_some());
+            let equations = Equations::new(&at.0, &bases, solved, &linked).with_corners(corners);
+            let found = solve(&equations, &slopes, punch.given().is_some());
             let Some((pressures, linearised)) = found else { break };
-            let longest = longest(&pressures.step);
+            let left = longest(&pressures.step);
             // short steps that no longer shorten are rounding
-            let stuck = last < NEARBY && longest > 0.5 * last;
-            if longest * longest < enough || stuck {
-                return Ok(Point { half_lengths, pressures, linearised, layout: at.0, bases, slopes });
+            let stuck = last < NEARBY && left > 0.5 * last;
+            if left * left < enough || stuck {
+                return Ok(Point { half_lengths, corners, pressures, linearised, layout: at.0, bases, slopes });
             }
-            last = longest;
+            last = left;
+            // the amplitude of corners, in which all is linear, may take any step
+            let longest = longest(&pressures.step[usize::from(corners.is_some())..]);
             let shorten = (LONGEST_STEP / longest).min(1.0);
             let before = half_lengths[0];
-            for (a, step) in half_lengths.iter_mut().zip(&pressures.step) {
-                *a *= (shorten * step).exp();
+            advance(&mut half_lengths, &mut corners, &pressures.step, shorten);
+            if corners.is_none() {
+                half_lengths[0] = punch.within(before, half_lengths[0]);
             }
-            half_lengths[0] = punch.within(before, half_lengths[0]);
             layout = Some(at);
         }
         Err(not_converged(kernel, punch, &half_lengths))
@@ -382,19 +394,26 @@ impl Newton<'_> {
     }
 }
 
+/// Takes a part of a step: in the logarithms of the half-lengths, and in the amplitude of corners in place of the first.
+fn advance(half_lengths: &mut [f64], corners: &mut Option<f64>, step: &[f64], part: f64) {
+    let first = usize::from(corners.is_some());
+    if let Some(corners) = corners {
+        *corners += part * step[0];
+    }
+    for (a, step) in half_lengths.iter_mut().zip(step).skip(first) {
+        *a *= (part * step).exp();
+    }
+}
+
 fn longest(step: &[f64]) -> f64 {
     // a step that is no number leads nowhere, and is longer than any
     step.iter().fold(0.0, |longest: f64, step| if step.is_nan() { f64::INFINITY } else { longest.max(step.abs()) })
 }
 
-/// Goes a step in the logarithms of half-lengths.
-fn go(half_lengths: &mut [f64], step: &[f64]) {
-    half_lengths.iter_mut().zip(step).for_each(|(a, step)| *a *= step.exp());
-}
-
 /// Half-lengths with the solution of the equations there.
 struct Point {
     half_lengths: Vec<f64>,
+    corners: Option<f64>,
     pressures: Pressures,
     linearised: Linearised,
     layout: Layout,

@@ -47,6 +47,13 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     for m in 1..equations.modes(0) {
         columns[(equations.place(0, m) - n, n)] = slopes.load(m);
     }
+    let counts: Vec<usize> = (0..n).map(|i| equations.modes(i)).collect();
+    let mut corners =
+        equations.corner_rows(&counts).map_or_else(|| Buffer::zeros(size), |rows| equations.rows_of(&rows));
+    corners.iter_mut().for_each(|row| *row *= equations.amplitude());
+    for k in 0..higher {
+        columns[(k, n)] -= corners[n + k];
+    }
     solve_lower_triangular_in_place(lower, columns.as_mut(), Par::Seq);
     let gamma: Vec<f64> = (0..higher).map(|k| columns[(k, 0)] - columns[(k, n)]).collect();
     let beta = columns.subcols(0, n).to_owned();
@@ -66,7 +73,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     let mut inverse = Mat::<f64>::zeros(n, n);
     inverse.as_mut().submatrix_mut(first, first, free, free).copy_from(unknown.solve(Mat::<f64>::identity(free, free)));
     let residual = |i: usize| {
-        let known = matrix[(i, 0)] - if i == 0 { slopes.load(0) } else { 0.0 };
+        let known = matrix[(i, 0)] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
         known - dot(beta.col_as_slice(i), &gamma)
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
@@ -150,7 +157,7 @@ impl Linearised {
         for (i, response) in responses.iter().enumerate() {
             let mut own = equations.test(i, response, modes[i].len());
             for (m, row) in own.iter_mut().enumerate() {
-                *row += equations.cauchy(i, m) * modes[i][m] - if i == 0 { slopes.load(m) } else { 0.0 };
+                *row += equations.own_row(i, m, modes[i][m]) - if i == 0 { slopes.load(m) } else { 0.0 };
             }
             drift.add_to(i, &mut own);
             for m in equations.modes(i)..own.len() {

@@ -55,6 +55,11 @@ impl<'a> Indentation<'a> {
         self.given.as_ref()
     }
 
+    /// Half-length of the contact, in units of L, if it is that of a punch with sharp corners.
+    pub(super) fn flat(&self) -> Option<f64> {
+        if let Shape::Flat(edge) = self.shape { Some(edge / self.length) } else { None }
+    }
+
     /// The given load itself.
     pub(super) fn load(&self) -> Option<&Load> {
         self.punch.load()
@@ -72,7 +77,7 @@ impl<'a> Indentation<'a> {
 
     /// The error to report if a contact has grown to `half_length` and that is the edge of the punch.
     pub(super) fn too_small(&self, half_length: f64) -> Option<Error> {
-        let edge = self.shape.edge()?;
+        let edge = self.shape.edge().filter(|_| self.flat().is_none())?;
         (half_length * self.length > NEARLY * edge)
             .then(|| NoSolution::PunchTooSmall { punch: self.punch.label(), edge }.into())
     }
@@ -115,6 +120,7 @@ impl<'a> Indentation<'a> {
                 }
             }
             Shape::Circle(_) => self.analytic_rows(half_length, &mut slopes),
+            Shape::Flat(_) => {}
             Shape::Pieces { pieces, .. } => {
                 let phase = 2.0 * rows as f64;
                 for (theta, weight) in self.places(pieces, half_length, phase) {
@@ -148,6 +154,7 @@ impl<'a> Indentation<'a> {
                 terms.iter().map(term).sum()
             }
             Shape::Circle(_) => self.slopes(half_length, 1024).value.iter().sum(),
+            Shape::Flat(_) => 0.0,
             Shape::Pieces { pieces, .. } => {
                 // with x = a/cosh u the integral is that of f' over u
                 let farthest = |start: f64| (half_length * self.length / start).acosh().min(FARTHEST);

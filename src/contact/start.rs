@@ -28,7 +28,7 @@ pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> f
 pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
     let first = match punch.given() {
         Some(given) => given.half_length,
-        None => under_punch(kernel, punch)?,
+        None => punch.flat().map_or_else(|| under_punch(kernel, punch), Ok)?,
     };
     let mut half_lengths = vec![first];
     for (laminate, (thickness, rigidity)) in kernel.laminates().into_iter().enumerate() {

@@ -19,6 +19,8 @@ pub(super) struct Image {
     pub(super) half_length: f64,
     /// (−1)^m c_j.
     series: Vec<f64>,
+    /// Of 1/sin φ.
+    corners: f64,
     /// How many terms are felt farther off than where they are smooth.
     felt: usize,
     form: Form,
@@ -28,7 +30,8 @@ impl Image {
     pub(super) fn new(strip: &Strip) -> Self {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let series = strip.coefficients.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
-        Self { half_length: strip.extent, series, felt: strip.found, form: strip.form }.truncated(ROUNDED)
+        let Strip { extent: half_length, corners, found: felt, form, .. } = *strip;
+        Self { half_length, series, corners, felt, form }.truncated(ROUNDED)
     }
 
     /// Without the last terms of the series, as long as together they stay below this part of the largest one. The
@@ -37,7 +40,7 @@ impl Image {
         if self.form != Form::Series {
             return self.clone();
         }
-        let largest = self.series.iter().fold(0.0, |a: f64, c| a.max(c.abs()));
+        let largest = self.series.iter().fold(self.corners.abs(), |a, c| a.max(c.abs()));
         let mut left_out = 0.0;
         let mut keep = self.series.len();
         while keep > 1 {
@@ -52,7 +55,11 @@ impl Image {
 
     /// The resultant P = p̂(0).
     pub(super) fn resultant(&self) -> f64 {
-        FRAC_PI_2 * self.half_length * self.series.first().copied().unwrap_or(0.0)
+        FRAC_PI_2 * self.half_length * (self.first() + 2.0 * self.corners)
+    }
+
+    fn first(&self) -> f64 {
+        self.series.first().copied().unwrap_or(0.0)
     }
 
     /// p̂ − P at some wavenumbers, eq. (22): O(λ²), with all its digits.
@@ -67,12 +74,16 @@ impl Image {
             Form::Series => {
                 let n = arguments.len();
                 let felt = &self.series[..self.felt.min(self.series.len())];
-                let mut bessel = vec![0.0; 2 * felt.len() * n];
-                bessel::table(2 * felt.len(), &arguments, &mut bessel);
+                let orders = 2 * felt.len() + 1;
+                let mut bessel = vec![0.0; orders * n];
+                bessel::table(orders, &arguments, &mut bessel);
                 let at = |i: usize| {
                     let higher = felt.iter().enumerate().skip(1);
                     let sum: f64 = higher.map(|(m, c)| (2 * m + 1) as f64 * c * bessel[(2 * m + 1) * n + i]).sum();
-                    resultant * bessel::jinc_deficit_from(arguments[i], bessel[n + i]) + PI * sum / wavenumbers[i]
+                    // J_0 − 1 = (2 J_1/z − 1) − J_2
+                    let corners = PI * self.half_length * self.corners * bessel[2 * n + i];
+                    let deficit = bessel::jinc_deficit_from(arguments[i], bessel[n + i]);
+                    resultant * deficit - corners + PI * sum / wavenumbers[i]
                 };
                 (0..n).map(at).collect()
             }
@@ -114,7 +125,16 @@ impl Image {
         let [zeroth, first, second] = sums.map(|sum| sum * w);
         let over = root.inv();
         let a = self.half_length;
-        Potentials([zeroth, first * over / a, (second + z * first * over) * over * over / (a * a)])
+        let mut potentials = [zeroth, first * over / a, (second + z * first * over) * over * over / (a * a)];
+        if self.corners != 0.0 {
+            // 1/root and its derivatives; at the ends, those as close to them as numbers go
+            let over = if root == Complex64::ZERO { Complex64::new(f64::EPSILON.sqrt().recip(), 0.0) } else { over };
+            let third = over * over * over;
+            potentials[0] += self.corners * over;
+            potentials[1] += self.corners * z * third / a;
+            potentials[2] += self.corners * (2.0 * z * z - 1.0) * third * over * over / (a * a);
+        }
+        Potentials(potentials)
     }
 
     /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
@@ -130,8 +150,7 @@ impl Image {
             let next = self.series.get(m + 1).copied().unwrap_or(0.0);
             sum = sum * square + (self.series[m] + next) / (2 * m + 2) as f64;
         }
-        let first = self.series.first().copied().unwrap_or(0.0);
-        0.5 * self.half_length * (sum * square + first * w.ln())
+        0.5 * self.half_length * (sum * square + (self.first() + 2.0 * self.corners) * w.ln())
     }
 
     /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink: below
@@ -187,7 +206,8 @@ mod tests {
             Form::Uniform => (0..64).map(|m| 1.3 / order(m)).collect(),
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
-        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, form })
+        let corners = if form == Form::Series { 0.8 } else { 0.0 };
+        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, corners, form })
     }
 
     const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
@@ -233,6 +253,7 @@ mod tests {
                     let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
                     sign * c * ((2 * m + 1) as f64 * phi).sin()
                 });
+                let sum = sum.chain([image.corners / phi.sin()]);
                 let mean = 0.5 * image.resultant() / image.half_length;
                 let expected = match form {
                     _ if !inside => 0.0,

@@ -68,6 +68,12 @@ pub enum Punch {
         /// Radius of curvature R of the corners, in length.
         radius: Positive,
     },
+    /// A flat punch with sharp corners: the contact is as wide as the punch, and the pressure is infinite at its corners, like
+    /// an inverse root.
+    Flat {
+        /// Half-width of the punch, in length.
+        half_width: Positive,
+    },
     /// Heights at distances from the tip, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
     /// them.
     Table(Heights),
@@ -142,6 +148,14 @@ impl Punch {
         })
     }
 
+    /// A flat punch of half-width > 0, in length, with sharp corners.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if the half-width is not positive and finite.
+    pub fn flat(half_width: f64) -> Result<Self, Error> {
+        Ok(Self::Flat { half_width: Error::checked("half_width", half_width)? })
+    }
+
     /// A smooth curve through (x, height), in length, from x = 0 to the edge of the punch.
     ///
     /// # Errors
@@ -189,6 +203,7 @@ impl Punch {
                 let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
                 Shape::Pieces { pieces: vec![flat, corner].into(), end: None }
             }
+            Self::Flat { half_width } => Shape::Flat(half_width.get()),
             Self::Given(_) => Shape::Powers { length: 1.0, terms: Vec::new() },
             Self::Table(heights) => Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), end: Some(heights.end()) },
         }
@@ -234,7 +249,8 @@ impl Punch {
         self.shape().height(x)
     }
 
-    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table; `None` if there is no such limit.
+    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, half the width of a flat punch with
+    /// sharp corners; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {
         self.shape().edge()
     }
@@ -262,6 +278,7 @@ mod tests {
             Punch::polynomial(1.5, &[0.3, 0.0, 0.1]).unwrap(),
             Punch::wedge(0.1).unwrap(),
             Punch::rounded_flat(0.7, 3.0).unwrap(),
+            Punch::flat(1.5).unwrap(),
             Punch::table(&[(0.0, 0.0), (0.5, 0.1), (1.0, 0.5), (1.5, 1.0)]).unwrap(),
             Punch::elastic_cylinder(2.0, 3.0, 0.25).unwrap(),
         ]
@@ -295,7 +312,7 @@ mod tests {
         for punch in all() {
             let (x, step) = (1.2, 1e-5);
             let difference = (punch.profile(x + step) - punch.profile(x - step)) / (2.0 * step);
-            assert!((difference / punch.slope(x) - 1.0).abs() < 1e-8, "{punch}");
+            assert!((difference - punch.slope(x)).abs() <= 1e-8 * punch.slope(x), "{punch}");
             let difference = (punch.slope(x + step) - punch.slope(x - step)) / (2.0 * step);
             assert!((difference - punch.curvature(x)).abs() < 1e-8, "{punch}");
         }

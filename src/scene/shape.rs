@@ -13,6 +13,8 @@ pub(crate) enum Shape<'a> {
     },
     /// R − √(R² − x²) up to x = R.
     Circle(f64),
+    /// 0 up to where it ends.
+    Flat(f64),
     /// Cubic polynomials one after the other from x = 0 on.
     Pieces {
         /// The polynomials; the first begins at x = 0.
@@ -32,7 +34,7 @@ pub(crate) struct Piece {
 }
 
 impl Shape<'_> {
-    /// Height above the tip, in length; infinite beyond the edge of a circle.
+    /// Height above the tip, in length; infinite beyond the edge of a circle or a flat punch.
     pub(crate) fn height(&self, x: f64) -> f64 {
         match self {
             Self::Powers { length, terms } => {
@@ -40,7 +42,8 @@ impl Shape<'_> {
                 // one factor at a time: s alone may be small enough
                 terms.iter().map(|(n, coefficient)| coefficient * s * s.powf(n - 1.0)).sum()
             }
-            Self::Circle(radius) if x.abs() > *radius => f64::INFINITY,
+            Self::Circle(edge) | Self::Flat(edge) if x.abs() > *edge => f64::INFINITY,
+            Self::Flat(_) => 0.0,
             // R − √(R² − x²) without the difference of two large numbers
             Self::Circle(radius) => x * (x / radius) / (1.0 + cosine(x / radius)),
             Self::Pieces { .. } => self.piece(x, |t, [c0, c1, c2, c3]| c0 + t * (c1 + t * (c2 + t * c3))),
@@ -55,7 +58,8 @@ impl Shape<'_> {
                 let s = x.abs() / length;
                 terms.iter().map(|(n, coefficient)| coefficient * n / length * s.powf(n - 1.0)).sum()
             }
-            Self::Circle(radius) if x.abs() >= *radius => f64::INFINITY,
+            Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => f64::INFINITY,
+            Self::Flat(_) => 0.0,
             Self::Circle(radius) => x.abs() / radius / cosine(x / radius),
             Self::Pieces { .. } => self.piece(x, |t, [_, c1, c2, c3]| c1 + t * (2.0 * c2 + t * 3.0 * c3)),
         }
@@ -70,7 +74,8 @@ impl Shape<'_> {
                 let curved = terms.iter().filter(|(n, _)| *n != 1.0);
                 curved.map(|(n, coefficient)| coefficient * n * (n - 1.0) / (length * length) * s.powf(n - 2.0)).sum()
             }
-            Self::Circle(radius) if x.abs() >= *radius => f64::INFINITY,
+            Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => f64::INFINITY,
+            Self::Flat(_) => 0.0,
             Self::Circle(radius) => radius.recip() / cosine(x / radius).powi(3),
             Self::Pieces { .. } => self.piece(x, |t, [_, _, c2, c3]| 2.0 * c2 + t * 6.0 * c3),
         }
@@ -80,7 +85,7 @@ impl Shape<'_> {
     pub(crate) fn edge(&self) -> Option<f64> {
         match self {
             Self::Powers { .. } => None,
-            Self::Circle(radius) => Some(*radius),
+            Self::Circle(edge) | Self::Flat(edge) => Some(*edge),
             Self::Pieces { end, .. } => *end,
         }
     }
@@ -92,6 +97,7 @@ impl Shape<'_> {
                 let risen = pieces.iter().find(|piece| piece.coefficients[1..].iter().any(|c| *c != 0.0));
                 risen.map_or(0.0, |piece| piece.start)
             }
+            Self::Flat(edge) => *edge,
             Self::Powers { .. } | Self::Circle(_) => 0.0,
         }
     }
@@ -100,7 +106,7 @@ impl Shape<'_> {
     pub(crate) fn is_smooth(&self) -> bool {
         match self {
             Self::Powers { terms, .. } => terms.iter().all(|(exponent, _)| exponent % 2.0 == 0.0),
-            Self::Circle(_) => true,
+            Self::Circle(_) | Self::Flat(_) => true,
             Self::Pieces { .. } => false,
         }
     }

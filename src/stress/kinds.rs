@@ -25,7 +25,7 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
     let stiffness = -3.0..3.0f64;
     let joint = (0..6usize, stiffness.clone(), stiffness);
     let joints = prop::collection::vec(joint, *ranges.layers.end());
-    (0..14usize, joints, 0..10usize, 0.0..=1.0f64).prop_map(|(punch, joints, base, share)| Kinds {
+    (0..16usize, joints, 0..10usize, 0.0..=1.0f64).prop_map(|(punch, joints, base, share)| Kinds {
         punch,
         joints,
         base,
@@ -66,8 +66,20 @@ impl Kinds {
             7 => Load::uniform(width).map(Punch::Given),
             8 => Load::parabolic(width).map(Punch::Given),
             9 => Load::elliptic(width).map(Punch::Given),
+            10 => Punch::flat(width),
+            11 => self.several(width).map(Punch::Given),
             _ => scenario.punch(),
         }
+    }
+
+    /// Two strips and a line between them, or the like.
+    fn several(&self, width: f64) -> Result<Load, Error> {
+        let part = 0.5 * width;
+        Load::several(&[
+            (self.share * width, 1.0, Load::uniform(part)?),
+            (0.5 * part, 0.1 + self.share, Load::parabolic(part)?),
+            (0.0, 0.1, Load::Line),
+        ])
     }
 
     fn items(&self, scenario: &Scenario) -> Result<Vec<Item>, Error> {

@@ -5,7 +5,7 @@ use std::time::Instant;
 use crate::error::{Error, NoSolution};
 use crate::model::Model;
 use crate::options::Options;
-use crate::scene::{Force, Scene};
+use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Contact, Interface, Solution};
 
 /// Pressures are looked at in this many places per contact.
@@ -145,7 +145,9 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     {
         return Some(format!("the resultant is {:e} times the force", contact.resultant / force));
     }
-    if scene.punch.max_half_length().is_some_and(|edge| contact.interface == Interface::Punch && half_length >= edge) {
+    let flat = matches!(scene.punch, Punch::Flat { .. });
+    let edge = scene.punch.max_half_length().filter(|_| contact.interface == Interface::Punch && !flat);
+    if edge.is_some_and(|edge| half_length >= edge) {
         return Some("the contact reaches past the edge of the punch".to_owned());
     }
     let pressures = (0..PLACES).map(|i| contact.pressure(half_length * (i as f64 + 0.5) / PLACES as f64));

@@ -28,7 +28,8 @@ pub struct Comparison {
 impl Comparison {
     /// True error over estimate, where an error below rounding counts as none.
     pub fn excess(&self) -> f64 {
-        (self.error - ROUNDING).max(0.0) / self.estimate
+        // what is given has no error
+        if self.error <= ROUNDING { 0.0 } else { (self.error - ROUNDING) / self.estimate }
     }
 
     /// Estimate over true error, where a smaller error than rounding counts as rounding.

@@ -1,0 +1,173 @@
+//! A flat punch with sharp corners.
+//!
+//! Goal: on a half-plane its pressure is that of Sadowsky; on layers its face stays flat, whatever else is loose; a punch with
+//! ever sharper round corners comes to it; and where that makes no sense it is said.
+//!
+//! Source of the closed form: M. Sadowsky, Zweidimensionale Probleme der Elastizitätstheorie, Z. angew. Math. Mech. 8 (1928).
+mod support;
+
+use std::f64::consts::PI;
+
+use recede::{
+    Error, Exponential, HalfPlane, Homogeneous, Method, Model, NoSolution, Options, Plane, Punch, Scene, Solution,
+    Stack,
+};
+
+fn model(stack: recede::StackBuilder) -> Model {
+    Model::new(stack.build().unwrap()).unwrap()
+}
+
+fn stack() -> recede::StackBuilder {
+    Stack::builder(Plane::Strain)
+}
+
+fn strip(thickness: f64) -> Homogeneous {
+    Homogeneous::new(thickness, 1.0, 0.25).unwrap()
+}
+
+fn ground(modulus: f64) -> HalfPlane {
+    HalfPlane::new(modulus, 0.25).unwrap()
+}
+
+/// Homogeneous faces, and one that is graded: bonded, loose, loose twice.
+fn layered() -> Vec<(f64, Model)> {
+    let graded = |beta: f64| Exponential::new(1.0, 1.0, 0.3, beta).unwrap();
+    vec![
+        (1e-10, model(stack().layer(strip(1.0)).bonded().rigid())),
+        (1e-10, model(stack().layer(strip(1.0)).receding().layer(ground(0.5)))),
+        (1e-10, model(stack().layer(strip(0.7)).receding().layer(strip(1.4)).receding().rigid())),
+        (1e-10, model(stack().layer(strip(0.3)).bonded().layer(graded(-1.2)).receding().layer(ground(2.0)))),
+        (1e-6, model(stack().layer(graded(1.2)).bonded().layer(ground(0.2)))),
+        (1e-6, model(stack().layer(graded(-1.5)).receding().layer(ground(0.7)))),
+    ]
+}
+
+fn press(model: &Model, half_width: f64) -> Solution {
+    model.press(&Punch::flat(half_width).unwrap(), 0.01).unwrap()
+}
+
+fn close(found: f64, expected: f64, error: f64, what: &str) {
+    assert!((found / expected - 1.0).abs() <= error, "{what}: {found:e}, expected {expected:e}");
+}
+
+#[test]
+fn on_a_half_plane_the_pressure_is_that_of_sadowsky() {
+    let (a, force) = (0.8, 0.01);
+    for model in [
+        model(stack().layer(ground(1.0))),
+        model(stack().layer(strip(0.2)).bonded().layer(ground(1.0))),
+        model(stack().layer(strip(0.5)).bonded().layer(strip(1.5)).bonded().layer(ground(1.0))),
+    ] {
+        let solution = press(&model, a);
+        let [contact] = solution.contacts() else { panic!("one contact") };
+        assert_eq!((contact.half_length, contact.half_length_error), (a, 0.0));
+        assert_eq!(solution.warnings(), [""; 0]);
+        close(contact.peak_pressure, force / (PI * a), 1e-12, "p(0)");
+        assert!(contact.peak_pressure_error < 1e-10 * contact.peak_pressure);
+        close(contact.resultant, force, 1e-12, "resultant");
+        let field = model.field(&solution);
+        for x in [0.0, 0.3, 0.7, 0.799] {
+            let expected = force / (PI * f64::sqrt(a * a - x * x));
+            close(contact.pressure(x), expected, 1e-11, "pressure");
+            close(-field.at(x, 0.0).unwrap().sigma_yy, expected, 1e-9, "stress on the face");
+        }
+        // outside the face is free, and inside stresses are those of the complex potential
+        assert!(field.at(1.1, 0.0).unwrap().sigma_yy.abs() < 1e-10);
+        let (x, d) = (0.5, 0.4);
+        let z = num_complex::Complex64::new(d, -x) / a;
+        let root = (z * z + 1.0).sqrt();
+        let expected = -force / (PI * a) * (root.inv() + d / a * z / (root * root * root)).re;
+        close(field.at(x, d).unwrap().sigma_yy, expected, 1e-10, "stress inside");
+        assert!(field.at(a, 0.0).unwrap().sigma_yy.is_finite());
+    }
+}
+
+#[test]
+fn the_face_under_the_punch_stays_flat() {
+    for (i, (error, model)) in layered().into_iter().enumerate() {
+        for half_width in [0.05, 0.6, 1.7] {
+            let solution = press(&model, half_width);
+            let field = model.field(&solution);
+            let v = |s: f64| field.at(s * half_width, 0.0).unwrap().v;
+            // compared with how deep the face lies a little outside
+            let dip = (v(1.5) - v(0.0)).abs();
+            for s in [0.2, 0.5, 0.8, 0.95] {
+                let tilt = (v(s) - v(0.0)).abs() / dip;
+                assert!(tilt < f64::max(10.0 * error, 1e-7), "stack {i}, {half_width}: {tilt:e} at {s}");
+            }
+            for contact in solution.contacts() {
+                close(contact.resultant, 0.01, 1e-12, "resultant");
+                let estimate = contact.half_length_error / contact.half_length;
+                assert!(estimate < 1e-9, "stack {i}, {half_width}: {contact:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn ever_sharper_corners_come_to_those() {
+    for (i, (_, model)) in layered().into_iter().enumerate() {
+        let expected = press(&model, 0.6);
+        let with_radius = |radius: f64| model.press(&Punch::rounded_flat(0.6, radius).unwrap(), 0.01).unwrap();
+        let errors = |radius: f64| {
+            let found = with_radius(radius);
+            let pairs = found.contacts().iter().zip(expected.contacts());
+            let of = |(found, expected): (&recede::Contact, &recede::Contact)| {
+                [found.half_length / expected.half_length - 1.0, found.peak_pressure / expected.peak_pressure - 1.0]
+            };
+            pairs.flat_map(of).collect::<Vec<f64>>()
+        };
+        // the contact reaches round the corners by a length like R^(2/3)
+        let (blunt, sharp) = (errors(0.08), errors(0.01));
+        for (k, (blunt, sharp)) in blunt.iter().zip(&sharp).enumerate() {
+            assert!(sharp.abs() < 0.01, "stack {i}, number {k}: {sharp}");
+            assert!((blunt / sharp - 4.0).abs() < 0.4, "stack {i}, number {k}: {blunt} {sharp}");
+        }
+    }
+}
+
+#[test]
+fn loose_layers_do_not_care_how_hard_the_punch_is_pressed() {
+    let (_, model) = layered().remove(1);
+    let [light, heavy] = [1e-9, 3.0].map(|force| model.press(&Punch::flat(0.5).unwrap(), force).unwrap());
+    for (light, heavy) in light.contacts().iter().zip(heavy.contacts()) {
+        close(heavy.half_length, light.half_length, 1e-12, "half-length");
+        close(heavy.peak_pressure, 3e9 * light.peak_pressure, 1e-12, "pressure");
+    }
+    // a narrow punch is a line load
+    let line = 1.324_165_38;
+    let narrow = self::model(stack().layer(strip(1.0)).receding().layer(ground(1.0)));
+    close(press(&narrow, 1e-4).contacts()[1].half_length, line, 1e-7, "half-length under a narrow punch");
+}
+
+#[test]
+fn where_it_cannot_be_it_is_said() {
+    // a thin strip is bent away from the middle of a wide punch
+    let thin = model(stack().layer(strip(1.0)).receding().layer(ground(1e-3)));
+    let refused = thin.press(&Punch::flat(3.0).unwrap(), 0.01).unwrap_err();
+    assert!(matches!(refused, Error::NoSolution(NoSolution::Parts { .. } | NoSolution::Tension { .. })), "{refused}");
+    let (_, model) = layered().remove(0);
+    let options = Options { method: Method::Collocation, ..Options::default() };
+    let refused = model.press_with(&Punch::flat(0.5).unwrap(), 0.01, &options).unwrap_err();
+    assert!(matches!(refused, Error::FlatByCollocation) && refused.hint().unwrap().contains("RoundedFlat"));
+    assert!(Punch::flat(0.0).is_err());
+}
+
+#[test]
+fn the_command_solves_and_draws_it() {
+    let text = "Scene(plane: Strain, punch: Flat(half_width: 0.5), force: 0.002, stack: [
+        Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
+    let scene = Scene::from_ron(text).unwrap();
+    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().punch, scene.punch);
+    let run = support::recede(&["solve", "-", "--format", "json"], text.as_bytes());
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    assert!(
+        run.stdout.contains("\"half_length\": 0.5,") && run.stdout.contains("\"half_length_error\": 0.0,"),
+        "{}",
+        run.stdout
+    );
+    let wanted = text.replace("force: 0.002", "half_length: 0.4");
+    let run = support::recede(&["solve", "-"], wanted.as_bytes());
+    assert_eq!(run.status, Some(2), "{}", run.stderr);
+    assert!(run.stderr.contains("no force was found"), "{}", run.stderr);
+}
