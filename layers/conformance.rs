@@ -8,8 +8,8 @@
 //! ```
 //!
 //! Three properties make a layer what it is, and each law looks at one of them from one side: the fields obey the state
-//! equations of its [`Layer::material`] ([`general_body`], [`inside`], [`split_in_two`], [`mirror`], [`long_wave`],
-//! [`short_wave`]), the material is elastic ([`reciprocity`], [`positive_energy`]), and numbers keep their digits
+//! equations of its [`Layer::material`] ([`general_body`], [`inside`], [`split_in_two`], [`continues`], [`mirror`],
+//! [`long_wave`], [`short_wave`]), the material is elastic ([`reciprocity`], [`positive_energy`]), and numbers keep their digits
 //! ([`free_body`], [`uniform_pressure`], [`finite`]).
 //!
 //! # Tolerances
@@ -22,11 +22,13 @@
 //! [`DIGITS`] or is granted.
 mod beam;
 mod bonded;
+mod cut;
 mod inside;
 mod laws;
 mod limits;
 mod trial;
 
+pub use self::cut::{continues, one_body};
 pub use self::inside::inside;
 pub use self::laws::{finite, general_body, mirror, positive_energy, reciprocity, split_in_two, uniform_pressure};
 pub use self::limits::{free_body, long_wave, short_wave};
@@ -66,7 +68,7 @@ pub struct Violation {
 pub type Law = (&'static str, fn(&dyn Layer, Plane) -> Result<(), Violation>);
 
 /// All laws, in the order in which to read their violations: the first one broken is the likely cause of the others.
-pub const LAWS: [Law; 11] = [
+pub const LAWS: [Law; 12] = [
     ("finite", finite),
     ("reciprocity", reciprocity),
     ("positive_energy", positive_energy),
@@ -78,6 +80,7 @@ pub const LAWS: [Law; 11] = [
     ("mirror", mirror),
     ("split_in_two", split_in_two),
     ("inside", inside),
+    ("continues", continues),
 ];
 
 /// Examines a layer by all laws.
@@ -99,7 +102,7 @@ pub fn examine(layer: &dyn Layer, plane: Plane) -> Result<(), Vec<Violation>> {
 macro_rules! layer_laws {
     ($name:ident, $layer:expr) => {
         $crate::layer_laws!($name, $layer => finite, reciprocity, positive_energy, general_body, uniform_pressure,
-            free_body, long_wave, short_wave, mirror, split_in_two, inside);
+            free_body, long_wave, short_wave, mirror, split_in_two, inside, continues);
     };
     ($name:ident, $layer:expr => $($law:ident),*) => {
         mod $name {

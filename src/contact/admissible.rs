@@ -78,14 +78,16 @@ pub(super) fn pushes(
     let mut min_pressure = 0.0f64;
     for (i, modes) in level.modes.iter().enumerate() {
         let mut pressures = pressures(modes, modes.len());
+        let mut largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
         if i == 0 && level.corners != 0.0 {
+            // as large as in the middle, not as next to the corners
+            largest = largest.max(level.corners.abs());
             let places = pressures.len();
             for (place, pressure) in pressures.iter_mut().enumerate() {
                 let sine = angle(place, places).sin();
                 *pressure += 0.5 * level.corners / PI * (sine.recip() - 2.0 * sine);
             }
         }
-        let largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
         let (place, pressure) = pressures
             .iter()
             .enumerate()

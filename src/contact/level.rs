@@ -43,7 +43,7 @@ pub(super) struct Level {
     pub(super) tails: Vec<f64>,
     /// A layout, and the slope transforms of all contacts there.
     pub(super) waves: Option<(Layout, Vec<Rows>)>,
-    /// Under a punch that is not smooth, the higher half of what its modes have besides those of a half-plane, the lower
+    /// Under a punch that is not smooth, or has corners, the higher half of what its modes have besides those of a half-plane, the lower
     /// half being 0.
     pub(super) rest: Option<Vec<f64>>,
 }
@@ -97,7 +97,7 @@ impl Level {
             // compared with that of a mean pressure where there is hardly any in the middle
             tails.push(weight(&own, own.len() / 2..own.len()) / (PI * size).max(1.0));
             peaks.push(peak);
-            if local.is_some() {
+            if local.is_some() || corners.is_some() && i == 0 {
                 let half = own.len() / 2;
                 rest = Some([vec![0.0; half], own[half..].to_vec()].concat());
             }

@@ -65,6 +65,11 @@ impl<'a> Indentation<'a> {
         self.punch.load()
     }
 
+    /// Whether modes fall fast: the profile is analytic, and what it presses on takes no part in that.
+    pub(super) fn is_smooth(&self) -> bool {
+        self.given.is_some() || self.shape.is_smooth()
+    }
+
     /// Whether the pressure is infinite at the tip.
     pub(super) fn is_sharp(&self) -> bool {
         self.punch.is_sharp()

@@ -70,6 +70,16 @@ pub(super) fn refine(
             solved[i] = solved[i].max((modes[i] / 3).next_multiple_of(4));
         }
     }
+    // what a punch that is not smooth does to the contact below is felt by all modes of that
+    let as_many = |counts: &mut [usize]| {
+        if let [first, second, ..] = counts
+            && !punch.is_smooth()
+        {
+            *first = (*first).max(*second);
+        }
+    };
+    as_many(&mut solved);
+    as_many(&mut modes);
     let mut warnings = Vec::new();
     let mut before: Option<Level> = None;
     let mut fewer = coarse.clone();
@@ -128,6 +138,8 @@ pub(super) fn refine(
             solved[i] = wanted(solved[i]).min(finest);
             modes[i] = wanted(modes[i]).max(with_more(solved[i], tolerance)).min(with_more(finest, tolerance));
         }
+        as_many(&mut solved);
+        as_many(&mut modes);
         fewer = level.counts.clone();
         half_lengths = level.half_lengths.clone();
         before = Some(level);

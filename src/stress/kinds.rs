@@ -1,8 +1,8 @@
-//! Random scenes with punches, loads, interfaces and bases of all kinds.
+//! Random scenes with punches, loads, layers, interfaces and bases of all kinds.
 use proptest::prelude::*;
-use recede_layers::{GradedHalfPlane, PowerHalfPlane, Winkler};
+use recede_layers::{EngineeringConstants, Graded, GradedHalfPlane, Orthotropic, PowerHalfPlane, Profile, Winkler};
 
-use super::scenario::Scenario;
+use super::scenario::{Ply, Scenario};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::error::Error;
 use crate::scene::{Item, Load, Punch, Scene, Spring};
@@ -11,10 +11,11 @@ use crate::scene::{Item, Load, Punch, Scene, Spring};
 const TABLE_ENDS: f64 = 6.0;
 const ROWS: usize = 16;
 
-/// What takes the place of a parabola, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
+/// What takes the place of a parabola, of layers, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
 #[derive(Clone, Debug)]
 struct Kinds {
     punch: usize,
+    layers: Vec<(usize, f64)>,
     joints: Vec<(usize, f64, f64)>,
     base: usize,
     /// A number from 0 to 1 that every kind makes something else of.
@@ -25,8 +26,10 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
     let stiffness = -3.0..3.0f64;
     let joint = (0..6usize, stiffness.clone(), stiffness);
     let joints = prop::collection::vec(joint, *ranges.layers.end());
-    (0..16usize, joints, 0..10usize, 0.0..=1.0f64).prop_map(|(punch, joints, base, share)| Kinds {
+    let layers = prop::collection::vec((0..12usize, -1.0..1.0f64), *ranges.layers.end());
+    (0..16usize, joints, 0..10usize, 0.0..=1.0f64, layers).prop_map(|(punch, joints, base, share, layers)| Kinds {
         punch,
+        layers,
         joints,
         base,
         share,
@@ -84,6 +87,14 @@ impl Kinds {
 
     fn items(&self, scenario: &Scenario) -> Result<Vec<Item>, Error> {
         let mut items = scenario.items()?;
+        let plies = scenario.layers.iter().zip(&self.layers);
+        for (item, (ply, (kind, power))) in items.iter_mut().step_by(2).zip(plies) {
+            *item = match kind {
+                0 => Item::layer(graded(ply, *power)?),
+                1 => Item::layer(orthotropic(ply, *power)?),
+                _ => continue,
+            };
+        }
         for (item, (kind, normal, tangential)) in items.iter_mut().skip(1).step_by(2).zip(&self.joints) {
             // per thickness and modulus of the whole
             let stiffness = |power: &f64| 10f64.powf(*power) / scenario.thickness();
@@ -106,4 +117,18 @@ impl Kinds {
         }
         Ok(items)
     }
+}
+
+/// From the modulus at the top face to another one by a smooth step.
+fn graded(ply: &Ply, power: f64) -> Result<Graded, Error> {
+    let Ply { thickness, modulus, poisson, .. } = *ply;
+    let step = Profile::sigmoid(modulus, modulus * 10f64.powf(power), 0.5 * thickness, 0.2 * thickness)?;
+    Ok(Graded::new(thickness, step, Profile::linear(poisson, 0.5 * poisson)?)?)
+}
+
+/// Stiffer or softer along the layers than across them.
+fn orthotropic(ply: &Ply, power: f64) -> Result<Orthotropic, Error> {
+    let young = 2.5 * ply.modulus;
+    let constants = EngineeringConstants::new([young * 3f64.powf(power), young, young], [0.2; 3], ply.modulus)?;
+    Ok(Orthotropic::new(ply.thickness, constants)?)
 }

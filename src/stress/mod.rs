@@ -1,7 +1,7 @@
 //! Random legal scenes, and what becomes of them: a solver is trusted for the scenes that nobody thought of.
 //!
 //! [`scenes`] is a [`proptest`] strategy, [`scene`] picks one of its scenes by number, [`scene_of_any_kind`] one with punches,
-//! loads, interfaces and bases of all kinds, [`Trial`] solves it and judges the
+//! loads, layers, interfaces and bases of all kinds, [`Trial`] solves it and judges the
 //! answer. The command `recede stress` does that for many.
 //!
 //! ```
