@@ -178,7 +178,7 @@ fn descend(rows: &mut [Lanes], n: usize, two_over_z: &Lanes, start: (Lanes, Lane
         (above, here) = (here, below);
         order -= 1.0;
     }
-    let even = (n - single) % 2 == 0;
+    let even = (n - single).is_multiple_of(2);
     for pair in lower.rchunks_exact_mut(2) {
         let [mut below, mut next] = [[0.0; LANES]; 2];
         for lane in 0..LANES {
