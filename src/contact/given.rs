@@ -71,7 +71,15 @@ pub(super) fn strips(load: &Load, force: f64, length: f64) -> Vec<Strip> {
             Form::Uniform => unit / order(m),
             Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
         };
-        Strip { at, extent, coefficients: (0..terms).map(coefficient).collect(), corners: 0.0, found: terms, form }
+        Strip {
+            at,
+            extent,
+            coefficients: (0..terms).map(coefficient).collect(),
+            corners: 0.0,
+            tip: 0.0,
+            found: terms,
+            form,
+        }
     };
     load.parts().into_iter().map(strip).collect()
 }

@@ -31,6 +31,8 @@ pub(super) struct Level {
     pub(super) modes: Modes,
     /// q, the amplitude of the pressure next to the corners of the punch; 0 if there are none.
     pub(super) corners: f64,
+    /// The mode y_m, the same for all m, of a half-plane under a sharp tip; 0 if there is none.
+    pub(super) tip: f64,
     /// How many of them were found.
     pub(super) counts: Vec<usize>,
     /// Σ y_m/(πj), p(0) a/(2 μ₀P'), per contact; infinite under a sharp tip.
@@ -118,11 +120,12 @@ impl Level {
             // the half-length is that of the punch
             errors[0][0] = 0.0;
         }
+        let tip = local.as_ref().filter(|_| punch.is_sharp()).map_or(0.0, |local| local.modes[0]);
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
         let corners = corners.unwrap_or(0.0);
-        Self { half_lengths, modes, corners, counts, peaks, settled, errors, tails, waves, rest }
+        Self { half_lengths, modes, corners, tip, counts, peaks, settled, errors, tails, waves, rest }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer
