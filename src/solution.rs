@@ -106,7 +106,11 @@ impl Strip {
             Form::Series => {
                 let phi = s.acos();
                 let terms = self.coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + 1) as f64 * phi).sin());
-                let corners = if self.corners == 0.0 { 0.0 } else { self.corners / phi.sin() };
+                let corners = match self.corners {
+                    0.0 => 0.0,
+                    corners if s.abs() == 1.0 => corners * f64::INFINITY,
+                    corners => corners / phi.sin(),
+                };
                 let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
                 terms.sum::<f64>() + corners + tip
             }
