@@ -57,7 +57,7 @@ pub use material::{Isotropic, Material, Plane};
 pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, PoissonRatios, Young};
 pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table, TableError};
-pub use quantity::{Exponent, Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
+pub use quantity::{Carrying, Exponent, Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
 pub use registry::{Entry, ReadError, ReadLayer, Registry, read_ron};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
 pub use winkler::Winkler;

@@ -1,16 +1,18 @@
-//! A half-plane graded by a power law, μ(d) = μ_top (1 + d/l)^m with m ≥ 0.
+//! A half-plane graded by a power law, μ(d) = μ_top (1 + d/l)^m with m > −1.
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Isotropic, Layer, LayerError, Material, Plane, Poisson, Positive, Stiffening};
+use crate::{Carrying, Isotropic, Layer, LayerError, Material, Plane, Poisson, Positive};
 
 /// Isotropic half-plane of constant Poisson's ratio whose shear modulus is μ_top (1 + d/l)^m at depth d below its face,
-/// m ≥ 0: like soil, which stiffens under its own weight.
+/// m > −1: like soil, which stiffens under its own weight, or like ground that was compacted from above and softens.
+///
+/// With m ≤ −1 strains would not fall with the distance, and nothing would carry the force.
 ///
 /// ```
 /// use recede_layers::PowerHalfPlane;
 /// let soil = PowerHalfPlane::new(1.0, 0.3, 2.0, 0.5)?;
-/// assert!(PowerHalfPlane::new(1.0, 0.3, 2.0, -0.5).is_err());
+/// assert!(PowerHalfPlane::new(1.0, 0.3, 2.0, -1.0).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
@@ -23,12 +25,12 @@ pub struct PowerHalfPlane {
     /// Length l over which the modulus rises first.
     length: Positive,
     /// Exponent m, dimensionless: the modulus at depth d is shear_modulus (1 + d/length)^m.
-    exponent: Stiffening,
+    exponent: Carrying,
 }
 
 impl PowerHalfPlane {
     /// A half-plane of shear modulus μ_top > 0 at its face (stress), Poisson's ratio −1 < ν ≤ 1/2, length l > 0 and
-    /// exponent m ≥ 0 (dimensionless).
+    /// exponent m > −1 (dimensionless).
     ///
     /// # Errors
     /// [`LayerError`] if a number is outside its range or not finite.

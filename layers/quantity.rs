@@ -80,5 +80,9 @@ quantity!(
     Stiffening, "a finite number >= 0 (a half-plane that softens without end carries no force)",
     |x| x >= 0.0 && x.is_finite());
 quantity!(
+    /// The power of the depth with which the modulus of a half-plane varies.
+    Carrying, "a finite number > -1 (a half-plane that softens faster carries no force)",
+    |x| x > -1.0 && x.is_finite());
+quantity!(
     /// An exponent, such as that of a profile |x|^n.
     Exponent, "a number from 1 to 100", |x| (1.0..=100.0).contains(&x));

@@ -68,12 +68,14 @@ pub(crate) struct Strip {
     pub(crate) at: f64,
     /// Half-length a of the strip: that of the contact, but of a line load, which is a very narrow strip.
     pub(crate) extent: f64,
-    /// p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ with x − at = a cos φ.
+    /// p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
     /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
     pub(crate) skew: Vec<f64>,
     /// How strong it is next to the sharp corners of a punch; 0 if there are none.
     pub(crate) corners: f64,
+    /// How strong its logarithm is under a sharp tip; 0 if there is none.
+    pub(crate) tip: f64,
     /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
     /// where the punch is not smooth.
     pub(crate) found: usize,
@@ -97,12 +99,12 @@ pub(crate) enum Form {
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
     pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
-        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, found, form: Form::Series }
+        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, found, form: Form::Series }
     }
 
     /// The resultant of one image.
     pub(crate) fn resultant(&self) -> f64 {
-        0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * self.corners)
+        0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
     }
 
     /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
@@ -124,8 +126,13 @@ impl Strip {
                 let sum = |coefficients: &[f64], first: usize| -> f64 {
                     coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + first) as f64 * phi).sin()).sum()
                 };
-                let corners = if self.corners == 0.0 { 0.0 } else { self.corners / phi.sin() };
-                sum(&self.coefficients, 1) + mirror * sum(&self.skew, 2) + corners
+                let corners = match self.corners {
+                    0.0 => 0.0,
+                    corners if s.abs() == 1.0 => corners * f64::INFINITY,
+                    corners => corners / phi.sin(),
+                };
+                let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
+                sum(&self.coefficients, 1) + mirror * sum(&self.skew, 2) + corners + tip
             }
         }
     }

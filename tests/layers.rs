@@ -8,8 +8,8 @@
 //! ```
 use recede::layers::{Poisson, Positive};
 use recede::{
-    BaseChain, EngineeringConstants, Exponential, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Layer,
-    Model, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Punch, Stack, StackBuilder, Wave,
+    BaseChain, EngineeringConstants, Exponential, Force, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic,
+    Layer, Model, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Punch, Stack, StackBuilder, Wave,
     Winkler,
 };
 
@@ -137,16 +137,33 @@ fn a_graded_half_plane_is_one_with_a_layer_of_the_same() {
 #[test]
 fn soil_is_soil_with_a_layer_of_the_same() {
     let strip = Homogeneous::new(1.0, 4.0, 0.25).expect("legal");
-    let base = |depth: f64| {
-        let modulus = (1.0 + depth / 2.0f64).powf(0.5);
-        PowerHalfPlane::new(modulus, 0.3, 2.0 + depth, 0.5).expect("legal")
-    };
-    let layer = graded(0.7, Profile::power(1.0, 2.0, 0.5).expect("legal"));
-    assert_same(
-        stack().layer(strip).receding().layer(base(0.0)),
-        stack().layer(strip).receding().layer(layer).bonded().layer(base(0.7)),
-        SAME,
-    );
+    for exponent in [0.5, -0.3, -0.8] {
+        let base = |depth: f64| {
+            let modulus = (1.0 + depth / 2.0f64).powf(exponent);
+            PowerHalfPlane::new(modulus, 0.3, 2.0 + depth, exponent).expect("legal")
+        };
+        let layer = graded(0.7, Profile::power(1.0, 2.0, exponent).expect("legal"));
+        assert_same(
+            stack().layer(strip).receding().layer(base(0.0)),
+            stack().layer(strip).receding().layer(layer).bonded().layer(base(0.7)),
+            SAME,
+        );
+    }
+}
+
+/// Far below its surface the ground has no length of its own: then a line load P makes a contact a with P ∝ a^(2 + m).
+#[test]
+fn long_contacts_on_soil_follow_a_power_law() {
+    for exponent in [0.5, 0.2, 0.0, -0.3, -0.6] {
+        let base = PowerHalfPlane::new(1.0, 0.3, 1e-6, exponent).expect("legal");
+        let model = Model::new(stack().layer(base).build().expect("legal")).expect("kernels");
+        let force = |half_length: f64| {
+            let force = Force::ForHalfLength(half_length);
+            model.press(&Punch::parabola(1e3).expect("legal"), force).expect("a contact").force()
+        };
+        let power = (force(40.0) / force(20.0)).log2();
+        assert!((power - 2.0 - exponent).abs() < 1e-3, "{exponent}: {power}");
+    }
 }
 
 #[test]

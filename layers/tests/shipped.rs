@@ -52,6 +52,8 @@ layer_laws!(orthotropic_ground, OrthotropicHalfPlane::new(ply()));
 layer_laws!(orthotropic_ground_stiff_in_shear, OrthotropicHalfPlane::new(stiff_in_shear()));
 layer_laws!(graded_ground, GradedHalfPlane::new(2.0, 0.3, 0.7).expect("legal"));
 layer_laws!(soil, PowerHalfPlane::new(2.0, 0.3, 0.1, 0.8).expect("legal"));
+layer_laws!(compacted, PowerHalfPlane::new(2.0, 0.3, 0.1, -0.4).expect("legal"));
+layer_laws!(hardly_carrying, PowerHalfPlane::new(2.0, 0.1, 3.0, -0.95).expect("legal"));
 layer_laws!(graded_incompressible_ground, GradedHalfPlane::new(2.0, 0.5, 3.0).expect("legal"));
 
 fn flexibility(layer: &dyn Layer, wave: &Wave) -> [f64; 5] {

@@ -7,11 +7,13 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::Error;
 use crate::error::NoSolution;
 use crate::kernel::Kernel;
+use crate::numeric::buffer::Buffer;
+use crate::numeric::vector::vectorised;
 use crate::solution::Interface;
 
 use super::basis::Basis;
 use super::galerkin::{Equations, alternating, order};
-use super::layout::{COARSE, Layout};
+use super::layout::{COARSE, Layout, frequency_of_fields, span};
 use super::level::{Level, coefficients};
 use super::newton::not_converged;
 use super::punch::Indentation;
@@ -22,6 +24,8 @@ const PER_MODE: usize = 3;
 const GAPS: usize = 24;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
 const GAP_MODES: usize = 128;
+/// Wavenumbers taken together.
+const LANES: usize = 8;
 /// Modes y_m, the first of which is 1, below this are not felt there.
 const UNFELT: f64 = 1e-7;
 /// What is below zero by less than this part of the largest value is zero.
@@ -135,35 +139,71 @@ fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
     (0..places).map(at).collect()
 }
 
-/// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
-fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Error> {
+/// The slope transforms of all contacts at real wavenumbers that resolve fields out to `span`: those of the equations, if
+/// they do.
+fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<f64>]) -> Result<Waves, Error> {
     let n = level.half_lengths.len();
-    let longest = level.half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b));
-    let span = 2.0 * longest + 2.0;
-    let felt = |modes: &Vec<f64>| {
-        let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
-        modes[..above.min(GAP_MODES)].to_vec()
-    };
-    let modes: Vec<Vec<f64>> = level.modes.iter().map(felt).collect();
+    let frequency = frequency_of_fields(&level.half_lengths);
+    if let Some((layout, responses)) = &level.waves {
+        // what is beyond is nothing
+        let end = |i: usize| {
+            let mut left = 0.1 * NO_GAP * layout.own[i].limit;
+            let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
+            let last = waves.rposition(|(zeta, slope)| {
+                left -= (slope / zeta).abs();
+                left < 0.0
+            });
+            last.map_or(0, |last| last + 1)
+        };
+        let ends: Vec<usize> = (0..n).map(end).collect();
+        let needed = ends.iter().copied().fold(0, usize::max);
+        if needed <= layout.resolved(frequency) {
+            let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
+            let limits = layout.own.iter().map(|own| own.limit).collect();
+            return Ok(Waves { zeta: layout.zeta[..needed].to_vec(), limits, slopes });
+        }
+    }
     let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
     if punch.given().is_some() {
         orders[0] = 0;
     }
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span)
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span(&level.half_lengths))
         .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
     let basis = |i: usize| match punch.given().filter(|_| i == 0) {
         Some(given) => Basis::given(&layout, given),
-        None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len(), Vec::new()),
+        None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
     };
     let bases: Vec<Basis> = (0..n).map(basis).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let linked = vec![false; n - 1];
     let equations = Equations::new(&layout, &bases, &counts, &linked).with_corners(punch.flat().map(|_| level.corners));
-    let transforms = equations.responses(&modes);
-    let mut gaps = Vec::with_capacity(n);
+    let mut slopes = equations.responses(modes);
+    slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
+    let limits = layout.own.iter().map(|own| own.limit).collect();
+    Ok(Waves { zeta: layout.zeta, limits, slopes })
+}
+
+/// What is needed of the equations to find gaps.
+struct Waves {
+    zeta: Vec<f64>,
+    /// g∞ of each contact.
+    limits: Vec<f64>,
+    /// Slope transforms, weights included and g∞ left out.
+    slopes: Vec<Buffer>,
+}
+
+/// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
+fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Error> {
+    let felt = |modes: &Vec<f64>| {
+        let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
+        modes[..above.min(GAP_MODES)].to_vec()
+    };
+    let modes: Vec<Vec<f64>> = level.modes.iter().map(felt).collect();
+    let waves = transforms(kernel, punch, level, &modes)?;
+    let mut gaps = Vec::with_capacity(modes.len());
     for (i, modes) in modes.iter().enumerate() {
-        let (a, limit) = (level.half_lengths[i], layout.own[i].limit);
-        let mut end = span;
+        let (a, limit) = (level.half_lengths[i], waves.limits[i]);
+        let mut end = span(&level.half_lengths);
         if let (0, Some(edge)) = (i, punch.max_half_length()) {
             end = end.min(edge);
         }
@@ -174,15 +214,16 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
             continue;
         }
         // next to the contact, and far from it
-        for reach in [0.5 * a.min(end - a), end - a] {
-            let step = reach / GAPS as f64;
-            let rest = deflections(&layout.zeta, &transforms[i][..layout.own[i].reach], a, step);
+        let steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+        let rest = vectorised(
+            #[inline(always)]
+            || deflections(&waves.zeta, &waves.slopes[i], a, steps),
+        );
+        for (step, rest) in steps.into_iter().zip(rest) {
             own.extend(rest.into_iter().enumerate().map(|(k, rest)| {
                 let x = a + step * (k + 1) as f64;
-                let t = (x / a).acosh();
                 let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
-                let cauchy: f64 = modes.iter().enumerate().map(|(m, y)| y * cauchy_deflection(m, t)).sum();
-                (x, opened - 2.0 * (limit * cauchy + rest) / PI)
+                (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + rest) / PI)
             }));
         }
         gaps.push(own);
@@ -190,27 +231,48 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     Ok(gaps)
 }
 
-/// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ...: neighbouring cosines follow from each other.
-fn deflections(zeta: &[f64], slopes: &[f64], a: f64, step: f64) -> Vec<f64> {
-    let mut sums = vec![0.0; GAPS];
-    for (zeta, slope) in zeta.iter().zip(slopes) {
-        let weight = slope / zeta;
-        let (sin, cos) = (zeta * a).sin_cos();
-        let (sin_step, cos_step) = (zeta * step).sin_cos();
-        let mut before = cos;
-        let mut here = cos * cos_step - sin * sin_step;
-        for sum in &mut sums {
-            *sum += weight * (cos - here);
-            (before, here) = (here, 2.0 * cos_step * here - before);
+/// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ... with each of two steps: neighbouring cosines follow from
+/// each other.
+#[inline(always)]
+fn deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; GAPS]; 2] {
+    let mut parts = [[[0.0; LANES]; GAPS]; 2];
+    for (zetas, slopes) in zeta.chunks(LANES).zip(slopes.chunks(LANES)) {
+        let [mut weight, mut sin, mut cos] = [[0.0; LANES]; 3];
+        for (lane, (zeta, slope)) in zetas.iter().zip(slopes).enumerate() {
+            weight[lane] = slope / zeta;
+            (sin[lane], cos[lane]) = (zeta * a).sin_cos();
+        }
+        for (parts, step) in parts.iter_mut().zip(steps) {
+            let [mut before, mut here, mut turn] = [cos, cos, [0.0; LANES]];
+            for (lane, zeta) in zetas.iter().enumerate() {
+                let (sin_step, cos_step) = (zeta * step).sin_cos();
+                here[lane] = cos[lane] * cos_step - sin[lane] * sin_step;
+                turn[lane] = 2.0 * cos_step;
+            }
+            for part in parts {
+                let mut next = [0.0; LANES];
+                for lane in 0..LANES {
+                    part[lane] += weight[lane] * (cos[lane] - here[lane]);
+                    next[lane] = turn[lane] * here[lane] - before[lane];
+                }
+                (before, here) = (here, next);
+            }
         }
     }
-    sums
+    parts.map(|parts| parts.map(|part| part.iter().sum()))
 }
 
-/// ∫ from a to x = a cosh t of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, j = 2m + 1.
-fn cauchy_deflection(m: usize, t: f64) -> f64 {
-    let j = order(m);
-    let first = if m == 0 { t } else { -(-(j - 1.0) * t).exp_m1() / (j - 1.0) };
-    let second = -(-(j + 1.0) * t).exp_m1() / (j + 1.0);
-    alternating(m) * 0.5 * (first - second) / j
+/// Σ y_m ∫ from a to x of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, x = a cosh t, j = 2m + 1.
+fn cauchy_deflection(modes: &[f64], ratio: f64) -> f64 {
+    let t = ratio.acosh();
+    let square = (-2.0 * t).exp();
+    // (1 − e^(−kt))/k for k = j − 1, and its limit
+    let (mut first, mut power, mut sum) = (t, 1.0, 0.0);
+    for (m, y) in modes.iter().enumerate() {
+        power *= square;
+        let second = (1.0 - power) / (order(m) + 1.0);
+        sum += alternating(m) * 0.5 * (first - second) / order(m) * y;
+        first = second;
+    }
+    sum
 }

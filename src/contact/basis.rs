@@ -7,6 +7,7 @@ use faer::MatRef;
 use num_complex::Complex64;
 
 use crate::numeric::bessel;
+use crate::numeric::buffer::Buffer;
 
 use super::given::Given;
 use super::layout::Layout;
@@ -17,24 +18,24 @@ pub(super) struct Basis {
     /// Half-length in units of L.
     pub(super) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
-    pub(super) deficit: Vec<f64>,
+    pub(super) deficit: Buffer,
     rows: usize,
     /// J_n/a for n = 0, 1, ..., 2·modes, column by column.
-    table: Vec<f64>,
+    table: Buffer,
     /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
-    arguments: Vec<f64>,
+    arguments: Buffer,
     /// z on the turned path.
     paths: Vec<Complex64>,
 }
 
 impl Basis {
-    /// The modes of contact `i` at one half-length; `table` is storage to be used again, whatever is in it.
-    pub(super) fn new(layout: &Layout, i: usize, half_length: f64, modes: usize, mut table: Vec<f64>) -> Self {
+    /// The modes of contact `i` at one half-length.
+    pub(super) fn new(layout: &Layout, i: usize, half_length: f64, modes: usize) -> Self {
         let (tail, reach) = (layout.tail(i), layout.own[i].reach);
         let rows = reach + tail.rows();
-        let mut arguments: Vec<f64> = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
+        let mut arguments: Buffer = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
         let orders = 2 * modes + 1;
-        table.resize(orders * rows, 0.0);
+        let mut table = Buffer::any(orders * rows);
         bessel::scaled_table(orders, &arguments, half_length.recip(), rows, &mut table);
         let j1 = &table[rows..rows + reach];
         let deficit =
@@ -43,8 +44,8 @@ impl Basis {
         if rows > reach {
             let smooth: Vec<f64> = tail.smooth.iter().map(|zeta| zeta * half_length).collect();
             fill_tail(tail, half_length, &smooth, &paths, reach, rows, &mut table);
-            arguments.extend(&smooth);
-            arguments.extend(&smooth);
+            arguments.extend(smooth.iter().copied());
+            arguments.extend(smooth.iter().copied());
         }
         Self { half_length, deficit, rows, table, arguments, paths }
     }
@@ -53,10 +54,10 @@ impl Basis {
     /// orders do not matter.
     pub(super) fn given(layout: &Layout, given: &Given) -> Self {
         let zeta = &layout.zeta[..layout.own[0].reach];
-        let deficit: Vec<f64> = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
+        let deficit: Buffer = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
         let rows = zeta.len();
-        let mut table = vec![0.0; 3 * rows];
-        for ((value, zeta), deficit) in table[rows..].iter_mut().zip(zeta).zip(&deficit) {
+        let mut table = Buffer::zeros(3 * rows);
+        for ((value, zeta), deficit) in table[rows..].iter_mut().zip(zeta).zip(deficit.iter()) {
             *value = 0.5 * zeta * (1.0 + deficit);
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
@@ -65,16 +66,11 @@ impl Basis {
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
-    pub(super) fn corners(&self) -> Vec<f64> {
-        let mut corners = self.table[2 * self.rows..3 * self.rows].to_vec();
+    pub(super) fn corners(&self) -> Buffer {
+        let mut corners = Buffer::of(&self.table[2 * self.rows..3 * self.rows]);
         self.scale(&mut corners, false);
         corners.iter_mut().for_each(|value| *value = -*value);
         corners
-    }
-
-    /// The storage, to be used again.
-    pub(super) fn into_table(self) -> Vec<f64> {
-        self.table
     }
 
     /// Number of rows.
@@ -98,14 +94,22 @@ impl Basis {
     }
 
     /// Σ_m y_m ψ_m in every row.
-    pub(super) fn combine(&self, y: &[f64]) -> Vec<f64> {
+    pub(super) fn combine(&self, y: &[f64]) -> Buffer {
         times(self.values(y.len()), y)
     }
 
+    /// Σ_m y_m ψ_m for the modes from number `first` on, in every row.
+    pub(super) fn combine_from(&self, first: usize, y: &[f64]) -> Buffer {
+        if y.is_empty() {
+            return Buffer::zeros(self.rows);
+        }
+        times(self.values(first + y.len()).subcols(first, y.len()), y)
+    }
+
     /// The derivative of [`Self::combine`] with respect to ln a.
-    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Vec<f64> {
+    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
         // Σ y_m (E_m − E_(m+1)), E the even orders
-        let mut differences = vec![0.0; y.len() + 1];
+        let mut differences = Buffer::zeros(y.len() + 1);
         for (m, y) in y.iter().enumerate() {
             differences[m] += y;
             differences[m + 1] -= y;
@@ -117,13 +121,13 @@ impl Basis {
     }
 
     /// Σ over the rows of `s` ψ_m, for the first `count` modes.
-    pub(super) fn test(&self, s: &[f64], count: usize) -> Vec<f64> {
+    pub(super) fn test(&self, s: &[f64], count: usize) -> Buffer {
         times(self.values(count).transpose(), s)
     }
 
     /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
-    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Vec<f64> {
-        let mut scaled = s.to_vec();
+    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
+        let mut scaled = Buffer::of(s);
         self.scale(&mut scaled, true);
         let even = times(self.even(tested.len() + 1).transpose(), &scaled);
         even.windows(2).zip(tested).map(|(even, value)| even[0] - even[1] - value).collect()
@@ -132,7 +136,7 @@ impl Basis {
     /// Multiplies by z/2 in every row; `adjoint` on the side of the tests.
     fn scale(&self, rows: &mut [f64], adjoint: bool) {
         let (plain, turned) = rows.split_at_mut(self.arguments.len());
-        plain.iter_mut().zip(&self.arguments).for_each(|(value, z)| *value *= 0.5 * z);
+        plain.iter_mut().zip(self.arguments.iter()).for_each(|(value, z)| *value *= 0.5 * z);
         let (real, imaginary) = turned.split_at_mut(self.paths.len());
         for ((re, im), z) in real.iter_mut().zip(imaginary).zip(&self.paths) {
             let half = 0.5 * if adjoint { z.conj() } else { *z };
@@ -175,8 +179,8 @@ fn fill_tail(
 }
 
 /// matrix · vector.
-fn times(matrix: MatRef<'_, f64>, vector: &[f64]) -> Vec<f64> {
-    let mut product = vec![0.0; matrix.nrows()];
+pub(super) fn times(matrix: MatRef<'_, f64>, vector: &[f64]) -> Buffer {
+    let mut product = Buffer::any(matrix.nrows());
     let out = faer::MatMut::from_column_major_slice_mut(&mut product, matrix.nrows(), 1);
     let vector = MatRef::from_column_major_slice(vector, vector.len(), 1);
     faer::linalg::matmul::matmul(out, faer::Accum::Replace, matrix, vector, 1.0, faer::Par::Seq);

@@ -16,12 +16,16 @@ use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
-use faer::reborrow::ReborrowMut;
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 
-use super::basis::Basis;
+use crate::numeric::buffer::Buffer;
+
+use super::basis::{Basis, times};
 use super::layout::Layout;
 use super::tail::Weights;
+
+/// Modes of a small block.
+const SMALL: usize = 24;
 
 /// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
@@ -57,13 +61,42 @@ pub(super) struct Equations<'a> {
     place: Vec<Vec<usize>>,
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
     /// coupling; else those of contact i.
-    differences: Vec<Mat<f64>>,
+    differences: Vec<Columns>,
     /// What a punch with sharp corners adds to the pressure of the first contact: its amplitude q, and its transform.
     corners: Option<(f64, Rows)>,
 }
 
+/// Columns of a matrix, one after the other.
+struct Columns {
+    rows: usize,
+    columns: usize,
+    values: Buffer,
+}
+
+impl Columns {
+    fn new(rows: usize, columns: usize) -> Self {
+        Self { rows, columns, values: Buffer::any(rows * columns) }
+    }
+
+    fn column(&self, m: usize) -> &[f64] {
+        &self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    fn column_mut(&mut self, m: usize) -> &mut [f64] {
+        &mut self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    fn whole(&mut self) -> MatMut<'_, f64> {
+        MatMut::from_column_major_slice_mut(&mut self.values, self.rows, self.columns)
+    }
+
+    fn first(&self, columns: usize) -> MatRef<'_, f64> {
+        MatRef::from_column_major_slice(&self.values[..columns * self.rows], self.rows, columns)
+    }
+}
+
 /// Fields at the rows of one contact.
-pub(super) type Rows = Vec<f64>;
+pub(super) type Rows = Buffer;
 /// Per contact, per mode.
 pub(super) type Modes = Vec<Vec<f64>>;
 
@@ -84,16 +117,9 @@ impl<'a> Equations<'a> {
         equations
     }
 
-    /// Σ y_m ψ_m of contact i, corners included.
-    fn pressure(&self, i: usize, y: &[f64]) -> Rows {
-        let mut pressure = self.bases[i].combine(y);
-        self.add_corners(i, &mut pressure);
-        pressure
-    }
-
     fn add_corners(&self, i: usize, pressure: &mut [f64]) {
         if let Some((amplitude, rows)) = self.corners.as_ref().filter(|_| i == 0) {
-            pressure.iter_mut().zip(rows).for_each(|(sum, row)| *sum += amplitude * row);
+            pressure.iter_mut().zip(rows.iter()).for_each(|(sum, row)| *sum += amplitude * row);
         }
     }
 
@@ -129,12 +155,12 @@ impl<'a> Equations<'a> {
         first..i + 1
     }
 
-    fn difference(&self, i: usize) -> Mat<f64> {
+    fn difference(&self, i: usize) -> Columns {
         let (upper, lower) = (&self.bases[i], &self.bases[i + 1]);
         let rows = self.layout.coupling[i].rows();
-        let mut difference = Mat::zeros(rows, self.modes[i]);
+        let mut difference = Columns::new(rows, self.modes[i]);
         for m in 0..self.modes[i] {
-            let column = difference.col_as_slice_mut(m);
+            let column = difference.column_mut(m);
             if self.links(i, m) {
                 for (value, (u, v)) in column.iter_mut().zip(upper.value(m).iter().zip(lower.value(m))) {
                     *value = u - v;
@@ -145,7 +171,7 @@ impl<'a> Equations<'a> {
             if m == 0 {
                 // long waves feel only what is beyond the resultant
                 for (value, (zeta, (u, v))) in
-                    column.iter_mut().zip(self.layout.zeta.iter().zip(upper.deficit.iter().zip(&lower.deficit)))
+                    column.iter_mut().zip(self.layout.zeta.iter().zip(upper.deficit.iter().zip(lower.deficit.iter())))
                 {
                     *value = 0.5 * zeta * (u - v);
                 }
@@ -162,7 +188,7 @@ impl<'a> Equations<'a> {
             let weighted_values = weighted(&self.layout.own[i].unit, self.modes[i], |m| basis.value(m));
             let mut gram = symmetric_product(basis.values(self.modes[i]), &weighted_values);
             for m in 0..self.modes[i] {
-                gram[(m, m)] += self.cauchy(i, m);
+                gram.column_mut(m)[m] += self.cauchy(i, m);
             }
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
         }
@@ -175,18 +201,19 @@ impl<'a> Equations<'a> {
             let lower = below.values(self.modes[i + 1]);
             let lower = lower.subrows(0, weights.rows());
             let weighted_lower = weighted(weights, self.modes[i + 1], |m| below.value(m));
-            let weighted_difference = weighted(weights, self.modes[i], |m| difference.col_as_slice(m));
-            let gram = symmetric_product(difference.as_ref(), &weighted_difference);
+            let weighted_difference = weighted(weights, self.modes[i], |m| difference.column(m));
+            let difference = difference.first(self.modes[i]);
+            let gram = symmetric_product(difference, &weighted_difference);
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
             let gram = symmetric_product(lower, &weighted_lower);
             self.add_symmetric(&mut matrix, &gram, |_| i + 1..i + 2);
-            let gram = product(difference.as_ref(), &weighted_lower);
-            for m in 0..gram.nrows() {
-                for n in 0..gram.ncols() {
-                    let column = self.place(i + 1, n);
+            let gram = product(difference, &weighted_lower);
+            for n in 0..self.modes[i + 1] {
+                let column = self.place(i + 1, n);
+                for (m, value) in gram.column(n).iter().enumerate() {
                     for k in self.chain(i, m) {
                         let row = self.place(k, m);
-                        matrix[(row.max(column), row.min(column))] -= gram[(m, n)];
+                        matrix[(row.max(column), row.min(column))] -= value;
                     }
                 }
             }
@@ -195,15 +222,15 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds a symmetric block (its lower half) to the modes of all contacts in the chain of its own.
-    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Mat<f64>, chain: impl Fn(usize) -> Range<usize>) {
-        for n in 0..block.ncols() {
+    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Columns, chain: impl Fn(usize) -> Range<usize>) {
+        for n in 0..block.rows {
             let columns = chain(n);
-            for m in n..block.nrows() {
+            for m in n..block.rows {
                 let rows = chain(m);
                 for row in rows.clone().map(|i| self.place(i, m)) {
                     for column in columns.clone().map(|i| self.place(i, n)) {
                         if row >= column {
-                            matrix[(row, column)] += block[(m, n)];
+                            matrix[(row, column)] += block.column(n)[m];
                         }
                     }
                 }
@@ -228,11 +255,11 @@ impl<'a> Equations<'a> {
         modes
     }
 
-    /// The inverse of [`Self::modes_of`].
-    pub(super) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Vec<f64> {
-        let mut unknowns = vec![0.0; self.size()];
+    /// The inverse of [`Self::modes_of`], for the modes that are solved for.
+    pub(super) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Buffer {
+        let mut unknowns = Buffer::zeros(self.size());
         for (i, own) in modes.iter().enumerate() {
-            for (m, y) in own.iter().enumerate() {
+            for (m, y) in own.iter().enumerate().take(self.modes[i]) {
                 let above = if i > 0 && self.links(i - 1, m) { modes[i - 1][m] } else { 0.0 };
                 unknowns[self.place(i, m)] = y - above;
             }
@@ -240,59 +267,50 @@ impl<'a> Equations<'a> {
         unknowns
     }
 
-    /// Derivatives of matrix · unknowns − right-hand side with respect to ln a of each contact in turn, in the order of
-    /// the matrix; under a punch with corners the first of them with respect to q. `modes` are those of the unknowns.
-    pub(super) fn derivatives(&self, unknowns: &[f64], modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<f64>> {
+    /// Derivatives of the rows of all contacts, matrix · modes − right-hand side, with respect to ln a of each contact in
+    /// turn; under a punch with corners the first of them with respect to q. `modes` may be more than are solved for, and
+    /// so are the rows then.
+    pub(super) fn derivatives(&self, modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<Rows>> {
         let n = self.contacts();
-        let pressures: Vec<Rows> = modes.iter().enumerate().map(|(i, y)| self.pressure(i, y)).collect();
-        let jumps: Vec<Rows> = (0..n - 1).map(|i| self.jump(i, unknowns, modes)).collect();
+        let Fields { pressures, jumps } = self.fields(modes);
         let mut derivatives = Vec::with_capacity(n);
-        let corners = self.corner_rows();
-        derivatives.extend(corners);
+        let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+        derivatives.extend(self.corner_rows(&counts));
         for by in derivatives.len()..n {
-            let mut rows: Vec<Vec<f64>> = self.modes.iter().map(|modes| vec![0.0; *modes]).collect();
+            let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
             let basis = &self.bases[by];
+            let count = counts[by];
             // the tests of this contact change ...
-            let mut response = vec![0.0; basis.rows()];
-            self.layout.own[by].unit.add_times(1.0, &pressures[by], &mut response);
-            let mut sides = Vec::with_capacity(2);
-            if by > 0 {
-                sides.push((by - 1, by - 1, -1.0));
-            }
-            if by + 1 < n {
-                sides.push((by, by + 1, 1.0));
-            }
-            for &(laminate, _, sign) in &sides {
-                self.layout.coupling[laminate].add_times(sign, &jumps[laminate], &mut response);
-            }
-            let tested = basis.test(&response, self.modes[by]);
+            let response = self.response(by, &pressures[by], &jumps);
+            let tested = basis.test(&response, count);
             add(&mut rows[by], &basis.test_slopes(&response, &tested));
             // ... and so does its pressure
             let change = basis.combine_slopes(&modes[by], &pressures[by]);
-            let mut response = vec![0.0; basis.rows()];
-            self.layout.own[by].unit.add_times(1.0, &change, &mut response);
-            for &(laminate, other, _) in &sides {
+            let mut response = self.layout.own[by].unit.over(basis.rows(), &change);
+            let above = by.checked_sub(1).map(|above| (above, above));
+            let below = (by + 1 < n).then_some((by, by + 1));
+            for (laminate, other) in above.into_iter().chain(below) {
                 let coupling = &self.layout.coupling[laminate];
-                let mut there = vec![0.0; self.bases[other].rows()];
                 coupling.add_times(1.0, &change, &mut response);
-                coupling.add_times(-1.0, &change, &mut there);
-                add(&mut rows[other], &self.bases[other].test(&there, self.modes[other]));
+                let mut there = coupling.over(self.bases[other].rows(), &change);
+                there.iter_mut().for_each(|value| *value = -*value);
+                add(&mut rows[other], &self.bases[other].test(&there, counts[other]));
             }
-            add(&mut rows[by], &basis.test(&response, self.modes[by]));
+            add(&mut rows[by], &basis.test(&response, count));
             for (m, row) in rows[by].iter_mut().enumerate() {
                 *row -= 2.0 * self.cauchy(by, m) * modes[by][m];
                 if by == 0 {
                     *row -= slopes.load_slope(m);
                 }
             }
-            derivatives.push(self.rows_of(&rows));
+            derivatives.push(rows);
         }
         derivatives
     }
 
     /// Rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
-    pub(super) fn rows_of(&self, rows: &[Vec<f64>]) -> Vec<f64> {
-        let mut ordered = vec![0.0; self.size()];
+    pub(super) fn rows_of(&self, rows: &[Rows]) -> Buffer {
+        let mut ordered = Buffer::zeros(self.size());
         for (i, rows) in rows.iter().enumerate() {
             for (m, row) in rows.iter().enumerate().take(self.modes[i]) {
                 for k in self.chain(i, m) {
@@ -304,57 +322,68 @@ impl<'a> Equations<'a> {
     }
 
     /// Tests a response of contact i with its first `count` modes.
-    pub(super) fn test(&self, i: usize, response: &[f64], count: usize) -> Vec<f64> {
+    pub(super) fn test(&self, i: usize, response: &[f64], count: usize) -> Buffer {
         self.bases[i].test(response, count)
     }
 
-    /// p̂_i − p̂_(i+1) at the rows of the coupling.
+    /// p̂_i − p̂_(i+1) at the rows of the coupling, of the modes that are solved for.
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
-        let own: Vec<f64> = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
-        let mut jump = self.bases[i + 1].combine(&own);
-        jump.truncate(self.differences[i].nrows());
-        let upper = MatRef::from_column_major_slice(&modes[i], modes[i].len(), 1);
-        let upper = &self.differences[i] * upper;
-        jump.iter_mut().zip(upper.col_as_slice(0)).for_each(|(jump, upper)| *jump = upper - *jump);
+        let own: Buffer = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
+        let difference = &self.differences[i];
+        let count = self.modes[i].min(modes[i].len());
+        let mut jump = times(difference.first(count), &modes[i][..count]);
+        let lower = self.bases[i + 1].combine(&own);
+        jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
         self.add_corners(i, &mut jump);
         jump
+    }
+
+    /// What all modes of each contact make, and what neighbours differ by. `modes` may be more than are solved for.
+    fn fields(&self, modes: &[Vec<f64>]) -> Fields {
+        let n = self.contacts();
+        let solved = |i: usize| self.modes[i].min(modes[i].len());
+        let unknowns = self.unknowns_of(modes);
+        let mut pressures: Vec<Rows> =
+            (0..n).map(|i| self.bases[i].combine_from(solved(i), &modes[i][solved(i)..])).collect();
+        let jump = |i: usize| {
+            let mut jump = self.jump(i, &unknowns, modes);
+            let between = pressures[i].iter().zip(pressures[i + 1].iter());
+            jump.iter_mut().zip(between).for_each(|(jump, (u, v))| *jump += u - v);
+            jump
+        };
+        let jumps = (0..n - 1).map(jump).collect();
+        for (i, pressure) in pressures.iter_mut().enumerate() {
+            add(pressure, &self.bases[i].combine(&modes[i][..solved(i)]));
+            self.add_corners(i, pressure);
+        }
+        Fields { pressures, jumps }
+    }
+
+    /// What the kernels make of a pressure and of the jumps to its neighbours.
+    fn response(&self, i: usize, pressure: &[f64], jumps: &[Rows]) -> Rows {
+        let mut response = self.layout.own[i].unit.over(self.bases[i].rows(), pressure);
+        for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
+            if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
+                weights.add_times(sign, jump, &mut response);
+            }
+        }
+        response
     }
 
     /// The slope transforms of all contacts, weights included and g∞ left out: what the kernels make of the modes.
     /// `modes` may be more than are solved for.
     pub(super) fn responses(&self, modes: &[Vec<f64>]) -> Vec<Rows> {
-        let n = self.contacts();
-        let solved = |i: usize| &modes[i][..self.modes[i].min(modes[i].len())];
-        let beyond = |i: usize| {
-            let mut beyond = modes[i].clone();
-            beyond[..self.modes[i].min(modes[i].len())].fill(0.0);
-            self.bases[i].combine(&beyond)
-        };
-        let low: Modes = (0..n).map(|i| solved(i).to_vec()).collect();
-        let unknowns = self.unknowns_of(&low);
-        let high: Vec<Rows> = (0..n).map(beyond).collect();
-        let mut responses = Vec::with_capacity(n);
-        let jumps: Vec<Rows> = (0..n - 1)
-            .map(|i| {
-                let mut jump = self.jump(i, &unknowns, &low);
-                let between = high[i].iter().zip(&high[i + 1]);
-                jump.iter_mut().zip(between).for_each(|(jump, (u, v))| *jump += u - v);
-                jump
-            })
-            .collect();
-        for (i, basis) in self.bases.iter().enumerate() {
-            let pressure = self.pressure(i, &modes[i]);
-            let mut response = vec![0.0; basis.rows()];
-            self.layout.own[i].unit.add_times(1.0, &pressure, &mut response);
-            for (laminate, sign) in i.checked_sub(1).map(|above| (above, -1.0)).into_iter().chain([(i, 1.0)]) {
-                if let (Some(weights), Some(jump)) = (self.layout.coupling.get(laminate), jumps.get(laminate)) {
-                    weights.add_times(sign, jump, &mut response);
-                }
-            }
-            responses.push(response);
-        }
-        responses
+        let Fields { pressures, jumps } = self.fields(modes);
+        pressures.iter().enumerate().map(|(i, pressure)| self.response(i, pressure, &jumps)).collect()
     }
+}
+
+/// Transforms at the rows of each contact.
+struct Fields {
+    /// p̂_i.
+    pressures: Vec<Rows>,
+    /// p̂_i − p̂_(i+1) at the rows of the coupling.
+    jumps: Vec<Rows>,
 }
 
 /// (−1)^m, the sign of the test functions and modes of order 2m + 1.
@@ -372,31 +401,36 @@ fn add(sum: &mut [f64], more: &[f64]) {
 }
 
 /// Weights times as many columns, over the rows that they cover.
-fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b [f64]) -> Mat<f64> {
-    let mut weighted = Mat::zeros(weights.rows(), columns);
+fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b [f64]) -> Columns {
+    let mut weighted = Columns::new(weights.rows(), columns);
     for m in 0..columns {
-        weights.add_times(1.0, column(m), weighted.col_as_slice_mut(m));
+        weights.times(column(m), weighted.column_mut(m));
     }
     weighted
 }
 
 /// leftᵀ right.
-fn product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(left.ncols(), right.ncols());
-    matmul(product.as_mut(), Accum::Replace, left.transpose(), right.as_ref(), 1.0, Par::Seq);
+fn product(left: MatRef<'_, f64>, right: &Columns) -> Columns {
+    let right = right.first(right.columns);
+    let mut product = Columns::new(left.ncols(), right.ncols());
+    matmul(product.whole(), Accum::Replace, left.transpose(), right, 1.0, Par::Seq);
     product
 }
 
-/// leftᵀ right where that is symmetric, its lower half.
-fn symmetric_product(left: MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(left.ncols(), left.ncols());
+/// leftᵀ right where that is symmetric, its lower half at least.
+fn symmetric_product(left: MatRef<'_, f64>, right: &Columns) -> Columns {
+    // what half of a small product saves is less than what it takes
+    if left.ncols() <= SMALL {
+        return product(left, right);
+    }
+    let mut product = Columns::new(left.ncols(), left.ncols());
     triangular::matmul(
-        product.as_mut().rb_mut(),
+        product.whole(),
         BlockStructure::TriangularLower,
         Accum::Replace,
         left.transpose(),
         BlockStructure::Rectangular,
-        right.as_ref(),
+        right.first(left.ncols()),
         BlockStructure::Rectangular,
         1.0,
         Par::Seq,

@@ -4,10 +4,13 @@
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
 use crate::kernel::{Kernel, Panel};
+use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::rule;
 
 use super::tail::{MOST_UNLIKE, Tail, Weights, turning};
 
+/// Most scenes need no more wavenumbers.
+const USUAL: usize = 256;
 /// Longest stretch, in Gauss points, before it is cut in two.
 const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
@@ -21,24 +24,41 @@ const CUT_AFTER: f64 = 6_000.0;
 /// Real wavenumbers that a tail must save.
 const TAIL_PAYS: f64 = 100.0;
 
-/// What a layout is made for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Accuracy {
-    /// Parts of a kernel that are smaller than this, relative to its limit, are left out.
-    pub(super) negligible: f64,
-    /// Gauss points besides those that the oscillation takes.
-    pub(super) spare: f64,
+/// Parts of a kernel that are smaller than this, relative to its limit, are left out of a layout: what answers with a
+/// relative error of `tolerance` need.
+pub(super) fn negligible(tolerance: f64) -> f64 {
+    (1e-3 * tolerance).min(1e-10)
 }
 
-impl Accuracy {
-    /// What answers with a relative error of `tolerance` need.
-    pub(super) fn of(tolerance: f64) -> Self {
-        Self { negligible: (1e-4 * tolerance).min(1e-10), spare: 10.0 }
-    }
+/// The same for the first steps.
+pub(super) const COARSE: f64 = FIELDS;
+
+/// How far out, in units of L, gaps are looked at.
+pub(super) fn span(half_lengths: &[f64]) -> f64 {
+    2.0 * longest(half_lengths) + 2.0
 }
 
-/// For the first steps.
-pub(super) const COARSE: Accuracy = Accuracy { negligible: 1e-5, spare: 6.0 };
+/// The highest frequency of waves there, times the waves of a pressure.
+pub(super) fn frequency_of_fields(half_lengths: &[f64]) -> f64 {
+    longest(half_lengths) + span(half_lengths)
+}
+
+fn longest(half_lengths: &[f64]) -> f64 {
+    half_lengths.iter().fold(0.0, |a: f64, b| a.max(*b))
+}
+
+/// The Gauss points that a wave of this phase takes, times a kernel of which so many decimal digits matter.
+fn points(phase: f64, digits: f64) -> usize {
+    // two points per wavelength, those of the turning points, and what kernel and wave take besides
+    let turning = (0.5 * phase).cbrt();
+    let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
+    (0.25 * phase + digits / 14.0 * spare).ceil() as usize
+}
+
+/// Fields away from the contacts are wanted to this, relative.
+const FIELDS: f64 = 1e-6;
+/// Points of a stretch may be so many times more than contacts need, for the sake of fields.
+const MORE_FOR_FIELDS: f64 = 2.0;
 
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(super) struct Layout {
@@ -50,6 +70,24 @@ pub(super) struct Layout {
     pub(super) coupling: Vec<Weights>,
     /// What lies beyond, for contacts that share it.
     tails: Vec<Tail>,
+    stretches: Vec<Stretch>,
+}
+
+/// Real wavenumbers of one Gauss rule.
+struct Stretch {
+    /// Where they end among all.
+    end: usize,
+    points: usize,
+    width: f64,
+    /// The largest part of a kernel there.
+    size: f64,
+}
+
+impl Stretch {
+    /// The points that fields with waves of this frequency take.
+    fn for_fields(&self, frequency: f64) -> usize {
+        points(frequency * self.width, (self.size / FIELDS).log10().clamp(1.0, 8.0))
+    }
 }
 
 /// What belongs to one contact alone.
@@ -64,6 +102,10 @@ pub(super) struct Own {
     tail: usize,
 }
 
+/// Digits of integrands that matter.
+const FEWEST_DIGITS: f64 = 3.0;
+const MOST_DIGITS: f64 = 15.0;
+
 /// What a layout is built from.
 struct Plan<'a> {
     kernel: &'a Kernel,
@@ -72,7 +114,8 @@ struct Plan<'a> {
     reaches: Vec<f64>,
     /// Where those of each coupling end.
     coupled: Vec<f64>,
-    accuracy: Accuracy,
+    /// See [`negligible`].
+    negligible: f64,
     /// Fields are resolved as far out as this.
     span: f64,
     /// There are no tails: all wavenumbers are real.
@@ -114,22 +157,28 @@ impl Layout {
         kernel: &Kernel,
         half_lengths: &[f64],
         orders: &[usize],
-        accuracy: Accuracy,
+        negligible: f64,
         span: f64,
     ) -> Option<Self> {
         let n = kernel.contacts();
         // a given pressure is felt by others only
-        let end = |i: usize| if orders[i] == 0 { 0.0 } else { kernel.vanishes(i, accuracy.negligible) };
+        let end = |i: usize| if orders[i] == 0 { 0.0 } else { kernel.vanishes(i, half_lengths[i], negligible) };
         let ends: Vec<f64> = (0..n).map(end).collect();
-        let coupled: Vec<f64> = (0..n - 1).map(|i| kernel.uncoupled(i, accuracy.negligible)).collect();
+        let coupled: Vec<f64> = half_lengths
+            .windows(2)
+            .enumerate()
+            .map(|(i, pair)| kernel.uncoupled(i, pair[0].min(pair[1]), negligible))
+            .collect();
         let groups = groups(half_lengths, orders, &ends, &coupled);
         let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
-        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
+        let own =
+            |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
         let mut layout = Self {
-            zeta: Vec::new(),
+            zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
-            coupling: vec![Weights::default(); n - 1],
+            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
             tails: Vec::new(),
+            stretches: Vec::new(),
         };
         let shared = |i: usize| group_of(i) == group_of(i + 1);
         let plan = Plan {
@@ -139,7 +188,7 @@ impl Layout {
             coupled: (0..n - 1)
                 .map(|i| if shared(i) { groups[group_of(i)].from.min(coupled[i]) } else { coupled[i] })
                 .collect(),
-            accuracy,
+            negligible,
             span,
             cut: false,
         };
@@ -174,27 +223,37 @@ impl Layout {
         (entries <= MOST_ENTRIES).then_some(layout)
     }
 
-    /// Real wavenumbers only, for contacts that end at `ends`, able to resolve fields out to `span` besides. Kernels that
-    /// never vanish are cut off where that would take too many; `None` if there are too many all the same.
-    pub(super) fn without_tails(kernel: &Kernel, ends: &[f64], accuracy: Accuracy, span: f64) -> Option<Self> {
+    /// Real wavenumbers only, for contacts that end at `ends`, the shortest parts of which have these half-lengths, able to
+    /// resolve fields out to `span` besides. Kernels that never vanish are cut off where that would take too many; `None` if
+    /// there are too many all the same.
+    pub(super) fn without_tails(
+        kernel: &Kernel,
+        ends: &[f64],
+        shortest: &[f64],
+        negligible: f64,
+        span: f64,
+    ) -> Option<Self> {
         let n = kernel.contacts();
         // two wavenumbers per wavelength
         let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
-        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: i };
+        let own = |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: i };
         let mut layout = Self {
             zeta: Vec::new(),
             own: (0..n).map(own).collect(),
-            coupling: vec![Weights::default(); n - 1],
+            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
             tails: (0..n).map(|_| Tail::default()).collect(),
+            stretches: Vec::new(),
+        };
+        let coupled = |i: usize| {
+            let shortest = shortest[i].min(shortest[i + 1]);
+            kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
         };
         let plan = Plan {
             kernel,
             half_lengths: ends,
-            reaches: (0..n).map(|i| kernel.vanishes(i, accuracy.negligible).min(cut(ends[i]))).collect(),
-            coupled: (0..n - 1)
-                .map(|i| kernel.uncoupled(i, accuracy.negligible).min(cut(ends[i].max(ends[i + 1]))))
-                .collect(),
-            accuracy,
+            reaches: (0..n).map(|i| kernel.vanishes(i, shortest[i], negligible).min(cut(ends[i]))).collect(),
+            coupled: (0..n - 1).map(coupled).collect(),
+            negligible,
             span,
             cut: true,
         };
@@ -208,6 +267,15 @@ impl Layout {
     /// The tail of contact i.
     pub(super) fn tail(&self, i: usize) -> &Tail {
         &self.tails[self.own[i].tail]
+    }
+
+    /// How many of the real wavenumbers, the first of all, resolve fields with waves of this frequency.
+    pub(super) fn resolved(&self, frequency: f64) -> usize {
+        let unresolved = self.stretches.iter().position(|part| part.for_fields(frequency) > part.points);
+        match unresolved {
+            Some(first) => first.checked_sub(1).map_or(0, |last| self.stretches[last].end),
+            None => self.zeta.len(),
+        }
     }
 
     /// How many real wavenumbers contact i needs.
@@ -231,13 +299,13 @@ impl Layout {
             }
             let panel = plan.kernel.panels().get(panel);
             let next = panel.map_or(2.0 * edge, |panel| panel.to);
-            let mut cuts = vec![edge];
-            cuts.extend(plan.reaches.iter().chain(&plan.coupled).copied().filter(|&r| edge < r && r < next));
-            cuts.push(next);
-            cuts.sort_by(f64::total_cmp);
-            cuts.dedup();
-            for pair in cuts.windows(2) {
-                self.stretch(plan, panel, pair[0], pair[1]);
+            // ends within the panel, in order
+            let mut from = edge;
+            while from < next {
+                let ends = plan.reaches.iter().chain(&plan.coupled).copied();
+                let to = ends.filter(|&end| from < end && end < next).fold(next, f64::min);
+                self.stretch(plan, panel, from, to);
+                from = to;
             }
             edge = next;
         }
@@ -248,23 +316,31 @@ impl Layout {
     fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
         let Plan { kernel, half_lengths, span, .. } = *plan;
         let n = kernel.contacts();
-        let mut frequency: f64 = 0.0;
-        for (a, reach) in half_lengths.iter().zip(&plan.reaches) {
+        let (mut frequency, mut size): (f64, f64) = (0.0, 0.0);
+        for (i, (a, reach)) in half_lengths.iter().zip(&plan.reaches).enumerate() {
             if to <= *reach {
                 frequency = frequency.max(a + a.max(span));
+                let far = kernel.far(i);
+                let beyond = if from < far.from { 0.0 } else { far.excess(from).abs() };
+                size = size.max((beyond + panel.map_or(0.0, |panel| panel.excess[i])) / far.limit);
             }
         }
-        for (pair, reach) in half_lengths.windows(2).zip(&plan.coupled) {
+        for (i, (pair, reach)) in half_lengths.windows(2).zip(&plan.coupled).enumerate() {
             if to <= *reach {
                 frequency = frequency.max(2.0 * pair[0].max(pair[1])).max(span);
+                size = size.max(panel.map_or(0.0, |panel| panel.couplings[i]) / kernel.least(i));
             }
         }
         if frequency == 0.0 {
             return;
         }
-        // a Gauss rule resolves a wave once it has two points per wavelength and some to spare
-        let phase = frequency * (to - from);
-        let needed = (plan.accuracy.spare + 0.25 * phase + 3.0 * (0.5 * phase).cbrt()).ceil() as usize;
+        let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
+        let mut needed = points(frequency * (to - from), digits);
+        let stretch = Stretch { end: 0, points: 0, width: to - from, size };
+        let for_fields = stretch.for_fields(frequency.max(frequency_of_fields(half_lengths)));
+        if plan.negligible < FIELDS && for_fields as f64 <= MORE_FOR_FIELDS * needed as f64 {
+            needed = needed.max(for_fields);
+        }
         let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
         if span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
@@ -274,11 +350,10 @@ impl Layout {
         for part in 0..parts {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let first = self.zeta.len();
-            let mut weights = Vec::with_capacity(points.nodes.len());
-            for (zeta, weight) in points.on(at(part), at(part + 1)) {
-                self.zeta.push(zeta);
-                weights.push(weight / zeta);
-            }
+            let (end, width) = (first + points.nodes.len(), stretch.width / parts as f64);
+            self.stretches.push(Stretch { end, points: points.nodes.len(), width, size });
+            self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
+            let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
             let zeta = &self.zeta[first..];
             let values = panel.map(|panel| panel.values(zeta, at(part), at(part + 1)));
             let coupling = |i: usize, k: usize| match &values {

@@ -3,7 +3,8 @@ use std::f64::consts::PI;
 
 use crate::kernel::Kernel;
 
-use super::galerkin::{Modes, alternating, order};
+use super::galerkin::{Modes, Rows, alternating, order};
+use super::layout::Layout;
 use super::newton::Converged;
 use super::pressures::weight;
 use super::punch::{Indentation, Local, continued};
@@ -30,6 +31,8 @@ pub(super) struct Level {
     pub(super) modes: Modes,
     /// q, the amplitude of the pressure next to the corners of the punch; 0 if there are none.
     pub(super) corners: f64,
+    /// The mode y_m, the same for all m, of a half-plane under a sharp tip; 0 if there is none.
+    pub(super) tip: f64,
     /// How many of them were found.
     pub(super) counts: Vec<usize>,
     /// Σ y_m/(πj), p(0) a/(2 μ₀P'), per contact; infinite under a sharp tip.
@@ -40,6 +43,8 @@ pub(super) struct Level {
     pub(super) errors: Vec<[f64; 2]>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
+    /// A layout, and the slope transforms of all contacts there.
+    pub(super) waves: Option<(Layout, Vec<Rows>)>,
     /// Under a punch that is not smooth, or has corners, the higher half of what its modes have besides those of a half-plane, the lower
     /// half being 0.
     pub(super) rest: Option<Vec<f64>>,
@@ -50,7 +55,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, corners, solved, shift, unsettled, rounding } = found;
+        let Converged { half_lengths, mut modes, corners, solved, shift, whole, unsettled, rounding, waves } = found;
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -74,8 +79,8 @@ impl Level {
             // an infinite pressure is known, and others are judged by that of a mean pressure
             let size = if peak.is_finite() { peak.abs() } else { PI.recip() };
             // half-lengths feel what is missing squared, and no more than pressures do; but where a known load falls
-            // slowly, only what it meets of the kernels falls fast
-            let power = if local.is_some() { 1 } else { 2 };
+            // slowly, only what it meets of the kernels falls fast, and contacts that are tied together feel no less
+            let power = if local.is_some() || whole[i] { 1 } else { 2 };
             let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(power);
             let beyond_length = (shift[i].abs() * further).min(beyond / (PI * size));
             let length = beyond_length + unsettled[i][0] + negligible + ROUNDING + rounding[i];
@@ -99,6 +104,14 @@ impl Level {
                 rest = Some([vec![0.0; half], own[half..].to_vec()].concat());
             }
         }
+        // contacts that are tied together feel what each of them misses
+        for run in (0..errors.len()).collect::<Vec<_>>().chunk_by(|i, k| whole[*i] && whole[*k]) {
+            let worst = run.iter().map(|i| errors[*i][0]).fold(0.0, f64::max);
+            for i in run {
+                errors[*i][1] += 3.0 * (worst - errors[*i][0]);
+                errors[*i][0] = worst;
+            }
+        }
         if punch.given().is_some() {
             // nothing of it is unknown
             (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
@@ -107,10 +120,12 @@ impl Level {
             // the half-length is that of the punch
             errors[0][0] = 0.0;
         }
+        let tip = local.as_ref().filter(|_| punch.is_sharp()).map_or(0.0, |local| local.modes[0]);
         if let (Some(local), Some(under_punch)) = (&local, modes.first_mut()) {
             continued(under_punch, &local.modes);
         }
-        Self { half_lengths, modes, corners: corners.unwrap_or(0.0), counts, peaks, settled, errors, tails, rest }
+        let corners = corners.unwrap_or(0.0);
+        Self { half_lengths, modes, corners, tip, counts, peaks, settled, errors, tails, waves, rest }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer

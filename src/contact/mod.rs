@@ -16,6 +16,8 @@ mod refine;
 mod start;
 mod tail;
 
+use std::f64::consts::PI;
+
 use crate::error::{Error, NoSolution};
 use crate::kernel::{self, Kernel};
 use crate::options::{Method, Options};
@@ -187,9 +189,16 @@ fn solution(
             let mut coefficients = coefficients(&level.modes[i]);
             coefficients.iter_mut().for_each(|c| *c *= pressure_unit);
             let peak_pressure = level.peaks[i] * pressure_unit;
-            let resultant = 0.5 * std::f64::consts::PI * half_length * coefficients[0];
-            let corners = if i == 0 { 0.5 * level.corners * pressure_unit / std::f64::consts::PI } else { 0.0 };
+            let resultant = 0.5 * PI * half_length * coefficients[0];
+            let unit = if i == 0 { 0.5 * pressure_unit / PI } else { 0.0 };
+            let (corners, tip) = (level.corners * unit, level.tip * unit);
             coefficients[0] -= 2.0 * corners;
+            if tip != 0.0 {
+                // arcosh(1/|cos φ|) is known as a whole
+                coefficients.truncate(level.counts[i]);
+                let terms = coefficients.iter_mut().enumerate();
+                terms.for_each(|(m, c)| *c -= 2.0 * galerkin::alternating(m) * tip / galerkin::order(m));
+            }
             let [length_error, pressure_error] = level.errors[i];
             Contact {
                 interface: *interface,
@@ -198,7 +207,7 @@ fn solution(
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
                 resultant,
-                strips: vec![Strip { corners, ..Strip::series(half_length, coefficients, level.counts[i]) }],
+                strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients, level.counts[i]) }],
                 parts: Vec::new(),
             }
         })

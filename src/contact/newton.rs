@@ -3,9 +3,9 @@ use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 
 use super::basis::Basis;
-use super::galerkin::{Equations, Modes};
-use super::layout::{Accuracy, Layout};
-use super::pressures::{Linearised, Pressures, solve};
+use super::galerkin::{Equations, Modes, Rows, Slopes};
+use super::layout::{Layout, negligible};
+use super::pressures::{Drift, Linearised, Pressures, solve};
 use super::punch::Indentation;
 
 /// Longest step in the logarithm of a half-length.
@@ -32,6 +32,10 @@ const DIVERGED: f64 = 1e-2;
 const UNKNOWN: f64 = 1e-4;
 /// A round is taken to leave at least this part of what it changed.
 const LEAST_LEFT: f64 = 0.1;
+/// What Newton's method may leave in the logarithms of the half-lengths before the rounds.
+const QUADRATIC: f64 = 1e-7;
+/// Half-lengths may move by the root of a thousandth of the tolerance before tables are made anew, with so many modes.
+const FEW: usize = 8;
 /// Changes below this are rounding.
 const NOISE: f64 = 1e-13;
 /// A laminate that bends this much more easily than its contacts are squeezed ties their pressures together.
@@ -54,10 +58,14 @@ pub(super) struct Converged {
     pub(super) solved: Vec<usize>,
     /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
     pub(super) shift: Vec<f64>,
+    /// Whether all modes were solved for.
+    pub(super) whole: Vec<bool>,
     /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
     pub(super) unsettled: Vec<[f64; 2]>,
     /// What rounding may change in the logarithms of the half-lengths.
     pub(super) rounding: Vec<f64>,
+    /// The last layout, and what the kernels make there of the pressures, almost.
+    pub(super) waves: Option<(Layout, Vec<Rows>)>,
 }
 
 impl Converged {
@@ -69,8 +77,10 @@ impl Converged {
             corners: None,
             solved: vec![1],
             shift: vec![0.0],
+            whole: vec![false],
             unsettled: vec![[0.0; 2]],
             rounding: vec![0.0],
+            waves: None,
         }
     }
 }
@@ -99,21 +109,45 @@ pub(super) struct Newton<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) punch: &'a Indentation<'a>,
     pub(super) work: Work,
-    /// Storage of tables to be used again.
-    pub(super) spare: Vec<Vec<f64>>,
 }
 
 impl Newton<'_> {
-    /// Goes on with given numbers of modes until the half-lengths are right to about `enough`.
+    /// Goes on with given numbers of modes until the half-lengths are right to about `enough`: these, and the modes.
     pub(super) fn approach(
         &mut self,
         half_lengths: Vec<f64>,
         modes: &[usize],
-        accuracy: Accuracy,
+        negligible: f64,
         enough: f64,
-    ) -> Result<Vec<f64>, Error> {
-        let (point, _) = self.iterate(half_lengths, modes, modes, accuracy, enough)?;
-        Ok(point.half_lengths)
+    ) -> Result<(Vec<f64>, Modes), Error> {
+        let Point { mut half_lengths, mut corners, pressures, linearised, layout, .. } =
+            self.iterate(half_lengths, modes, modes, negligible, enough)?;
+        let Pressures { modes: mut all, mut step } = pressures;
+        let linked = ties(self.kernel, &half_lengths);
+        let fixed = usize::from(corners.is_some());
+        let first = longest(&step[fixed..]);
+        loop {
+            let last = longest(&step[fixed..]);
+            linearised.follow(&mut all, &step);
+            let before = half_lengths[0];
+            advance(&mut half_lengths, &mut corners, &step, 1.0);
+            if corners.is_none() {
+                half_lengths[0] = self.punch.within(before, half_lengths[0]);
+            }
+            // on with the same derivatives, as far as these shorten the steps
+            if first * last <= QUADRATIC {
+                break;
+            }
+            let bases = self.bases(&layout, &half_lengths, modes);
+            let slopes = self.punch.slopes(half_lengths[0], modes[0]);
+            let equations = Equations::new(&layout, &bases, modes, &linked).with_corners(corners);
+            self.work.step();
+            step = linearised.settle(&equations, &slopes, &Drift::default(), &mut all).step;
+            if longest(&step[fixed..]) > 0.5 * last {
+                break;
+            }
+        }
+        Ok((half_lengths, all))
     }
 
     /// The same, and then lets pressures settle with more modes than are solved for, to `tolerance`; where they do not,
@@ -140,6 +174,7 @@ impl Newton<'_> {
             if found.solved[i] == found.modes[i].len() {
                 found.shift[i] = (found.half_lengths[i] / half_lengths[i]).ln();
                 found.solved[i] = found.solved[i].min(*fewer);
+                found.whole[i] = true;
             }
         }
         Ok(found)
@@ -172,82 +207,94 @@ impl Newton<'_> {
         tolerance: f64,
     ) -> Result<(Converged, bool), Error> {
         let start = half_lengths.clone();
-        let (mut point, layout) = self.iterate(half_lengths, solved, modes, Accuracy::of(tolerance), NEARBY)?;
-        for (own, modes) in point.pressures.modes.iter_mut().zip(modes) {
+        let Point { mut half_lengths, mut corners, pressures, linearised, layout, mut bases, mut slopes } =
+            self.iterate(half_lengths, solved, modes, negligible(tolerance), NEARBY)?;
+        let Pressures { modes: mut all, mut step } = pressures;
+        for (own, modes) in all.iter_mut().zip(modes) {
             own.resize(*modes, 0.0);
         }
         let n = solved.len();
-        let linked = ties(self.kernel, &point.half_lengths);
-        let Pressures { modes: mut all, mut step } = point.pressures;
-        let mut half_lengths = point.half_lengths;
-        let mut corners = point.corners;
+        let linked = ties(self.kernel, &half_lengths);
         let mut shift = vec![0.0; n];
-        let mut last = vec![[f64::INFINITY; 2]; n];
-        let mut unsettled = last.clone();
+        // of the last round and of that before
+        let mut last = [vec![[f64::INFINITY; 2]; n], vec![[f64::INFINITY; 2]; n]];
+        let mut unsettled = last[0].clone();
         let plain = (all.clone(), half_lengths.clone(), corners, step.clone());
         let short = tolerance.min(NEARBY);
+        // high modes oscillate, and are linear over a shorter way
+        let highest = solved.iter().copied().fold(FEW, usize::max);
+        let linear = (1e-3 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64;
+        // corners are linear over any way
+        let fixed = usize::from(corners.is_some());
+        let mut drift = Drift { shift: vec![0.0; n], ..Drift::default() };
         let mut lost = false;
-        let mut bases: Vec<Basis> = Vec::new();
-        let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
+        let mut responses = None;
         for round in 0..ROUNDS {
-            // a step so short that its derivatives do not matter is taken at the end
-            if bases.is_empty() || longest(&step) > short {
-                advance(&mut half_lengths, &mut corners, &step, 1.0);
-                point.linearised.follow(&mut all, &step);
-                step.fill(0.0);
-                self.spare.extend(bases.into_iter().map(Basis::into_table));
-                bases = self.bases(&layout, &half_lengths, modes);
-                slopes = self.punch.slopes(half_lengths[0], modes[0]);
-            }
             self.work.step();
             let equations = Equations::new(&layout, &bases, solved, &linked).with_corners(corners);
-            let found = point.linearised.settle(&equations, &slopes, &mut all);
+            let found = linearised.settle(&equations, &slopes, &drift, &mut all);
             let mut slow = false;
+            last.swap(0, 1);
             for i in 0..n {
-                let now = [(found.step[i] - step[i]).abs(), found.changes[i]];
+                let (now, before, earlier) = ([found.step[i].abs(), found.changes[i]], last[1][i], last[0][i]);
                 if round > 0 {
-                    shift[i] += found.step[i] - step[i];
+                    shift[i] += found.step[i];
                 }
                 for k in 0..2 {
                     // a geometric series goes on with the ratio of its last terms
-                    let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / last[i][k] };
+                    let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / before[k] };
                     unsettled[i][k] = now[k] * (ratio / (1.0 - ratio.min(0.9))).max(LEAST_LEFT);
-                    slow |= round > 1 && ratio > SLOW && now[k] > NOISE;
+                    let twice = SLOW * SLOW * earlier[k];
+                    slow |= round > 1 && ratio > SLOW && now[k] > twice.max(NOISE);
                 }
-                last[i] = now;
+                last[0][i] = now;
             }
             step = found.step;
+            responses = Some(found.responses);
             lost = round > 0 && (longest(&step) >= DIVERGED || longest(&step).is_nan());
             let settled = |[length, pressure]: &[f64; 2]| *length <= 0.01 * tolerance && *pressure <= 0.1 * tolerance;
             if slow || lost || round > 0 && longest(&step) <= short && unsettled.iter().all(settled) {
                 break;
             }
+            linearised.follow(&mut all, &step);
+            drift.shift.iter_mut().zip(&step).for_each(|(shift, step)| *shift += step);
+            step.fill(0.0);
+            if longest(&drift.shift[fixed..]) > linear {
+                advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
+                drift = Drift { shift: vec![0.0; n], ..Drift::default() };
+                bases = self.bases(&layout, &half_lengths, modes);
+                slopes = self.punch.slopes(half_lengths[0], modes[0]);
+            } else if drift.derivatives.is_empty() {
+                drift.derivatives = equations.derivatives(&all, &slopes);
+            }
         }
-        self.spare.extend(bases.into_iter().map(Basis::into_table));
+        linearised.follow(&mut all, &step);
+        for (i, unsettled) in unsettled.iter_mut().enumerate() {
+            unsettled[0] += DERIVATIVES * step[i].abs() + drift.shift[i] * drift.shift[i];
+        }
+        advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
         advance(&mut half_lengths, &mut corners, &step, 1.0);
-        point.linearised.follow(&mut all, &step);
-        for (unsettled, step) in unsettled.iter_mut().zip(&step) {
-            unsettled[0] += DERIVATIVES * step.abs();
-        }
         let enough = [tolerance, PRESSURES * tolerance];
         let settled =
             !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
         if !settled
             && solved == modes
-            && let Ok((end, _)) = self.iterate(start, solved, modes, Accuracy::of(tolerance), FULLY)
+            && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), FULLY)
         {
             let rounding = end.linearised.rounding;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
             let Point { half_lengths, corners, pressures, .. } = end;
-            let (modes, solved) = (pressures.modes, solved.to_vec());
-            let found = Converged { half_lengths, modes, corners, solved, shift, unsettled, rounding };
+            let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
+            let waves = None;
+            let found = Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, waves };
             return Ok((found, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
             // the modes that were solved for are all there is
+            responses = None;
             (all, half_lengths, corners, step) = plain.clone();
             advance(&mut half_lengths, &mut corners, &step, 1.0);
-            point.linearised.follow(&mut all, &step);
+            linearised.follow(&mut all, &step);
             for (own, solved) in all.iter_mut().zip(solved) {
                 own.truncate(*solved);
             }
@@ -259,13 +306,16 @@ impl Newton<'_> {
         for (i, [_, unsettled]) in unsettled.iter_mut().enumerate().filter(|(_, [_, pressure])| *pressure > DIVERGED) {
             all[i] = plain.0[i][..solved[i]].to_vec();
             *unsettled = UNKNOWN;
+            responses = None;
         }
-        let rounding = point.linearised.rounding;
+        let rounding = linearised.rounding;
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
-        let solved = solved.to_vec();
-        Ok((Converged { half_lengths, modes: all, corners, solved, shift, unsettled, rounding }, settled))
+        let waves = responses.map(|responses| (layout, responses));
+        let (solved, whole) = (solved.to_vec(), vec![false; n]);
+        let found = Converged { half_lengths, modes: all, corners, solved, shift, whole, unsettled, rounding, waves };
+        Ok((found, settled))
     }
 
     /// Newton's method until what would be left of the next step is below `enough`.
@@ -274,9 +324,9 @@ impl Newton<'_> {
         mut half_lengths: Vec<f64>,
         solved: &[usize],
         modes: &[usize],
-        accuracy: Accuracy,
+        negligible: f64,
         enough: f64,
-    ) -> Result<(Point, Layout), Error> {
+    ) -> Result<Point, Error> {
         let (kernel, punch) = (self.kernel, self.punch);
         let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
         if punch.given().is_some() {
@@ -294,7 +344,7 @@ impl Newton<'_> {
             }
             let at = match layout.take().filter(|(_, about)| near(about, LAYOUT_SERVES)) {
                 Some(serves) => serves,
-                None => match Layout::new(kernel, &half_lengths, &orders, accuracy, 0.0) {
+                None => match Layout::new(kernel, &half_lengths, &orders, negligible, 0.0) {
                     Some(new) => {
                         self.work.interpolated += new.zeta.len();
                         (new, half_lengths.clone())
@@ -302,20 +352,19 @@ impl Newton<'_> {
                     None => break,
                 },
             };
-            let bases = self.bases(&at.0, &half_lengths, solved);
-            let slopes = punch.slopes(half_lengths[0], solved[0]);
+            let bases = self.bases(&at.0, &half_lengths, modes);
+            let slopes = punch.slopes(half_lengths[0], modes[0]);
             let linked = ties(kernel, &half_lengths);
             self.work.step();
             self.work.factorisations += 1;
             let equations = Equations::new(&at.0, &bases, solved, &linked).with_corners(corners);
             let found = solve(&equations, &slopes, punch.given().is_some());
-            self.spare.extend(bases.into_iter().map(Basis::into_table));
             let Some((pressures, linearised)) = found else { break };
             let left = longest(&pressures.step);
             // short steps that no longer shorten are rounding
             let stuck = last < NEARBY && left > 0.5 * last;
             if left * left < enough || stuck {
-                return Ok((Point { half_lengths, corners, pressures, linearised }, at.0));
+                return Ok(Point { half_lengths, corners, pressures, linearised, layout: at.0, bases, slopes });
             }
             last = left;
             // the amplitude of corners, in which all is linear, may take any step
@@ -333,16 +382,13 @@ impl Newton<'_> {
 }
 
 impl Newton<'_> {
-    fn bases(&mut self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
+    fn bases(&self, layout: &Layout, half_lengths: &[f64], modes: &[usize]) -> Vec<Basis> {
         let given = self.punch.given();
         let contacts = half_lengths.iter().zip(modes).enumerate();
         contacts
-            .map(|(i, (a, modes))| {
-                let table = self.spare.pop().unwrap_or_default();
-                match given.filter(|_| i == 0) {
-                    Some(given) => Basis::given(layout, given),
-                    None => Basis::new(layout, i, *a, *modes, table),
-                }
+            .map(|(i, (a, modes))| match given.filter(|_| i == 0) {
+                Some(given) => Basis::given(layout, given),
+                None => Basis::new(layout, i, *a, *modes),
             })
             .collect()
     }
@@ -370,6 +416,10 @@ struct Point {
     corners: Option<f64>,
     pressures: Pressures,
     linearised: Linearised,
+    layout: Layout,
+    /// All modes, more than are solved for.
+    bases: Vec<Basis>,
+    slopes: Slopes,
 }
 
 /// Which laminates tie the pressures of their contacts together.

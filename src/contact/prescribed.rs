@@ -37,10 +37,10 @@ pub(crate) fn press_to(
     if half_length <= flat || punch.max_half_length().is_some_and(|edge| half_length >= edge) {
         return Err(unreachable());
     }
-    let expected = |half_length: f64| expected(kernel, punch, half_length).map(f64::ln);
-    let mut trial = expected(half_length)?;
+    let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
+    let mut trial = expected(half_length);
     // d ln P / d ln a
-    let mut slope = (expected(half_length * APART.exp())? - trial) / APART;
+    let mut slope = (expected(half_length * APART.exp()) - trial) / APART;
     let floor = if options.method == Method::Collocation { options.tolerance } else { BEST };
     let enough = MET * options.tolerance.max(floor);
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -95,10 +95,9 @@ pub(crate) fn press_to(
 }
 
 /// The force that Hertz's formula expects, on the compliance that the whole stack has for waves as long as the contact.
-fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> Result<f64, Error> {
+fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let unit = kernel.modulus() * kernel.length();
-    let force = start::force(kernel, &Indentation::new(punch, kernel, unit), half_length / kernel.length())?;
-    Ok(unit * force)
+    unit * start::force(kernel, &Indentation::new(punch, kernel, unit), half_length / kernel.length())
 }

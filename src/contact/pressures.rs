@@ -7,7 +7,9 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Mat, Par, Side};
 
-use super::galerkin::{Equations, Modes, Slopes, order};
+use crate::numeric::buffer::Buffer;
+
+use super::galerkin::{Equations, Modes, Rows, Slopes, order};
 
 /// The equations about a set of half-lengths, factorised.
 pub(super) struct Linearised {
@@ -45,10 +47,10 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     for m in 1..equations.modes(0) {
         columns[(equations.place(0, m) - n, n)] = slopes.load(m);
     }
-    let corners = equations.corner_rows().map_or(vec![0.0; size], |mut rows| {
-        rows.iter_mut().for_each(|row| *row *= equations.amplitude());
-        rows
-    });
+    let counts: Vec<usize> = (0..n).map(|i| equations.modes(i)).collect();
+    let mut corners =
+        equations.corner_rows(&counts).map_or_else(|| Buffer::zeros(size), |rows| equations.rows_of(&rows));
+    corners.iter_mut().for_each(|row| *row *= equations.amplitude());
     for k in 0..higher {
         columns[(k, n)] -= corners[n + k];
     }
@@ -59,7 +61,8 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     let mut unknowns = back(&factor, &gamma, n);
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
-    let derivatives = equations.derivatives(&unknowns, &modes, slopes);
+    let derivatives: Vec<Buffer> =
+        equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
     let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
     solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
     let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
@@ -100,12 +103,31 @@ fn back(factor: &Llt<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
     unknowns
 }
 
+/// How far half-lengths have moved, in the logarithm, since the tables were made, and what that does to the rows: the
+/// square of the way is left out.
+#[derive(Default)]
+pub(super) struct Drift {
+    pub(super) shift: Vec<f64>,
+    /// Derivatives of the rows: `derivatives[k][i][m]`.
+    pub(super) derivatives: Vec<Vec<Rows>>,
+}
+
+impl Drift {
+    fn add_to(&self, i: usize, rows: &mut [f64]) {
+        for (shift, derivatives) in self.shift.iter().zip(&self.derivatives) {
+            rows.iter_mut().zip(derivatives[i].iter()).for_each(|(row, derivative)| *row += shift * derivative);
+        }
+    }
+}
+
 /// What one round of [`Linearised::settle`] changed.
 pub(super) struct Round {
     /// The step still to be taken in the logarithms of the half-lengths.
     pub(super) step: Vec<f64>,
     /// Changes of the modes, Σ |Δy_m|/order per contact.
     pub(super) changes: Vec<f64>,
+    /// What the kernels make of the modes, up to these changes.
+    pub(super) responses: Vec<Rows>,
 }
 
 impl Linearised {
@@ -127,16 +149,17 @@ impl Linearised {
     /// One round of iteration at half-lengths nearby, with more modes than are solved for: those follow row by row
     /// (iterated Galerkin, Sloan 1976), since the dominant part of each row is its own diagonal; the others, and the
     /// half-lengths, from what is left in their rows.
-    pub(super) fn settle(&self, equations: &Equations, slopes: &Slopes, modes: &mut Modes) -> Round {
+    pub(super) fn settle(&self, equations: &Equations, slopes: &Slopes, drift: &Drift, modes: &mut Modes) -> Round {
         let n = equations.contacts();
         let responses = equations.responses(modes);
         let mut changes = vec![0.0; n];
-        let mut rows: Modes = Vec::with_capacity(n);
+        let mut rows: Vec<Rows> = Vec::with_capacity(n);
         for (i, response) in responses.iter().enumerate() {
             let mut own = equations.test(i, response, modes[i].len());
             for (m, row) in own.iter_mut().enumerate() {
                 *row += equations.own_row(i, m, modes[i][m]) - if i == 0 { slopes.load(m) } else { 0.0 };
             }
+            drift.add_to(i, &mut own);
             for m in equations.modes(i)..own.len() {
                 let change = -own[m] / equations.cauchy(i, m);
                 modes[i][m] += change;
@@ -156,7 +179,7 @@ impl Linearised {
                 *change += dy.abs() / order(m);
             }
         }
-        Round { step: self.step(&residuals), changes }
+        Round { step: self.step(&residuals), changes, responses }
     }
 }
 

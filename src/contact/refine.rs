@@ -5,9 +5,10 @@ use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;
-use super::layout::{Accuracy, COARSE};
+use super::layout::{COARSE, negligible};
 use super::level::{BEST, Level};
 use super::newton::{Newton, Work};
+use super::pressures::weight;
 use super::punch::Indentation;
 
 /// Modes of the coarsest level.
@@ -25,6 +26,8 @@ const MOST: usize = 1024;
 const GRADED: usize = 40;
 /// Modes that follow row by row: half as many as are solved for, at least these.
 const MORE: usize = 16;
+/// These, where the last modes are seen to be nothing before.
+const LEAST_MORE: usize = 4;
 /// Half of them will do for tolerances from here on.
 const FEW_DIGITS: f64 = 1e-5;
 /// What is left of a Newton step on the coarsest level.
@@ -42,7 +45,7 @@ pub(super) fn refine(
 ) -> Result<(Level, Vec<String>), Error> {
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
-    let mut newton = Newton { kernel, punch, work: work.clone(), spare: Vec::new() };
+    let mut newton = Newton { kernel, punch, work: work.clone() };
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
     let mut coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
     // all modes of a given pressure are known together
@@ -50,11 +53,15 @@ pub(super) fn refine(
     solved[..first].fill(1);
     coarse[..first].fill(1);
     let tolerance = options.tolerance.max(BEST);
-    let mut half_lengths = newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?;
+    let (mut half_lengths, rough) = newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?;
     // next to a graded face modes fall like a power
     let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
     let power = (1e-10 / tolerance).powf(1.0 / 6.0);
-    let mut modes: Vec<usize> = solved.iter().map(|solved| with_more(*solved, tolerance)).collect();
+    let mut modes: Vec<usize> = solved
+        .iter()
+        .zip(&rough)
+        .map(|(solved, rough)| with_more(*solved, tolerance).min(felt(rough, *solved, tolerance)))
+        .collect();
     modes[..first].fill(1);
     for i in (first..n).filter(|i| graded[*i]) {
         let wanted = (GRADED as f64 * power) as usize;
@@ -81,7 +88,7 @@ pub(super) fn refine(
         *work = newton.work.clone();
         let level = match (found, before.take()) {
             (Ok(found), _) => {
-                let mut level = Level::new(found, kernel, punch, Accuracy::of(tolerance).negligible);
+                let mut level = Level::new(found, kernel, punch, negligible(tolerance));
                 level.doubt(&half_lengths);
                 level
             }
@@ -95,9 +102,9 @@ pub(super) fn refine(
                 modes[..first].fill(1);
                 let found = newton.converge(half_lengths, &coarse, &coarse, &modes, FEW_DIGITS)?;
                 let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
-                let rough = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
+                let (rough, _) = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
                 *work = newton.work.clone();
-                let mut level = Level::new(found, kernel, punch, Accuracy::of(FEW_DIGITS).negligible);
+                let mut level = Level::new(found, kernel, punch, negligible(FEW_DIGITS));
                 level.doubt(&rough);
                 if level.worst_error() > tolerance {
                     warnings.push(not_met(options, &modes));
@@ -105,9 +112,6 @@ pub(super) fn refine(
                 return Ok((level, warnings));
             }
         };
-        if level.settled.iter().all(|settled| *settled) {
-            admissible::pushes(kernel, interfaces, punch, &level)?;
-        }
         if level.worst_error() <= tolerance {
             if options.tolerance < BEST {
                 warnings.push(format!(
@@ -116,6 +120,9 @@ pub(super) fn refine(
                 ));
             }
             return Ok((level, warnings));
+        }
+        if level.settled.iter().all(|settled| *settled) {
+            admissible::pushes(kernel, interfaces, punch, &level)?;
         }
         let error = |i: usize| level.errors[i][0].max(level.errors[i][1]);
         let enough = |i: usize| error(i) <= 0.1 * tolerance;
@@ -151,6 +158,12 @@ fn not_met(options: &Options, modes: &[usize]) -> String {
 fn with_more(solved: usize, tolerance: f64) -> usize {
     let least = if tolerance < FEW_DIGITS { MORE } else { MORE / 2 };
     solved + (solved / 2).max(least)
+}
+
+/// Modes that follow row by row may be few where the last of the rough ones are nothing already.
+fn felt(rough: &[f64], solved: usize, tolerance: f64) -> usize {
+    let last = weight(rough, rough.len().saturating_sub(2)..rough.len());
+    if last < tolerance { solved + LEAST_MORE } else { usize::MAX }
 }
 
 /// Modes to begin with: enough for waves that feel no more than the faces of a contact.

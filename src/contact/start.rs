@@ -12,40 +12,30 @@ const ON_SOFT_BASE: f64 = 1.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
 const TYPICAL: f64 = 1.2;
 
+/// Half-lengths are looked for down to this, and found to so much in their logarithm.
+const SHORTEST: f64 = 1e-100;
+const FOUND: f64 = 1e-3;
+/// How near, in the logarithm, to the edge of the punch they may be.
+const AT_EDGE: f64 = 1e-4;
+
 /// The force P' at which the contact under the punch is expected to have a half-length (in units of L), for an
 /// indentation by P' = 1.
-pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> Result<f64, Error> {
-    Ok(punch.first_row(half_length) * half_length / compliances(kernel, TYPICAL / half_length)?[0])
+pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> f64 {
+    punch.first_row(half_length) * half_length / kernel.compliances(TYPICAL / half_length)[0]
 }
 
 /// Half-lengths in units of L, from the top down.
 pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
-    let first = if let Some(given) = punch.given() {
-        given.half_length
-    } else if let Some(flat) = punch.flat() {
-        flat
-    } else {
-        // punch: Hertz, on the compliance that the whole stack has for waves as long as the contact
-        let (mut low, mut high): (f64, f64) = (1e-100, 1e6);
-        if let Some(limit) = punch.max_half_length() {
-            high = limit;
-            low = low.min(0.5 * high);
-        }
-        while high / low > 1.0 + 1e-4 {
-            let a = low.sqrt() * high.sqrt();
-            let compliance = compliances(kernel, TYPICAL / a)?[0];
-            if punch.first_row(a) < compliance / a { low = a } else { high = a }
-        }
-        if let Some(error) = punch.too_small(low) {
-            return Err(error);
-        }
-        low.sqrt() * high.sqrt()
+    let first = match punch.given() {
+        Some(given) => given.half_length,
+        None => punch.flat().map_or_else(|| under_punch(kernel, punch), Ok)?,
     };
     let mut half_lengths = vec![first];
-    for (laminate, (thickness, rigidity)) in kernel.laminates()?.into_iter().enumerate() {
+    for (laminate, (thickness, rigidity)) in kernel.laminates().into_iter().enumerate() {
         let mut local = ON_RIGID_BASE * thickness;
         for _ in 0..4 {
-            let below = compliances(kernel, TYPICAL / local)?[laminate + 1];
+            let zeta = TYPICAL / local;
+            let below = (kernel.compliances(zeta)[laminate + 1] - kernel.squeezed(laminate, zeta)).max(0.0);
             local = ON_RIGID_BASE * thickness + ON_SOFT_BASE * (0.5 * rigidity * below).cbrt();
         }
         half_lengths.push(half_lengths[laminate].hypot(local));
@@ -53,20 +43,35 @@ pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f
     Ok(half_lengths)
 }
 
-/// For each contact the compliance λμ₀C of all that lies below it, as if the interfaces further down slid without
-/// opening.
-fn compliances(kernel: &Kernel, zeta: f64) -> Result<Vec<f64>, Error> {
-    let (laminates, base) = kernel.flexibilities(zeta)?;
-    let mut below = base;
-    let mut compliances = vec![base];
-    for laminate in laminates.iter().rev() {
-        // top − coupling²/(below − bottom), arranged so that a long wave loses less
-        let sum = below - laminate.bottom;
-        let own = (-laminate.top * laminate.bottom - laminate.coupling * laminate.coupling).max(0.0);
-        below = (own + laminate.top * below) / sum;
-        compliances.push(below);
+/// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
+fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, Error> {
+    let longest = punch.max_half_length().unwrap_or(1e6);
+    let (mut low, mut high) = (SHORTEST.min(0.5 * longest).ln(), longest.ln());
+    // the logarithm of the force is nearly linear in that of the half-length
+    let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
+    let mut last: Option<(f64, f64)> = None;
+    while high - low > AT_EDGE {
+        let missing = -force(kernel, punch, x.exp()).ln();
+        if missing > 0.0 {
+            low = x
+        } else {
+            high = x
+        }
+        if let Some((before, was)) = last {
+            let secant = (was - missing) / (x - before);
+            slope = if secant > 0.0 && secant.is_finite() { secant } else { slope };
+        }
+        last = missing.is_finite().then_some((x, missing));
+        let next = x + missing / slope;
+        let inside = low < next && next < high;
+        let found = inside && (next - x).abs() < FOUND;
+        x = if inside { next } else { 0.5 * (low + high) };
+        if found {
+            break;
+        }
     }
-    compliances.reverse();
-    compliances[0] += kernel.punch();
-    Ok(compliances)
+    match punch.too_small(low.exp()) {
+        Some(error) => Err(error),
+        None => Ok(x.exp()),
+    }
 }

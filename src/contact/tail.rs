@@ -7,8 +7,10 @@
 use num_complex::Complex64;
 
 use crate::kernel::Kernel;
+use crate::numeric::buffer::Buffer;
 use crate::numeric::chebyshev::Series;
 use crate::numeric::quadrature::{laguerre_rule, rule};
+use crate::numeric::vector::vectorised;
 
 /// Points on the path into the complex plane.
 const TURNED_POINTS: usize = 32;
@@ -124,7 +126,6 @@ impl Tail {
 
 /// Weights of one kernel at the rows of a contact: real wavenumbers, J and Y at the smooth nodes, and both parts of H on
 /// the turned path.
-#[derive(Clone, Default)]
 pub(super) struct Weights {
     /// Of all real rows.
     pub(super) plain: Vec<f64>,
@@ -133,6 +134,11 @@ pub(super) struct Weights {
 }
 
 impl Weights {
+    /// None yet, with room for so many of real rows.
+    pub(super) fn with_room(rows: usize) -> Self {
+        Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
+    }
+
     /// Rows that they cover, the first of all.
     pub(super) fn rows(&self) -> usize {
         self.plain.len() + 2 * self.turned.len()
@@ -140,11 +146,40 @@ impl Weights {
 
     /// Adds factor · weights · rows: the sum over the rows of that times another field is their integral.
     pub(super) fn add_times(&self, factor: f64, rows: &[f64], out: &mut [f64]) {
-        let count = self.plain.len();
-        for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
-            *out += factor * weight * row;
-        }
-        let turned = self.turned.len();
+        vectorised(
+            #[inline(always)]
+            || {
+                for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
+                    *out += factor * weight * row;
+                }
+            },
+        );
+        self.add_turned(factor, rows, out);
+    }
+
+    /// Weights · rows over the rows that they cover.
+    pub(super) fn times(&self, rows: &[f64], out: &mut [f64]) {
+        out[self.plain.len()..].fill(0.0);
+        vectorised(
+            #[inline(always)]
+            || {
+                for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
+                    *out = weight * row;
+                }
+            },
+        );
+        self.add_turned(1.0, rows, out);
+    }
+
+    /// The same over so many rows, zero where they cover nothing.
+    pub(super) fn over(&self, count: usize, rows: &[f64]) -> Buffer {
+        let mut out = Buffer::any(count);
+        self.times(rows, &mut out);
+        out
+    }
+
+    fn add_turned(&self, factor: f64, rows: &[f64], out: &mut [f64]) {
+        let (count, turned) = (self.plain.len(), self.turned.len());
         for (k, weight) in self.turned.iter().enumerate() {
             let (re, im) = (count + k, count + turned + k);
             let value = (weight * Complex64::new(rows[re], rows[im])).conj();

@@ -10,6 +10,9 @@ use crate::solution::{Form, Strip};
 /// Terms of the potentials below this part of the largest one are left out.
 const NEGLIGIBLE: f64 = 1e-18;
 
+/// Squares of w below this are terms of a series.
+const SMALL: f64 = 1e-6;
+
 /// Terms of the series that are together below this part of the largest one change nothing.
 const ROUNDED: f64 = 1e-16;
 
@@ -23,6 +26,8 @@ pub(super) struct Image {
     skew: Vec<f64>,
     /// Of 1/sin φ.
     corners: f64,
+    /// Of arcosh(1/|cos φ|) = 2 Σ (−1)^m sin jφ/j.
+    tip: f64,
     /// How many terms are felt farther off than where they are smooth.
     felt: usize,
     form: Form,
@@ -33,8 +38,8 @@ impl Image {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let signed = |all: &[f64]| all.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
         let (series, skew) = (signed(&strip.coefficients), signed(&strip.skew));
-        let Strip { extent: half_length, corners, found: felt, form, .. } = *strip;
-        Self { half_length, series, skew, corners, felt, form }.truncated(ROUNDED)
+        let Strip { extent: half_length, corners, tip, found: felt, form, .. } = *strip;
+        Self { half_length, series, skew, corners, tip, felt, form }.truncated(ROUNDED)
     }
 
     /// Without the last terms of the series, as long as together they stay below this part of the largest one. The
@@ -54,12 +59,13 @@ impl Image {
             keep -= 1;
         }
         let skew = self.skew[..keep.min(self.skew.len())].to_vec();
-        Self { series: self.series[..keep].to_vec(), skew, felt: self.felt.min(keep), ..*self }
+        let felt = if self.tip == 0.0 { self.felt.min(keep) } else { self.felt };
+        Self { series: self.series[..keep].to_vec(), skew, felt, ..*self }
     }
 
     /// The resultant P = p̂(0).
     pub(super) fn resultant(&self) -> f64 {
-        FRAC_PI_2 * self.half_length * (self.first() + 2.0 * self.corners)
+        FRAC_PI_2 * self.half_length * (self.first() + 2.0 * (self.corners + self.tip))
     }
 
     fn first(&self) -> f64 {
@@ -77,7 +83,8 @@ impl Image {
             Form::Parabolic => each(bessel::spherical_jinc_deficit),
             Form::Series => {
                 let n = arguments.len();
-                let felt = &self.series[..self.felt.min(self.series.len())];
+                let term = |m: usize| self.series.get(m).copied().unwrap_or(0.0) + 2.0 * self.tip / (2 * m + 1) as f64;
+                let felt: Vec<f64> = (0..self.felt).map(term).collect();
                 let orders = 2 * felt.len() + 1;
                 let mut bessel = vec![0.0; orders * n];
                 bessel::table(orders, &arguments, &mut bessel);
@@ -165,7 +172,20 @@ impl Image {
             potentials[1] += self.corners * z * third / a;
             potentials[2] += self.corners * (2.0 * z * z - 1.0) * third * over * over / (a * a);
         }
+        if self.tip != 0.0 {
+            // 2 artanh w and its derivatives, infinite at the tip; there, those as close to it as numbers go
+            let (z, w) = if z == Complex64::ZERO { self.next_to_tip() } else { (z, w) };
+            let first = over / z;
+            potentials[0] += self.tip * artanh_twice(z, w);
+            potentials[1] += self.tip * first / a;
+            potentials[2] += self.tip * (2.0 * z * z + 1.0) * first * first * over / (a * a);
+        }
         Potentials(potentials)
+    }
+
+    fn next_to_tip(&self) -> (Complex64, Complex64) {
+        let z = Complex64::from(f64::EPSILON);
+        (z, 1.0 - z)
     }
 
     /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
@@ -184,11 +204,14 @@ impl Image {
         let mut sum = sum * square + (self.first() + 2.0 * self.corners) * w.ln();
         for (m, c) in self.skew.iter().enumerate().take(terms) {
             let (below, above) = ((2 * m + 1) as f64, (2 * m + 3) as f64);
-            sum += Complex64::new(0.0, -mirror)
-                * c
-                * (w.powi(2 * m as i32 + 1) / below + w.powi(2 * m as i32 + 3) / above);
+            let both = w.powi(2 * m as i32 + 1) / below + w.powi(2 * m as i32 + 3) / above;
+            sum += Complex64::new(0.0, -mirror) * c * both;
         }
-        0.5 * self.half_length * sum
+        let plain = 0.5 * self.half_length * sum;
+        if self.tip == 0.0 || z == Complex64::ZERO {
+            return plain + self.tip * self.half_length;
+        }
+        plain + self.tip * self.half_length * (1.0 - z * artanh_twice(z, w) + w.ln())
     }
 
     /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink: below
@@ -221,6 +244,16 @@ impl Image {
     }
 }
 
+/// 2 artanh w, w = √(z² + 1) − z.
+fn artanh_twice(z: Complex64, w: Complex64) -> Complex64 {
+    if w.norm_sqr() < SMALL {
+        let square = w * w;
+        return 2.0 * w * (1.0 + square / 3.0 + square * square / 5.0);
+    }
+    // 1 − w² = 2zw keeps its digits next to the tip
+    ((1.0 + w) * (1.0 + w) / (2.0 * z * w)).ln()
+}
+
 /// Potentials in closed form.
 struct Closed {
     potentials: Potentials,
@@ -237,6 +270,10 @@ mod tests {
     use super::*;
 
     fn image(form: Form) -> Image {
+        with_tip(form, 0.0)
+    }
+
+    fn with_tip(form: Form, tip: f64) -> Image {
         let (at, extent) = (0.0, 0.7);
         let order = |m: usize| (2 * m + 1) as f64;
         let coefficients = match form {
@@ -244,8 +281,8 @@ mod tests {
             Form::Uniform => (0..64).map(|m| 1.3 / order(m)).collect(),
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
-        let corners = if form == Form::Series { 0.8 } else { 0.0 };
-        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, skew: Vec::new(), corners, form })
+        let (corners, tip) = if form == Form::Series { (0.8, tip) } else { (0.0, 0.0) };
+        Image::new(&Strip { at, extent, found: coefficients.len(), coefficients, skew: Vec::new(), corners, tip, form })
     }
 
     const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
@@ -326,5 +363,29 @@ mod tests {
             let edge = image.potentials(image.half_length, 0.0, 1.0);
             assert!(edge.0[0].re.is_finite() && image.integral(image.half_length, 0.0, 1.0).is_finite());
         }
+    }
+
+    #[test]
+    fn a_tip_is_the_sum_of_its_series() {
+        let tip = 0.6;
+        let sharp = with_tip(Form::Series, tip);
+        let mut series = image(Form::Series);
+        series.series.resize(4000, 0.0);
+        series.series.iter_mut().enumerate().for_each(|(m, c)| *c += 2.0 * tip / (2 * m + 1) as f64);
+        series.felt = 4000;
+        for (x, depth) in [(0.0, 0.02), (0.3, 0.05), (0.69, 0.2), (0.1, 3.0), (40.0, 0.0), (0.0, 1e4), (1e-3, 0.01)] {
+            let (Potentials(found), Potentials(expected)) =
+                (sharp.potentials(x, depth, 1.0), series.potentials(x, depth, 1.0));
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).norm() < 1e-11 * expected.norm(), "{x} {depth}: {found} {expected}");
+            }
+            let (found, expected) = (sharp.integral(x, depth, 1.0), series.integral(x, depth, 1.0));
+            assert!((found - expected).norm() < 1e-11 * expected.norm(), "{x} {depth}: {found} {expected}");
+        }
+        assert!((sharp.resultant() / series.resultant() - 1.0).abs() < 1e-15);
+        let pressure = tip * (0.7f64 / 0.01).acosh();
+        let plain = image(Form::Series).potentials(0.01, 0.0, 1.0).0[0].re;
+        assert!((sharp.potentials(0.01, 0.0, 1.0).0[0].re - plain - pressure).abs() < 1e-12);
+        assert!(sharp.potentials(0.0, 0.0, 1.0).0[0].is_finite() && sharp.integral(0.0, 0.0, 1.0).is_finite());
     }
 }

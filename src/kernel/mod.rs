@@ -14,8 +14,8 @@ use crate::stack::{Foundation, Stack};
 use crate::system::{BaseChain, FreeChain};
 
 pub(crate) use far::Far;
+use panel::At;
 pub(crate) use panel::Panel;
-use panel::Values;
 
 /// Beyond this λh a face does not feel the other side of its layer: e^(−2·18.5) is below rounding.
 const UNFELT: f64 = 18.5;
@@ -136,6 +136,11 @@ impl Chains {
     }
 }
 
+/// By how much shorter waves may be known worse: the pressure of a contact has little of them, ∫ J² dζ/ζ ~ 1/(ζa).
+fn felt(half_length: f64, zeta: f64) -> f64 {
+    1.0 + zeta * half_length
+}
+
 impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
     pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
@@ -172,6 +177,7 @@ impl Kernel {
                 (0..n).map(|i| far[i].is_none() || i > 0 && felt(i - 1) || i + 1 < n && felt(i)).collect();
             if !wanted.contains(&true) {
                 kernel.far = far.into_iter().flatten().collect();
+                kernel.panels.iter_mut().for_each(|panel| panel.measure(&kernel.far));
                 return Ok(kernel);
             }
             let next = 2.0 * f64::from(2u32).powi(doubling as i32);
@@ -235,7 +241,10 @@ impl Kernel {
     #[cfg(test)]
     pub(crate) fn with_all_couplings(&self) -> Self {
         let mut kernel = self.clone();
-        kernel.panels.iter_mut().for_each(|panel| panel.coupled.fill(true));
+        kernel.panels.iter_mut().for_each(|panel| {
+            panel.coupled.fill(true);
+            panel.measure(&kernel.far);
+        });
         kernel
     }
 
@@ -250,26 +259,25 @@ impl Kernel {
     }
 
     /// The wavenumber beyond which the kernel of contact i under equal neighbouring pressures equals its limit up to
-    /// `negligible` of it; infinite if it does so only in the limit.
-    pub(crate) fn vanishes(&self, contact: usize, negligible: f64) -> f64 {
+    /// `negligible` of it, as far as a contact of this half-length feels it; infinite if it does so only in the limit.
+    pub(crate) fn vanishes(&self, contact: usize, half_length: f64, negligible: f64) -> f64 {
         let far = &self.far[contact];
         if !far.is_constant() {
             return f64::INFINITY;
         }
-        let coupled = |panel: &Panel| {
-            let couplings = contact.saturating_sub(1)..(contact + 1).min(self.contacts() - 1);
-            couplings.map(|i| panel.largest_coupling(i)).sum::<f64>()
-        };
-        let excess = |panel: &Panel| {
-            if panel.from < far.from { panel.largest_excess(contact, far.limit) } else { coupled(panel) }
-        };
-        self.last_panel(|panel| excess(panel) > negligible * far.limit)
+        self.last_panel(|panel| panel.excess[contact] > negligible * far.limit * felt(half_length, panel.from))
     }
 
-    /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of what it couples.
-    pub(crate) fn uncoupled(&self, i: usize, negligible: f64) -> f64 {
-        let least = self.far[i].limit.min(self.far[i + 1].limit);
-        self.last_panel(|panel| panel.largest_coupling(i) > negligible * least)
+    /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of what it couples, as
+    /// far as contacts of this half-length and longer ones feel it.
+    pub(crate) fn uncoupled(&self, i: usize, half_length: f64, negligible: f64) -> f64 {
+        let least = self.least(i);
+        self.last_panel(|panel| panel.couplings[i] > negligible * least * felt(half_length, panel.from))
+    }
+
+    /// The lesser of the limits that a coupling couples.
+    pub(crate) fn least(&self, i: usize) -> f64 {
+        self.far[i].limit.min(self.far[i + 1].limit)
     }
 
     /// The wavenumber beyond which contact i feels little else than its own faces: its kernel is its limit up to a third.
@@ -284,9 +292,9 @@ impl Kernel {
     /// How much more easily the laminate between the contacts i and i + 1 bends than both together are squeezed, at one
     /// wavenumber.
     pub(crate) fn ties(&self, i: usize, zeta: f64) -> f64 {
-        let Some((panel, values)) = self.at(zeta) else { return 0.0 };
-        let squeezed = |i: usize| if panel.from < self.far[i].from { values.unit(i, 0) } else { self.far[i].limit };
-        -values.coupling(i, 0) / (squeezed(i) + squeezed(i + 1)).abs()
+        let Some(at) = self.at(zeta) else { return 0.0 };
+        let squeezed = |i: usize| if at.panel.from < self.far[i].from { at.unit(i) } else { self.far[i].limit };
+        -at.coupling(i) / (squeezed(i) + squeezed(i + 1)).abs()
     }
 
     /// The upper end of the last panel that matters.
@@ -295,28 +303,53 @@ impl Kernel {
     }
 
     /// The panel that holds one wavenumber, and its values there.
-    fn at(&self, zeta: f64) -> Option<(&Panel, Values)> {
-        let panel = self.panels.get(self.panels.partition_point(|panel| panel.to < zeta))?;
-        Some((panel, panel.values(&[zeta], zeta, zeta)))
+    fn at(&self, zeta: f64) -> Option<At<'_>> {
+        Some(self.panels.get(self.panels.partition_point(|panel| panel.to < zeta))?.at(zeta))
     }
 
     /// The coupling of the contacts i and i + 1, at one wavenumber.
     pub(crate) fn coupling(&self, i: usize, zeta: f64) -> f64 {
-        self.at(zeta).map_or(0.0, |(_, values)| values.coupling(i, 0))
+        self.at(zeta).map_or(0.0, |at| at.coupling(i))
     }
 
     /// The kernel of contact i under equal neighbouring pressures less its limit, at one wavenumber.
     pub(crate) fn unit_excess(&self, contact: usize, zeta: f64) -> f64 {
+        self.excess_at(contact, zeta, self.at(zeta).as_ref())
+    }
+
+    fn excess_at(&self, contact: usize, zeta: f64, at: Option<&At>) -> f64 {
         let far = &self.far[contact];
-        match self.at(zeta) {
-            Some((panel, values)) if panel.from < far.from => values.unit(contact, 0) - far.limit,
-            Some((_, values)) => {
-                let above = contact.checked_sub(1).map_or(0.0, |above| values.coupling(above, 0));
-                let below = if contact + 1 < self.contacts() { values.coupling(contact, 0) } else { 0.0 };
+        match at {
+            Some(at) if at.panel.from < far.from => at.unit(contact) - far.limit,
+            Some(at) => {
+                let above = contact.checked_sub(1).map_or(0.0, |above| at.coupling(above));
+                let below = if contact + 1 < self.contacts() { at.coupling(contact) } else { 0.0 };
                 far.excess(zeta) + above + below
             }
             None => far.excess(zeta),
         }
+    }
+
+    /// For each contact the compliance λμ₀C of all that lies below it and of what it presses on above, at one wavenumber, as
+    /// if the interfaces further down slid without opening: two kernels under equal pressures, one behind the bending
+    /// of the laminate between them.
+    pub(crate) fn compliances(&self, zeta: f64) -> Vec<f64> {
+        let at = self.at(zeta);
+        let mut compliances: Vec<f64> =
+            (0..self.contacts()).map(|i| self.far[i].limit + self.excess_at(i, zeta, at.as_ref())).collect();
+        for i in (0..self.contacts() - 1).rev() {
+            let bending = -at.as_ref().map_or(0.0, |at| at.coupling(i));
+            let below = compliances[i + 1];
+            // springs in series, the softer of which counts
+            compliances[i] +=
+                if bending > 0.0 && below > 0.0 { (bending.recip() + below.recip()).recip() } else { 0.0 };
+        }
+        compliances
+    }
+
+    /// How much the lower face of a laminate gives way, λμ₀C, if both faces are pressed alike, at one wavenumber.
+    pub(crate) fn squeezed(&self, laminate: usize, zeta: f64) -> f64 {
+        self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta)).map_or(0.0, |c| -c.equal_bottom)
     }
 
     /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.
@@ -329,14 +362,14 @@ impl Kernel {
     }
 
     /// Thickness in units of L and bending stiffness in units of μ₀L³ of the laminates, top down.
-    pub(crate) fn laminates(&self) -> Result<Vec<(f64, f64)>, Error> {
+    pub(crate) fn laminates(&self) -> Vec<(f64, f64)> {
         // long waves see a beam: λμ₀C = μ₀L³/(D ζ³)
         const LONG: f64 = 1e-4;
-        let (flexibilities, _) = self.flexibilities(LONG)?;
+        let at = self.at(LONG);
         let thickness = |chain: &FreeChain| {
             chain.layers().iter().map(|layer| layer.thickness().unwrap_or(0.0)).sum::<f64>() / self.chains.length
         };
-        let bending = |flexibility: &Flexibility| (flexibility.top * LONG.powi(3)).recip();
-        Ok(self.chains.laminates.iter().map(thickness).zip(flexibilities.iter().map(bending)).collect())
+        let bending = |i: usize| -(at.as_ref().map_or(0.0, |at| at.coupling(i)) * LONG.powi(3)).recip();
+        self.chains.laminates.iter().enumerate().map(|(i, chain)| (thickness(chain), bending(i))).collect()
     }
 }

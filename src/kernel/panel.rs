@@ -2,9 +2,11 @@
 use std::sync::LazyLock;
 
 use crate::Error;
+use crate::numeric::buffer::Buffer;
+use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 
-use super::{Chains, Work};
+use super::{Chains, Far, Work};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
@@ -28,6 +30,11 @@ pub(crate) struct Panel {
     values: Vec<[f64; POINTS]>,
     /// Which couplings are felt on this panel.
     pub(crate) coupled: Vec<bool>,
+    /// Per contact: by how much its kernel under equal neighbouring pressures differs here from its limit at most, or
+    /// where the polynomial for large wavenumbers holds, from that.
+    pub(crate) excess: Vec<f64>,
+    /// The largest values of the couplings here.
+    pub(crate) couplings: Vec<f64>,
     contacts: usize,
 }
 
@@ -38,6 +45,15 @@ fn powers(contacts: usize, component: usize) -> i32 {
         _ if contacts == 1 => 0,
         1 => 1,
         _ => 3,
+    }
+}
+
+/// ζ to one of these powers.
+fn power(zeta: f64, power: i32) -> f64 {
+    match power {
+        0 => 1.0,
+        1 => zeta,
+        _ => zeta * zeta * zeta,
     }
 }
 
@@ -70,10 +86,11 @@ impl Panel {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
             chains.sample(zeta, wanted, &mut sample, work)?;
             for (c, value) in sample.iter().enumerate() {
-                values[c][k] = value * zeta.powi(powers(contacts, c));
+                values[c][k] = value * power(zeta, powers(contacts, c));
             }
         }
-        let mut panel = Self { from, to, values, coupled: Vec::new(), contacts };
+        let (coupled, excess, couplings) = Default::default();
+        let mut panel = Self { from, to, values, coupled, excess, couplings, contacts };
         panel.coupled = (0..contacts - 1)
             .map(|i| {
                 let own = panel.size(i).min(panel.size(i + 1));
@@ -86,9 +103,9 @@ impl Panel {
     /// Adds a flexibility that is the same for all wavenumbers to contact 0.
     pub(super) fn add_to_first(&mut self, flexibility: f64) {
         for component in [0, self.contacts] {
-            let power = powers(self.contacts, component);
+            let exponent = powers(self.contacts, component);
             for ((zeta, _), value) in quadrature::rule(POINTS).on(self.from, self.to).zip(&mut self.values[component]) {
-                *value += flexibility * zeta.powi(power);
+                *value += flexibility * power(zeta, exponent);
             }
         }
     }
@@ -114,62 +131,82 @@ impl Panel {
 
     /// The largest value of a component less `limit`, on the Gauss points.
     fn largest(&self, component: usize, limit: f64) -> f64 {
-        let power = powers(self.contacts, component);
+        let exponent = powers(self.contacts, component);
         let nodes = quadrature::rule(POINTS).on(self.from, self.to);
-        let values = nodes.zip(&self.values[component]).map(|((zeta, _), value)| value / zeta.powi(power) - limit);
+        let values = nodes.zip(&self.values[component]).map(|((zeta, _), value)| value / power(zeta, exponent) - limit);
         values.fold(0.0, |largest, value| largest.max(value.abs()))
     }
 
     /// The largest wavenumber at which the kernel of contact `i` differs from `limit` by more than `little`.
     pub(super) fn last_above(&self, i: usize, limit: f64, little: f64) -> Option<f64> {
-        let power = powers(self.contacts, i);
+        let exponent = powers(self.contacts, i);
         let nodes: Vec<f64> = quadrature::rule(POINTS).on(self.from, self.to).map(|(zeta, _)| zeta).collect();
-        let above = |(zeta, value): &(&f64, &f64)| (*value / zeta.powi(power) - limit).abs() > little;
+        let above = |(zeta, value): &(&f64, &f64)| (*value / power(**zeta, exponent) - limit).abs() > little;
         nodes.iter().zip(&self.values[i]).rev().find(above).map(|(zeta, _)| *zeta)
     }
 
-    /// The largest excess of the kernel of contact `i` under equal neighbouring pressures over `limit`.
-    pub(super) fn largest_excess(&self, i: usize, limit: f64) -> f64 {
-        self.largest(self.contacts + i, limit)
+    /// Finds how large the components are, once the kernels for large wavenumbers are known.
+    pub(super) fn measure(&mut self, far: &[Far]) {
+        let n = self.contacts;
+        let coupling = |i: usize| if self.coupled[i] { self.largest(2 * n + i, 0.0) } else { 0.0 };
+        self.couplings = (0..n - 1).map(coupling).collect();
+        let excess = |(i, far): (usize, &Far)| {
+            if self.from < far.from {
+                self.largest(n + i, far.limit)
+            } else {
+                self.couplings[i.saturating_sub(1)..(i + 1).min(n - 1)].iter().sum()
+            }
+        };
+        self.excess = far.iter().enumerate().map(excess).collect();
     }
 
-    /// The largest coupling of the contacts `i` and `i + 1`.
-    pub(super) fn largest_coupling(&self, i: usize) -> f64 {
-        if self.coupled[i] { self.largest(2 * self.contacts + i, 0.0) } else { 0.0 }
+    /// What a value at each Gauss point contributes at one wavenumber.
+    fn row(&self, zeta: f64) -> [f64; POINTS] {
+        static WEIGHTS: LazyLock<Vec<f64>> =
+            LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
+        let x = (zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from));
+        let mut row = [0.0; POINTS];
+        chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, &mut row);
+        row
+    }
+
+    /// The components at one wavenumber.
+    pub(super) fn at(&self, zeta: f64) -> At<'_> {
+        At { panel: self, zeta, row: self.row(zeta) }
     }
 
     /// What the contact equations need at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
     /// the panel or a part of it.
     pub(crate) fn values(&self, zeta: &[f64], from: f64, to: f64) -> Values {
-        static WEIGHTS: LazyLock<Vec<f64>> =
-            LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
-        let mut rows = Vec::new();
-        let rows: &[f64] = if from == self.from && to == self.to {
-            chebyshev::panel_matrix(zeta.len())
+        let count = zeta.len();
+        let mut columns = Buffer::default();
+        let columns: &[f64] = if from == self.from && to == self.to {
+            chebyshev::panel_matrix(count)
         } else {
-            rows.resize(zeta.len() * POINTS, 0.0);
-            for (zeta, row) in zeta.iter().zip(rows.chunks_exact_mut(POINTS)) {
-                let x = (zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from));
-                chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, row);
+            columns.resize(count * POINTS);
+            for (k, zeta) in zeta.iter().enumerate() {
+                self.row(*zeta).iter().enumerate().for_each(|(j, value)| columns[j * count + k] = *value);
             }
-            &rows
+            &columns
         };
         let n = self.contacts;
-        let mut values =
-            Values { count: zeta.len(), contacts: n, values: Vec::with_capacity(zeta.len() * (2 * n - 1)) };
-        for component in n..3 * n - 1 {
+        let mut values = Buffer::zeros(count * (2 * n - 1));
+        for (component, values) in (n..3 * n - 1).zip(values.chunks_exact_mut(count)) {
             if component >= 2 * n && !self.coupled[component - 2 * n] {
-                values.values.resize(values.values.len() + zeta.len(), 0.0);
                 continue;
             }
-            let power = powers(n, component);
-            let own = &self.values[component];
-            values.values.extend(rows.chunks_exact(POINTS).zip(zeta).map(|(row, zeta)| {
-                let value: f64 = row.iter().zip(own).map(|(r, v)| r * v).sum();
-                value / zeta.powi(power)
-            }));
+            vectorised(
+                #[inline(always)]
+                || {
+                    for (column, own) in columns.chunks_exact(count).zip(&self.values[component]) {
+                        values.iter_mut().zip(column).for_each(|(value, part)| *value += part * own);
+                    }
+                },
+            );
+            let exponent = powers(n, component);
+            values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= power(*zeta, exponent));
         }
-        values
+        Values { count, contacts: n, values }
     }
 }
 
@@ -177,7 +214,7 @@ impl Panel {
 pub(crate) struct Values {
     count: usize,
     contacts: usize,
-    values: Vec<f64>,
+    values: Buffer,
 }
 
 impl Values {
@@ -189,5 +226,29 @@ impl Values {
     /// The coupling of the contacts `i` and `i + 1` at wavenumber number `k`.
     pub(crate) fn coupling(&self, i: usize, k: usize) -> f64 {
         self.values[(self.contacts + i) * self.count + k]
+    }
+}
+
+/// The components of a panel at one wavenumber, each evaluated when it is asked for.
+pub(super) struct At<'a> {
+    pub(super) panel: &'a Panel,
+    zeta: f64,
+    row: [f64; POINTS],
+}
+
+impl At<'_> {
+    fn component(&self, component: usize) -> f64 {
+        let value: f64 = self.row.iter().zip(&self.panel.values[component]).map(|(r, v)| r * v).sum();
+        value / power(self.zeta, powers(self.panel.contacts, component))
+    }
+
+    /// The kernel of contact `i` under equal neighbouring pressures.
+    pub(super) fn unit(&self, i: usize) -> f64 {
+        self.component(self.panel.contacts + i)
+    }
+
+    /// The coupling of the contacts `i` and `i + 1`, 0 where it is not felt.
+    pub(super) fn coupling(&self, i: usize) -> f64 {
+        if self.panel.coupled[i] { self.component(2 * self.panel.contacts + i) } else { 0.0 }
     }
 }

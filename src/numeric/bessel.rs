@@ -11,9 +11,15 @@
 //!
 //! Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
 
+mod deficit;
+
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI, LN_2};
 use std::ops::{Mul, Sub};
+
+pub use deficit::{jinc_deficit, jinc_deficit_from, sinc_deficit, spherical_jinc_deficit};
+
+use super::vector::vectorised;
 
 /// Arguments from here on may use Hankel's expansion: its smallest term is far below rounding.
 pub const ASYMPTOTIC_FROM: f64 = 25.0;
@@ -57,6 +63,14 @@ pub fn scaled_table(orders: usize, arguments: &[f64], factor: f64, stride: usize
         return;
     }
     assert!(arguments.len() <= stride && (orders - 1) * stride + arguments.len() <= out.len(), "the table fits");
+    vectorised(
+        #[inline(always)]
+        || fill(orders, arguments, factor, stride, out),
+    );
+}
+
+#[inline(always)]
+fn fill(orders: usize, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
     let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
     let mut rows: Vec<Lanes> = Vec::new();
     for first in (0..arguments.len()).step_by(LANES) {
@@ -95,6 +109,7 @@ struct Window<'a> {
 
 impl Window<'_> {
     /// Writes `rows * scale` for the lanes wanted.
+    #[inline(always)]
     fn store(&mut self, rows: &[Lanes], scale: &Lanes, wanted: impl Fn(usize) -> bool) {
         let whole = self.width == LANES && (0..LANES).all(&wanted);
         for (row, column) in rows.iter().zip(self.out.chunks_mut(self.stride)) {
@@ -112,6 +127,7 @@ impl Window<'_> {
 }
 
 /// Miller's recurrence: fills `rows[n]` (n = 0..orders at least) up to a factor per lane, and returns that factor.
+#[inline(always)]
 fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     let starts = start_orders(z, orders);
     let two_over_z = z.map(|z| if z < TINY { 0.0 } else { 2.0 / z });
@@ -121,7 +137,7 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     }
     rows[orders.min(highest + 1)..orders].fill([0.0; LANES]);
 
-    let (mut above, mut here) = ([0.0; LANES], [0.0; LANES]);
+    let (mut above, mut here, mut sum) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut n = highest;
     loop {
         // A lane is zero until its own start: an earlier one would overflow before it reaches order zero.
@@ -133,31 +149,53 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
                 next = next.max(starts[lane]);
             }
         }
-        let mut order = n as f64;
-        for row in rows[next + 1..=n].iter_mut().rev() {
-            *row = here;
-            let below: Lanes = std::array::from_fn(|lane| order * two_over_z[lane] * here[lane] - above[lane]);
-            above = here;
-            here = below;
-            order -= 1.0;
-        }
+        (above, here, sum) = descend(&mut rows[next + 1..=n], n, &two_over_z, (above, here, sum));
         if n == 0 {
             break;
         }
         n = next;
     }
     rows[0] = here;
-
-    let mut sum = [0.0; LANES];
-    for row in rows[..=highest].iter().skip(2).step_by(2).rev() {
-        for lane in 0..LANES {
-            sum[lane] += row[lane];
-        }
-    }
     std::array::from_fn(|lane| 1.0 / (2.0 * sum[lane] + here[lane]))
 }
 
+/// Goes down from order `n` through as many rows: values of the order above, of this one, and the sum of even orders.
+#[inline(always)]
+fn descend(rows: &mut [Lanes], n: usize, two_over_z: &Lanes, start: (Lanes, Lanes, Lanes)) -> (Lanes, Lanes, Lanes) {
+    let (mut above, mut here, mut sum) = start;
+    let mut order = n as f64;
+    let single = rows.len() % 2;
+    let (lower, top) = rows.split_at_mut(rows.len() - single);
+    for row in top {
+        let mut below = [0.0; LANES];
+        for lane in 0..LANES {
+            row[lane] = here[lane];
+            below[lane] = order * two_over_z[lane] * here[lane] - above[lane];
+        }
+        for lane in 0..LANES {
+            sum[lane] += if n.is_multiple_of(2) { here[lane] } else { 0.0 };
+        }
+        (above, here) = (here, below);
+        order -= 1.0;
+    }
+    let even = (n - single).is_multiple_of(2);
+    for pair in lower.rchunks_exact_mut(2) {
+        let [mut below, mut next] = [[0.0; LANES]; 2];
+        for lane in 0..LANES {
+            below[lane] = order * two_over_z[lane] * here[lane] - above[lane];
+            next[lane] = (order - 1.0) * two_over_z[lane] * below[lane] - here[lane];
+            sum[lane] += if even { here[lane] } else { below[lane] };
+            pair[1][lane] = here[lane];
+            pair[0][lane] = below[lane];
+        }
+        (above, here) = (below, next);
+        order -= 2.0;
+    }
+    (above, here, sum)
+}
+
 /// Forward recurrence from Hankel's expansion: fills `rows[n]`, n = 0..orders.
+#[inline(always)]
 fn upward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
     if rows.len() < orders {
         rows.resize(orders, [0.0; LANES]);
@@ -303,8 +341,13 @@ pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) 
             }
         }
     }
-    recur_upward(&two_over_z, j);
-    recur_upward(&two_over_z, y);
+    vectorised(
+        #[inline(always)]
+        || {
+            recur_upward(&two_over_z, j);
+            recur_upward(&two_over_z, y);
+        },
+    );
 }
 
 /// exp(-iz) H_n(z), H the Hankel function of the first kind, for n = 0..`orders`, laid out as in [`table`].
@@ -333,10 +376,14 @@ pub fn hankel_table(orders: usize, arguments: &[Complex64], out: &mut [Complex64
         }
         two_over_z.push(2.0 * w);
     }
-    recur_upward(&two_over_z, out);
+    vectorised(
+        #[inline(always)]
+        || recur_upward(&two_over_z, out),
+    );
 }
 
 /// Completes a table whose orders 0 and 1 are given.
+#[inline(always)]
 fn recur_upward<T>(two_over_z: &[T], table: &mut [T])
 where
     T: Copy + Mul<f64, Output = T> + Mul<T, Output = T> + Sub<T, Output = T>,
@@ -352,65 +399,6 @@ where
             *new = factor * (n as f64) * here - below;
         }
     }
-}
-
-/// 2 J_1(z)/z - 1, to a relative error of a few 1e-16 also where it is small.
-///
-/// ```
-/// use recede::numeric::bessel::jinc_deficit;
-/// assert!((jinc_deficit(1e-6) / -1.25e-13 - 1.0).abs() < 1e-12); // -z^2/8
-/// assert_eq!(jinc_deficit(0.0), 0.0);
-/// ```
-pub fn jinc_deficit(z: f64) -> f64 {
-    let mut j = [0.0; 2];
-    if z.abs() >= DEFICIT_SERIES_BELOW {
-        table(2, &[z.abs()], &mut j);
-    }
-    jinc_deficit_from(z.abs(), j[1])
-}
-
-/// 2 J_1(z)/z - 1 where `j1` = J_1(z) is known already (it is not used for small z). See [`jinc_deficit`].
-pub fn jinc_deficit_from(z: f64, j1: f64) -> f64 {
-    if z.abs() >= DEFICIT_SERIES_BELOW {
-        return 2.0 * j1 / z - 1.0;
-    }
-    // sum over k >= 1 of (-z^2/4)^k / (k! (k+1)!), as nested products from the innermost
-    let q = -0.25 * z * z;
-    q * 0.5 * (2..=12).rev().fold(1.0, |s, k| 1.0 + s * q / (k * (k + 1)) as f64)
-}
-
-const DEFICIT_SERIES_BELOW: f64 = 2.0;
-
-/// sin z/z - 1, to a relative error of a few 1e-16 also where it is small.
-///
-/// ```
-/// use recede::numeric::bessel::sinc_deficit;
-/// assert!((sinc_deficit(1e-6) / (-1e-12 / 6.0) - 1.0).abs() < 1e-12);
-/// assert_eq!(sinc_deficit(0.0), 0.0);
-/// ```
-pub fn sinc_deficit(z: f64) -> f64 {
-    if z.abs() >= DEFICIT_SERIES_BELOW { z.sin() / z - 1.0 } else { spherical_deficit(z, 1.0) }
-}
-
-/// 3 (sin z - z cos z)/z^3 - 1, to a relative error of a few 1e-16 also where it is small.
-///
-/// ```
-/// use recede::numeric::bessel::spherical_jinc_deficit;
-/// assert!((spherical_jinc_deficit(1e-6) / -1e-13 - 1.0).abs() < 1e-12); // -z^2/10
-/// ```
-pub fn spherical_jinc_deficit(z: f64) -> f64 {
-    if z.abs() >= DEFICIT_SERIES_BELOW {
-        3.0 * (z.sin() - z * z.cos()) / (z * z * z) - 1.0
-    } else {
-        spherical_deficit(z, 3.0)
-    }
-}
-
-/// Sum over k >= 1 of (-z^2/2)^k / (k! (n + 2) (n + 4) ... (n + 2k)): Gamma(n/2 + 1) (2/z)^(n/2) J_(n/2)(z) - 1.
-fn spherical_deficit(z: f64, n: f64) -> f64 {
-    let q = -0.5 * z * z;
-    let term = |k: i32| q / (f64::from(k) * (n + 2.0 * f64::from(k)));
-    term(1) * (2..=14).rev().fold(1.0, |s, k| 1.0 + s * term(k))
 }
 
 #[cfg(test)]

@@ -58,8 +58,8 @@ pub fn interpolation_row(nodes: &[f64], weights: &[f64], x: f64, row: &mut [f64]
     row.iter_mut().for_each(|r| *r /= sum);
 }
 
-/// Interpolation from the nodes of `rule(PANEL)` to those of `rule(n)`: `matrix[i * PANEL + j]` is what the value at
-/// panel node `j` contributes at node `i`.
+/// Interpolation from the nodes of `rule(PANEL)` to those of `rule(n)`: `matrix[j * n + i]` is what the value at panel
+/// node `j` contributes at node `i`.
 pub fn panel_matrix(n: usize) -> &'static [f64] {
     static MATRICES: [OnceLock<Vec<f64>>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];
     MATRICES[quadrature::position(n)].get_or_init(|| {
@@ -67,8 +67,10 @@ pub fn panel_matrix(n: usize) -> &'static [f64] {
         let weights = barycentric_weights(from);
         let to = &rule(n).nodes;
         let mut matrix = vec![0.0; to.len() * PANEL];
-        for (&x, row) in to.iter().zip(matrix.chunks_exact_mut(PANEL)) {
-            interpolation_row(from, &weights, x, row);
+        let mut row = [0.0; PANEL];
+        for (i, &x) in to.iter().enumerate() {
+            interpolation_row(from, &weights, x, &mut row);
+            row.iter().enumerate().for_each(|(j, value)| matrix[j * to.len() + i] = *value);
         }
         matrix
     })
@@ -264,10 +266,11 @@ mod tests {
     #[test]
     fn panel_matrix_carries_values_to_every_rule() {
         for n in SIZES {
-            let values = panel_matrix(n).chunks_exact(PANEL);
-            assert_eq!(values.len(), n);
-            for (row, x) in values.zip(&rule(n).nodes) {
-                let value = row.iter().zip(&rule(PANEL).nodes).map(|(r, t)| r * t.sin()).sum();
+            let mut values = vec![0.0; n];
+            for (column, t) in panel_matrix(n).chunks_exact(n).zip(&rule(PANEL).nodes) {
+                values.iter_mut().zip(column).for_each(|(value, part)| *value += part * t.sin());
+            }
+            for (value, x) in values.into_iter().zip(&rule(n).nodes) {
                 close(value, x.sin(), 2e-15);
             }
         }

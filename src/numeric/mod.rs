@@ -1,5 +1,7 @@
 //! Tools of numerical analysis that know nothing of mechanics: Bessel functions, quadrature, interpolation.
 
 pub mod bessel;
+pub(crate) mod buffer;
 pub mod chebyshev;
 pub mod quadrature;
+pub(crate) mod vector;

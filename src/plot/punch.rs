@@ -62,7 +62,7 @@ impl Punch<'_> {
     /// Pressures as curves, lines as arrows.
     fn load(&self, load: &Load, canvas: &Canvas) -> Result<(), PlotError> {
         let (left, right) = self.ends;
-        let curve = self.contact.map_or(Vec::new(), pressure);
+        let curve = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curve);
         let place = |x: f64| (self.middle + self.scale[0] * x).clamp(left, right);
         if most > 0.0 {

@@ -27,6 +27,8 @@ const FILLED: f64 = 0.72;
 const SMALLEST: f64 = 0.1;
 /// Points of a curve.
 const POINTS: usize = 200;
+/// Pressures that are infinite somewhere are drawn up to so many times their mean.
+const HIGHEST_DRAWN: f64 = 6.0;
 /// Slices of a layer whose stiffness varies.
 const SLICES: usize = 48;
 
@@ -45,7 +47,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let bottom = drawing.top + scale * total + if rigid { 12.0 } else { BASE };
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
-    let peaks = contacts.iter().map(|contact| format!("1234567890{}", short(contact.peak_pressure)));
+    let peaks = contacts.iter().map(|contact| format!("123456789012345{}", short(contact.peak_pressure)));
     let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
     svg(SIDES.0 + WIDTH + right, height, |canvas| {
@@ -230,10 +232,10 @@ impl Drawing<'_> {
             half = longest / FILLED;
         }
         // an infinite pressure is drawn as far as its curve goes
-        let highest = self.contacts.iter().map(|contact| highest(&pressure(contact)));
+        let highest = self.contacts.iter().map(|contact| highest(&pressure(self.scene, contact)));
         let (left, right) = self.ends();
         let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
-            points: pressure(contact),
+            points: pressure(self.scene, contact),
             stroke: Stroke { width: BOLD, ..curve(i, self.contacts.len()) },
             label: match contact.peak_pressure.is_finite() {
                 true => format!("{symbol}(0) = {}", short(contact.peak_pressure)),
@@ -255,11 +257,15 @@ impl Drawing<'_> {
     }
 }
 
-/// The pressure of a contact, denser towards its ends, where it falls like a root.
-pub(super) fn pressure(contact: &Contact) -> Vec<(f64, f64)> {
+/// The pressure of a contact, denser towards its ends, where it falls like a root; where it rises without bound, under a
+/// sharp tip and at sharp corners, as far as a multiple of the mean.
+pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<(f64, f64)> {
+    let rises = contact.interface == Interface::Punch && scene.punch.is_singular();
+    let most = if rises { HIGHEST_DRAWN * 0.5 * contact.resultant / contact.half_length } else { f64::INFINITY };
     let at = |[from, to]: [f64; 2], i: usize| {
         let x = 0.5 * (from + to) - 0.5 * (to - from) * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
-        (x, contact.pressure(x))
+        let pressure = contact.pressure(x);
+        (x, if pressure > most { f64::INFINITY } else { pressure })
     };
     contact.intervals().flat_map(|interval| (0..=POINTS).map(move |i| at(interval, i))).collect()
 }

@@ -234,6 +234,11 @@ impl Punch {
         matches!(self.shape(), Shape::Powers { terms, .. } if terms.iter().any(|(exponent, _)| *exponent == 1.0))
     }
 
+    /// Whether the pressure is infinite somewhere, under its tip or at its corners.
+    pub fn is_singular(&self) -> bool {
+        self.is_sharp() || matches!(self, Self::Flat { .. })
+    }
+
     /// Slope f'(x) of the punch at x, dimensionless; infinite at and beyond a cylinder's edge.
     pub fn slope(&self, x: f64) -> f64 {
         self.shape().slope(x)

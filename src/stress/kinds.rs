@@ -111,7 +111,7 @@ impl Kinds {
             *last = match self.base {
                 0 if !loose => Item::layer(Winkler::new(modulus / length)?),
                 1 => Item::layer(GradedHalfPlane::new(modulus, poisson, self.share / length)?),
-                2 => Item::layer(PowerHalfPlane::new(modulus, poisson, length, self.share)?),
+                2 => Item::layer(PowerHalfPlane::new(modulus, poisson, length, 1.5 * self.share - 0.5)?),
                 _ => return Ok(items),
             };
         }

@@ -1,6 +1,8 @@
 //! What a punch with sharp corners adds to the equations: a pressure that is singular there, with an amplitude q to be
 //! found in place of the half-length, which is known.
-use super::{Equations, Modes};
+use crate::numeric::buffer::Buffer;
+
+use super::{Equations, Rows};
 
 impl Equations<'_> {
     /// The same under a punch with sharp corners, where the pressure is singular with the amplitude q: 1 on a half-plane.
@@ -14,21 +16,20 @@ impl Equations<'_> {
         self.corners.as_ref().map_or(0.0, |(amplitude, _)| *amplitude)
     }
 
-    /// What the rows change by with q, in the order of the matrix; nothing without corners.
-    pub(in crate::contact) fn corner_rows(&self) -> Option<Vec<f64>> {
+    /// What so many rows of each contact change by with q; nothing without corners.
+    pub(in crate::contact) fn corner_rows(&self, counts: &[usize]) -> Option<Vec<Rows>> {
         let (_, corners) = self.corners.as_ref()?;
-        let mut rows: Modes = self.modes.iter().map(|modes| vec![0.0; *modes]).collect();
-        let mut response = vec![0.0; self.bases[0].rows()];
-        self.layout.own[0].unit.add_times(1.0, corners, &mut response);
+        let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
+        let mut response = self.layout.own[0].unit.over(self.bases[0].rows(), corners);
         if let Some(coupling) = self.layout.coupling.first() {
             coupling.add_times(1.0, corners, &mut response);
-            let mut below = vec![0.0; self.bases[1].rows()];
-            coupling.add_times(-1.0, corners, &mut below);
-            rows[1] = self.bases[1].test(&below, self.modes[1]);
+            let mut below = coupling.over(self.bases[1].rows(), corners);
+            below.iter_mut().for_each(|value| *value = -*value);
+            rows[1] = self.bases[1].test(&below, counts[1]);
         }
-        rows[0] = self.bases[0].test(&response, self.modes[0]);
+        rows[0] = self.bases[0].test(&response, counts[0]);
         rows[0][0] += self.half_plane_row(0, 0, 1.0);
-        Some(self.rows_of(&rows))
+        Some(rows)
     }
 
     /// What g∞ makes of corners with the amplitude q in row m of contact i.

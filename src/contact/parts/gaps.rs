@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
 
-use super::super::layout::{Accuracy, Layout};
+use super::super::layout::{Layout, negligible, span};
 use super::super::punch::Indentation;
 use super::Level;
 use super::equations::Equations;
@@ -38,11 +38,9 @@ pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Opti
         return None;
     }
     least[0] = smallest.iter().copied().fold(0.0, f64::min);
-    let reach: Vec<f64> = (0..kernel.contacts())
-        .map(|i| patches.iter().filter(|patch| patch.contact == i).map(super::Patch::to).fold(0.0, f64::max))
-        .collect();
-    let span = 2.0 * reach.iter().copied().fold(0.0, f64::max) + 2.0;
-    let layout = Layout::without_tails(kernel, &reach, Accuracy::of(GAPS), span)?;
+    let [ends, shortest] = super::lengths(kernel, patches);
+    let span = span(&ends);
+    let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
     let equations = Equations { kernel, punch, layout: &layout, patches, count };
     for (i, patch) in patches.iter().enumerate() {
         let next = patches.get(i + 1).filter(|next| next.contact == patch.contact);

@@ -14,7 +14,7 @@ use crate::options::Options;
 use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
 
 use super::convex::Zones;
-use super::layout::{Accuracy, Layout};
+use super::layout::{Layout, negligible};
 use super::punch::Indentation;
 use super::{UNUSABLE, stats};
 
@@ -60,11 +60,11 @@ pub(super) fn solve(
     zones: &[Zones],
     options: &Options,
 ) -> Option<Solution> {
-    if punch.flat().is_some() || punch.given().is_some() {
+    if punch.flat().is_some() || punch.given().is_some() || punch.is_sharp() {
         return None;
     }
     let patches = patches(zones)?;
-    let accuracy = Accuracy::of(options.tolerance);
+    let negligible = negligible(options.tolerance);
     let mut steps = Vec::new();
     let mut before: Option<Level> = None;
     let mut best: Option<(Level, Errors, usize)> = None;
@@ -73,7 +73,7 @@ pub(super) fn solve(
         let start = before.as_ref().map_or(&patches, |before| &before.patches);
         let level = [true, false]
             .into_iter()
-            .find_map(|together| converge(kernel, punch, start.clone(), count, accuracy, together, &mut steps));
+            .find_map(|together| converge(kernel, punch, start.clone(), count, negligible, together, &mut steps));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -162,13 +162,21 @@ fn rooms(patches: &[Patch]) -> Vec<f64> {
     rooms
 }
 
+/// How far each contact reaches, and half of its shortest interval.
+fn lengths(kernel: &Kernel, patches: &[Patch]) -> [Vec<f64>; 2] {
+    let of = |i: usize| patches.iter().filter(move |patch| patch.contact == i);
+    let ends = (0..kernel.contacts()).map(|i| of(i).map(Patch::to).fold(0.0, f64::max));
+    let shortest = (0..kernel.contacts()).map(|i| of(i).map(|patch| patch.half).fold(f64::INFINITY, f64::min));
+    [ends.collect(), shortest.collect()]
+}
+
 /// Newton's method for the ends, with long steps shortened all `together` or each alone; `None` if it is lost.
 fn converge(
     kernel: &Kernel,
     punch: &Indentation,
     mut patches: Vec<Patch>,
     count: usize,
-    accuracy: Accuracy,
+    negligible: f64,
     together: bool,
     steps: &mut Vec<usize>,
 ) -> Option<Level> {
@@ -180,13 +188,11 @@ fn converge(
     let mut left_before: Vec<f64> = Vec::new();
     steps.push(0);
     for _ in 0..STEPS {
-        let reach: Vec<f64> = (0..kernel.contacts())
-            .map(|i| patches.iter().filter(|patch| patch.contact == i).map(Patch::to).fold(0.0, f64::max))
-            .collect();
+        let [reach, shortest] = lengths(kernel, &patches);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
             Some(kept) => kept,
-            None => (Layout::without_tails(kernel, &reach, accuracy, 0.0)?, reach),
+            None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
         let pressures = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.solve();
         let here = pressures(&patches)?;
@@ -220,7 +226,8 @@ fn converge(
             return None;
         }
         if longest < SETTLED || last < SHORT && longest > 0.5 * last {
-            let left_out = (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, accuracy)).collect();
+            let left_out =
+                (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
             return Some(Level { patches, pressures: here, last_step: longest, left_out });
         }
         jacobian = (longest < 0.2 * last && longest < 0.1).then_some(derivatives);
@@ -241,9 +248,9 @@ fn converge(
 }
 
 /// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.
-fn left_out(kernel: &Kernel, layout: &Layout, i: usize, accuracy: Accuracy) -> f64 {
+fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligible: f64) -> f64 {
     let end = layout.zeta[..layout.own[i].reach].last().copied().unwrap_or(0.0);
-    if kernel.vanishes(i, accuracy.negligible) <= end {
+    if kernel.vanishes(i, shortest, negligible) <= end {
         return 0.0;
     }
     (kernel.unit_excess(i, end) / kernel.far(i).limit).abs() / end

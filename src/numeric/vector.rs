@@ -1,0 +1,9 @@
+//! Loops compiled for the vector instructions that the processor turns out to have.
+
+/// Runs `work`, a closure marked `#[inline(always)]` like all that it calls, with the widest vector instructions there are.
+///
+/// No product and sum are fused, so that results are the same on all processors.
+#[inline(always)]
+pub(crate) fn vectorised<R>(work: impl FnOnce() -> R) -> R {
+    pulp::Arch::new().dispatch(work)
+}
