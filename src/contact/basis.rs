@@ -158,7 +158,7 @@ fn fill_tail(
 ) {
     let orders = table.len() / rows;
     let scale = half_length.recip();
-    let (mut j, mut y) = (vec![0.0; orders * smooth.len()], vec![0.0; orders * smooth.len()]);
+    let (mut j, mut y) = (Buffer::any(orders * smooth.len()), Buffer::any(orders * smooth.len()));
     bessel::jy_table(orders, smooth, &mut j, &mut y);
     let mut h = vec![Complex64::ZERO; orders * paths.len()];
     bessel::hankel_table(orders, paths, &mut h);

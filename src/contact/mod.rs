@@ -36,6 +36,8 @@ const FINER: [usize; 3] = [1, 8, 32];
 
 /// Half-lengths with larger relative errors are none.
 const UNUSABLE: f64 = 0.03;
+/// Half-lengths with larger relative errors are taken only if there are no better ones.
+const DOUBTFUL: f64 = 1e-4;
 /// How often a contact that would have to pull is tried again with an end where it would.
 const SHORTER: usize = 3;
 
@@ -95,6 +97,33 @@ fn from_any_start(
     interfaces: &[Interface],
     indentation: &Indentation,
     options: &Options,
+    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
+) -> Result<Solution, Error> {
+    // an answer of few digits may be that of a false root: another one is looked for
+    let mut doubtful: Option<(f64, Solution)> = None;
+    let decided = decide(kernel, interfaces, indentation, |half_lengths, finer| {
+        let solution = solve(half_lengths, finer)?;
+        let errors = solution.contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
+        let worst = errors.fold(0.0, f64::max);
+        if solution.warnings.is_empty() || worst <= DOUBTFUL {
+            return Ok(solution);
+        }
+        let half_lengths = solution.contacts.iter().map(|contact| contact.half_length).collect();
+        if doubtful.as_ref().is_none_or(|(least, _)| worst < *least) {
+            doubtful = Some((worst, solution));
+        }
+        Err(NoSolution::NotConverged { half_lengths }.into())
+    });
+    match (decided, doubtful) {
+        (Err(Error::NoSolution(_)), Some((_, solution))) => Ok(solution),
+        (decided, _) => decided,
+    }
+}
+
+fn decide(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    indentation: &Indentation,
     mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
 ) -> Result<Solution, Error> {
     let expected = start::half_lengths(kernel, indentation)?;

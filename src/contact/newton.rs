@@ -262,6 +262,8 @@ impl Newton<'_> {
             if longest(&drift.shift[fixed..]) > linear {
                 advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
                 drift = Drift { shift: vec![0.0; n], ..Drift::default() };
+                // not both at once
+                bases.clear();
                 bases = self.bases(&layout, &half_lengths, modes);
                 slopes = self.punch.slopes(half_lengths[0], modes[0]);
             } else if drift.derivatives.is_empty() {

@@ -47,7 +47,8 @@ pub(super) fn refine(
     let finest = FINEST.min(MOST / n);
     let mut newton = Newton { kernel, punch, work: work.clone() };
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
-    let mut coarse: Vec<usize> = solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE)).collect();
+    let mut coarse: Vec<usize> =
+        solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE.min(finest))).collect();
     // all modes of a given pressure are known together
     let first = usize::from(punch.given().is_some());
     solved[..first].fill(1);
