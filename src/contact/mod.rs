@@ -101,7 +101,8 @@ fn from_any_start(
 ) -> Result<Solution, Error> {
     // an answer of few digits may be that of a false root: another one is looked for
     let mut doubtful: Option<(f64, Solution)> = None;
-    let decided = decide(kernel, interfaces, indentation, |half_lengths, finer| {
+    let mut in_parts = false;
+    let decided = decide(kernel, interfaces, indentation, options, &mut in_parts, |half_lengths, finer| {
         let solution = solve(half_lengths, finer)?;
         let errors = solution.contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
         let worst = errors.fold(0.0, f64::max);
@@ -115,15 +116,18 @@ fn from_any_start(
         Err(NoSolution::NotConverged { half_lengths }.into())
     });
     match (decided, doubtful) {
-        (Err(Error::NoSolution(_)), Some((_, solution))) => Ok(solution),
+        (Err(Error::NoSolution(_)), Some((_, solution))) if !in_parts => Ok(solution),
         (decided, _) => decided,
     }
 }
 
+/// Goes through all starts; `in_parts` tells whether a contact has several parts for certain.
 fn decide(
     kernel: &Kernel,
     interfaces: &[Interface],
     indentation: &Indentation,
+    options: &Options,
+    in_parts: &mut bool,
     mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
 ) -> Result<Solution, Error> {
     let expected = start::half_lengths(kernel, indentation)?;
@@ -142,6 +146,7 @@ fn decide(
         far = overlap;
         zones = convex::zones(kernel, indentation, &expected, far);
         if let Some(error) = several(kernel, interfaces, zones.as_deref(), true) {
+            *in_parts = true;
             let zones = zones.as_deref().unwrap_or_default();
             return parts::solve(kernel, interfaces, indentation, zones, options).ok_or(error);
         }
