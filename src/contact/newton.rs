@@ -314,7 +314,8 @@ impl Newton<'_> {
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
-        let waves = responses.map(|responses| (layout, responses));
+        // gaps of contacts that are tied together feel the smallest difference of their pressures
+        let waves = responses.filter(|_| !linked.contains(&true)).map(|responses| (layout, responses));
         let (solved, whole) = (solved.to_vec(), vec![false; n]);
         let found = Converged { half_lengths, modes: all, corners, solved, shift, whole, unsettled, rounding, waves };
         Ok((found, settled))
