@@ -171,15 +171,7 @@ impl Layout {
             .collect();
         let groups = groups(half_lengths, orders, &ends, &coupled);
         let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
-        let own =
-            |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: group_of(i) };
-        let mut layout = Self {
-            zeta: Vec::with_capacity(USUAL),
-            own: (0..n).map(own).collect(),
-            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
-            tails: Vec::new(),
-            stretches: Vec::new(),
-        };
+        let mut layout = Self::empty(kernel, group_of);
         let shared = |i: usize| group_of(i) == group_of(i + 1);
         let plan = Plan {
             kernel,
@@ -236,14 +228,8 @@ impl Layout {
         let n = kernel.contacts();
         // two wavenumbers per wavelength
         let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
-        let own = |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: i };
-        let mut layout = Self {
-            zeta: Vec::new(),
-            own: (0..n).map(own).collect(),
-            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
-            tails: (0..n).map(|_| Tail::default()).collect(),
-            stretches: Vec::new(),
-        };
+        let mut layout = Self::empty(kernel, |_| 0);
+        layout.tails.push(Tail::default());
         let coupled = |i: usize| {
             let shortest = shortest[i].min(shortest[i + 1]);
             kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
@@ -262,6 +248,20 @@ impl Layout {
             layout.own[i].reach = layout.felt(i);
         }
         Some(layout)
+    }
+
+    /// Without wavenumbers; `tail_of` tells which of the tails is that of a contact.
+    fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
+        let n = kernel.contacts();
+        let own =
+            |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: tail_of(i) };
+        Self {
+            zeta: Vec::with_capacity(USUAL),
+            own: (0..n).map(own).collect(),
+            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
+            tails: Vec::new(),
+            stretches: Vec::new(),
+        }
     }
 
     /// The tail of contact i.

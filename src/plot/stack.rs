@@ -1,6 +1,6 @@
 //! A stack drawn to scale with its punch and contacts, and the pressures below it.
 use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
-use super::chart::{Chart, Curve, Frame, Labels};
+use super::chart::{Chart, Curve, Frame, Labels, apart};
 use super::ground::hatching;
 use super::names::{Dimension, index, symbols, unit};
 use super::punch::{ABOVE, Punch};
@@ -159,7 +159,9 @@ impl Drawing<'_> {
         let heights = self.heights();
         let unit = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
         let (left, right) = self.ends();
-        for (i, ((contact, y), (symbol, _))) in self.contacts.iter().zip(heights).zip(symbols).enumerate() {
+        let labels = apart(&heights, 0.0, f64::INFINITY);
+        let places = heights.into_iter().zip(labels);
+        for (i, ((contact, (y, label)), (symbol, _))) in self.contacts.iter().zip(places).zip(symbols).enumerate() {
             let Stroke { colour, .. } = curve(i, self.contacts.len());
             let touching = Stroke { colour, width: 3.0, dash: None };
             if contact.interface != Interface::Punch {
@@ -180,7 +182,7 @@ impl Drawing<'_> {
                 }
             }
             let text = format!("{symbol} = {}{unit}", short(contact.half_length));
-            canvas.text((left - 6.0, y), &text, SMALL, INK, Anchor::Right)?;
+            canvas.text((left - 6.0, label), &text, SMALL, INK, Anchor::Right)?;
         }
         Ok(())
     }

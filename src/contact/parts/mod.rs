@@ -314,7 +314,7 @@ fn solution(
     [min_pressure, min_gap]: [f64; 2],
     count: usize,
     steps: Vec<usize>,
-    warnings: Vec<String>,
+    mut warnings: Vec<String>,
 ) -> Solution {
     let (length, pressure_unit) = (kernel.length(), kernel.modulus() * punch.force);
     let mut contacts: Vec<Contact> = Vec::new();
@@ -323,18 +323,17 @@ fn solution(
     for ((patch, coefficients), [from_error, to_error]) in all {
         let mut coefficients: Vec<f64> = coefficients.iter().map(|c| c * pressure_unit).collect();
         let (at, extent) = (patch.middle * length, patch.half * length);
-        let resultant = coefficients[0] * pressure_unit.recip() * patch.resultant() * pressure_unit * length;
+        let resultant = coefficients[0] * patch.resultant() * length;
         let (from, to) = (patch.from() * length, patch.to() * length);
         if patch.is_central() {
             let (peak, peak_error) = peaks.next().unwrap_or((0.0, &0.0));
-            let sharp = patch.contact == 0 && punch.is_sharp();
-            let peak_pressure = if sharp { f64::INFINITY } else { peak * pressure_unit };
+            let peak_pressure = peak * pressure_unit;
             contacts.push(Contact {
                 interface: interfaces[patch.contact],
                 half_length: to,
                 half_length_error: to_error * to,
                 peak_pressure,
-                peak_pressure_error: if sharp { 0.0 } else { peak_error * peak_pressure.abs() },
+                peak_pressure_error: peak_error * peak_pressure.abs(),
                 resultant,
                 strips: vec![Strip::series(extent, coefficients, count)],
                 parts: Vec::new(),
@@ -347,6 +346,10 @@ fn solution(
             contact.parts.push(Part { from, from_error: from_error * from, to, to_error: to_error * to });
         }
     }
+    let several = contacts.iter().filter(|contact| !contact.parts.is_empty());
+    warnings.extend(several.map(|Contact { interface, .. }| {
+        format!("contact {interface} is in several parts: its half-length is that of the part about x = 0")
+    }));
     Solution {
         contacts,
         force: punch.force * kernel.modulus() * length,

@@ -101,7 +101,8 @@ impl Patch {
         [transforms, rests, tested]
     }
 
-    /// The slope at x that `count` pressures make of a half-plane with λμ₀C = 1, from all images that x is outside of.
+    /// Adds to `slopes` what `count` pressures make of that of a half-plane with λμ₀C = 1 at x: those on the mirror image,
+    /// and unless x is on the patch itself (`own`) those on the patch.
     pub(super) fn outside(&self, x: f64, count: usize, own: bool, slopes: &mut [f64]) {
         let near = (x - self.middle) / self.half;
         let far = (-x - self.middle) / self.half;
@@ -120,7 +121,7 @@ impl Patch {
         }
     }
 
-    /// Σ c_j sin jφ at x, outside the patch 0.
+    /// Σ c_j sin jφ at x, 0 outside the patch; nothing of the mirror image.
     pub(super) fn pressure(&self, coefficients: &[f64], x: f64) -> f64 {
         let s = (x - self.middle) / self.half;
         if s.abs() >= 1.0 {
