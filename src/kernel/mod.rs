@@ -334,27 +334,16 @@ impl Kernel {
     /// if the interfaces further down slid without opening: two kernels under equal pressures, one behind the bending
     /// of the laminate between them.
     pub(crate) fn compliances(&self, zeta: f64) -> Vec<f64> {
-        self.compliances_beyond(zeta, &vec![0.0; self.contacts()])
-    }
-
-    /// The same with kernels that are smaller by `less`. What is left of the energy of all contacts is positive at
-    /// this wavenumber if the first compliance is.
-    pub(crate) fn compliances_beyond(&self, zeta: f64, less: &[f64]) -> Vec<f64> {
         let at = self.at(zeta);
-        let own = |i: usize| self.far[i].limit + self.excess_at(i, zeta, at.as_ref()) - less[i];
-        let mut compliances: Vec<f64> = (0..self.contacts()).map(own).collect();
+        let mut compliances: Vec<f64> =
+            (0..self.contacts()).map(|i| self.far[i].limit + self.excess_at(i, zeta, at.as_ref())).collect();
         for i in (0..self.contacts() - 1).rev() {
             let bending = -at.as_ref().map_or(0.0, |at| at.coupling(i));
             let below = compliances[i + 1];
             // springs in series; a laminate that bends when it is squeezed may have a negative one, as far as it bends
             // more easily
-            compliances[i] += if bending + below < 0.0 {
-                f64::NEG_INFINITY
-            } else if bending > 0.0 {
-                bending / (bending + below) * below
-            } else {
-                0.0
-            };
+            compliances[i] +=
+                if bending > 0.0 && bending + below > 0.0 { bending / (bending + below) * below } else { 0.0 };
         }
         compliances
     }

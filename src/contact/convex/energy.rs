@@ -27,8 +27,6 @@ const LONGEST_WAVE: f64 = 0.05;
 const SHORTEST_WAVE: f64 = 12.0;
 /// How much longer than the grid the unit of lengths in logarithms is.
 const BEYOND: f64 = 4.0;
-/// Limits of kernels are halved so often at most.
-const HALVINGS: i32 = 50;
 /// Sines of smaller arguments are taken from their series.
 const SMALL: f64 = 0.05;
 
@@ -58,7 +56,7 @@ impl Energy {
             barred: vec![false; elements],
         };
         let waves = Waves::new(grid, &widths);
-        let least = waves.least(kernel);
+        let least: Vec<f64> = (0..contacts).map(|i| waves.least(kernel, i)).collect();
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
         energy.add_punch(punch, grid);
@@ -166,24 +164,10 @@ impl Waves {
             .chain(edges.take_while(move |edge| *edge < last).map(|from| (from, 2.0 * from)))
     }
 
-    /// What the kernels have at least in common with those of half-planes: their least values, or where one of
-    /// them may be negative, as next to laminates that bend when they are squeezed, such parts of their limits that what
-    /// is left of the energy is positive.
-    fn least(&self, kernel: &Kernel) -> Vec<f64> {
-        let contacts = 0..kernel.contacts();
-        let least = |i: usize| {
-            let values = self.octaves().map(|(_, to)| unit_kernel(kernel, i, to));
-            values.fold(kernel.far(i).limit, f64::min)
-        };
-        let values: Vec<f64> = contacts.clone().map(least).collect();
-        if values.iter().all(|least| *least > 0.0) {
-            return values;
-        }
-        let part = |part: f64| -> Vec<f64> { contacts.clone().map(|i| part * kernel.far(i).limit).collect() };
-        let positive =
-            |least: &[f64]| self.octaves().all(|(_, to)| kernel.compliances_beyond(to, least).first() > Some(&0.0));
-        let mut parts = (1..HALVINGS).map(|halvings| part(0.5f64.powi(halvings)));
-        parts.find(|least| positive(least)).unwrap_or_else(|| part(0.0))
+    /// The least value of the kernel of contact i, if that is positive.
+    fn least(&self, kernel: &Kernel, i: usize) -> f64 {
+        let values = self.octaves().map(|(_, to)| unit_kernel(kernel, i, to));
+        values.fold(kernel.far(i).limit, f64::min).max(0.0)
     }
 }
 

@@ -65,4 +65,15 @@ impl Grid {
         self.edges.sort_by(f64::total_cmp);
         found
     }
+
+    /// Which elements touch if those of a coarser or shorter grid do that they are part of.
+    pub(super) fn inherit(&self, coarse: &Self, touching: &[Vec<bool>]) -> Vec<Vec<bool>> {
+        let parent = |e: usize| {
+            let [from, to] = self.element(e);
+            coarse.edges.partition_point(|edge| *edge < 0.5 * (from + to)) - 1
+        };
+        let parents: Vec<usize> = (0..self.elements()).map(parent).collect();
+        let inherited = |own: &Vec<bool>| parents.iter().map(|e| own.get(*e).is_some_and(|touches| *touches)).collect();
+        touching.iter().map(inherited).collect()
+    }
 }

@@ -36,6 +36,9 @@ const SURE: usize = 2;
 /// rounding.
 const FAR: f64 = 1.5;
 
+/// Parts of the force on a contact that are smaller are rounding.
+const LEAST_FORCE: f64 = 1e-8;
+
 /// Gaps shorter than this part of where the contact outside them ends are none.
 const NARROW: f64 = 0.05;
 
@@ -76,15 +79,19 @@ pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far:
     let mut grid = Grid::new(shortest, REACH * longest.max(far));
     let mut found = None;
     let mut longer = LONGER;
+    let mut before: Option<(Grid, Vec<Vec<bool>>)> = None;
     for _ in 0..ROUNDS {
         let energy = Energy::new(kernel, punch, &grid);
-        let Some(touching) = Programme::new(&energy).solve() else { break };
+        let start = before.take().map(|(coarse, touching)| grid.inherit(&coarse, &touching));
+        let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
+        touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
         let zones = |touching: &Vec<bool>| Zones {
             sure: parts(&surely(touching), &grid),
             apart: apart(parts(touching, &grid)),
         };
         found = Some(touching.iter().map(zones).collect());
         let ends: Vec<usize> = touching.iter().flat_map(|touching| transitions(touching)).collect();
+        let coarse = grid.clone();
         // bodies that touch again far away do so for ever
         if longer > 0 && touching.iter().any(|touching| touching[grid.elements() - 1]) {
             longer -= 1;
@@ -92,8 +99,22 @@ pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far:
         } else if grid.elements() > MOST_ELEMENTS || !grid.refine(&ends, FINE) {
             break;
         }
+        before = Some((coarse, touching));
     }
     found
+}
+
+/// Layers that lie on each other without a force neither touch nor part: what rounding says of them is not to count.
+fn part_where_free(touching: &mut [bool], forces: &[f64]) {
+    let mut start = 0;
+    while start < touching.len() {
+        let length = touching[start..].iter().take_while(|touches| **touches == touching[start]).count();
+        let part = start..start + length;
+        if touching[start] && forces[part.clone()].iter().sum::<f64>() < LEAST_FORCE {
+            touching[part].fill(false);
+        }
+        start += length;
+    }
 }
 
 /// Elements before which bodies part or meet.

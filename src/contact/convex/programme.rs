@@ -30,11 +30,14 @@ impl<'a> Programme<'a> {
         Self { energy }
     }
 
-    /// Which elements of each contact touch; `None` if rounding is too large.
-    pub(super) fn solve(&self) -> Option<Elements<bool>> {
+    /// Which elements of each contact touch, and the forces on them, from a guess, or else from all; `None` if
+    /// rounding is too large.
+    pub(super) fn solve(&self, guess: Option<Elements<bool>>) -> Option<(Elements<bool>, Elements<f64>)> {
         let (contacts, elements) = (self.energy.contacts(), self.energy.elements());
-        let mut touching: Elements<bool> =
-            (0..contacts).map(|i| (0..elements).map(|e| !self.is_barred(i, e)).collect()).collect();
+        let mut touching = guess.unwrap_or_else(|| vec![vec![true; elements]; contacts]);
+        for (i, own) in touching.iter_mut().enumerate() {
+            own.iter_mut().enumerate().for_each(|(e, touches)| *touches &= !self.is_barred(i, e));
+        }
         let (mut fewest, mut patience) = (contacts * elements + 1, PATIENCE);
         loop {
             let (pressure, gap) = Equilibrium::new(self.energy, &touching).solve()?;
@@ -45,7 +48,7 @@ impl<'a> Programme<'a> {
                 wrong.extend(pulls.chain(self.overlaps(i, &touching[i], &gap[i])).map(|e| (i, e)));
             }
             if wrong.is_empty() {
-                return Some(touching);
+                return Some((touching, self.forces(pressure)));
             }
             if wrong.len() < fewest {
                 (fewest, patience) = (wrong.len(), PATIENCE);
@@ -61,7 +64,7 @@ impl<'a> Programme<'a> {
     }
 
     /// The same from pressures to begin with, the energy falling with every step.
-    fn descend(&self, mut pressure: Elements<f64>) -> Option<Elements<bool>> {
+    fn descend(&self, mut pressure: Elements<f64>) -> Option<(Elements<bool>, Elements<f64>)> {
         for (i, own) in pressure.iter_mut().enumerate() {
             own.iter_mut().for_each(|p| *p = p.max(0.0));
             let mut resultant = self.resultant(own);
@@ -74,6 +77,9 @@ impl<'a> Programme<'a> {
         let mut touching: Elements<bool> =
             pressure.iter().map(|own| own.iter().map(|pressure| *pressure > 0.0).collect()).collect();
         let size = self.energy.contacts() * self.energy.elements();
+        // elements that were let touch last, and those that pulled at once: what they overlapped was rounding
+        let mut last: Vec<(usize, usize)> = Vec::new();
+        let mut rejected: Vec<(usize, usize)> = Vec::new();
         for _ in 0..(WORK / (size as f64).powi(3)) as usize {
             let (wanted, gap) = Equilibrium::new(self.energy, &touching).solve()?;
             // as far towards equilibrium as nothing pulls
@@ -82,31 +88,41 @@ impl<'a> Programme<'a> {
                 let pulling = own.iter().zip(wanted).filter(|(_, wanted)| **wanted < 0.0);
                 step = pulling.fold(step, |step, (p, wanted)| step.min(p / (p - wanted)));
             }
-            for ((own, wanted), touching) in pressure.iter_mut().zip(&wanted).zip(&mut touching) {
+            for (i, ((own, wanted), touching)) in pressure.iter_mut().zip(&wanted).zip(&mut touching).enumerate() {
                 let little = ROUNDING * largest(wanted);
-                for ((p, wanted), touches) in own.iter_mut().zip(wanted).zip(touching) {
+                for (e, ((p, wanted), touches)) in own.iter_mut().zip(wanted).zip(touching).enumerate() {
                     *p += step * (wanted - *p);
                     if step < 1.0 && *wanted < 0.0 && *p <= little {
                         (*p, *touches) = (0.0, false);
+                        rejected.extend(last.iter().filter(|last| **last == (i, e)));
                     }
                 }
             }
             if step < 1.0 {
                 continue;
             }
+            last.clear();
             let mut done = true;
             for (i, touching) in touching.iter_mut().enumerate() {
-                let worst = self.overlaps(i, touching, &gap[i]).min_by(|e, f| gap[i][*e].total_cmp(&gap[i][*f]));
-                if let Some(worst) = worst {
+                let overlaps = self.overlaps(i, touching, &gap[i]).filter(|e| !rejected.contains(&(i, *e)));
+                if let Some(worst) = overlaps.min_by(|e, f| gap[i][*e].total_cmp(&gap[i][*f])) {
                     touching[worst] = true;
+                    last.push((i, worst));
                     done = false;
                 }
             }
             if done {
-                return Some(touching);
+                return Some((touching, self.forces(pressure)));
             }
         }
         None
+    }
+
+    fn forces(&self, mut pressure: Elements<f64>) -> Elements<f64> {
+        for own in &mut pressure {
+            own.iter_mut().zip(&self.energy.resultants).for_each(|(p, resultant)| *p *= resultant);
+        }
+        pressure
     }
 
     fn is_barred(&self, i: usize, e: usize) -> bool {
