@@ -35,6 +35,8 @@ const ZERO: f64 = 1e-7;
 const NO_GAP: f64 = 1e-5;
 /// So many times the part of its highest modes a pressure may be wrong anywhere.
 const UNRESOLVED: f64 = 10.0;
+/// But not by more than this part of the largest pressure, or than the answer may be wrong.
+const MOST_FEIGNED: f64 = 1e-3;
 /// Places around a pull at which the highest modes are looked at.
 const NEAR: usize = 4 * PER_MODE;
 /// Pressures under a punch that is not smooth pull by no more than this part of the largest.
@@ -53,7 +55,8 @@ pub(super) fn check(
     punch: &Indentation,
     level: &Level,
 ) -> Result<Check, Error> {
-    let mut check = Check { min_pressure: pushes(kernel, interfaces, punch, level)?, min_gap: 0.0 };
+    let most = MOST_FEIGNED.max(level.worst_error());
+    let mut check = Check { min_pressure: pushes(kernel, interfaces, punch, level, most)?, min_gap: 0.0 };
     for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
         let little = NO_GAP.max(UNRESOLVED * level.worst_error());
@@ -68,12 +71,14 @@ pub(super) fn check(
     Ok(check)
 }
 
-/// Smallest pressure inside the contacts; an error if one pulls by more than its highest modes may feign.
+/// Smallest pressure inside the contacts; an error if one pulls by more than its highest modes may feign, or by more than
+/// `most` of the largest pressure.
 pub(super) fn pushes(
     kernel: &Kernel,
     interfaces: &[Interface],
     punch: &Indentation,
     level: &Level,
+    most: f64,
 ) -> Result<f64, Error> {
     let mut min_pressure = 0.0f64;
     for (i, modes) in level.modes.iter().enumerate() {
@@ -101,7 +106,7 @@ pub(super) fn pushes(
             }
             None => level.tails[i] * largest,
         };
-        if pressure < -ZERO * largest - UNRESOLVED * feigned {
+        if pressure < -ZERO * largest - (UNRESOLVED * feigned).min(most * largest) {
             let middle = place + 1 == pressures.len();
             let s = if middle { 0.0 } else { angle(place, pressures.len()).cos() };
             let x = s * level.half_lengths[i] * kernel.length();

@@ -183,10 +183,12 @@ fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zo
     let finite = |zones: &convex::Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
     // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
     let count = |zones: &convex::Zones| if certain { finite(zones) } else { zones.apart.len() };
-    // under the middle of the punch there is always contact: a zone too short for the grid says nothing
+    // bodies that do not touch about the middle touch in two intervals, one on either side
+    let open = |zones: &convex::Zones| zones.sure.first().is_some_and(|part| part[0] > 0.0 && part[1].is_finite());
+    // a zone under the punch too short for the grid says nothing
     let plausible = |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
     let mut all = zones?.iter().enumerate();
-    let (i, zones) = all.find(|(i, zones)| count(zones) > 1 && plausible(*i, zones))?;
+    let (i, zones) = all.find(|(i, zones)| open(zones) || count(zones) > 1 && plausible(*i, zones))?;
     let parts = zones.hull().iter().map(|part| part.map(|x| x * kernel.length())).collect();
     Some(NoSolution::Parts { interface: interfaces[i], parts }.into())
 }

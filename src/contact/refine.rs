@@ -123,7 +123,7 @@ pub(super) fn refine(
             return Ok((level, warnings));
         }
         if level.settled.iter().all(|settled| *settled) {
-            admissible::pushes(kernel, interfaces, punch, &level)?;
+            admissible::pushes(kernel, interfaces, punch, &level, f64::INFINITY)?;
         }
         let error = |i: usize| level.errors[i][0].max(level.errors[i][1]);
         let enough = |i: usize| error(i) <= 0.1 * tolerance;

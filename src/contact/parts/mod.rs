@@ -26,6 +26,8 @@ const COARSEST: usize = 12;
 const FINEST: usize = 96;
 /// Steps of Newton's method for one number of pressures.
 const STEPS: usize = 30;
+/// Equations that are solved at most, with the first number of pressures; one with twice as many counts for four.
+const MOST_SOLVED: usize = 1500;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
 /// Derivatives are differences over this part of the intervals next to an end.
@@ -39,6 +41,23 @@ const SERVES: f64 = 0.02;
 const ROUNDING: f64 = 1e-12;
 /// Estimates are so many times the difference between two numbers of pressures.
 const SAFETY: f64 = 2.0;
+
+/// What Newton's method has done, all attempts together.
+#[derive(Default)]
+struct Work {
+    /// Steps for each number of pressures.
+    steps: Vec<usize>,
+    /// Equations solved, see [`MOST_SOLVED`].
+    solved: usize,
+}
+
+impl Work {
+    /// Counts equations with so many pressures on each interval; `None` if they are too many.
+    fn solve(&mut self, count: usize) -> Option<()> {
+        self.solved += (count / COARSEST).pow(2);
+        (self.solved <= MOST_SOLVED).then_some(())
+    }
+}
 
 /// Ends and pressures for one number of pressures.
 #[derive(Clone)]
@@ -65,7 +84,7 @@ pub(super) fn solve(
     }
     let patches = patches(zones)?;
     let negligible = negligible(options.tolerance);
-    let mut steps = Vec::new();
+    let mut work = Work::default();
     let mut before: Option<Level> = None;
     let mut best: Option<(Level, Errors, usize)> = None;
     let mut count = COARSEST;
@@ -73,7 +92,7 @@ pub(super) fn solve(
         let start = before.as_ref().map_or(&patches, |before| &before.patches);
         let level = [true, false]
             .into_iter()
-            .find_map(|together| converge(kernel, punch, start.clone(), count, negligible, together, &mut steps));
+            .find_map(|together| converge(kernel, punch, start.clone(), count, negligible, together, &mut work));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -84,7 +103,8 @@ pub(super) fn solve(
         };
         if let Some(before) = before.replace(level.clone()) {
             let errors = Errors::between(&level, &before);
-            let done = errors.worst() <= options.tolerance;
+            // more pressures do not help against what is due to something else
+            let done = errors.worst() <= options.tolerance.max(2.0 * errors.floor);
             if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
                 best = Some((level, errors, count));
             }
@@ -107,7 +127,7 @@ pub(super) fn solve(
         ));
     }
     let min = gaps::check(kernel, punch, &level)?;
-    Some(solution(kernel, interfaces, punch, &level, &errors, min, count, steps, warnings))
+    Some(solution(kernel, interfaces, punch, &level, &errors, min, count, work.steps, warnings))
 }
 
 /// Intervals to begin with; `None` if there is one that does not end, or none about the middle.
@@ -178,7 +198,7 @@ fn converge(
     count: usize,
     negligible: f64,
     together: bool,
-    steps: &mut Vec<usize>,
+    work: &mut Work,
 ) -> Option<Level> {
     let mut layout: Option<(Layout, Vec<f64>)> = None;
     let mut jacobian: Option<Mat<f64>> = None;
@@ -186,7 +206,7 @@ fn converge(
     let mut limit = LONGEST_STEP;
     let mut moved_by: Vec<f64> = Vec::new();
     let mut left_before: Vec<f64> = Vec::new();
-    steps.push(0);
+    work.steps.push(0);
     for _ in 0..STEPS {
         let [reach, shortest] = lengths(kernel, &patches);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
@@ -195,8 +215,9 @@ fn converge(
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
         let pressures = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.solve();
+        work.solve(count)?;
         let here = pressures(&patches)?;
-        *steps.last_mut()? += 1;
+        *work.steps.last_mut()? += 1;
         let (at, rooms) = (ends(&patches), rooms(&patches));
         let derivatives = match jacobian.take() {
             Some(mut kept) => {
@@ -210,6 +231,7 @@ fn converge(
                 for by in 0..at.len() {
                     let mut moved = at.clone();
                     moved[by] += DIFFERENCE * rooms[by];
+                    work.solve(count)?;
                     let there = pressures(&with_ends(&patches, &moved)?)?;
                     for (row, (there, here)) in there.residuals.iter().zip(&here.residuals).enumerate() {
                         derivatives[(row, by)] = (there - here) / DIFFERENCE;
@@ -274,6 +296,8 @@ struct Errors {
     ends: Vec<[f64; 2]>,
     /// Of p(0) of each contact, relative.
     peaks: Vec<f64>,
+    /// The most that is due to something else than the number of pressures.
+    floor: f64,
 }
 
 impl Errors {
@@ -287,7 +311,9 @@ impl Errors {
         });
         let central = level.patches.iter().filter(|patch| patch.is_central());
         let peaks = level.peaks().zip(before.peaks()).zip(central);
-        Self { ends: ends.collect(), peaks: peaks.map(|((new, old), patch)| change(new, old) + rest(patch)).collect() }
+        let peaks = peaks.map(|((new, old), patch)| change(new, old) + rest(patch)).collect();
+        let floor = level.patches.iter().map(rest).fold(0.0, f64::max);
+        Self { ends: ends.collect(), peaks, floor }
     }
 
     fn worst(&self) -> f64 {
