@@ -437,4 +437,3 @@ pub(super) fn not_converged(kernel: &Kernel, punch: &Indentation, half_lengths: 
     }
     NoSolution::NotConverged { half_lengths: half_lengths.iter().map(|a| a * kernel.length()).collect() }.into()
 }
-
