@@ -144,6 +144,20 @@ fn no_scene_takes_more_than_it_did() {
     assert!(over.is_empty(), "more effort than before; the head of this file says what to do\n{}", over.join("\n"));
 }
 
+#[test]
+fn one_more_of_many_loads_is_one_factorisation() {
+    for (name, most) in [("table1_R500_load1000", 5), ("full_beta-1_R500", 5), ("two_strips_loose", 6)] {
+        let scene = Scene::read(file(name)).expect("a scene of the project");
+        let model = Model::new(scene.stack().expect("a stack")).expect("a model").for_many_loads();
+        for part in [1.0, 1.1, 0.9] {
+            let solution = model.press(&scene.punch, part * scene.force.given().unwrap()).expect("a solution");
+            let (factorisations, steps) = (solution.stats().factorisations, solution.newton_steps());
+            println!("{name}: {factorisations} factorisations, {steps} steps");
+            assert!(factorisations == 1 && steps <= most, "{name}: {factorisations} factorisations, {steps} steps");
+        }
+    }
+}
+
 /// Where valgrind is not installed nothing is counted.
 #[test]
 fn the_command_takes_no_more_instructions() {
