@@ -78,8 +78,7 @@ impl Lattice {
         let mut place = self.place(kernel, interfaces, flat)?;
         for _ in 0..if punch.is_parabola() { 0 } else { ROUNDS } {
             let load = punch.as_parabola(place.half_length(0))?;
-            // no number is not alike
-            if !((load / flat - 1.0).abs() < ALIKE) {
+            if !load.is_finite() || (load / flat - 1.0).abs() >= ALIKE {
                 return None;
             }
             place = self.place(kernel, interfaces, load)?;
