@@ -58,8 +58,8 @@ fn power(zeta: f64, power: i32) -> f64 {
 }
 
 /// Adds panels for [from, to], halved until every component is resolved, and says whether that took more than one. Where
-/// this is `expected` both halves are sampled at once, since samples of a panel that is not resolved are lost; those of
-/// halves are not, if it turns out that together they are resolved.
+/// this is `expected` both halves are sampled at once, since samples of a panel that is not resolved are lost; from those of
+/// the halves it can be told whether one panel would have done.
 pub(super) fn resolve(
     chains: &Chains,
     [from, to]: [f64; 2],
@@ -78,8 +78,11 @@ pub(super) fn resolve(
     let (first, middle) = (panels.len(), 0.5 * (from + to));
     resolve(chains, [from, middle], false, wanted, panels, work)?;
     resolve(chains, [middle, to], false, wanted, panels, work)?;
-    if let ([left, right], true) = (&panels[first..], expected) {
-        let whole = left.joined(right);
+    if let ([left, right], true) = (&panels[first..], expected)
+        && left.joined(right).is_resolved()
+    {
+        // what is interpolated is not as exact as what is sampled
+        let whole = Panel::new(chains, from, to, wanted, work)?;
         if whole.is_resolved() {
             panels.truncate(first);
             panels.push(whole);
