@@ -91,8 +91,8 @@ fn no_scene_takes_more_than_it_did() {
             "table1_R500_load1000",
             of_scene("table1_R500_load1000"),
             Effort {
-                wavenumbers: 338,
-                layers: 338,
+                wavenumbers: 290,
+                layers: 290,
                 interpolated: 300,
                 factorisations: 4,
                 steps: 8,
@@ -103,8 +103,8 @@ fn no_scene_takes_more_than_it_did() {
             "full_beta-1_R500",
             of_scene("full_beta-1_R500"),
             Effort {
-                wavenumbers: 354,
-                layers: 708,
+                wavenumbers: 258,
+                layers: 516,
                 interpolated: 492,
                 factorisations: 5,
                 steps: 10,
@@ -115,8 +115,8 @@ fn no_scene_takes_more_than_it_did() {
             "two_strips_loose",
             of_scene("two_strips_loose"),
             Effort {
-                wavenumbers: 339,
-                layers: 644,
+                wavenumbers: 355,
+                layers: 676,
                 interpolated: 400,
                 factorisations: 5,
                 steps: 9,
@@ -127,8 +127,8 @@ fn no_scene_takes_more_than_it_did() {
             "a hundred layers",
             of_a_hundred_layers(),
             Effort {
-                wavenumbers: 562,
-                layers: 34718,
+                wavenumbers: 450,
+                layers: 28528,
                 interpolated: 1396,
                 factorisations: 6,
                 steps: 34,
