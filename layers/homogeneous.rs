@@ -116,18 +116,26 @@ fn scale(material: &Isotropic, wave: &Wave) -> Vector4<f64> {
     Vector4::new(displacement, displacement, 1.0, 1.0)
 }
 
+/// Rows times their factors.
+fn scaled(mut states: Matrix4<f64>, scale: &Vector4<f64>) -> Matrix4<f64> {
+    for mut column in states.column_iter_mut() {
+        column.component_mul_assign(scale);
+    }
+    states
+}
+
 /// Amplitudes = local state at mid-depth. With ζ = λy the state equations read X' = A X, A² = 1 + N, N² = 0, hence
 /// cosh Aζ = cosh ζ + N (ζ/2) sinh ζ and sinh Aζ = A sinh ζ + A N (ζ cosh ζ − sinh ζ)/2. Entry by entry these have
 /// the small-ζ orders of beam theory and no cancellation.
 fn thin(material: &Isotropic, wave: &Wave, depth: f64) -> FaceStates {
     let (even, odd) = even_odd(material, wave.plane, 0.5 * depth);
-    let scale = Matrix4::from_diagonal(&scale(material, wave));
+    let scale = scale(material, wave);
     let identity_plus_even = Matrix4::identity() + even;
-    let uniform_top = scale * (even + odd).column(2);
-    let uniform_bottom = scale * (even - odd).column(2);
+    let uniform_top = (even + odd).column(2).component_mul(&scale);
+    let uniform_bottom = (even - odd).column(2).component_mul(&scale);
     FaceStates::Finite {
-        top: scale * (identity_plus_even + odd),
-        bottom: scale * (identity_plus_even - odd),
+        top: scaled(identity_plus_even + odd, &scale),
+        bottom: scaled(identity_plus_even - odd, &scale),
         uniform: [uniform_top, uniform_bottom],
     }
 }
@@ -135,9 +143,9 @@ fn thin(material: &Isotropic, wave: &Wave, depth: f64) -> FaceStates {
 /// The same at ζ = λy above mid-depth.
 fn thin_inside(material: &Isotropic, wave: &Wave, zeta: f64) -> InnerStates {
     let (even, odd) = even_odd(material, wave.plane, zeta);
-    let scale = Matrix4::from_diagonal(&scale(material, wave));
-    let deviation = scale * (even + odd);
-    InnerStates { columns: scale + deviation, uniform: deviation.column(2).into_owned() }
+    let scale = scale(material, wave);
+    let deviation = scaled(even + odd, &scale);
+    InnerStates { columns: Matrix4::from_diagonal(&scale) + deviation, uniform: deviation.column(2).into_owned() }
 }
 
 /// cosh Aζ − 1 and sinh Aζ in local components, ζ of either sign.

@@ -91,6 +91,30 @@ fn what_was_solved_before_leaves_no_trace() {
 }
 
 #[test]
+fn what_is_kept_for_many_loads_leaves_no_trace() {
+    for scene in scenes() {
+        let force = scene.force.given().unwrap();
+        for punch in [&scene.punch, &Punch::parabola(30.0).unwrap()] {
+            let press = |model: &Model, part: f64| bits(&model.press(punch, part * force));
+            let many = || model(&scene).for_many_loads();
+            let alone: Vec<Vec<u64>> = FORCES.iter().map(|part| press(&many(), *part)).collect();
+            let shared = many();
+            thread::scope(|scope| {
+                for thread in 0..3 {
+                    let (shared, alone) = (&shared, &alone);
+                    scope.spawn(move || {
+                        for i in (0..FORCES.len()).rev() {
+                            let i = (i + thread) % FORCES.len();
+                            assert_eq!(press(shared, FORCES[i]), alone[i], "force {i}, thread {thread}");
+                        }
+                    });
+                }
+            });
+        }
+    }
+}
+
+#[test]
 fn random_scenes_are_known_by_seed_and_number() {
     for number in [0, 7, 1999] {
         let one = scene(&Ranges::default(), 1, number);

@@ -20,7 +20,7 @@ const SAFETY: f64 = 3.0;
 const CONTINUED: usize = 2048;
 
 /// An iteration that leaves more than this was not done.
-const LOST: f64 = 1e-6;
+pub(super) const LOST: f64 = 1e-6;
 
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {

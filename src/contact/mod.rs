@@ -5,6 +5,7 @@ mod collocation;
 mod convex;
 mod galerkin;
 mod given;
+mod lattice;
 mod layout;
 mod level;
 mod newton;
@@ -24,12 +25,13 @@ use crate::options::{Method, Options};
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
+pub(crate) use lattice::Lattice;
 pub(crate) use prescribed::press_to;
 
 use level::{Level, coefficients};
 use newton::Converged;
 use punch::Indentation;
-use refine::refine;
+use refine::{Start, refine};
 
 /// Pressures are resolved so many times better from the outset, one after the other, as next to thin, stiff coatings.
 const FINER: [usize; 3] = [1, 8, 32];
@@ -41,15 +43,18 @@ const DOUBTFUL: f64 = 1e-4;
 /// How often a contact that would have to pull is tried again with an end where it would.
 const SHORTER: usize = 3;
 
-/// Presses a punch with a force on a stack: the answer in the units of the scene.
+/// Presses a punch with a force on a stack: the answer in the units of the scene. It may start from what a lattice of answers
+/// for this kernel tells.
 pub(crate) fn press(
     kernel: &Kernel,
+    lattice: Option<&Lattice>,
     interfaces: &[Interface],
     punch: &Punch,
     force: f64,
     options: &Options,
 ) -> Result<Solution, Error> {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
+    let lattice = lattice.filter(|_| with_punch.is_none());
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel, force);
     if punch.load().is_some() && options.method == Method::Collocation {
@@ -60,14 +65,15 @@ pub(crate) fn press(
     }
     let solution = match options.method {
         Method::Collocation => collocation::press(kernel, interfaces, &indentation, options)?,
-        Method::Galerkin => solve(kernel, interfaces, &indentation, options)?,
+        Method::Galerkin => solve(kernel, lattice, interfaces, &indentation, options)?,
     };
     Ok(Solution { force, ..solution })
 }
 
-/// Starts from formulas, and refines until the answer is admissible and good enough.
+/// Starts nearby or from formulas, and refines until the answer is admissible and good enough.
 fn solve(
     kernel: &Kernel,
+    lattice: Option<&Lattice>,
     interfaces: &[Interface],
     indentation: &Indentation,
     options: &Options,
@@ -80,13 +86,22 @@ fn solve(
         let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
         return Ok(solution(kernel, interfaces, indentation, level, check, work, Vec::new()));
     }
-    from_any_start(kernel, interfaces, indentation, options, |half_lengths, finer| {
-        let (level, warnings) = refine(kernel, interfaces, indentation, half_lengths, finer, options, &mut work)?;
+    let mut from = |start: Start| {
+        let (level, warnings) = refine(kernel, interfaces, indentation, start, options, &mut work)?;
         if level.errors.iter().any(|[half_length, _]| *half_length > UNUSABLE) {
             return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
         }
         let check = admissible::check(kernel, interfaces, indentation, &level)?;
         Ok(solution(kernel, interfaces, indentation, level, check, work.clone(), warnings))
+    };
+    if let Some(start) = lattice.and_then(|lattice| lattice.start(kernel, interfaces, indentation))
+        && let Ok(solution) = from(start)
+        && solution.warnings.is_empty()
+    {
+        return Ok(solution);
+    }
+    from_any_start(kernel, interfaces, indentation, options, |half_lengths, finer| {
+        from(Start::Formulas { half_lengths, finer })
     })
 }
 
@@ -286,11 +301,11 @@ mod tests {
             let (kernel, interfaces, options) = (Kernel::new(&stack).unwrap(), stack.contacts(), Options::default());
             let punch = Punch::parabola(100.0).unwrap();
             for force in [1e-4, 0.02] {
-                let expected = press(&kernel, &interfaces, &punch, force, &options).unwrap();
+                let expected = press(&kernel, None, &interfaces, &punch, force, &options).unwrap();
                 let top = &expected.contacts[0];
                 let given = Given::of(top.half_length / kernel.length(), &top.strips[0].coefficients);
                 let indentation = Indentation::new(&punch, &kernel, force).with(given);
-                let found = solve(&kernel, &interfaces, &indentation, &options).unwrap();
+                let found = solve(&kernel, None, &interfaces, &indentation, &options).unwrap();
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
                     assert!((found.half_length / expected.half_length - 1.0).abs() < 1e-10, "{found:?} {expected:?}");
                     assert!((found.peak_pressure / expected.peak_pressure - 1.0).abs() < 1e-9);

@@ -10,7 +10,7 @@ use crate::solution::{Interface, Solution, Stats};
 
 use super::level::BEST;
 use super::punch::Indentation;
-use super::{press, start};
+use super::{Lattice, press, start};
 
 /// The half-length is met to this part of the tolerance.
 const MET: f64 = 0.1;
@@ -24,6 +24,7 @@ const APART: f64 = -1e-3;
 /// Presses a punch on a stack until its contact is as long as wanted.
 pub(crate) fn press_to(
     kernel: &Kernel,
+    lattice: Option<&Lattice>,
     interfaces: &[Interface],
     punch: &Punch,
     half_length: f64,
@@ -51,7 +52,7 @@ pub(crate) fn press_to(
         if !force.is_normal() {
             break;
         }
-        let mut solution = match press(kernel, interfaces, punch, force, options) {
+        let mut solution = match press(kernel, lattice, interfaces, punch, force, options) {
             Ok(solution) => solution,
             // so much that the punch is too small for it
             Err(Error::NoSolution(NoSolution::PunchTooSmall { .. })) => {

@@ -75,6 +75,24 @@ impl<'a> Indentation<'a> {
         self.punch.is_sharp()
     }
 
+    /// Whether the profile is a parabola.
+    pub(super) fn is_parabola(&self) -> bool {
+        self.given.is_none()
+            && matches!(&self.shape, Shape::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
+    }
+
+    /// RP'/L of the parabola that presses as hard on a contact of this half-length, or at its tip; `None` if the profile is
+    /// like none.
+    pub(super) fn as_parabola(&self, half_length: f64) -> Option<f64> {
+        if !self.is_parabola() && !matches!(self.shape, Shape::Circle(_)) || self.given.is_some() {
+            return None;
+        }
+        if half_length == 0.0 || self.is_parabola() {
+            return Some(self.force / (self.length * self.shape.curvature(0.0)));
+        }
+        Some(0.5 * PI * half_length / self.first_row(half_length))
+    }
+
     /// Half-length at which the punch ends, in units of L.
     pub(super) fn max_half_length(&self) -> Option<f64> {
         self.shape.edge().map(|limit| limit / self.length)

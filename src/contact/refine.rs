@@ -5,9 +5,10 @@ use crate::options::Options;
 use crate::solution::Interface;
 
 use super::admissible;
+use super::galerkin::Modes;
 use super::layout::{COARSE, negligible};
-use super::level::{BEST, Level};
-use super::newton::{Newton, Work};
+use super::level::{BEST, LOST, Level};
+use super::newton::{Newton, Work, not_converged};
 use super::pressures::weight;
 use super::punch::Indentation;
 
@@ -33,16 +34,27 @@ const FEW_DIGITS: f64 = 1e-5;
 /// What is left of a Newton step on the coarsest level.
 const ROUGHLY: f64 = 1e-5;
 
+/// What is known to begin with.
+pub(super) enum Start {
+    /// Half-lengths from formulas, and by how much finer than usual the first steps are to be.
+    Formulas { half_lengths: Vec<f64>, finer: usize },
+    /// Half-lengths as right as any answer, almost, and how large modes are there.
+    Nearby { half_lengths: Vec<f64>, modes: Modes },
+}
+
 /// Solves with more and more modes until the tolerance is met.
 pub(super) fn refine(
     kernel: &Kernel,
     interfaces: &[Interface],
     punch: &Indentation,
-    half_lengths: Vec<f64>,
-    finer: usize,
+    start: Start,
     options: &Options,
     work: &mut Work,
 ) -> Result<(Level, Vec<String>), Error> {
+    let (half_lengths, finer, nearby) = match start {
+        Start::Formulas { half_lengths, finer } => (half_lengths, finer, None),
+        Start::Nearby { half_lengths, modes } => (half_lengths, 1, Some(modes)),
+    };
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
     let mut newton = Newton { kernel, punch, work: work.clone() };
@@ -54,7 +66,14 @@ pub(super) fn refine(
     solved[..first].fill(1);
     coarse[..first].fill(1);
     let tolerance = options.tolerance.max(BEST);
-    let (mut half_lengths, rough) = newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?;
+    let mut judged = nearby.is_none();
+    let (mut half_lengths, rough) = match nearby {
+        None => newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?,
+        Some(mut modes) => {
+            modes.iter_mut().zip(&coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
+            (half_lengths, modes)
+        }
+    };
     // next to a graded face modes fall like a power
     let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
     let power = (1e-10 / tolerance).powf(1.0 / 6.0);
@@ -87,6 +106,7 @@ pub(super) fn refine(
     loop {
         let found = newton.converge(half_lengths.clone(), &fewer, &solved, &modes, tolerance);
         *work = newton.work.clone();
+        let whole = found.as_ref().is_ok_and(|found| found.whole.contains(&true));
         let level = match (found, before.take()) {
             (Ok(found), _) => {
                 let mut level = Level::new(found, kernel, punch, negligible(tolerance));
@@ -113,6 +133,11 @@ pub(super) fn refine(
                 return Ok((level, warnings));
             }
         };
+        // what few modes miss is not told by a start that has them all
+        if !judged && (whole || level.worst_error() > LOST) {
+            return Err(not_converged(kernel, punch, &level.half_lengths));
+        }
+        judged = true;
         if level.worst_error() <= tolerance {
             if options.tolerance < BEST {
                 warnings.push(format!(

@@ -158,6 +158,8 @@ impl Kernel {
         };
         let mut far: Vec<Option<Far>> = vec![None; n];
         let mut edge = 0.0;
+        // the long waves of most stacks take two panels, and so does what follows upon two
+        let mut halved = true;
         for doubling in 0..DOUBLINGS {
             for (i, far) in far.iter_mut().enumerate() {
                 let thickness = kernel.chains.thinnest_face(i);
@@ -181,7 +183,8 @@ impl Kernel {
                 return Ok(kernel);
             }
             let next = 2.0 * f64::from(2u32).powi(doubling as i32);
-            panel::resolve(&kernel.chains, edge, next, &wanted, &mut kernel.panels, &mut kernel.work)?;
+            let (panels, work) = (&mut kernel.panels, &mut kernel.work);
+            halved = panel::resolve(&kernel.chains, [edge, next], halved, &wanted, panels, work)?;
             edge = next;
         }
         Err(Error::Unresolved { wavenumber: edge / kernel.chains.length })

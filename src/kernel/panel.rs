@@ -57,23 +57,39 @@ fn power(zeta: f64, power: i32) -> f64 {
     }
 }
 
-/// Adds panels for [from, to], halved until every component is resolved.
+/// Adds panels for [from, to], halved until every component is resolved, and says whether that took more than one. Where
+/// this is `expected` both halves are sampled at once, since samples of a panel that is not resolved are lost; from those of
+/// the halves it can be told whether one panel would have done.
 pub(super) fn resolve(
     chains: &Chains,
-    from: f64,
-    to: f64,
+    [from, to]: [f64; 2],
+    expected: bool,
     wanted: &[bool],
     panels: &mut Vec<Panel>,
     work: &mut Work,
-) -> Result<(), Error> {
-    let panel = Panel::new(chains, from, to, wanted, work)?;
-    if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
-        panels.push(panel);
-        return Ok(());
+) -> Result<bool, Error> {
+    if !expected {
+        let panel = Panel::new(chains, from, to, wanted, work)?;
+        if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
+            panels.push(panel);
+            return Ok(false);
+        }
     }
-    let middle = 0.5 * (from + to);
-    resolve(chains, from, middle, wanted, panels, work)?;
-    resolve(chains, middle, to, wanted, panels, work)
+    let (first, middle) = (panels.len(), 0.5 * (from + to));
+    resolve(chains, [from, middle], false, wanted, panels, work)?;
+    resolve(chains, [middle, to], false, wanted, panels, work)?;
+    if let ([left, right], true) = (&panels[first..], expected)
+        && left.joined(right).is_resolved()
+    {
+        // what is interpolated is not as exact as what is sampled
+        let whole = Panel::new(chains, from, to, wanted, work)?;
+        if whole.is_resolved() {
+            panels.truncate(first);
+            panels.push(whole);
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 impl Panel {
@@ -89,6 +105,10 @@ impl Panel {
                 values[c][k] = value * power(zeta, powers(contacts, c));
             }
         }
+        Ok(Self::of(from, to, values, contacts))
+    }
+
+    fn of(from: f64, to: f64, values: Vec<[f64; POINTS]>, contacts: usize) -> Self {
         let (coupled, excess, couplings) = Default::default();
         let mut panel = Self { from, to, values, coupled, excess, couplings, contacts };
         panel.coupled = (0..contacts - 1)
@@ -97,7 +117,20 @@ impl Panel {
                 panel.size(2 * contacts + i) > NOTHING * own
             })
             .collect();
-        Ok(panel)
+        panel
+    }
+
+    /// This panel and the next one as one.
+    fn joined(&self, next: &Self) -> Self {
+        let mut values = vec![[0.0; POINTS]; self.values.len()];
+        for (k, (zeta, _)) in quadrature::rule(POINTS).on(self.from, next.to).enumerate() {
+            let half = if zeta < self.to { self } else { next };
+            let row = half.row(zeta);
+            for (values, own) in values.iter_mut().zip(&half.values) {
+                values[k] = row.iter().zip(own).map(|(part, own)| part * own).sum();
+            }
+        }
+        Self::of(self.from, next.to, values, self.contacts)
     }
 
     /// Adds a flexibility that is the same for all wavenumbers to contact 0.

@@ -16,23 +16,31 @@ thread_local! {
 
 /// A vector of numbers, which leaves its storage to the next one.
 #[derive(Debug, Default)]
-pub(crate) struct Buffer(Vec<f64>);
+pub(crate) struct Buffer {
+    /// Longer than the vector, as a rule: what is beyond need not be cleared to be used again.
+    storage: Vec<f64>,
+    length: usize,
+}
 
 impl Buffer {
-    /// One with room for `length` numbers, and anything in it.
+    /// One with room for `length` numbers, none of them in it.
     fn with_room(length: usize) -> Self {
-        if length == 0 || length > LONGEST {
-            return Self(Vec::with_capacity(length));
-        }
-        let class = length.next_power_of_two().trailing_zeros() as usize;
-        let free = FREE.try_with(|free| free.borrow_mut()[class].pop()).unwrap_or_default();
-        Self(free.unwrap_or_else(|| Vec::with_capacity(1 << class)))
+        let storage = if length == 0 {
+            Vec::new()
+        } else if length > LONGEST {
+            vec![0.0; length]
+        } else {
+            let class = length.next_power_of_two().trailing_zeros() as usize;
+            let free = FREE.try_with(|free| free.borrow_mut()[class].pop()).unwrap_or_default();
+            free.unwrap_or_else(|| vec![0.0; 1 << class])
+        };
+        Self { storage, length: 0 }
     }
 
     /// So many numbers, to be overwritten.
     pub(crate) fn any(length: usize) -> Self {
         let mut buffer = Self::with_room(length);
-        buffer.0.resize(length, 0.0);
+        buffer.length = length;
         buffer
     }
 
@@ -52,24 +60,32 @@ impl Buffer {
 
     /// Makes it longer with zeros, or shorter.
     pub(crate) fn resize(&mut self, length: usize) {
-        if length > self.0.capacity() {
-            let mut longer = Self::zeros(length);
-            longer[..self.len()].copy_from_slice(&self.0);
-            *self = longer;
+        let before = self.length;
+        self.make_room(length);
+        self.length = length;
+        if length > before {
+            self[before..].fill(0.0);
         }
-        self.0.resize(length, 0.0);
+    }
+
+    fn make_room(&mut self, length: usize) {
+        if length > self.storage.len() {
+            let mut longer = Self::with_room(length);
+            longer.storage[..self.length].copy_from_slice(self);
+            // what is left is kept
+            std::mem::swap(&mut self.storage, &mut longer.storage);
+        }
     }
 }
 
 impl Drop for Buffer {
     fn drop(&mut self) {
-        let capacity = self.0.capacity();
-        if capacity == 0 || capacity > LONGEST {
+        let room = self.storage.len();
+        if room == 0 || room > LONGEST {
             return;
         }
-        // what was not asked for here may have any capacity
-        let class = capacity.ilog2() as usize;
-        let own = std::mem::take(&mut self.0);
+        let class = room.ilog2() as usize;
+        let own = std::mem::take(&mut self.storage);
         let _ = FREE.try_with(|free| {
             let free = &mut free.borrow_mut()[class];
             if free.is_empty() || free.len() << class < KEPT {
@@ -83,34 +99,42 @@ impl Deref for Buffer {
     type Target = [f64];
 
     fn deref(&self) -> &[f64] {
-        &self.0
+        &self.storage[..self.length]
     }
 }
 
 impl DerefMut for Buffer {
     fn deref_mut(&mut self) -> &mut [f64] {
-        &mut self.0
+        &mut self.storage[..self.length]
     }
 }
 
 impl Clone for Buffer {
     fn clone(&self) -> Self {
-        Self::of(&self.0)
+        Self::of(self)
     }
 }
 
 impl Extend<f64> for Buffer {
     fn extend<I: IntoIterator<Item = f64>>(&mut self, values: I) {
-        self.0.extend(values);
+        let mut values = values.into_iter();
+        loop {
+            self.make_room(self.length + values.size_hint().0);
+            let places = self.storage[self.length..].iter_mut();
+            self.length += places.zip(values.by_ref()).map(|(place, value)| *place = value).count();
+            // an iterator may have more than it says
+            let Some(next) = values.next() else { return };
+            self.make_room(2 * self.length + 1);
+            self.storage[self.length] = next;
+            self.length += 1;
+        }
     }
 }
 
 impl FromIterator<f64> for Buffer {
     fn from_iter<I: IntoIterator<Item = f64>>(values: I) -> Self {
-        let values = values.into_iter();
-        let mut buffer = Self::with_room(values.size_hint().0);
-        buffer.0.clear();
-        buffer.0.extend(values);
+        let mut buffer = Self::default();
+        buffer.extend(values);
         buffer
     }
 }
@@ -130,6 +154,8 @@ mod tests {
         assert!(second.iter().all(|value| *value == 0.0));
         second.resize(200);
         assert_eq!((second.len(), second[199]), (200, 0.0));
+        let odd = |limit: usize| (0..limit).filter(|k| k % 2 == 1).map(|k| k as f64);
+        assert_eq!(odd(900).collect::<Buffer>().to_vec(), odd(900).collect::<Vec<f64>>());
         assert_eq!(&*Buffer::of(&[1.0, 2.0]), &*(1..3).map(f64::from).collect::<Buffer>());
         assert!(Buffer::zeros(0).is_empty());
         assert_eq!(Buffer::zeros(LONGEST + 1).clone().len(), LONGEST + 1);

@@ -16,6 +16,9 @@ const FEWEST: usize = 64;
 /// Models and punches that are kept for later rows.
 const KEPT: usize = 512;
 
+/// From so many rows per stack on it pays to keep answers to start from.
+const MANY: usize = 100;
+
 /// What is made once for many rows, and waited for by whoever needs it.
 type Slot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 
@@ -75,7 +78,11 @@ impl Sweep {
     fn solve_row(&self, index: usize, values: &[f64]) -> Result<Solution, Error> {
         let changes: Vec<_> = self.slots.iter().zip(values.iter().copied()).collect();
         let stack = self.key(index, |owner| matches!(owner, Owner::Item(_)));
-        let model = self.models.get(stack, || Model::new(self.stack(stack)?))?;
+        let many = self.rows / self.stacks() >= MANY;
+        let model = self.models.get(stack, || {
+            let model = Model::new(self.stack(stack)?)?;
+            Ok(if many { model.for_many_loads() } else { model })
+        })?;
         let punch = self.key(index, |owner| *owner == Owner::Punch);
         let punch = self.punches.get(punch, || {
             // what is kept, or why it is none, must not depend on the row that came first

@@ -29,6 +29,12 @@ pub fn table(text: &mut String) {
             model.press(&scene.punch, force).expect("a solution")
         });
         line(format!("| the same, one more load on the prepared model | {} |", seconds(more)));
+        let for_many = model.clone().for_many_loads();
+        let (more, _) = time(|| {
+            force *= 1.0001;
+            for_many.press(&scene.punch, force).expect("a solution")
+        });
+        line(format!("| the same, one more of many loads | {} |", seconds(more)));
         let least = bare_minimum(model.stack(), &solution);
         line(format!(
             "| the same, cold, over the bare minimum ({}); promised are 3 | {:.1} |",
