@@ -5,7 +5,7 @@ use recede::stress::{Outcome, Trial};
 use recede::{Error, Interface, NoSolution, Options, Scene};
 
 /// Scenes with an answer, and the largest relative error of a half-length that is still one.
-const SOLVED: [(&str, f64); 8] = [
+const SOLVED: [(&str, f64); 11] = [
     // contacts three hundred times longer than the bonded film between them is thick
     ("seed_1_number_9", 0.02),
     // a sheet ten thousand times softer than the slab above it, which hangs free where its two contacts end: how it is
@@ -19,6 +19,11 @@ const SOLVED: [(&str, f64); 8] = [
     ("seed_1_number_95", 1e-10),
     // a sheet a thousandth of the contact on soft ground
     ("seed_2_number_55", 1e-9),
+    // laminates of unlike layers, which bend when they are squeezed: what gives way of one face alone is a million times
+    // what both together do, and negative on the other
+    ("seed_1_number_40", 1e-10),
+    ("seed_2_number_31", 1e-10),
+    ("seed_2_number_91", 1e-10),
     // Newton's method leaves for a receding contact three hundred times too long
     ("seed_2_number_150", 1e-10),
     // a root of few digits two hundred times too long, which nothing but another start tells from the right one
@@ -48,6 +53,18 @@ fn hard_scenes_are_solved() {
             assert!(off <= 10.0 * (best.half_length_error + rough.half_length_error), "{name}, {place}: {off:e}");
         }
     }
+}
+
+#[test]
+fn contacts_open_about_the_middle_are_named() {
+    // a stiff sheet on soft ground that has been bent as far as the punch is round
+    let Outcome::Unsolved(Error::NoSolution(NoSolution::Parts { interface, parts })) =
+        trial("seed_2_number_70", 1e-10).outcome
+    else {
+        panic!("solved, or not for want of contact about the middle")
+    };
+    assert_eq!((interface, parts.len()), (Interface::Punch, 1));
+    assert!(0.05 < parts[0][0] && parts[0][0] < 0.2 && (parts[0][1] / 0.8 - 1.0).abs() < 0.05, "{parts:?}");
 }
 
 #[test]

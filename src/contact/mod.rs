@@ -40,6 +40,8 @@ const FINER: [usize; 3] = [1, 8, 32];
 const UNUSABLE: f64 = 0.03;
 /// Half-lengths with larger relative errors are taken only if there are no better ones.
 const DOUBTFUL: f64 = 1e-4;
+/// An interval off the middle counts as a contact that is open there if it ends so many times farther out than it begins.
+const OPEN: f64 = 2.0;
 /// How often a contact that would have to pull is tried again with an end where it would.
 const SHORTER: usize = 3;
 
@@ -199,7 +201,10 @@ fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zo
     // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
     let count = |zones: &convex::Zones| if certain { finite(zones) } else { zones.apart.len() };
     // bodies that do not touch about the middle touch in two intervals, one on either side
-    let open = |zones: &convex::Zones| zones.sure.first().is_some_and(|part| part[0] > 0.0 && part[1].is_finite());
+    let open = |zones: &convex::Zones| match zones.sure[..] {
+        [[from, to]] => !certain && from > 0.0 && to.is_finite() && to > OPEN * from,
+        _ => false,
+    };
     // a zone under the punch too short for the grid says nothing
     let plausible = |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
     let mut all = zones?.iter().enumerate();
