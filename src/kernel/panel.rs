@@ -79,7 +79,7 @@ pub(super) fn resolve(
     resolve(chains, [from, middle], false, wanted, panels, work)?;
     resolve(chains, [middle, to], false, wanted, panels, work)?;
     if let ([left, right], true) = (&panels[first..], expected)
-        && left.joined(right).is_resolved()
+        && left.is_one_with(right)
     {
         // what is interpolated is not as exact as what is sampled
         let whole = Panel::new(chains, from, to, wanted, work)?;
@@ -90,6 +90,31 @@ pub(super) fn resolve(
         }
     }
     Ok(true)
+}
+
+/// Whether components of these sizes and with these values on a panel that ends at `to` are resolved.
+fn resolved(contacts: usize, to: f64, size: impl Fn(usize) -> f64, values: impl Fn(usize) -> [f64; POINTS]) -> bool {
+    let n = contacts;
+    (0..3 * n - 1).all(|c| {
+        let own = size(c);
+        let scale = match c / n {
+            0 => own,
+            // equal loads on a long wave leave what bending, ζ² larger, loses to rounding
+            1 => own.max(size(c - n) / (1.0 + to * to)),
+            // a coupling need be known only as well as what it couples
+            _ => size(c - 2 * n).max(size(c - 2 * n + 1)),
+        };
+        own == 0.0 || chebyshev::legendre_tail(&values(c)) * own <= RESOLVED * scale
+    })
+}
+
+/// What the values at the Gauss points contribute at a place from −1 to 1.
+fn interpolation(x: f64) -> [f64; POINTS] {
+    static WEIGHTS: LazyLock<Vec<f64>> =
+        LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
+    let mut row = [0.0; POINTS];
+    chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, &mut row);
+    row
 }
 
 impl Panel {
@@ -105,10 +130,6 @@ impl Panel {
                 values[c][k] = value * power(zeta, powers(contacts, c));
             }
         }
-        Ok(Self::of(from, to, values, contacts))
-    }
-
-    fn of(from: f64, to: f64, values: Vec<[f64; POINTS]>, contacts: usize) -> Self {
         let (coupled, excess, couplings) = Default::default();
         let mut panel = Self { from, to, values, coupled, excess, couplings, contacts };
         panel.coupled = (0..contacts - 1)
@@ -117,20 +138,23 @@ impl Panel {
                 panel.size(2 * contacts + i) > NOTHING * own
             })
             .collect();
-        panel
+        Ok(panel)
     }
 
-    /// This panel and the next one as one.
-    fn joined(&self, next: &Self) -> Self {
-        let mut values = vec![[0.0; POINTS]; self.values.len()];
-        for (k, (zeta, _)) in quadrature::rule(POINTS).on(self.from, next.to).enumerate() {
-            let half = if zeta < self.to { self } else { next };
-            let row = half.row(zeta);
-            for (values, own) in values.iter_mut().zip(&half.values) {
-                values[k] = row.iter().zip(own).map(|(part, own)| part * own).sum();
-            }
-        }
-        Self::of(self.from, next.to, values, self.contacts)
+    /// Whether one panel would resolve what this one and the next, of the same width, do.
+    fn is_one_with(&self, next: &Self) -> bool {
+        /// What the values at the Gauss points of a half contribute to those at the points of both that lie in it.
+        static HALVES: LazyLock<Vec<[f64; POINTS]>> = LazyLock::new(|| {
+            let nodes = quadrature::rule(POINTS).nodes.iter();
+            nodes.map(|x| interpolation(2.0 * x - x.signum())).collect()
+        });
+        let both = |c: usize| {
+            std::array::from_fn(|k| {
+                let half = if 2 * k < POINTS { self } else { next };
+                HALVES[k].iter().zip(&half.values[c]).map(|(part, value)| part * value).sum()
+            })
+        };
+        resolved(self.contacts, next.to, |c| self.size(c).max(next.size(c)), both)
     }
 
     /// Adds a flexibility that is the same for all wavenumbers to contact 0.
@@ -148,18 +172,7 @@ impl Panel {
     }
 
     fn is_resolved(&self) -> bool {
-        let n = self.contacts;
-        (0..3 * n - 1).all(|c| {
-            let size = self.size(c);
-            let scale = match c / n {
-                0 => size,
-                // equal loads on a long wave leave what bending, ζ² larger, loses to rounding
-                1 => size.max(self.size(c - n) / (1.0 + self.to * self.to)),
-                // a coupling need be known only as well as what it couples
-                _ => self.size(c - 2 * n).max(self.size(c - 2 * n + 1)),
-            };
-            size == 0.0 || chebyshev::legendre_tail(&self.values[c]) * size <= RESOLVED * scale
-        })
+        resolved(self.contacts, self.to, |c| self.size(c), |c| self.values[c])
     }
 
     /// The largest value of a component less `limit`, on the Gauss points.
@@ -195,12 +208,7 @@ impl Panel {
 
     /// What a value at each Gauss point contributes at one wavenumber.
     fn row(&self, zeta: f64) -> [f64; POINTS] {
-        static WEIGHTS: LazyLock<Vec<f64>> =
-            LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
-        let x = (zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from));
-        let mut row = [0.0; POINTS];
-        chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, &mut row);
-        row
+        interpolation((zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from)))
     }
 
     /// The components at one wavenumber.

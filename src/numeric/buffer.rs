@@ -117,17 +117,16 @@ impl Clone for Buffer {
 
 impl Extend<f64> for Buffer {
     fn extend<I: IntoIterator<Item = f64>>(&mut self, values: I) {
-        let mut values = values.into_iter();
-        loop {
-            self.make_room(self.length + values.size_hint().0);
-            let places = self.storage[self.length..].iter_mut();
-            self.length += places.zip(values.by_ref()).map(|(place, value)| *place = value).count();
+        let values = values.into_iter();
+        self.make_room(self.length + values.size_hint().0);
+        values.for_each(|value| {
             // an iterator may have more than it says
-            let Some(next) = values.next() else { return };
-            self.make_room(2 * self.length + 1);
-            self.storage[self.length] = next;
+            if self.length == self.storage.len() {
+                self.make_room(2 * self.length + 1);
+            }
+            self.storage[self.length] = value;
             self.length += 1;
-        }
+        });
     }
 }
 

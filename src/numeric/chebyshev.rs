@@ -86,23 +86,25 @@ pub fn panel_matrix(n: usize) -> &'static [f64] {
 /// assert!(tail(f64::abs) > 1e-3);
 /// ```
 pub fn legendre_tail(values_at_rule16: &[f64; PANEL]) -> f64 {
-    // Row l takes the values to the coefficient of P_l: (l + 1/2) w_j P_l(x_j).
-    static ANALYSIS: LazyLock<Vec<[f64; PANEL]>> = LazyLock::new(|| {
+    // Row j is what the value at x_j contributes to the coefficients of all P_l: (l + 1/2) w_j P_l(x_j).
+    static ANALYSIS: LazyLock<[[f64; PANEL]; PANEL]> = LazyLock::new(|| {
         let rule = rule(PANEL);
         let mut below = [0.0; PANEL];
         let mut here = [1.0; PANEL];
-        (0..PANEL)
-            .map(|l| {
-                let row = std::array::from_fn(|j| (l as f64 + 0.5) * rule.weights[j] * here[j]);
-                let (a, b) = ((2 * l + 1) as f64 / (l + 1) as f64, l as f64 / (l + 1) as f64);
-                let above = std::array::from_fn(|j| a * rule.nodes[j] * here[j] - b * below[j]);
-                (below, here) = (here, above);
-                row
-            })
-            .collect()
+        let mut rows = [[0.0; PANEL]; PANEL];
+        for l in 0..PANEL {
+            rows.iter_mut().enumerate().for_each(|(j, row)| row[l] = (l as f64 + 0.5) * rule.weights[j] * here[j]);
+            let (a, b) = ((2 * l + 1) as f64 / (l + 1) as f64, l as f64 / (l + 1) as f64);
+            let above = std::array::from_fn(|j| a * rule.nodes[j] * here[j] - b * below[j]);
+            (below, here) = (here, above);
+        }
+        rows
     });
-    let coefficient = |row: &[f64; PANEL]| row.iter().zip(values_at_rule16).map(|(r, v)| r * v).sum();
-    tail(&ANALYSIS.iter().map(coefficient).collect::<Vec<f64>>())
+    let mut coefficients = [0.0; PANEL];
+    for (row, value) in ANALYSIS.iter().zip(values_at_rule16) {
+        coefficients.iter_mut().zip(row).for_each(|(coefficient, part)| *coefficient += part * value);
+    }
+    tail(&coefficients)
 }
 
 /// The last coefficients relative to the largest.
