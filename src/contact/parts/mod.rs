@@ -27,7 +27,7 @@ const FINEST: usize = 96;
 /// Steps of Newton's method for one number of pressures.
 const STEPS: usize = 30;
 /// Equations that are solved at most, with the first number of pressures; one with twice as many counts for four.
-const MOST_SOLVED: usize = 1500;
+const MOST_SOLVED: usize = 3000;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
 /// Derivatives are differences over this part of the intervals next to an end.
