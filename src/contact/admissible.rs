@@ -23,7 +23,7 @@ const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places per contact.
 const GAPS: usize = 24;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
-const GAP_MODES: usize = 128;
+const GAP_MODES: [usize; 3] = [128, 48, 16];
 /// Wavenumbers taken together.
 const LANES: usize = 8;
 /// Modes y_m, the first of which is 1, below this are not felt there.
@@ -146,7 +146,7 @@ fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
 
 /// The slope transforms of all contacts at real wavenumbers that resolve fields out to `span`: those of the equations, if
 /// they do.
-fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<f64>]) -> Result<Waves, Error> {
+fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<f64>]) -> Option<Waves> {
     let n = level.half_lengths.len();
     let frequency = frequency_of_fields(&level.half_lengths);
     if let Some((layout, responses)) = &level.waves {
@@ -165,15 +165,14 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
         if needed <= layout.resolved(frequency) {
             let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
             let limits = layout.own.iter().map(|own| own.limit).collect();
-            return Ok(Waves { zeta: layout.zeta[..needed].to_vec(), limits, slopes });
+            return Some(Waves { zeta: layout.zeta[..needed].to_vec(), limits, slopes });
         }
     }
     let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
     if punch.given().is_some() {
         orders[0] = 0;
     }
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span(&level.half_lengths))
-        .ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span(&level.half_lengths))?;
     let basis = |i: usize| match punch.given().filter(|_| i == 0) {
         Some(given) => Basis::given(&layout, given),
         None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
@@ -185,7 +184,7 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     let mut slopes = equations.responses(modes);
     slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
     let limits = layout.own.iter().map(|own| own.limit).collect();
-    Ok(Waves { zeta: layout.zeta, limits, slopes })
+    Some(Waves { zeta: layout.zeta, limits, slopes })
 }
 
 /// What is needed of the equations to find gaps.
@@ -199,12 +198,19 @@ struct Waves {
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
 fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Error> {
-    let felt = |modes: &Vec<f64>| {
-        let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
-        modes[..above.min(GAP_MODES)].to_vec()
+    let felt = |most: usize| -> Vec<Vec<f64>> {
+        let own = |modes: &Vec<f64>| {
+            let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
+            modes[..above.min(most)].to_vec()
+        };
+        level.modes.iter().map(own).collect()
     };
-    let modes: Vec<Vec<f64>> = level.modes.iter().map(felt).collect();
-    let waves = transforms(kernel, punch, level, &modes)?;
+    // fewer where contacts are of such different lengths that tables would not fit in memory
+    let found = GAP_MODES.into_iter().find_map(|most| {
+        let modes = felt(most);
+        transforms(kernel, punch, level, &modes).map(|waves| (modes, waves))
+    });
+    let (modes, waves) = found.ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
     let mut gaps = Vec::with_capacity(modes.len());
     for (i, modes) in modes.iter().enumerate() {
         let (a, limit) = (level.half_lengths[i], waves.limits[i]);
