@@ -22,6 +22,9 @@ const CONTINUED: usize = 2048;
 /// An iteration that leaves more than this was not done.
 pub(super) const LOST: f64 = 1e-6;
 
+/// Half-lengths feel at least this part of what is missing of pressures, whatever the last modes say.
+const FELT: f64 = 1e-3;
+
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {
     /// Half-lengths in units of L.
@@ -41,6 +44,8 @@ pub(super) struct Level {
     pub(super) settled: Vec<bool>,
     /// Relative errors of half-lengths and of pressures at x = 0, estimated.
     pub(super) errors: Vec<[f64; 2]>,
+    /// The larger of both as far as more modes of the contact itself would make it smaller.
+    pub(super) own_errors: Vec<f64>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
     /// A layout, and the slope transforms of all contacts there.
@@ -55,7 +60,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, corners, solved, shift, whole, unsettled, rounding, waves } = found;
+        let Converged { half_lengths, mut modes, corners, solved, shift, whole, unsettled, waves, .. } = found;
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -83,7 +88,6 @@ impl Level {
             let power = if local.is_some() || whole[i] { 1 } else { 2 };
             let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(power);
             let beyond_length = (shift[i].abs() * further).min(beyond / (PI * size));
-            let length = beyond_length + unsettled[i][0] + negligible + ROUNDING + rounding[i];
             let missing = if averaged {
                 // an averaged sum is as good as the next one differs from it
                 let change = (self::peak(&own[..quarter(3)], true) - self::peak(&own, true)).abs();
@@ -93,6 +97,10 @@ impl Level {
             };
             // a pressure that is infinite cannot be missed
             let pressure = if peak.is_finite() { (missing + unsettled[i][1] / PI) / size } else { 0.0 };
+            let arithmetic = negligible + ROUNDING + found.rounding[i];
+            // the modes of a punch that is not smooth fall slowly, but it is known how
+            let felt = if local.is_some() { 0.0 } else { FELT * pressure };
+            let length = beyond_length + unsettled[i][0] + felt + arithmetic;
             errors.push([length, pressure + 3.0 * length]);
             let still = !peak.is_finite() || unsettled[i][1] < 0.1 * pressure * size * PI;
             settled.push(unsettled[i][0] < 0.1 * length && still);
@@ -112,9 +120,20 @@ impl Level {
                 errors[*i][0] = worst;
             }
         }
+        // so do others, as far as their half-lengths depend on each other
+        let mut own_errors: Vec<f64> = errors.iter().map(|[length, pressure]| length.max(*pressure)).collect();
+        let given = usize::from(punch.given().is_some());
+        let lengths: Vec<f64> =
+            errors.iter().enumerate().map(|(i, [length, _])| if i < given { 0.0 } else { *length }).collect();
+        for (i, error) in errors.iter_mut().enumerate() {
+            let others = lengths.iter().enumerate().filter(|(k, _)| *k != i && !(whole[i] && whole[*k]));
+            let passed_on = others.map(|(k, length)| found.influence[i][k].min(1.0) * length).fold(0.0, f64::max);
+            error[0] += passed_on;
+            error[1] += 3.0 * passed_on;
+        }
         if punch.given().is_some() {
             // nothing of it is unknown
-            (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
+            (errors[0], own_errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, 0.0, true);
         }
         if corners.is_some() {
             // the half-length is that of the punch
@@ -125,7 +144,7 @@ impl Level {
             continued(under_punch, &local.modes);
         }
         let corners = corners.unwrap_or(0.0);
-        Self { half_lengths, modes, corners, tip, counts, peaks, settled, errors, tails, waves, rest }
+        Self { half_lengths, modes, corners, tip, counts, peaks, settled, errors, own_errors, tails, waves, rest }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer
@@ -136,6 +155,7 @@ impl Level {
             if errors[0] > LOST {
                 errors[0] = errors[0].max(change);
                 errors[1] = errors[1].max(change);
+                self.own_errors[i] = self.own_errors[i].max(change);
             }
         }
     }

@@ -64,6 +64,8 @@ pub(super) struct Converged {
     pub(super) unsettled: Vec<[f64; 2]>,
     /// What rounding may change in the logarithms of the half-lengths.
     pub(super) rounding: Vec<f64>,
+    /// By how much the logarithm of each half-length changes with that of each other.
+    pub(super) influence: Vec<Vec<f64>>,
     /// The last layout, and what the kernels make there of the pressures, almost.
     pub(super) waves: Option<(Layout, Vec<Rows>)>,
 }
@@ -80,6 +82,7 @@ impl Converged {
             whole: vec![false],
             unsettled: vec![[0.0; 2]],
             rounding: vec![0.0],
+            influence: vec![vec![0.0]],
             waves: None,
         }
     }
@@ -283,12 +286,13 @@ impl Newton<'_> {
             && solved == modes
             && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), FULLY)
         {
-            let rounding = end.linearised.rounding;
+            let Linearised { rounding, influence, .. } = end.linearised;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
             let Point { half_lengths, corners, pressures, .. } = end;
             let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
             let waves = None;
-            let found = Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, waves };
+            let found =
+                Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, influence, waves };
             return Ok((found, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
@@ -310,14 +314,16 @@ impl Newton<'_> {
             *unsettled = UNKNOWN;
             responses = None;
         }
-        let rounding = linearised.rounding;
+        let Linearised { rounding, influence, .. } = linearised;
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
         // gaps of contacts that are tied together feel the smallest difference of their pressures
         let waves = responses.filter(|_| !linked.contains(&true)).map(|responses| (layout, responses));
         let (solved, whole) = (solved.to_vec(), vec![false; n]);
-        let found = Converged { half_lengths, modes: all, corners, solved, shift, whole, unsettled, rounding, waves };
+        let modes = all;
+        let found =
+            Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, influence, waves };
         Ok((found, settled))
     }
 

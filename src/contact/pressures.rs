@@ -22,6 +22,8 @@ pub(super) struct Linearised {
     sensitivity: Vec<Modes>,
     /// What rounding may change in the logarithms of the half-lengths.
     pub(super) rounding: Vec<f64>,
+    /// By how much the logarithm of each half-length changes with that of each other, if it alone gives way to it.
+    pub(super) influence: Vec<Vec<f64>>,
 }
 
 /// Rounding of a row, relative to its terms.
@@ -72,6 +74,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     let unknown = jacobian.submatrix(first, first, free, free).partial_piv_lu();
     let mut inverse = Mat::<f64>::zeros(n, n);
     inverse.as_mut().submatrix_mut(first, first, free, free).copy_from(unknown.solve(Mat::<f64>::identity(free, free)));
+    let influence = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
     let residual = |i: usize| {
         let known = matrix[(i, 0)] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
         known - dot(beta.col_as_slice(i), &gamma)
@@ -88,7 +91,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     };
     let rounding = felt(&sizes);
     let sensitivity = (0..n).map(|by| equations.modes_of(&back(&factor, moved.col_as_slice(by), n))).collect();
-    let linearised = Linearised { factor, beta, inverse, sensitivity, rounding };
+    let linearised = Linearised { factor, beta, inverse, sensitivity, rounding, influence };
     let pressures = Pressures { modes, step: linearised.step(&residuals) };
     let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
     finite.then_some((pressures, linearised))

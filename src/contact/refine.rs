@@ -150,7 +150,7 @@ pub(super) fn refine(
         if level.settled.iter().all(|settled| *settled) {
             admissible::pushes(kernel, interfaces, punch, &level, f64::INFINITY)?;
         }
-        let error = |i: usize| level.errors[i][0].max(level.errors[i][1]);
+        let error = |i: usize| level.own_errors[i];
         let enough = |i: usize| error(i) <= 0.1 * tolerance;
         if (0..n).all(|i| solved[i] >= finest || enough(i)) {
             warnings.push(not_met(options, &modes));
