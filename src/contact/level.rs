@@ -120,20 +120,19 @@ impl Level {
                 errors[*i][0] = worst;
             }
         }
-        // so do others, as far as their half-lengths depend on each other
-        let mut own_errors: Vec<f64> = errors.iter().map(|[length, pressure]| length.max(*pressure)).collect();
         let given = usize::from(punch.given().is_some());
-        let lengths: Vec<f64> =
-            errors.iter().enumerate().map(|(i, [length, _])| if i < given { 0.0 } else { *length }).collect();
-        for (i, error) in errors.iter_mut().enumerate() {
+        if given > 0 {
+            // nothing of it is unknown
+            (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
+        }
+        // so do others, as far as their half-lengths depend on each other
+        let own_errors: Vec<f64> = errors.iter().map(|[length, pressure]| length.max(*pressure)).collect();
+        let lengths: Vec<f64> = errors.iter().map(|[length, _]| *length).collect();
+        for (i, error) in errors.iter_mut().enumerate().skip(given) {
             let others = lengths.iter().enumerate().filter(|(k, _)| *k != i && !(whole[i] && whole[*k]));
             let passed_on = others.map(|(k, length)| found.influence[i][k].min(1.0) * length).fold(0.0, f64::max);
             error[0] += passed_on;
             error[1] += 3.0 * passed_on;
-        }
-        if punch.given().is_some() {
-            // nothing of it is unknown
-            (errors[0], own_errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, 0.0, true);
         }
         if corners.is_some() {
             // the half-length is that of the punch

@@ -195,7 +195,7 @@ fn decide(
     parts::solve(kernel, interfaces, indentation, zones.unwrap_or_default(), options).ok_or(error)
 }
 
-/// The error that says in which intervals bodies touch, if there are several.
+/// The error that says in which intervals bodies touch, if there are several, or none about the middle.
 fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zones]>, certain: bool) -> Option<Error> {
     let finite = |zones: &convex::Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
     // layers that lie flat on each other far away touch without a force: they do not say that there is no answer

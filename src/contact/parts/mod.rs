@@ -53,7 +53,7 @@ struct Work {
 
 impl Work {
     /// Counts equations with so many pressures on each interval; `None` if they are too many.
-    fn solve(&mut self, count: usize) -> Option<()> {
+    fn spend(&mut self, count: usize) -> Option<()> {
         self.solved += (count / COARSEST).pow(2);
         (self.solved <= MOST_SOLVED).then_some(())
     }
@@ -215,7 +215,7 @@ fn converge(
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
         let pressures = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.solve();
-        work.solve(count)?;
+        work.spend(count)?;
         let here = pressures(&patches)?;
         *work.steps.last_mut()? += 1;
         let (at, rooms) = (ends(&patches), rooms(&patches));
@@ -231,7 +231,7 @@ fn converge(
                 for by in 0..at.len() {
                     let mut moved = at.clone();
                     moved[by] += DIFFERENCE * rooms[by];
-                    work.solve(count)?;
+                    work.spend(count)?;
                     let there = pressures(&with_ends(&patches, &moved)?)?;
                     for (row, (there, here)) in there.residuals.iter().zip(&here.residuals).enumerate() {
                         derivatives[(row, by)] = (there - here) / DIFFERENCE;
