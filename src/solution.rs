@@ -33,7 +33,8 @@ pub struct Contact {
     pub interface: Interface,
     /// Half-length a: the contact covers |x| < a. Of several loads, as far as the farthest of them reaches.
     pub half_length: f64,
-    /// The solver's estimate of the absolute error of `half_length`.
+    /// The solver's estimate of the absolute error of `half_length`; as large as that where the pressure fades before an end
+    /// is found, on which nothing else depends.
     pub half_length_error: f64,
     /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge, and under a line load.
     pub peak_pressure: f64,

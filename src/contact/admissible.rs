@@ -37,15 +37,46 @@ const NO_GAP: f64 = 1e-5;
 const UNRESOLVED: f64 = 10.0;
 /// But not by more than this part of the largest pressure, or than the answer may be wrong.
 const MOST_FEIGNED: f64 = 1e-3;
+/// The same where a contact fades before an end is found.
+const MOST_FADED: f64 = 1e-5;
 /// Places around a pull at which the highest modes are looked at.
 const NEAR: usize = 4 * PER_MODE;
 /// Pressures under a punch that is not smooth pull by no more than this part of the largest.
 const PULL: f64 = 1e-6;
 
+/// Moments that are smaller, against force times half-length, are next to nothing.
+const LEAST_MOMENT: f64 = 1e-4;
+/// Force by which the end of a beam gives way by 1, times length cubed over bending stiffness.
+const CANTILEVER: f64 = 3.0;
+/// A pressure that grows like the root of the distance from its end holds a moment like this power of the distance.
+const POWER: f64 = 0.4;
+
 /// What the check found, in units of the kernel per unit of P'.
 pub(super) struct Check {
     pub(super) min_pressure: f64,
+    /// By which part of the largest pressure each contact pulls, for want of modes.
+    pub(super) pulls: Vec<f64>,
     pub(super) min_gap: f64,
+    /// Where bodies touch again with next to no force.
+    pub(super) overlaps: Vec<Overlap>,
+}
+
+/// Bodies that overlap outside their contact, but so little that next to no force would part them.
+pub(super) struct Overlap {
+    pub(super) contact: usize,
+    /// Where, in units of L.
+    pub(super) x: f64,
+    /// The moment of that force about the end of the contact, over force times half-length.
+    pub(super) moment: f64,
+    /// The sheet that gives way, between this contact and the next.
+    pub(super) sheet: usize,
+}
+
+impl Overlap {
+    /// By how much the ends of the contacts of the sheet may move for it, relative.
+    pub(super) fn moves(&self) -> f64 {
+        self.moment.powf(POWER)
+    }
 }
 
 /// Smallest pressure inside and smallest gap outside the contacts.
@@ -56,31 +87,59 @@ pub(super) fn check(
     level: &Level,
 ) -> Result<Check, Error> {
     let most = MOST_FEIGNED.max(level.worst_error());
-    let mut check = Check { min_pressure: pushes(kernel, interfaces, punch, level, most)?, min_gap: 0.0 };
+    let (min_pressure, pulls) = pushes(kernel, interfaces, punch, level, most)?;
+    let mut check = Check { min_pressure, pulls, min_gap: 0.0, overlaps: Vec::new() };
     for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
+        if level.faded[i].is_some() {
+            // bodies that press on each other no more do not part visibly, either
+            continue;
+        }
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
         let little = NO_GAP.max(UNRESOLVED * level.worst_error());
-        for (x, gap) in gaps {
-            if gap < -little * largest {
-                let x = x * kernel.length();
-                return Err(NoSolution::Overlap { interface: interfaces[i], x }.into());
+        if let Some((first, _)) = gaps.iter().find(|(_, gap)| *gap < -little * largest) {
+            match overlap(kernel, i, &level.half_lengths, &gaps, little * largest) {
+                Some(overlap) if overlap.moment <= LEAST_MOMENT => check.overlaps.push(overlap),
+                _ => {
+                    let x = first * kernel.length();
+                    return Err(NoSolution::Overlap { interface: interfaces[i], x }.into());
+                }
             }
-            check.min_gap = check.min_gap.min(gap);
         }
+        check.min_gap = gaps.iter().fold(check.min_gap, |least, (_, gap)| least.min(*gap));
     }
     Ok(check)
 }
 
-/// Smallest pressure inside the contacts; an error if one pulls by more than its highest modes may feign, or by more than
-/// `most` of the largest pressure.
+/// What it would take to part the bodies outside contact i: the more slender of the laminates above and below is a beam there,
+/// clamped where its contacts end. `None` without a laminate, or if the overlap, more than `little`, begins before.
+fn overlap(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)], little: f64) -> Option<Overlap> {
+    let laminates = kernel.laminates();
+    let neighbours = i.checked_sub(1).into_iter().chain([i]).filter(|sheet| *sheet < laminates.len());
+    let sheet = neighbours.min_by(|a, b| laminates[*a].1.total_cmp(&laminates[*b].1))?;
+    let (thickness, stiffness) = laminates[sheet];
+    let end = half_lengths[sheet].max(half_lengths[sheet + 1]);
+    if gaps.iter().any(|(x, gap)| *x <= end && *gap < -little) {
+        return None;
+    }
+    let moment = |(x, gap): &(f64, f64)| {
+        // no beam is shorter than thick
+        let length = (x - end).max(thickness);
+        (*x, CANTILEVER * stiffness * (-gap).max(0.0) / (length * length * end))
+    };
+    let (x, moment) = gaps.iter().map(moment).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(Overlap { contact: i, x, moment, sheet })
+}
+
+/// Smallest pressure inside the contacts, and by which part of its largest pressure each pulls; an error if one pulls by more
+/// than its highest modes may feign, or by more than `most`.
 pub(super) fn pushes(
     kernel: &Kernel,
     interfaces: &[Interface],
     punch: &Indentation,
     level: &Level,
     most: f64,
-) -> Result<f64, Error> {
-    let mut min_pressure = 0.0f64;
+) -> Result<(f64, Vec<f64>), Error> {
+    let (mut min_pressure, mut pulls) = (0.0f64, Vec::with_capacity(level.modes.len()));
     for (i, modes) in level.modes.iter().enumerate() {
         let mut pressures = pressures(modes, modes.len());
         let mut largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
@@ -106,6 +165,8 @@ pub(super) fn pushes(
             }
             None => level.tails[i] * largest,
         };
+        // what fades does not pull
+        let most = if level.faded[i].is_some() { most.min(MOST_FADED) } else { most };
         if pressure < -ZERO * largest - (UNRESOLVED * feigned).min(most * largest) {
             let middle = place + 1 == pressures.len();
             let s = if middle { 0.0 } else { angle(place, pressures.len()).cos() };
@@ -117,8 +178,9 @@ pub(super) fn pushes(
             return Err(not_converged(kernel, punch, &level.half_lengths));
         }
         min_pressure = min_pressure.min(pressure);
+        pulls.push((-pressure / largest).max(0.0));
     }
-    Ok(min_pressure)
+    Ok((min_pressure, pulls))
 }
 
 /// The angle φ of a place, x = a cos φ.

@@ -58,23 +58,28 @@ pub(super) fn strips(load: &Load, force: f64, length: f64) -> Vec<Strip> {
     let strip = |(at, share, load): (f64, f64, &Load)| {
         let images = if at > 0.0 { 2.0 } else { 1.0 };
         let extent = load.half_width().max(LINE * length);
-        let (form, terms) = match load {
-            Load::Line => (Form::Line, 1),
-            Load::Uniform { .. } => (Form::Uniform, TERMS),
-            Load::Parabolic { .. } => (Form::Parabolic, TERMS),
-            Load::Elliptic { .. } | Load::Several(_) => (Form::Series, 1),
+        let form = match load {
+            Load::Line => Form::Line,
+            Load::Uniform { .. } => Form::Uniform,
+            Load::Parabolic { .. } => Form::Parabolic,
+            Load::Elliptic { .. } | Load::Several(_) => Form::Series,
         };
-        let unit = 2.0 * share * force / (images * PI * extent);
-        // c_j of 1 and of 1 − s² over that of the ellipse with the same resultant
-        let coefficient = |m: usize| match form {
-            Form::Line | Form::Series => unit,
-            Form::Uniform => unit / order(m),
-            Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
-        };
-        let coefficients = (0..terms).map(coefficient).collect();
-        Strip { at, form, ..Strip::series(extent, coefficients, terms) }
+        self::strip(form, at, extent, share * force / images)
     };
     load.parts().into_iter().map(strip).collect()
+}
+
+/// A pressure of a form on a strip, one image of which has a resultant.
+pub(super) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
+    let unit = 2.0 * resultant / (PI * extent);
+    // c_j of 1 and of 1 − s² over that of the ellipse with the same resultant
+    let coefficient = |m: usize| match form {
+        Form::Line | Form::Series => unit,
+        Form::Uniform => unit / order(m),
+        Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
+    };
+    let terms = if matches!(form, Form::Line | Form::Series) { 1 } else { TERMS };
+    Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect(), terms) }
 }
 
 /// What is said of a load in place of a contact: nothing of it is unknown.

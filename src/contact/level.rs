@@ -3,9 +3,10 @@ use std::f64::consts::PI;
 
 use crate::kernel::Kernel;
 
+use super::admissible::Check;
+use super::converged::Converged;
 use super::galerkin::{Modes, Rows, alternating, order};
 use super::layout::Layout;
-use super::newton::Converged;
 use super::pressures::weight;
 use super::punch::{Indentation, Local, continued};
 
@@ -19,8 +20,23 @@ const SAFETY: f64 = 3.0;
 /// Pressures under punches that are not smooth are continued with so many modes.
 const CONTINUED: usize = 2048;
 
+/// A pressure is taken to feel half-lengths so many times more than its derivatives say.
+const PEAKS: f64 = 3.0;
+
+/// Half-lengths with larger relative errors are not known.
+pub(super) const UNKNOWN: f64 = 0.03;
+
+/// The relative error of the half-length of a contact that fades before an end is found.
+pub(super) const ENDLESS: f64 = 1.0;
+
 /// An iteration that leaves more than this was not done.
 pub(super) const LOST: f64 = 1e-6;
+
+/// Smaller pulls, against the largest pressure, are of the sums over modes.
+const PULL: f64 = 1e-7;
+
+/// A pressure that pulls is wrong by so many times as much.
+const PULLED: f64 = 2.0;
 
 /// Half-lengths feel at least this part of what is missing of pressures, whatever the last modes say.
 const FELT: f64 = 1e-3;
@@ -46,6 +62,8 @@ pub(super) struct Level {
     pub(super) errors: Vec<[f64; 2]>,
     /// The larger of both as far as more modes of the contact itself would make it smaller.
     pub(super) own_errors: Vec<f64>,
+    /// What may depend on the end of each contact that fades, see [`super::fading`], relative.
+    pub(super) faded: Vec<Option<f64>>,
     /// Part of the highest modes in the pressure of a contact.
     pub(super) tails: Vec<f64>,
     /// A layout, and the slope transforms of all contacts there.
@@ -60,7 +78,7 @@ impl Level {
     /// that a half-plane would have under a punch that is not smooth: these are known, however slowly they fall.
     /// Parts of the kernels below `negligible` were left out.
     pub(super) fn new(found: Converged, kernel: &Kernel, punch: &Indentation, negligible: f64) -> Self {
-        let Converged { half_lengths, mut modes, corners, solved, shift, whole, unsettled, waves, .. } = found;
+        let Converged { half_lengths, mut modes, corners, solved, shift, whole, unsettled, faded, waves, .. } = found;
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         let local = if punch.given().is_some() {
             None
@@ -69,6 +87,9 @@ impl Level {
         };
         let (mut errors, mut tails, mut settled, mut peaks) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut rest = None;
+        // by how much more than the last ones the modes that are missing may change, and by how much at most
+        let mut further = vec![[0.0; 2]; modes.len()];
+        let mut arithmetic = vec![0.0; modes.len()];
         for (i, y) in modes.iter().enumerate() {
             let local = local.as_ref().filter(|_| i == 0);
             let own = without(y, local);
@@ -86,8 +107,8 @@ impl Level {
             // half-lengths feel what is missing squared, and no more than pressures do; but where a known load falls
             // slowly, only what it meets of the kernels falls fast, and contacts that are tied together feel no less
             let power = if local.is_some() || whole[i] { 1 } else { 2 };
-            let further = (beyond / iterated.max(f64::MIN_POSITIVE)).powi(power);
-            let beyond_length = (shift[i].abs() * further).min(beyond / (PI * size));
+            further[i] = [(beyond / iterated.max(f64::MIN_POSITIVE)).powi(power), beyond / (PI * size)];
+            let beyond_length = (shift[i].abs() * further[i][0]).min(further[i][1]);
             let missing = if averaged {
                 // an averaged sum is as good as the next one differs from it
                 let change = (self::peak(&own[..quarter(3)], true) - self::peak(&own, true)).abs();
@@ -97,11 +118,12 @@ impl Level {
             };
             // a pressure that is infinite cannot be missed
             let pressure = if peak.is_finite() { (missing + unsettled[i][1] / PI) / size } else { 0.0 };
-            let arithmetic = negligible + ROUNDING + found.rounding[i];
+            arithmetic[i] = negligible + ROUNDING + found.rounding[i];
             // the modes of a punch that is not smooth fall slowly, but it is known how
             let felt = if local.is_some() { 0.0 } else { FELT * pressure };
-            let length = beyond_length + unsettled[i][0] + felt + arithmetic;
-            errors.push([length, pressure + 3.0 * length]);
+            // and of an end that was left where it is, only what depends on it matters
+            let length = faded[i].unwrap_or(beyond_length + unsettled[i][0] + felt) + arithmetic[i];
+            errors.push([length, pressure + 3.0 * arithmetic[i]]);
             let still = !peak.is_finite() || unsettled[i][1] < 0.1 * pressure * size * PI;
             settled.push(unsettled[i][0] < 0.1 * length && still);
             // compared with that of a mean pressure where there is hardly any in the middle
@@ -112,12 +134,11 @@ impl Level {
                 rest = Some([vec![0.0; half], own[half..].to_vec()].concat());
             }
         }
-        // contacts that are tied together feel what each of them misses
+        // contacts that are tied together feel what each of them misses as they felt what it missed before
         for run in (0..errors.len()).collect::<Vec<_>>().chunk_by(|i, k| whole[*i] && whole[*k]) {
-            let worst = run.iter().map(|i| errors[*i][0]).fold(0.0, f64::max);
-            for i in run {
-                errors[*i][1] += 3.0 * (worst - errors[*i][0]);
-                errors[*i][0] = worst;
+            let most = |k: usize| run.iter().map(|i| further[*i][k]).fold(0.0, f64::max);
+            for i in run.iter().filter(|_| run.len() > 1) {
+                errors[*i][0] = errors[*i][0].max((shift[*i].abs() * most(0)).min(most(1)));
             }
         }
         let given = usize::from(punch.given().is_some());
@@ -125,14 +146,24 @@ impl Level {
             // nothing of it is unknown
             (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
         }
-        // so do others, as far as their half-lengths depend on each other
-        let own_errors: Vec<f64> = errors.iter().map(|[length, pressure]| length.max(*pressure)).collect();
         let lengths: Vec<f64> = errors.iter().map(|[length, _]| *length).collect();
-        for (i, error) in errors.iter_mut().enumerate().skip(given) {
-            let others = lengths.iter().enumerate().filter(|(k, _)| *k != i && !(whole[i] && whole[*k]));
-            let passed_on = others.map(|(k, length)| found.influence[i][k].min(1.0) * length).fold(0.0, f64::max);
-            error[0] += passed_on;
-            error[1] += 3.0 * passed_on;
+        let passed_on = |influence: &[f64], i: usize| {
+            let others = lengths.iter().enumerate().filter(|(k, _)| *k != i);
+            others.map(|(k, length)| influence[k].min(1.0) * length).fold(0.0, f64::max)
+        };
+        let mut own_errors = Vec::with_capacity(errors.len());
+        for (i, error) in errors.iter_mut().enumerate() {
+            // a pressure feels the half-length of its contact ...
+            error[1] += PEAKS * found.peak_influence[i][i].min(1.0) * error[0];
+            own_errors.push(error[0].max(error[1]));
+            if i >= given {
+                // ... and those of others, as far as they depend on each other
+                error[1] += PEAKS * passed_on(&found.peak_influence[i], i);
+                error[0] += passed_on(&found.influence[i], i);
+            }
+        }
+        for (error, _) in errors.iter_mut().zip(&faded).filter(|(_, faded)| faded.is_some()) {
+            error[0] = ENDLESS;
         }
         if corners.is_some() {
             // the half-length is that of the punch
@@ -143,13 +174,42 @@ impl Level {
             continued(under_punch, &local.modes);
         }
         let corners = corners.unwrap_or(0.0);
-        Self { half_lengths, modes, corners, tip, counts, peaks, settled, errors, own_errors, tails, waves, rest }
+        Self {
+            half_lengths,
+            modes,
+            corners,
+            tip,
+            counts,
+            peaks,
+            settled,
+            errors,
+            own_errors,
+            faded,
+            tails,
+            waves,
+            rest,
+        }
+    }
+
+    /// Errors cover what an answer is seen to be wrong by: pressures that pull, and bodies that touch again with next to no
+    /// force, which is left out.
+    pub(super) fn admit(&mut self, check: &Check) {
+        for (error, pull) in self.errors.iter_mut().zip(&check.pulls).filter(|(_, pull)| **pull > PULL) {
+            error[1] = error[1].max(PULLED * pull);
+        }
+        for overlap in &check.overlaps {
+            for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
+                error[0] += overlap.moves();
+            }
+            self.errors.iter_mut().for_each(|error| error[1] += overlap.moment);
+        }
     }
 
     /// Where the iteration was not done, nothing is known better than by how much half-lengths differ from those of fewer
     /// modes.
     pub(super) fn doubt(&mut self, rough: &[f64]) {
-        for (i, errors) in self.errors.iter_mut().enumerate().filter(|(i, _)| !self.settled[*i]) {
+        let doubtful = |i: usize| !self.settled[i] && self.faded[i].is_none();
+        for (i, errors) in self.errors.iter_mut().enumerate().filter(|(i, _)| doubtful(*i)) {
             let change = (self.half_lengths[i] / rough[i]).ln().abs();
             if errors[0] > LOST {
                 errors[0] = errors[0].max(change);
@@ -159,9 +219,11 @@ impl Level {
         }
     }
 
-    /// The largest of the error estimates.
+    /// The largest of the error estimates, those of half-lengths that are not known aside.
     pub(super) fn worst_error(&self) -> f64 {
-        self.errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error))
+        let of_contact =
+            |[length, pressure]: &[f64; 2]| if *length > UNKNOWN { *pressure } else { length.max(*pressure) };
+        self.errors.iter().map(of_contact).fold(0.0, f64::max)
     }
 }
 

@@ -1,8 +1,11 @@
 //! The contact problem: half-lengths and pressures of all contacts, for one punch and force on prepared kernels.
 mod admissible;
+mod attempts;
 mod basis;
 mod collocation;
+mod converged;
 mod convex;
+mod fading;
 mod galerkin;
 mod given;
 mod lattice;
@@ -19,7 +22,7 @@ mod tail;
 
 use std::f64::consts::PI;
 
-use crate::error::{Error, NoSolution};
+use crate::error::Error;
 use crate::kernel::{self, Kernel};
 use crate::options::{Method, Options};
 use crate::scene::Punch;
@@ -28,22 +31,11 @@ use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 pub(crate) use lattice::Lattice;
 pub(crate) use prescribed::press_to;
 
-use level::{Level, coefficients};
-use newton::Converged;
+use attempts::{Answer, from_any_start};
+use converged::Converged;
+use level::{Level, UNKNOWN, coefficients};
 use punch::Indentation;
 use refine::{Start, refine};
-
-/// Pressures are resolved so many times better from the outset, one after the other, as next to thin, stiff coatings.
-const FINER: [usize; 3] = [1, 8, 32];
-
-/// Half-lengths with larger relative errors are none.
-const UNUSABLE: f64 = 0.03;
-/// Half-lengths with larger relative errors are taken only if there are no better ones.
-const DOUBTFUL: f64 = 1e-4;
-/// An interval off the middle counts as a contact that is open there if it ends so many times farther out than it begins.
-const OPEN: f64 = 2.0;
-/// How often a contact that would have to pull is tried again with an end where it would.
-const SHORTER: usize = 3;
 
 /// Presses a punch with a force on a stack: the answer in the units of the scene. It may start from what a lattice of answers
 /// for this kernel tells.
@@ -85,132 +77,65 @@ fn solve(
         // nothing is unknown
         let starts = start::half_lengths(kernel, indentation)?;
         let level = Level::new(Converged::known(starts), kernel, indentation, 0.0);
-        let check = admissible::Check { min_pressure: 0.0, min_gap: 0.0 };
+        let check = admissible::Check { min_pressure: 0.0, pulls: Vec::new(), min_gap: 0.0, overlaps: Vec::new() };
         return Ok(solution(kernel, interfaces, indentation, level, check, work, Vec::new()));
     }
     let mut from = |start: Start| {
-        let (level, warnings) = refine(kernel, interfaces, indentation, start, options, &mut work)?;
-        if level.errors.iter().any(|[half_length, _]| *half_length > UNUSABLE) {
+        let (mut level, mut warnings) = refine(kernel, interfaces, indentation, start, options, &mut work)?;
+        // nobody needs a half-length that nothing depends on
+        if level.errors.iter().any(|[length, pressure]| *length > UNKNOWN && *pressure > UNKNOWN) {
             return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
         }
         let check = admissible::check(kernel, interfaces, indentation, &level)?;
-        Ok(solution(kernel, interfaces, indentation, level, check, work.clone(), warnings))
+        level.admit(&check);
+        warnings.extend(check.overlaps.iter().map(|overlap| touching_again(kernel, interfaces, overlap)));
+        warnings.extend(uncertain(kernel, interfaces, &level));
+        let again = check.overlaps.iter().map(|overlap| interfaces[overlap.contact]).collect();
+        let solution = solution(kernel, interfaces, indentation, level, check, work.clone(), warnings);
+        Ok(Answer { solution, again })
     };
     if let Some(start) = lattice.and_then(|lattice| lattice.start(kernel, interfaces, indentation))
-        && let Ok(solution) = from(start)
-        && solution.warnings.is_empty()
+        && let Ok(answer) = from(start)
+        && answer.solution.warnings.is_empty()
     {
-        return Ok(solution);
+        return Ok(answer.solution);
     }
-    from_any_start(kernel, interfaces, indentation, options, |half_lengths, finer| {
-        from(Start::Formulas { half_lengths, finer })
-    })
+    from_any_start(
+        kernel,
+        interfaces,
+        indentation,
+        options,
+        |half_lengths, finer| from(Start::Formulas { half_lengths, finer }),
+        |expected, far| convex::answer(kernel, interfaces, indentation, expected, far),
+    )
 }
 
-/// Solves from half-lengths that formulas expect, and where that fails from those of the convex programme. `solve` is
-/// told, too, how much finer to begin.
-fn from_any_start(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    indentation: &Indentation,
-    options: &Options,
-    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
-) -> Result<Solution, Error> {
-    // an answer of few digits may be that of a false root: another one is looked for
-    let mut doubtful: Option<(f64, Solution)> = None;
-    let mut in_parts = false;
-    let decided = decide(kernel, interfaces, indentation, options, &mut in_parts, |half_lengths, finer| {
-        let solution = solve(half_lengths, finer)?;
-        let errors = solution.contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
-        let worst = errors.fold(0.0, f64::max);
-        if solution.warnings.is_empty() || worst <= DOUBTFUL {
-            return Ok(solution);
-        }
-        let half_lengths = solution.contacts.iter().map(|contact| contact.half_length).collect();
-        if doubtful.as_ref().is_none_or(|(least, _)| worst < *least) {
-            doubtful = Some((worst, solution));
-        }
-        Err(NoSolution::NotConverged { half_lengths }.into())
-    });
-    match (decided, doubtful) {
-        (Err(Error::NoSolution(_)), Some((_, solution))) if !in_parts => Ok(solution),
-        (decided, _) => decided,
-    }
-}
-
-/// Goes through all starts; `in_parts` tells whether a contact has several parts for certain.
-fn decide(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    indentation: &Indentation,
-    options: &Options,
-    in_parts: &mut bool,
-    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
-) -> Result<Solution, Error> {
-    let expected = start::half_lengths(kernel, indentation)?;
-    let mut failure = match solve(expected.clone(), 1) {
-        Err(Error::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
-        decided => return decided,
+/// What is to be said of half-lengths that are not known.
+fn uncertain(kernel: &Kernel, interfaces: &[Interface], level: &Level) -> Vec<String> {
+    let contacts = interfaces.iter().zip(&level.half_lengths).zip(&level.errors).zip(&level.faded);
+    let unknown = contacts.filter(|((_, [length, _]), _)| *length > UNKNOWN);
+    let about = |(((interface, a), [length, _]), faded): (((&Interface, &f64), &[f64; 2]), &Option<f64>)| match faded {
+        Some(_) => format!(
+            "no end of the contact {interface} was found: the pressure there fades, and nothing depends on what is beyond \
+             x = {:.3e}",
+            a * kernel.length()
+        ),
+        None => format!(
+            "the half-length of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
+            100.0 * length
+        ),
     };
-    let mut zones = None;
-    let mut far = 0.0;
-    // once more if bodies would overlap farther out than was looked at
-    for _ in 0..2 {
-        let overlap = if let NoSolution::Overlap { x, .. } = failure { x / kernel.length() } else { 0.0 };
-        if zones.is_some() && overlap <= far {
-            break;
-        }
-        far = overlap;
-        zones = convex::zones(kernel, indentation, &expected, far);
-        if let Some(error) = several(kernel, interfaces, zones.as_deref(), true) {
-            *in_parts = true;
-            let zones = zones.as_deref().unwrap_or_default();
-            return parts::solve(kernel, interfaces, indentation, zones, options).ok_or(error);
-        }
-        let ends: Vec<f64> = (0..expected.len())
-            .map(|i| match zones.as_ref().map_or(0.0, |zones| zones[i].end()) {
-                _ if i == 0 && indentation.flat().is_some() => expected[i],
-                0.0 => expected[i],
-                end => end,
-            })
-            .collect();
-        for finer in FINER {
-            let mut half_lengths = ends.clone();
-            for _ in 0..SHORTER {
-                match solve(half_lengths.clone(), finer) {
-                    Err(Error::NoSolution(found)) => failure = found,
-                    decided => return decided,
-                }
-                // there are roots whose contacts reach past where they should end
-                let NoSolution::Tension { interface, x } = failure else { break };
-                let fixed = usize::from(indentation.flat().is_some());
-                let pulling = interfaces.iter().position(|contact| *contact == interface);
-                let Some(pulling) = pulling.filter(|pulling| *pulling >= fixed) else { break };
-                half_lengths[pulling] = x / kernel.length();
-            }
-        }
-    }
-    let zones = zones.as_deref();
-    let Some(error) = several(kernel, interfaces, zones, false) else { return Err(failure.into()) };
-    parts::solve(kernel, interfaces, indentation, zones.unwrap_or_default(), options).ok_or(error)
+    unknown.map(about).collect()
 }
 
-/// The error that says in which intervals bodies touch, if there are several, or none about the middle.
-fn several(kernel: &Kernel, interfaces: &[Interface], zones: Option<&[convex::Zones]>, certain: bool) -> Option<Error> {
-    let finite = |zones: &convex::Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
-    // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
-    let count = |zones: &convex::Zones| if certain { finite(zones) } else { zones.apart.len() };
-    // bodies that do not touch about the middle touch in two intervals, one on either side
-    let open = |zones: &convex::Zones| match zones.sure[..] {
-        [[from, to]] => !certain && from > 0.0 && to.is_finite() && to > OPEN * from,
-        _ => false,
-    };
-    // a zone under the punch too short for the grid says nothing
-    let plausible = |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
-    let mut all = zones?.iter().enumerate();
-    let (i, zones) = all.find(|(i, zones)| open(zones) || count(zones) > 1 && plausible(*i, zones))?;
-    let parts = zones.hull().iter().map(|part| part.map(|x| x * kernel.length())).collect();
-    Some(NoSolution::Parts { interface: interfaces[i], parts }.into())
+fn touching_again(kernel: &Kernel, interfaces: &[Interface], overlap: &admissible::Overlap) -> String {
+    format!(
+        "the bodies at the contact {} touch again about x = {:.3e}; the force there, with {:.0e} of the moment of the \
+         whole force, is left out",
+        interfaces[overlap.contact],
+        overlap.x * kernel.length(),
+        overlap.moment
+    )
 }
 
 /// What it took to evaluate the stack.

@@ -3,7 +3,9 @@ use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 
 use super::basis::Basis;
-use super::galerkin::{Equations, Modes, Rows, Slopes};
+use super::converged::Converged;
+use super::fading::Fading;
+use super::galerkin::{Equations, Modes, Slopes};
 use super::layout::{Layout, negligible};
 use super::pressures::{Drift, Linearised, Pressures, solve};
 use super::punch::Indentation;
@@ -22,6 +24,10 @@ const NEARBY: f64 = 1e-5;
 const MOST_SOLVED: usize = 600;
 /// Pressures are let go on settling from level to level with an error of so many tolerances.
 const PRESSURES: f64 = 10.0;
+/// Ends on which less than so many tolerances depends need not be found.
+const ENDS: f64 = 0.01;
+/// The same for the first steps.
+const ROUGH_ENDS: f64 = 1e-6;
 /// Where there are no rounds, Newton's method goes on to this.
 const FULLY: f64 = 1e-20;
 /// Derivatives from few modes are right to about this part.
@@ -45,48 +51,6 @@ const TIES: f64 = 1e4;
 const ROUNDS: usize = 12;
 /// Rounds that change this much of what the round before changed do not end.
 const SLOW: f64 = 0.5;
-
-/// Where Newton's method has come to.
-pub(super) struct Converged {
-    /// Half-lengths in units of L.
-    pub(super) half_lengths: Vec<f64>,
-    /// y_im of contact i, y_i0 = 1.
-    pub(super) modes: Modes,
-    /// q, the amplitude of the pressure next to the corners of the punch, if it has any.
-    pub(super) corners: Option<f64>,
-    /// Modes solved for.
-    pub(super) solved: Vec<usize>,
-    /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
-    pub(super) shift: Vec<f64>,
-    /// Whether all modes were solved for.
-    pub(super) whole: Vec<bool>,
-    /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
-    pub(super) unsettled: Vec<[f64; 2]>,
-    /// What rounding may change in the logarithms of the half-lengths.
-    pub(super) rounding: Vec<f64>,
-    /// By how much the logarithm of each half-length changes with that of each other.
-    pub(super) influence: Vec<Vec<f64>>,
-    /// The last layout, and what the kernels make there of the pressures, almost.
-    pub(super) waves: Option<(Layout, Vec<Rows>)>,
-}
-
-impl Converged {
-    /// A given pressure and no other contact.
-    pub(super) fn known(half_lengths: Vec<f64>) -> Self {
-        Self {
-            half_lengths,
-            modes: vec![vec![1.0]],
-            corners: None,
-            solved: vec![1],
-            shift: vec![0.0],
-            whole: vec![false],
-            unsettled: vec![[0.0; 2]],
-            rounding: vec![0.0],
-            influence: vec![vec![0.0]],
-            waves: None,
-        }
-    }
-}
 
 /// What Newton's method has done, all attempts together.
 #[derive(Clone, Default)]
@@ -112,9 +76,14 @@ pub(super) struct Newton<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) punch: &'a Indentation<'a>,
     pub(super) work: Work,
+    fading: Fading,
 }
 
-impl Newton<'_> {
+impl<'a> Newton<'a> {
+    pub(super) fn new(kernel: &'a Kernel, punch: &'a Indentation, work: Work) -> Self {
+        Self { kernel, punch, work, fading: Fading::default() }
+    }
+
     /// Goes on with given numbers of modes until the half-lengths are right to about `enough`: these, and the modes.
     pub(super) fn approach(
         &mut self,
@@ -124,8 +93,8 @@ impl Newton<'_> {
         enough: f64,
     ) -> Result<(Vec<f64>, Modes), Error> {
         let Point { mut half_lengths, mut corners, pressures, linearised, layout, .. } =
-            self.iterate(half_lengths, modes, modes, negligible, enough)?;
-        let Pressures { modes: mut all, mut step } = pressures;
+            self.iterate(half_lengths, modes, modes, negligible, [enough, ROUGH_ENDS])?;
+        let Pressures { modes: mut all, mut step, .. } = pressures;
         let linked = ties(self.kernel, &half_lengths);
         let fixed = usize::from(corners.is_some());
         let first = longest(&step[fixed..]);
@@ -211,8 +180,9 @@ impl Newton<'_> {
     ) -> Result<(Converged, bool), Error> {
         let start = half_lengths.clone();
         let Point { mut half_lengths, mut corners, pressures, linearised, layout, mut bases, mut slopes } =
-            self.iterate(half_lengths, solved, modes, negligible(tolerance), NEARBY)?;
-        let Pressures { modes: mut all, mut step } = pressures;
+            self.iterate(half_lengths, solved, modes, negligible(tolerance), [NEARBY, ENDS * tolerance])?;
+        let Pressures { modes: mut all, mut step, .. } = pressures;
+        let faded = self.fading.felt();
         for (own, modes) in all.iter_mut().zip(modes) {
             own.resize(*modes, 0.0);
         }
@@ -284,15 +254,27 @@ impl Newton<'_> {
             !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
         if !settled
             && solved == modes
-            && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), FULLY)
+            && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), [FULLY, ENDS * tolerance])
         {
-            let Linearised { rounding, influence, .. } = end.linearised;
+            let Linearised { rounding, influence, peak_influence, .. } = end.linearised;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
             let Point { half_lengths, corners, pressures, .. } = end;
             let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
-            let waves = None;
-            let found =
-                Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, influence, waves };
+            let (waves, faded) = (None, self.fading.felt());
+            let found = Converged {
+                half_lengths,
+                modes,
+                corners,
+                solved,
+                shift,
+                whole,
+                unsettled,
+                rounding,
+                influence,
+                peak_influence,
+                faded,
+                waves,
+            };
             return Ok((found, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
@@ -314,7 +296,7 @@ impl Newton<'_> {
             *unsettled = UNKNOWN;
             responses = None;
         }
-        let Linearised { rounding, influence, .. } = linearised;
+        let Linearised { rounding, influence, peak_influence, .. } = linearised;
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
@@ -322,19 +304,32 @@ impl Newton<'_> {
         let waves = responses.filter(|_| !linked.contains(&true)).map(|responses| (layout, responses));
         let (solved, whole) = (solved.to_vec(), vec![false; n]);
         let modes = all;
-        let found =
-            Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, rounding, influence, waves };
+        let found = Converged {
+            half_lengths,
+            modes,
+            corners,
+            solved,
+            shift,
+            whole,
+            unsettled,
+            rounding,
+            influence,
+            peak_influence,
+            faded,
+            waves,
+        };
         Ok((found, settled))
     }
 
-    /// Newton's method until what would be left of the next step is below `enough`.
+    /// Newton's method until what would be left of the next step is below `enough`. Ends on which less than `little` depends
+    /// are left where they are.
     fn iterate(
         &mut self,
         mut half_lengths: Vec<f64>,
         solved: &[usize],
         modes: &[usize],
         negligible: f64,
-        enough: f64,
+        [enough, little]: [f64; 2],
     ) -> Result<Point, Error> {
         let (kernel, punch) = (self.kernel, self.punch);
         let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes).collect();
@@ -345,6 +340,7 @@ impl Newton<'_> {
         let mut corners = punch.flat().map(|_| 1.0);
         let mut layout: Option<(Layout, Vec<f64>)> = None;
         self.work.steps.push(0);
+        self.fading.begin(solved.len(), punch.given().is_some());
         let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let near = |about: &[f64], by: f64| half_lengths.iter().zip(about).all(|(a, b)| (a / b).ln().abs() <= by);
@@ -367,8 +363,12 @@ impl Newton<'_> {
             self.work.step();
             self.work.factorisations += 1;
             let equations = Equations::new(&at.0, &bases, solved, &linked).with_corners(corners);
-            let found = solve(&equations, &slopes, punch.given().is_some());
+            let found = solve(&equations, &slopes, &self.fading.left());
             let Some((pressures, linearised)) = found else { break };
+            if self.fading.look(&mut half_lengths, &pressures, &linearised, little) {
+                layout = Some(at);
+                continue;
+            }
             let left = longest(&pressures.step);
             // short steps that no longer shorten are rounding
             let stuck = last < NEARBY && left > 0.5 * last;

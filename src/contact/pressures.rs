@@ -24,6 +24,8 @@ pub(super) struct Linearised {
     pub(super) rounding: Vec<f64>,
     /// By how much the logarithm of each half-length changes with that of each other, if it alone gives way to it.
     pub(super) influence: Vec<Vec<f64>>,
+    /// The same for the logarithm of the pressure in the middle of each contact.
+    pub(super) peak_influence: Vec<Vec<f64>>,
 }
 
 /// Rounding of a row, relative to its terms.
@@ -33,10 +35,13 @@ const ROUNDING: f64 = 2e-16;
 pub(super) struct Pressures {
     pub(super) modes: Modes,
     pub(super) step: Vec<f64>,
+    /// What is left in the rows of the first modes.
+    pub(super) residuals: Vec<f64>,
 }
 
-/// Solves the equations, with the half-length of the first contact if it is not `given`; `None` if they cannot be solved in double precision.
-pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Option<(Pressures, Linearised)> {
+/// Solves the equations for the pressures, and for those half-lengths that are not `left` as they are; `None` if they cannot
+/// be solved in double precision.
+pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Option<(Pressures, Linearised)> {
     let (n, size) = (equations.contacts(), equations.size());
     let higher = size - n;
     let matrix = equations.matrix();
@@ -68,12 +73,14 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
     let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
     solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
     let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
-    // what is given has neither a row nor a step
-    let first = usize::from(given);
-    let free = n - first;
-    let unknown = jacobian.submatrix(first, first, free, free).partial_piv_lu();
+    // what is left as it is has neither a row nor a step
+    let free: Vec<usize> = (0..n).filter(|i| !left[*i]).collect();
+    let unknown = Mat::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]).partial_piv_lu();
+    let solved = unknown.solve(Mat::<f64>::identity(free.len(), free.len()));
     let mut inverse = Mat::<f64>::zeros(n, n);
-    inverse.as_mut().submatrix_mut(first, first, free, free).copy_from(unknown.solve(Mat::<f64>::identity(free, free)));
+    for (by, column) in free.iter().enumerate() {
+        free.iter().enumerate().for_each(|(i, row)| inverse[(*row, *column)] = solved[(i, by)]);
+    }
     let influence = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
     let residual = |i: usize| {
         let known = matrix[(i, 0)] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
@@ -90,9 +97,17 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, given: bool) -> Opti
         (0..n).map(|i| (0..n).map(|k| inverse[(i, k)].abs() * changes[k]).sum()).collect()
     };
     let rounding = felt(&sizes);
-    let sensitivity = (0..n).map(|by| equations.modes_of(&back(&factor, moved.col_as_slice(by), n))).collect();
-    let linearised = Linearised { factor, beta, inverse, sensitivity, rounding, influence };
-    let pressures = Pressures { modes, step: linearised.step(&residuals) };
+    let sensitivity: Vec<Modes> =
+        (0..n).map(|by| equations.modes_of(&back(&factor, moved.col_as_slice(by), n))).collect();
+    let sum = |modes: &[f64]| modes.iter().enumerate().map(|(m, y)| y / order(m)).sum::<f64>();
+    let peak_influence = |i: usize, by: usize| {
+        // a pressure is its modes over the half-length
+        let own = if by == i { 1.0 } else { 0.0 };
+        (sum(&sensitivity[by][i]) / sum(&modes[i]) - own).abs()
+    };
+    let peak_influence = (0..n).map(|i| (0..n).map(|by| peak_influence(i, by)).collect()).collect();
+    let linearised = Linearised { factor, beta, inverse, sensitivity, rounding, influence, peak_influence };
+    let pressures = Pressures { modes, step: linearised.step(&residuals), residuals };
     let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
     finite.then_some((pressures, linearised))
 }
@@ -138,6 +153,16 @@ impl Linearised {
     fn step(&self, residuals: &[f64]) -> Vec<f64> {
         let n = residuals.len();
         (0..n).map(|i| -(0..n).map(|k| self.inverse[(i, k)] * residuals[k]).sum::<f64>()).collect()
+    }
+
+    /// By how much a step of contact i alone would change the pressures in the middle of all contacts, and by how much what is
+    /// left in its row would change the half-lengths of others, relative.
+    pub(super) fn felt(&self, i: usize, pressures: &Pressures) -> f64 {
+        let peaks = self.peak_influence.iter().map(|by| by[i] * pressures.step[i].abs());
+        let others = (0..pressures.step.len()).filter(|k| *k != i);
+        let lengths = others.map(|k| (self.inverse[(k, i)] * pressures.residuals[i]).abs());
+        // what is no number is felt by all
+        peaks.chain(lengths).fold(0.0, |most: f64, felt| if felt.is_nan() { f64::INFINITY } else { most.max(felt) })
     }
 
     /// Moves modes along with a step.

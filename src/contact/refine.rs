@@ -57,7 +57,7 @@ pub(super) fn refine(
     };
     let n = half_lengths.len();
     let finest = FINEST.min(MOST / n);
-    let mut newton = Newton { kernel, punch, work: work.clone() };
+    let mut newton = Newton::new(kernel, punch, work.clone());
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
     let mut coarse: Vec<usize> =
         solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE.min(finest))).collect();

@@ -16,10 +16,11 @@ use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
+use super::attempts::from_any_start;
 use super::galerkin::alternating;
 use super::newton::not_converged;
 use super::punch::Indentation;
-use super::{from_any_start, stats};
+use super::stats;
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -60,9 +61,10 @@ pub(super) fn press(
     options: &Options,
 ) -> Result<Solution, Error> {
     let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
-    from_any_start(kernel, interfaces, punch, options, |half_lengths, finer| {
-        problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options)
-    })
+    let solve = |half_lengths: Vec<f64>, finer: usize| {
+        problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options).map(Into::into)
+    };
+    from_any_start(kernel, interfaces, punch, options, solve, |_, _| None)
 }
 
 struct Problem<'a> {

@@ -4,6 +4,7 @@
 //! punch's profile least. With pressures constant on elements of one grid for all contacts that is a quadratic
 //! programme: it always has one solution, whatever the start, and says where bodies touch, in one interval or in
 //! several.
+mod answer;
 mod energy;
 mod grid;
 mod programme;
@@ -16,6 +17,8 @@ use super::punch::Indentation;
 use energy::Energy;
 use grid::Grid;
 use programme::Programme;
+
+pub(super) use answer::answer;
 
 /// The grid reaches this many times as far as the longest contact is expected.
 const REACH: f64 = 6.0;
@@ -67,41 +70,60 @@ impl Zones {
     }
 }
 
+/// The programme on one grid: which elements of each contact touch, and the forces on them.
+struct Round {
+    grid: Grid,
+    touching: Vec<Vec<bool>>,
+    forces: Vec<Vec<f64>>,
+}
+
+impl Round {
+    fn zones(&self) -> Vec<Zones> {
+        let zones = |touching: &Vec<bool>| Zones {
+            sure: parts(&surely(touching), &self.grid),
+            apart: apart(parts(touching, &self.grid)),
+        };
+        self.touching.iter().map(zones).collect()
+    }
+}
+
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
 /// `far` is a place that is to be well inside it. `None` if the programme
 /// has no solution in double precision, or part of it is known.
 pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
+    rounds(kernel, punch, expected, far).pop().map(|last| last.zones())
+}
+
+/// The last rounds, two at most, with the finest grids.
+fn rounds(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Vec<Round> {
+    let mut rounds: Vec<Round> = Vec::new();
     if punch.given().is_some() {
-        return None;
+        return rounds;
     }
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
     let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
     let mut grid = Grid::new(shortest, REACH * longest.max(far));
-    let mut found = None;
     let mut longer = LONGER;
-    let mut before: Option<(Grid, Vec<Vec<bool>>)> = None;
     for _ in 0..ROUNDS {
         let energy = Energy::new(kernel, punch, &grid);
-        let start = before.take().map(|(coarse, touching)| grid.inherit(&coarse, &touching));
+        let start = rounds.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
-        let zones = |touching: &Vec<bool>| Zones {
-            sure: parts(&surely(touching), &grid),
-            apart: apart(parts(touching, &grid)),
-        };
-        found = Some(touching.iter().map(zones).collect());
         let ends: Vec<usize> = touching.iter().flat_map(|touching| transitions(touching)).collect();
-        let coarse = grid.clone();
         // bodies that touch again far away do so for ever
-        if longer > 0 && touching.iter().any(|touching| touching[grid.elements() - 1]) {
+        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
+        rounds.push(Round { grid: grid.clone(), touching, forces });
+        if rounds.len() > 2 {
+            rounds.remove(0);
+        }
+        if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(FARTHER);
         } else if grid.elements() > MOST_ELEMENTS || !grid.refine(&ends, FINE) {
             break;
         }
-        before = Some((coarse, touching));
     }
-    found
+    rounds
 }
 
 /// Layers that lie on each other without a force neither touch nor part: what rounding says of them is not to count.

@@ -5,7 +5,7 @@ use crate::kernel::Kernel;
 use crate::stress::{Ranges, scene};
 use crate::{Model, Options};
 
-use super::{FINE, zones};
+use super::{FINE, answer, zones};
 
 /// Ends are right to so many elements.
 const ELEMENTS: f64 = 3.0;
@@ -31,6 +31,38 @@ fn half_lengths_are_those_of_the_convex_programme() {
             assert_eq!(zones.apart.len(), 1, "{number}: {zones:?}");
             let error = zones.end() * kernel.length() / contact.half_length - 1.0;
             assert!(error.abs() < ELEMENTS * FINE, "{number}, {}: {error}", contact.interface);
+        }
+        compared += 1;
+    }
+}
+
+#[test]
+fn its_own_answer_is_as_good_as_it_says() {
+    let mut compared = 0;
+    for number in 0.. {
+        if compared == 20 {
+            break;
+        }
+        let scene = scene(&Ranges::moderate(), 6, number).scene().unwrap();
+        let stack = scene.stack().unwrap();
+        let options = Options { tolerance: 1e-6, ..Options::default() };
+        let Ok(solution) = Model::new(stack.clone()).unwrap().press_with(&scene.punch, scene.force, &options) else {
+            continue;
+        };
+        let kernel = Kernel::new(&stack).unwrap();
+        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
+        let expected = start::half_lengths(&kernel, &indentation).unwrap();
+        let coarse = answer(&kernel, &stack.contacts(), &indentation, &expected, 0.0).unwrap();
+        for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
+            let force = scene.force.number();
+            assert!((coarse.resultant / force - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
+            assert!((coarse.half_length - fine.half_length).abs() < coarse.half_length_error, "{number}: {coarse:?}");
+            let pressure = (coarse.peak_pressure - fine.peak_pressure).abs();
+            assert!(pressure < coarse.peak_pressure_error, "{number}, {}: {pressure}", coarse.interface);
+            // and so is the pressure elsewhere, on average
+            let off = (0..50).map(|k| 0.9 * fine.half_length * (f64::from(k) + 0.5) / 50.0);
+            let off: f64 = off.map(|x| (coarse.pressure(x) - fine.pressure(x)).abs() / 50.0).sum();
+            assert!(off < 0.1 * fine.peak_pressure, "{number}, {}: {off}", coarse.interface);
         }
         compared += 1;
     }

@@ -18,20 +18,28 @@ const GAPS: f64 = 1e-6;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-4;
 
-/// Smallest pressure and smallest gap; `None` if one of them is negative.
-pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Option<[f64; 2]> {
+/// Smallest pressure and smallest gap, and by which part of its largest pressure there each contact pulls about the middle,
+/// for want of terms; `None` if one of them is negative.
+pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Option<([f64; 2], Vec<f64>)> {
     let (patches, coefficients) = (&level.patches, &level.pressures.coefficients);
     let count = coefficients.first()?.len();
     let mut least = [0.0f64; 2];
     let mut largest = vec![0.0f64; kernel.contacts()];
     let mut smallest = vec![0.0f64; kernel.contacts()];
+    // about the middle, where pressures are said to be right to a part of what they are there
+    let mut pulls = vec![0.0f64; kernel.contacts()];
     for (patch, coefficients) in patches.iter().zip(coefficients) {
         let places = PER_TERM * count;
+        let mut own = [0.0f64; 2];
         for k in 1..2 * places {
             let x = patch.middle + patch.half * (PI * k as f64 / (2 * places) as f64).cos();
             let pressure = patch.pressure(coefficients, x);
+            own = [own[0].min(pressure), own[1].max(pressure)];
             largest[patch.contact] = largest[patch.contact].max(pressure);
             smallest[patch.contact] = smallest[patch.contact].min(pressure);
+        }
+        if patch.is_central() {
+            pulls[patch.contact] = -own[0] / own[1];
         }
     }
     if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -ZERO * largest) {
@@ -56,7 +64,7 @@ pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Opti
         }
         least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));
     }
-    Some(least)
+    Some((least, pulls))
 }
 
 impl Equations<'_> {

@@ -15,8 +15,9 @@ use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
 
 use super::convex::Zones;
 use super::layout::{Layout, negligible};
+use super::level::UNKNOWN;
 use super::punch::Indentation;
-use super::{UNUSABLE, stats};
+use super::stats;
 
 use equations::{Equations, Pressures};
 use patch::Patch;
@@ -114,8 +115,8 @@ pub(super) fn solve(
         }
         count *= 2;
     }
-    let (level, errors, count) = best?;
-    if errors.ends.iter().flatten().any(|error| *error > UNUSABLE) {
+    let (level, mut errors, count) = best?;
+    if errors.ends.iter().flatten().any(|error| *error > UNKNOWN) {
         return None;
     }
     let mut warnings = Vec::new();
@@ -126,7 +127,9 @@ pub(super) fn solve(
             options.tolerance
         ));
     }
-    let min = gaps::check(kernel, punch, &level)?;
+    let (min, pulls) = gaps::check(kernel, punch, &level)?;
+    // pressures that pull are wrong by that
+    errors.peaks.iter_mut().zip(&pulls).for_each(|(error, pull)| *error = error.max(SAFETY * pull));
     Some(solution(kernel, interfaces, punch, &level, &errors, min, count, work.steps, warnings))
 }
 

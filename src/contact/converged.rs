@@ -1,0 +1,51 @@
+//! What Newton's method has found with given numbers of modes, and all that tells how good it is.
+use super::galerkin::{Modes, Rows};
+use super::layout::Layout;
+
+/// Where Newton's method has come to.
+pub(super) struct Converged {
+    /// Half-lengths in units of L.
+    pub(super) half_lengths: Vec<f64>,
+    /// y_im of contact i, y_i0 = 1.
+    pub(super) modes: Modes,
+    /// q, the amplitude of the pressure next to the corners of the punch, if it has any.
+    pub(super) corners: Option<f64>,
+    /// Modes solved for.
+    pub(super) solved: Vec<usize>,
+    /// By how much the modes beyond those solved for changed the logarithms of the half-lengths.
+    pub(super) shift: Vec<f64>,
+    /// Whether all modes were solved for.
+    pub(super) whole: Vec<bool>,
+    /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
+    pub(super) unsettled: Vec<[f64; 2]>,
+    /// What rounding may change in the logarithms of the half-lengths.
+    pub(super) rounding: Vec<f64>,
+    /// By how much the logarithm of each half-length changes with that of each other.
+    pub(super) influence: Vec<Vec<f64>>,
+    /// The same for that of the pressure in the middle.
+    pub(super) peak_influence: Vec<Vec<f64>>,
+    /// What may depend on the end of each contact that fades, see [`super::fading`], relative.
+    pub(super) faded: Vec<Option<f64>>,
+    /// The last layout, and what the kernels make there of the pressures, almost.
+    pub(super) waves: Option<(Layout, Vec<Rows>)>,
+}
+
+impl Converged {
+    /// A given pressure and no other contact.
+    pub(super) fn known(half_lengths: Vec<f64>) -> Self {
+        Self {
+            half_lengths,
+            modes: vec![vec![1.0]],
+            corners: None,
+            solved: vec![1],
+            shift: vec![0.0],
+            whole: vec![false],
+            unsettled: vec![[0.0; 2]],
+            rounding: vec![0.0],
+            influence: vec![vec![0.0]],
+            peak_influence: vec![vec![0.0]],
+            faded: vec![None],
+            waves: None,
+        }
+    }
+}
