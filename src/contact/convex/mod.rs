@@ -5,6 +5,7 @@
 //! programme: it always has one solution, whatever the start, and says where bodies touch, in one interval or in
 //! several.
 mod energy;
+mod equilibrium;
 mod grid;
 mod programme;
 #[cfg(test)]
