@@ -282,6 +282,8 @@ impl Newton<'_> {
         let enough = [tolerance, PRESSURES * tolerance];
         let settled =
             !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
+        // not those of two attempts at once
+        drop(bases);
         if !settled
             && solved == modes
             && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), FULLY)
