@@ -51,7 +51,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {
             let touches = |i: usize, e: usize| {
-                !energy.barred[e] && if parts { e == 0 || (e / 3 + i) % 2 == 0 } else { e < 9 + 2 * i }
+                !energy.barred[e] && if parts { e == 0 || (e / 3 + i).is_multiple_of(2) } else { e < 9 + 2 * i }
             };
             let touching: Vec<Vec<bool>> =
                 (0..contacts).map(|i| (0..elements).map(|e| touches(i, e)).collect()).collect();
