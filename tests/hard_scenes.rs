@@ -62,11 +62,13 @@ fn hard_scenes_are_solved() {
 #[test]
 fn contacts_open_about_the_middle_are_named() {
     // a stiff sheet on soft ground that has been bent as far as the punch is round
-    let Outcome::Unsolved(Error::NoSolution(NoSolution::Parts { interface, parts })) =
-        trial("seed_2_number_70", 1e-10).outcome
-    else {
-        panic!("solved, or not for want of contact about the middle")
+    let Outcome::Unsolved(error) = trial("seed_2_number_70", 1e-10).outcome else { panic!("solved") };
+    let (message, hint) = (error.to_string(), error.hint());
+    let Error::NoSolution(NoSolution::Parts { interface, parts }) = error else {
+        panic!("not for want of contact about the middle")
     };
+    let place = format!("{:.3e} < |x| < {:.3e}", parts[0][0], parts[0][1]);
+    assert!(message.contains("the punch") && message.contains(&place) && hint.is_some(), "{message}");
     assert_eq!((interface, parts.len()), (Interface::Punch, 1));
     assert!(0.05 < parts[0][0] && parts[0][0] < 0.2 && (parts[0][1] / 0.8 - 1.0).abs() < 0.05, "{parts:?}");
 }

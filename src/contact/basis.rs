@@ -6,12 +6,14 @@
 use faer::MatRef;
 use num_complex::Complex64;
 
-use crate::numeric::bessel;
+use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::buffer::Buffer;
 
 use super::given::Given;
 use super::layout::Layout;
-use super::tail::Tail;
+
+/// Nodes of a tail whose Bessel functions are made together.
+const TOGETHER: usize = 512;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(super) struct Basis {
@@ -19,35 +21,83 @@ pub(super) struct Basis {
     pub(super) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
     pub(super) deficit: Buffer,
+    /// Real wavenumbers.
+    reach: usize,
     rows: usize,
-    /// J_n/a for n = 0, 1, ..., 2·modes, column by column.
+    /// Orders below this are those of the modes and of their derivatives.
+    orders: usize,
+    /// J_n/a for n = 0, 1, ..., 2·modes, column by column; only odd n where memory is short.
     table: Buffer,
+    /// Whether even n are left out.
+    odd: bool,
     /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
     arguments: Buffer,
     /// z on the turned path.
     paths: Vec<Complex64>,
+    /// What exp(−iz) H_n is multiplied by there.
+    factors: Vec<Complex64>,
 }
 
 impl Basis {
     /// The modes of contact `i` at one half-length.
     pub(super) fn new(layout: &Layout, i: usize, half_length: f64, modes: usize) -> Self {
         let (tail, reach) = (layout.tail(i), layout.own[i].reach);
-        let rows = reach + tail.rows();
         let mut arguments: Buffer = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
-        let orders = 2 * modes + 1;
-        let mut table = Buffer::any(orders * rows);
-        bessel::scaled_table(orders, &arguments, half_length.recip(), rows, &mut table);
-        let j1 = &table[rows..rows + reach];
-        let deficit =
-            arguments.iter().zip(j1).map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length)).collect();
-        let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
-        if rows > reach {
-            let smooth: Vec<f64> = tail.smooth.iter().map(|zeta| zeta * half_length).collect();
-            fill_tail(tail, half_length, &smooth, &paths, reach, rows, &mut table);
-            arguments.extend(smooth.iter().copied());
-            arguments.extend(smooth.iter().copied());
+        for _ in 0..2 {
+            arguments.extend(tail.smooth.iter().map(|zeta| zeta * half_length));
         }
-        Self { half_length, deficit, rows, table, arguments, paths }
+        let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
+        let factors = paths.iter().zip(&tail.lift);
+        let factors = factors.map(|(z, lift)| (Complex64::I * z + lift).exp() * half_length.recip()).collect();
+        let (rows, orders, odd) = (reach + tail.rows(), 2 * modes + 1, layout.is_large());
+        let (deficit, table) = (Buffer::default(), Buffer::default());
+        let mut basis = Self { half_length, deficit, reach, rows, orders, table, odd, arguments, paths, factors };
+        basis.table = basis.tabulate(if odd { Wanted::ODD } else { Wanted::ALL });
+        basis.deficit = (basis.arguments[..reach].iter().zip(basis.value(0)))
+            .map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length))
+            .collect();
+        basis
+    }
+
+    /// J_n/a of some orders, column by column.
+    fn tabulate(&self, wanted: Wanted) -> Buffer {
+        let (rows, reach) = (self.rows, self.reach);
+        let entries = wanted.below(self.orders) * rows;
+        let mut table = if self.odd { Buffer::exactly(entries) } else { Buffer::any(entries) };
+        let scale = self.half_length.recip();
+        bessel::scaled_orders(self.orders, wanted, &self.arguments[..reach], scale, rows, &mut table);
+        if rows > reach {
+            self.tabulate_tail(wanted, &mut table);
+        }
+        table
+    }
+
+    /// J/a, Y/a and both parts of H/a in the rows of the tail.
+    fn tabulate_tail(&self, wanted: Wanted, table: &mut [f64]) {
+        let (first, orders, scale) = (self.reach, self.orders, self.half_length.recip());
+        let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
+        let smooth = &self.arguments[first..first + count];
+        let all: Vec<usize> = (0..orders).collect();
+        for (start, some) in (0..).step_by(TOGETHER).zip(smooth.chunks(TOGETHER)) {
+            let length = some.len();
+            let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
+            bessel::jy_table(orders, some, &mut j, &mut y);
+            for (&n, column) in wanted.of(&all).zip(table.chunks_exact_mut(self.rows)) {
+                for (place, values) in [(first + start, &j), (first + count + start, &y)] {
+                    let values = &values[n * length..(n + 1) * length];
+                    column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
+                }
+            }
+        }
+        let mut h = vec![Complex64::ZERO; orders * turned];
+        bessel::hankel_table(orders, &self.paths, &mut h);
+        for (&n, column) in wanted.of(&all).zip(table.chunks_exact_mut(self.rows)) {
+            let (re, im) = column[first + 2 * count..].split_at_mut(turned);
+            for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&self.factors).enumerate() {
+                let value = h * factor;
+                (re[i], im[i]) = (value.re, value.im);
+            }
+        }
     }
 
     /// The only mode of a given pressure on top, whatever its transform. Its half-length is not varied, so that the even
@@ -61,13 +111,14 @@ impl Basis {
             *value = 0.5 * zeta * (1.0 + deficit);
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
-        Self { half_length: given.half_length, deficit, rows, table, arguments, paths: Vec::new() }
+        let (half_length, paths, factors) = (given.half_length, Vec::new(), Vec::new());
+        Self { half_length, deficit, reach: rows, rows, orders: 3, table, odd: false, arguments, paths, factors }
     }
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
     pub(super) fn corners(&self) -> Buffer {
-        let mut corners = Buffer::of(&self.table[2 * self.rows..3 * self.rows]);
+        let mut corners = Buffer::of(self.even_orders().column(1));
         self.scale(&mut corners, false);
         corners.iter_mut().for_each(|value| *value = -*value);
         corners
@@ -80,17 +131,24 @@ impl Basis {
 
     /// ψ of the first `count` modes, rows by modes.
     pub(super) fn values(&self, count: usize) -> MatRef<'_, f64> {
-        MatRef::from_column_major_slice_with_stride(&self.table[self.rows..], self.rows, count, 2 * self.rows)
+        let (first, stride) = if self.odd { (0, 1) } else { (1, 2) };
+        MatRef::from_column_major_slice_with_stride(
+            &self.table[first * self.rows..],
+            self.rows,
+            count,
+            stride * self.rows,
+        )
     }
 
     /// ψ of mode `m` (order 2m + 1) in every row.
     pub(super) fn value(&self, m: usize) -> &[f64] {
-        &self.table[(2 * m + 1) * self.rows..(2 * m + 2) * self.rows]
+        let column = if self.odd { m } else { 2 * m + 1 };
+        &self.table[column * self.rows..(column + 1) * self.rows]
     }
 
-    /// J_n/a of the first `count` even orders n = 0, 2, ..., rows by orders.
-    fn even(&self, count: usize) -> MatRef<'_, f64> {
-        MatRef::from_column_major_slice_with_stride(&self.table, self.rows, count, 2 * self.rows)
+    /// Even orders: part of the table, or made for as long as they are used.
+    pub(super) fn even_orders(&self) -> EvenOrders<'_> {
+        EvenOrders { basis: self, made: self.odd.then(|| self.tabulate(Wanted::EVEN)) }
     }
 
     /// Σ_m y_m ψ_m in every row.
@@ -106,31 +164,9 @@ impl Basis {
         times(self.values(first + y.len()).subcols(first, y.len()), y)
     }
 
-    /// The derivative of [`Self::combine`] with respect to ln a.
-    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
-        // Σ y_m (E_m − E_(m+1)), E the even orders
-        let mut differences = Buffer::zeros(y.len() + 1);
-        for (m, y) in y.iter().enumerate() {
-            differences[m] += y;
-            differences[m + 1] -= y;
-        }
-        let mut slopes = times(self.even(differences.len()), &differences);
-        self.scale(&mut slopes, false);
-        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
-        slopes
-    }
-
     /// Σ over the rows of `s` ψ_m, for the first `count` modes.
     pub(super) fn test(&self, s: &[f64], count: usize) -> Buffer {
         times(self.values(count).transpose(), s)
-    }
-
-    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
-    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
-        let mut scaled = Buffer::of(s);
-        self.scale(&mut scaled, true);
-        let even = times(self.even(tested.len() + 1).transpose(), &scaled);
-        even.windows(2).zip(tested).map(|(even, value)| even[0] - even[1] - value).collect()
     }
 
     /// Multiplies by z/2 in every row; `adjoint` on the side of the tests.
@@ -146,35 +182,52 @@ impl Basis {
     }
 }
 
-/// J/a, Y/a and both parts of H/a in the rows of the tail.
-fn fill_tail(
-    tail: &Tail,
-    half_length: f64,
-    smooth: &[f64],
-    paths: &[Complex64],
-    first: usize,
-    rows: usize,
-    table: &mut [f64],
-) {
-    let orders = table.len() / rows;
-    let scale = half_length.recip();
-    let (mut j, mut y) = (Buffer::any(orders * smooth.len()), Buffer::any(orders * smooth.len()));
-    bessel::jy_table(orders, smooth, &mut j, &mut y);
-    let mut h = vec![Complex64::ZERO; orders * paths.len()];
-    bessel::hankel_table(orders, paths, &mut h);
-    let factors = paths.iter().zip(&tail.lift);
-    let factors: Vec<Complex64> = factors.map(|(z, lift)| (Complex64::I * z + lift).exp() * scale).collect();
-    for (n, column) in table.chunks_exact_mut(rows).enumerate() {
-        let (count, turned) = (smooth.len(), paths.len());
-        let (js, rest) = column[first..].split_at_mut(count);
-        let (ys, rest) = rest.split_at_mut(count);
-        let (re, im) = rest.split_at_mut(turned);
-        let parts = js.iter_mut().zip(&j[n * count..]).chain(ys.iter_mut().zip(&y[n * count..]));
-        parts.for_each(|(out, value)| *out = value * scale);
-        for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
-            let value = h * factor;
-            (re[i], im[i]) = (value.re, value.im);
+/// J_n/a of even orders n, from which derivatives with respect to ln a are made.
+pub(super) struct EvenOrders<'a> {
+    basis: &'a Basis,
+    /// Column by column, if they are not part of the table.
+    made: Option<Buffer>,
+}
+
+impl EvenOrders<'_> {
+    /// The first `count` orders n = 0, 2, ..., rows by orders.
+    fn first(&self, count: usize) -> MatRef<'_, f64> {
+        let rows = self.basis.rows;
+        match &self.made {
+            Some(made) => MatRef::from_column_major_slice(&made[..count * rows], rows, count),
+            None => MatRef::from_column_major_slice_with_stride(&self.basis.table, rows, count, 2 * rows),
         }
+    }
+
+    /// Order 2m in every row.
+    fn column(&self, m: usize) -> &[f64] {
+        let rows = self.basis.rows;
+        match &self.made {
+            Some(made) => &made[m * rows..(m + 1) * rows],
+            None => &self.basis.table[2 * m * rows..(2 * m + 1) * rows],
+        }
+    }
+
+    /// The derivative of [`Basis::combine`] with respect to ln a.
+    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
+        // Σ y_m (E_m − E_(m+1)), E the even orders
+        let mut differences = Buffer::zeros(y.len() + 1);
+        for (m, y) in y.iter().enumerate() {
+            differences[m] += y;
+            differences[m + 1] -= y;
+        }
+        let mut slopes = times(self.first(differences.len()), &differences);
+        self.basis.scale(&mut slopes, false);
+        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
+        slopes
+    }
+
+    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Basis::test`].
+    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
+        let mut scaled = Buffer::of(s);
+        self.basis.scale(&mut scaled, true);
+        let even = times(self.first(tested.len() + 1).transpose(), &scaled);
+        even.windows(2).zip(tested).map(|(even, value)| even[0] - even[1] - value).collect()
     }
 }
 

@@ -11,21 +11,18 @@
 //!
 //! Everything is per unit of P' = P/(μ₀L): p̂_i = (2P'/ζ) Σ_m y_im ψ_im(ζ), y_i0 = 1.
 mod corners;
+mod products;
 
 use std::ops::Range;
 
-use faer::linalg::matmul::matmul;
-use faer::linalg::matmul::triangular::{self, BlockStructure};
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+use faer::Mat;
 
 use crate::numeric::buffer::Buffer;
 
 use super::basis::{Basis, times};
 use super::layout::Layout;
 use super::tail::Weights;
-
-/// Modes of a small block.
-const SMALL: usize = 24;
+use products::{Columns, product, symmetric_product};
 
 /// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
@@ -60,39 +57,10 @@ pub(super) struct Equations<'a> {
     /// Where mode m of contact i stands: first modes first.
     place: Vec<Vec<usize>>,
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
-    /// coupling; else those of contact i.
+    /// coupling; else those of contact i. None where memory is short, see [`Self::with_difference`].
     differences: Vec<Columns>,
     /// What a punch with sharp corners adds to the pressure of the first contact: its amplitude q, and its transform.
     corners: Option<(f64, Rows)>,
-}
-
-/// Columns of a matrix, one after the other.
-struct Columns {
-    rows: usize,
-    columns: usize,
-    values: Buffer,
-}
-
-impl Columns {
-    fn new(rows: usize, columns: usize) -> Self {
-        Self { rows, columns, values: Buffer::any(rows * columns) }
-    }
-
-    fn column(&self, m: usize) -> &[f64] {
-        &self.values[m * self.rows..(m + 1) * self.rows]
-    }
-
-    fn column_mut(&mut self, m: usize) -> &mut [f64] {
-        &mut self.values[m * self.rows..(m + 1) * self.rows]
-    }
-
-    fn whole(&mut self) -> MatMut<'_, f64> {
-        MatMut::from_column_major_slice_mut(&mut self.values, self.rows, self.columns)
-    }
-
-    fn first(&self, columns: usize) -> MatRef<'_, f64> {
-        MatRef::from_column_major_slice(&self.values[..columns * self.rows], self.rows, columns)
-    }
 }
 
 /// Fields at the rows of one contact.
@@ -113,7 +81,9 @@ impl<'a> Equations<'a> {
             }
         }
         let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new(), corners: None };
-        equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
+        if !layout.is_large() {
+            equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
+        }
         equations
     }
 
@@ -180,45 +150,50 @@ impl<'a> Equations<'a> {
         difference
     }
 
+    /// Does something with the differences of laminate i, which are made for that if they are not kept.
+    fn with_difference<T>(&self, i: usize, f: impl FnOnce(&Columns) -> T) -> T {
+        match self.differences.get(i) {
+            Some(kept) => f(kept),
+            None => f(&self.difference(i)),
+        }
+    }
+
     /// The matrix, its lower half.
     pub(super) fn matrix(&self) -> Mat<f64> {
         let size = self.size();
         let mut matrix = Mat::<f64>::zeros(size, size);
         for (i, basis) in self.bases.iter().enumerate() {
-            let weighted_values = weighted(&self.layout.own[i].unit, self.modes[i], |m| basis.value(m));
-            let mut gram = symmetric_product(basis.values(self.modes[i]), &weighted_values);
+            let values = basis.values(self.modes[i]);
+            let mut gram = symmetric_product(values, &self.layout.own[i].unit, |m| basis.value(m));
             for m in 0..self.modes[i] {
                 gram.column_mut(m)[m] += self.cauchy(i, m);
             }
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
         }
-        for (i, difference) in self.differences.iter().enumerate() {
-            let weights = &self.layout.coupling[i];
-            if weights.rows() == 0 {
-                continue;
-            }
-            let below = &self.bases[i + 1];
-            let lower = below.values(self.modes[i + 1]);
-            let lower = lower.subrows(0, weights.rows());
-            let weighted_lower = weighted(weights, self.modes[i + 1], |m| below.value(m));
-            let weighted_difference = weighted(weights, self.modes[i], |m| difference.column(m));
-            let difference = difference.first(self.modes[i]);
-            let gram = symmetric_product(difference, &weighted_difference);
-            self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
-            let gram = symmetric_product(lower, &weighted_lower);
-            self.add_symmetric(&mut matrix, &gram, |_| i + 1..i + 2);
-            let gram = product(difference, &weighted_lower);
-            for n in 0..self.modes[i + 1] {
-                let column = self.place(i + 1, n);
-                for (m, value) in gram.column(n).iter().enumerate() {
-                    for k in self.chain(i, m) {
-                        let row = self.place(k, m);
-                        matrix[(row.max(column), row.min(column))] -= value;
-                    }
+        for (i, weights) in self.layout.coupling.iter().enumerate().filter(|(_, weights)| weights.rows() > 0) {
+            self.with_difference(i, |difference| self.add_coupling(&mut matrix, i, weights, difference));
+        }
+        matrix
+    }
+
+    /// Adds what the laminate between the contacts i and i + 1 makes of their differences.
+    fn add_coupling(&self, matrix: &mut Mat<f64>, i: usize, weights: &Weights, difference: &Columns) {
+        let upper = difference.first(self.modes[i]);
+        let gram = symmetric_product(upper, weights, |m| difference.column(m));
+        self.add_symmetric(matrix, &gram, |m| self.chain(i, m));
+        let below = &self.bases[i + 1];
+        let lower = below.values(self.modes[i + 1]).subrows(0, weights.rows());
+        let gram = symmetric_product(lower, weights, |m| below.value(m));
+        self.add_symmetric(matrix, &gram, |_| i + 1..i + 2);
+        let gram = product(upper, weights, self.modes[i + 1], |m| below.value(m));
+        for n in 0..self.modes[i + 1] {
+            let column = self.place(i + 1, n);
+            for (m, value) in gram.column(n).iter().enumerate() {
+                for row in self.chain(i, m).map(|k| self.place(k, m)) {
+                    matrix[(row.max(column), row.min(column))] -= value;
                 }
             }
         }
-        matrix
     }
 
     /// Adds a symmetric block (its lower half) to the modes of all contacts in the chain of its own.
@@ -283,9 +258,11 @@ impl<'a> Equations<'a> {
             // the tests of this contact change ...
             let response = self.response(by, &pressures[by], &jumps);
             let tested = basis.test(&response, count);
-            add(&mut rows[by], &basis.test_slopes(&response, &tested));
+            let even = basis.even_orders();
+            add(&mut rows[by], &even.test_slopes(&response, &tested));
             // ... and so does its pressure
-            let change = basis.combine_slopes(&modes[by], &pressures[by]);
+            let change = even.combine_slopes(&modes[by], &pressures[by]);
+            drop(even);
             let mut response = self.layout.own[by].unit.over(basis.rows(), &change);
             let above = by.checked_sub(1).map(|above| (above, above));
             let below = (by + 1 < n).then_some((by, by + 1));
@@ -329,16 +306,15 @@ impl<'a> Equations<'a> {
     /// p̂_i − p̂_(i+1) at the rows of the coupling, of the modes that are solved for.
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
         let own: Buffer = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
-        let difference = &self.differences[i];
         let count = self.modes[i].min(modes[i].len());
-        let mut jump = times(difference.first(count), &modes[i][..count]);
+        let mut jump = self.with_difference(i, |difference| times(difference.first(count), &modes[i][..count]));
         let lower = self.bases[i + 1].combine(&own);
         jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
         self.add_corners(i, &mut jump);
         jump
     }
 
-    /// What all modes of each contact make, and what neighbours differ by. `modes` may be more than are solved for.
+    /// What all modes make, and what neighbours differ by. `modes` may be more than are solved for.
     fn fields(&self, modes: &[Vec<f64>]) -> Fields {
         let n = self.contacts();
         let solved = |i: usize| self.modes[i].min(modes[i].len());
@@ -398,42 +374,4 @@ pub(super) fn order(m: usize) -> f64 {
 
 fn add(sum: &mut [f64], more: &[f64]) {
     sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
-}
-
-/// Weights times as many columns, over the rows that they cover.
-fn weighted<'b>(weights: &Weights, columns: usize, column: impl Fn(usize) -> &'b [f64]) -> Columns {
-    let mut weighted = Columns::new(weights.rows(), columns);
-    for m in 0..columns {
-        weights.times(column(m), weighted.column_mut(m));
-    }
-    weighted
-}
-
-/// leftᵀ right.
-fn product(left: MatRef<'_, f64>, right: &Columns) -> Columns {
-    let right = right.first(right.columns);
-    let mut product = Columns::new(left.ncols(), right.ncols());
-    matmul(product.whole(), Accum::Replace, left.transpose(), right, 1.0, Par::Seq);
-    product
-}
-
-/// leftᵀ right where that is symmetric, its lower half at least.
-fn symmetric_product(left: MatRef<'_, f64>, right: &Columns) -> Columns {
-    // what half of a small product saves is less than what it takes
-    if left.ncols() <= SMALL {
-        return product(left, right);
-    }
-    let mut product = Columns::new(left.ncols(), left.ncols());
-    triangular::matmul(
-        product.whole(),
-        BlockStructure::TriangularLower,
-        Accum::Replace,
-        left.transpose(),
-        BlockStructure::Rectangular,
-        right.first(left.ncols()),
-        BlockStructure::Rectangular,
-        1.0,
-        Par::Seq,
-    );
-    product
 }

@@ -17,6 +17,8 @@ const LONGEST: usize = 512;
 const MOST_WAVENUMBERS: usize = 16_000;
 /// Bessel functions of all orders at all wavenumbers: what memory and patience allow.
 const MOST_ENTRIES: usize = 10_000_000;
+/// More of them are not kept if they can be made again when they are needed.
+const MANY_ENTRIES: usize = 2_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
 /// Without tails, integrals end after about so many wavenumbers.
@@ -71,6 +73,8 @@ pub(super) struct Layout {
     /// What lies beyond, for contacts that share it.
     tails: Vec<Tail>,
     stretches: Vec<Stretch>,
+    /// Entries of all tables of Bessel functions.
+    entries: usize,
 }
 
 /// Real wavenumbers of one Gauss rule.
@@ -211,8 +215,8 @@ impl Layout {
             }
             layout.tails.push(tail);
         }
-        let entries = (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] + 1)).sum::<usize>();
-        (entries <= MOST_ENTRIES).then_some(layout)
+        layout.entries = (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] + 1)).sum::<usize>();
+        (layout.entries <= MOST_ENTRIES).then_some(layout)
     }
 
     /// Real wavenumbers only, for contacts that end at `ends`, the shortest parts of which have these half-lengths, able to
@@ -261,7 +265,13 @@ impl Layout {
             coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
             tails: Vec::new(),
             stretches: Vec::new(),
+            entries: 0,
         }
+    }
+
+    /// Whether tables are so large that what can be made again is not kept.
+    pub(super) fn is_large(&self) -> bool {
+        self.entries > MANY_ENTRIES
     }
 
     /// The tail of contact i.

@@ -252,6 +252,8 @@ impl<'a> Newton<'a> {
         let enough = [tolerance, PRESSURES * tolerance];
         let settled =
             !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
+        // not those of two attempts at once
+        drop(bases);
         if !settled
             && solved == modes
             && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), [FULLY, ENDS * tolerance])

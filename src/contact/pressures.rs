@@ -51,6 +51,9 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     // columns of the first modes, and the load
     let mut columns = Mat::<f64>::zeros(higher, n + 1);
     columns.as_mut().subcols_mut(0, n).copy_from(matrix.submatrix(n, 0, higher, n));
+    let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
+    // derivatives take as much memory
+    drop(matrix);
     for m in 1..equations.modes(0) {
         columns[(equations.place(0, m) - n, n)] = slopes.load(m);
     }
@@ -83,14 +86,14 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     }
     let influence = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
     let residual = |i: usize| {
-        let known = matrix[(i, 0)] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
-        known - dot(beta.col_as_slice(i), &gamma)
+        let row = known[i] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
+        row - dot(beta.col_as_slice(i), &gamma)
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
     let sizes: Vec<f64> = (0..n)
         .map(|i| {
             let terms = beta.col_as_slice(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs());
-            ROUNDING * (terms.sum::<f64>() + matrix[(i, 0)].abs())
+            ROUNDING * (terms.sum::<f64>() + known[i].abs())
         })
         .collect();
     let felt = |changes: &[f64]| -> Vec<f64> {

@@ -59,25 +59,61 @@ pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
 /// # Panics
 /// If `stride` is less than the number of arguments, or `out` too short.
 pub fn scaled_table(orders: usize, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
-    if orders == 0 || arguments.is_empty() {
+    scaled_orders(orders, Wanted::ALL, arguments, factor, stride, out);
+}
+
+/// As [`scaled_table`], with the same values, but of the orders below `orders` only those that are `wanted`, one after
+/// the other.
+///
+/// # Panics
+/// If `stride` is less than the number of arguments, or `out` too short.
+pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
+    let columns = wanted.below(orders);
+    if columns == 0 || arguments.is_empty() {
         return;
     }
-    assert!(arguments.len() <= stride && (orders - 1) * stride + arguments.len() <= out.len(), "the table fits");
+    assert!(arguments.len() <= stride && (columns - 1) * stride + arguments.len() <= out.len(), "the table fits");
     vectorised(
         #[inline(always)]
-        || fill(orders, arguments, factor, stride, out),
+        || fill(orders, wanted, arguments, factor, stride, out),
     );
 }
 
+/// Which orders of a table are wanted: the first of them, and every so many from there on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    first: usize,
+    step: usize,
+}
+
+impl Wanted {
+    /// 0, 1, 2, ...
+    pub const ALL: Self = Self { first: 0, step: 1 };
+    /// 0, 2, 4, ...
+    pub const EVEN: Self = Self { first: 0, step: 2 };
+    /// 1, 3, 5, ...
+    pub const ODD: Self = Self { first: 1, step: 2 };
+
+    /// How many of them are below `orders`.
+    pub fn below(self, orders: usize) -> usize {
+        orders.saturating_sub(self.first).div_ceil(self.step)
+    }
+
+    /// These of all `rows`.
+    pub fn of<T>(self, rows: &[T]) -> impl Iterator<Item = &T> {
+        rows.iter().skip(self.first).step_by(self.step)
+    }
+}
+
 #[inline(always)]
-fn fill(orders: usize, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
+fn fill(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
     let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
     let mut rows: Vec<Lanes> = Vec::new();
     for first in (0..arguments.len()).step_by(LANES) {
         let block = &arguments[first..arguments.len().min(first + LANES)];
         let mut z = [0.0; LANES];
         z[..block.len()].copy_from_slice(block);
-        let mut window = Window { first, width: block.len(), stride, out };
+        let mut window = Window { first, width: block.len(), stride, wanted, out };
         let far = z.map(|z| z >= upward_from);
         match far[..block.len()].iter().filter(|&&far| far).count() {
             0 => {
@@ -104,20 +140,21 @@ struct Window<'a> {
     first: usize,
     width: usize,
     stride: usize,
+    wanted: Wanted,
     out: &'a mut [f64],
 }
 
 impl Window<'_> {
-    /// Writes `rows * scale` for the lanes wanted.
+    /// Writes `rows * scale` of the orders wanted for some lanes.
     #[inline(always)]
-    fn store(&mut self, rows: &[Lanes], scale: &Lanes, wanted: impl Fn(usize) -> bool) {
-        let whole = self.width == LANES && (0..LANES).all(&wanted);
-        for (row, column) in rows.iter().zip(self.out.chunks_mut(self.stride)) {
+    fn store(&mut self, rows: &[Lanes], scale: &Lanes, lanes: impl Fn(usize) -> bool) {
+        let whole = self.width == LANES && (0..LANES).all(&lanes);
+        for (row, column) in self.wanted.of(rows).zip(self.out.chunks_mut(self.stride)) {
             let column = &mut column[self.first..self.first + self.width];
             match <&mut Lanes>::try_from(&mut *column) {
                 Ok(column) if whole => *column = std::array::from_fn(|lane| row[lane] * scale[lane]),
                 _ => {
-                    for (lane, value) in column.iter_mut().enumerate().filter(|(lane, _)| wanted(*lane)) {
+                    for (lane, value) in column.iter_mut().enumerate().filter(|(lane, _)| lanes(*lane)) {
                         *value = row[lane] * scale[lane];
                     }
                 }

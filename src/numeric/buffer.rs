@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
 
 /// Longer vectors are not kept: their storage costs less than what is done with them.
-const LONGEST: usize = 1 << 20;
+const LONGEST: usize = 1 << 18;
 /// Numbers kept per power of two of the length; one vector at least.
 const KEPT: usize = 1 << 17;
 const CLASSES: usize = LONGEST.trailing_zeros() as usize + 1;
@@ -42,6 +42,11 @@ impl Buffer {
         let mut buffer = Self::with_room(length);
         buffer.length = length;
         buffer
+    }
+
+    /// So many zeros, without room to spare.
+    pub(crate) fn exactly(length: usize) -> Self {
+        Self { storage: vec![0.0; length], length }
     }
 
     /// So many zeros.

@@ -54,14 +54,6 @@ impl Scale {
         self
     }
 
-    /// The range widened by a share of it at both ends.
-    pub fn padded(mut self, share: f64) -> Self {
-        let pad = share * (self.high - self.low);
-        self.low -= pad;
-        self.high += pad;
-        self
-    }
-
     /// The same range with equal distances for equal ratios, if all of it is positive.
     pub fn logarithmic(mut self) -> Self {
         self.logarithmic = self.low > 0.0;

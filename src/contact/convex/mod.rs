@@ -6,6 +6,7 @@
 //! several.
 mod answer;
 mod energy;
+mod equilibrium;
 mod grid;
 mod programme;
 #[cfg(test)]

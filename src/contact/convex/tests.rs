@@ -5,6 +5,9 @@ use crate::kernel::Kernel;
 use crate::stress::{Ranges, scene};
 use crate::{Model, Options};
 
+use super::energy::Energy;
+use super::equilibrium::Equilibrium;
+use super::grid::Grid;
 use super::{FINE, answer, zones};
 
 /// Ends are right to so many elements.
@@ -65,5 +68,35 @@ fn its_own_answer_is_as_good_as_it_says() {
             assert!(off < 0.1 * fine.peak_pressure, "{number}, {}: {off}", coarse.interface);
         }
         compared += 1;
+    }
+}
+
+#[test]
+fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
+    for number in 0..6 {
+        let scene = scene(&Ranges::moderate(), 8, number).scene().unwrap();
+        let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
+        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
+        let grid = Grid::new(0.5, 20.0);
+        let energy = Energy::new(&kernel, &indentation, &grid);
+        let (contacts, elements) = (energy.contacts(), energy.elements());
+        // in one interval each, and in parts that are others in each contact
+        for parts in [false, true] {
+            let touches = |i: usize, e: usize| {
+                !energy.barred[e] && if parts { e == 0 || (e / 3 + i).is_multiple_of(2) } else { e < 9 + 2 * i }
+            };
+            let touching: Vec<Vec<bool>> =
+                (0..contacts).map(|i| (0..elements).map(|e| touches(i, e)).collect()).collect();
+            let (pressures, gaps) = Equilibrium::new(&energy, &touching).solve().unwrap();
+            for i in 0..contacts {
+                let resultant: f64 = pressures[i].iter().zip(&energy.resultants).map(|(p, area)| p * area).sum();
+                assert!((resultant - 1.0).abs() < 1e-9, "{number}, {i}: {resultant}");
+                let widest = gaps[i].iter().fold(0.0, |widest: f64, gap| widest.max(gap.abs()));
+                for e in 0..elements {
+                    let nothing = if touching[i][e] { gaps[i][e] / widest } else { pressures[i][e] };
+                    assert!(nothing.abs() < 1e-8, "{number}, {i}, {e}: {nothing}");
+                }
+            }
+        }
     }
 }

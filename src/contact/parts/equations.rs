@@ -5,6 +5,7 @@
 //! makes g∞ T_j(s), elsewhere g∞ ρ^j with ρ = s ∓ √(s² − 1). Half-lengths that are not right show in the first test of
 //! each interval, and in gaps between intervals that do not close.
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::Range;
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
@@ -14,11 +15,15 @@ use crate::numeric::quadrature::rule;
 
 use super::super::layout::Layout;
 use super::super::punch::Indentation;
+use super::super::tail::Weights;
 use super::patch::Patch;
 
 /// Points of integrals over an interval, per pressure, and more.
 const PER_PRESSURE: usize = 3;
 const POINTS: usize = 48;
+
+/// Wavenumbers whose Bessel functions are made together: those of all take much memory.
+const TOGETHER: usize = 1024;
 
 /// The equations of some patches, in the order of contacts and outwards.
 pub(super) struct Equations<'a> {
@@ -42,8 +47,21 @@ pub(super) struct Pressures {
 /// What is known of one contact at all wavenumbers: pressures by columns, and tests.
 struct Waves {
     transforms: Mat<f64>,
-    rests: Mat<f64>,
+    /// The first transform of each patch less that of a given pressure of the same resultant: only the first have one.
+    rests: Vec<Vec<f64>>,
     tests: Mat<f64>,
+}
+
+impl Waves {
+    /// One column of the transforms, or of what they are less resultants.
+    fn column(&self, column: usize, less_resultants: bool) -> &[f64] {
+        let count = self.transforms.ncols() / self.rests.len().max(1);
+        if less_resultants && column.is_multiple_of(count) {
+            &self.rests[column / count]
+        } else {
+            self.transforms.col_as_slice(column)
+        }
+    }
 }
 
 impl Equations<'_> {
@@ -70,20 +88,11 @@ impl Equations<'_> {
 
     /// Pressures, and what is left over; `None` if there is none in double precision.
     pub(super) fn solve(&self) -> Option<Pressures> {
-        let n = self.contacts();
-        let waves: Vec<Waves> = (0..n).map(|contact| self.waves(contact)).collect();
         let size = self.patches.len() * self.count;
         let mut kept: Vec<(Vec<f64>, f64)> = Vec::with_capacity(size);
         let mut left: Vec<(Vec<f64>, f64)> = Vec::new();
-        for contact in 0..n {
+        for (contact, blocks) in self.blocks().into_iter().enumerate() {
             let place = |contact: usize| self.of(contact).next().map_or(0, |(index, _)| index * self.count);
-            let mut blocks = vec![(contact, self.own(contact, &waves[contact]))];
-            if contact > 0 {
-                blocks.push((contact - 1, self.between(contact - 1, &waves[contact], &waves[contact - 1])));
-            }
-            if contact + 1 < n {
-                blocks.push((contact + 1, self.between(contact, &waves[contact], &waves[contact + 1])));
-            }
             let mut at = 0;
             for (index, patch) in self.of(contact) {
                 let rows = self.rows(index);
@@ -119,26 +128,56 @@ impl Equations<'_> {
         residuals.iter().chain(all).all(|value| value.is_finite()).then_some(Pressures { coefficients, residuals })
     }
 
-    fn waves(&self, contact: usize) -> Waves {
-        let reach = self.layout.own[contact].reach;
-        let zeta = &self.layout.zeta[..reach];
+    /// For each contact what its own pressures and those of its neighbours do to its tests.
+    fn blocks(&self) -> Vec<Vec<(usize, Mat<f64>)>> {
+        let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = Vec::with_capacity(self.contacts());
+        // no more than two contacts at once: tables take much memory
+        let mut above: Option<Waves> = None;
+        for contact in 0..self.contacts() {
+            let waves = self.waves(contact, 0..self.layout.zeta.len());
+            let mut own = vec![(contact, self.own(contact, &waves))];
+            if let (Some(above), Some(blocks)) = (&above, blocks.last_mut()) {
+                own.push((contact - 1, self.between(contact - 1, &waves, above)));
+                blocks.push((contact, self.between(contact - 1, above, &waves)));
+            }
+            blocks.push(own);
+            above = Some(waves);
+        }
+        blocks
+    }
+
+    /// The laminates next to a contact.
+    fn couplings(&self, contact: usize) -> impl Iterator<Item = &Weights> {
+        let next = [contact.checked_sub(1), Some(contact)].into_iter().flatten();
+        next.filter_map(|coupling| self.layout.coupling.get(coupling))
+    }
+
+    /// What is known of a contact at some wavenumbers, as far as it needs them.
+    fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
+        let nodes = nodes.start.min(self.layout.own[contact].reach)..nodes.end.min(self.layout.own[contact].reach);
+        let zeta = &self.layout.zeta[nodes.clone()];
         let end = self.patches.iter().map(Patch::to).fold(0.0, f64::max);
         let beyond: Vec<f64> = zeta.iter().map(|zeta| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect();
         let columns = self.of(contact).count() * self.count;
         let rows: usize = self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let mut waves = Waves {
-            transforms: Mat::zeros(reach, columns),
-            rests: Mat::zeros(reach, columns),
-            tests: Mat::zeros(reach, rows),
+            transforms: Mat::zeros(nodes.len(), columns),
+            rests: Vec::new(),
+            tests: Mat::zeros(nodes.len(), rows),
         };
         let (mut column, mut row) = (0, 0);
         for (index, patch) in self.of(contact) {
-            let [transforms, rests, tests] = patch.waves(zeta, &beyond, self.count);
-            waves.transforms.as_mut().subcols_mut(column, self.count).copy_from(&transforms);
-            waves.rests.as_mut().subcols_mut(column, self.count).copy_from(&rests);
-            waves.tests.as_mut().subcols_mut(row, tests.ncols()).copy_from(&tests);
+            let tests = patch.tests(self.count).len();
+            let mut rests = Vec::with_capacity(zeta.len());
+            for start in (0..zeta.len()).step_by(TOGETHER) {
+                let some = start..zeta.len().min(start + TOGETHER);
+                let transforms = waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count);
+                let tested = waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests);
+                rests.extend(patch.waves(&zeta[some.clone()], &beyond[some], transforms, tested));
+            }
+            waves.rests.push(rests);
             column += self.count;
-            row += tests.ncols();
+            row += tests;
             if let Some([from, to]) = self.opening(index) {
                 // cos ζb − cos ζl
                 let closing = waves.tests.col_as_slice_mut(row);
@@ -154,11 +193,9 @@ impl Equations<'_> {
     /// What the pressures of a contact do to itself.
     fn own(&self, contact: usize, waves: &Waves) -> Mat<f64> {
         let own = &self.layout.own[contact];
-        let mut block = self.tested(waves, &own.unit.plain, &waves.transforms);
-        for coupling in [contact.checked_sub(1), Some(contact)].into_iter().flatten() {
-            if let Some(weights) = self.layout.coupling.get(coupling) {
-                block += self.tested(waves, &weights.plain, &waves.rests);
-            }
+        let mut block = self.tested(waves, &own.unit.plain, waves, false);
+        for weights in self.couplings(contact) {
+            block += self.tested(waves, &weights.plain, waves, true);
         }
         self.add_half_plane(contact, own.limit, &mut block);
         block
@@ -166,17 +203,21 @@ impl Equations<'_> {
 
     /// What the pressures of another contact do to one.
     fn between(&self, coupling: usize, waves: &Waves, other: &Waves) -> Mat<f64> {
-        let mut block = self.tested(waves, &self.layout.coupling[coupling].plain, &other.rests);
+        let mut block = self.tested(waves, &self.layout.coupling[coupling].plain, other, true);
         block *= faer::Scale(-1.0);
         block
     }
 
     /// (1/π) Σ tests · ζ weights · fields.
-    fn tested(&self, waves: &Waves, weights: &[f64], fields: &Mat<f64>) -> Mat<f64> {
-        let count = weights.len().min(fields.nrows()).min(waves.tests.nrows());
-        let weighted = Mat::from_fn(count, fields.ncols(), |node, column| {
-            weights[node] * self.layout.zeta[node] / PI * fields[(node, column)]
-        });
+    fn tested(&self, waves: &Waves, weights: &[f64], fields: &Waves, less_resultants: bool) -> Mat<f64> {
+        let count = weights.len().min(fields.transforms.nrows()).min(waves.tests.nrows());
+        let mut weighted = Mat::zeros(count, fields.transforms.ncols());
+        for column in 0..weighted.ncols() {
+            let terms = weights.iter().zip(&self.layout.zeta).zip(fields.column(column, less_resultants));
+            for (out, ((weight, zeta), value)) in weighted.col_as_slice_mut(column).iter_mut().zip(terms) {
+                *out = weight * zeta / PI * value;
+            }
+        }
         let tests: MatRef<'_, f64> = waves.tests.as_ref().subrows(0, count);
         tests.transpose() * &weighted
     }
@@ -264,30 +305,34 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 impl Equations<'_> {
     /// Slopes of waves, weights included, what half-planes do left out.
     pub(super) fn response(&self, contact: usize, coefficients: &[Vec<f64>]) -> Vec<f64> {
-        let of = |contact: usize, rests: bool| -> Vec<f64> {
-            let waves = self.waves(contact);
-            let matrix = if rests { waves.rests } else { waves.transforms };
-            let all: Vec<f64> = self.of(contact).flat_map(|(index, _)| coefficients[index].clone()).collect();
-            let mut sum = vec![0.0; matrix.nrows()];
-            for (column, c) in all.iter().enumerate() {
-                sum.iter_mut().zip(matrix.col_as_slice(column)).for_each(|(sum, value)| *sum += c * value);
-            }
-            sum
-        };
-        let own = &self.layout.own[contact];
-        let mut response = vec![0.0; own.reach];
-        let mut add = |weights: &[f64], field: Vec<f64>, sign: f64| {
-            for (((response, weight), value), zeta) in
-                response.iter_mut().zip(weights).zip(field).zip(&self.layout.zeta)
-            {
-                *response += sign * weight * zeta / PI * value;
-            }
-        };
-        add(&own.unit.plain, of(contact, false), 1.0);
-        for (coupling, other) in [(contact.checked_sub(1), contact.wrapping_sub(1)), (Some(contact), contact + 1)] {
-            if let Some(weights) = coupling.and_then(|coupling| self.layout.coupling.get(coupling)) {
-                add(&weights.plain, of(contact, true), 1.0);
-                add(&weights.plain, of(other, true), -1.0);
+        let mut response = vec![0.0; self.layout.own[contact].reach];
+        for first in (0..response.len()).step_by(TOGETHER) {
+            let nodes = first..response.len().min(first + TOGETHER);
+            let field = |waves: &Waves, contact: usize, less_resultants: bool| -> Vec<f64> {
+                let all = self.of(contact).flat_map(|(index, _)| coefficients[index].iter().copied());
+                let mut sum = vec![0.0; waves.transforms.nrows()];
+                for (column, c) in all.enumerate() {
+                    let values = waves.column(column, less_resultants);
+                    sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += c * value);
+                }
+                sum
+            };
+            let part = &mut response[nodes.clone()];
+            let zeta = &self.layout.zeta[nodes.clone()];
+            let mut add = |weights: &[f64], field: &[f64], sign: f64| {
+                let weights = &weights[first.min(weights.len())..];
+                for (((response, weight), value), zeta) in part.iter_mut().zip(weights).zip(field).zip(zeta) {
+                    *response += sign * weight * zeta / PI * value;
+                }
+            };
+            let waves = self.waves(contact, nodes.clone());
+            add(&self.layout.own[contact].unit.plain, &field(&waves, contact, false), 1.0);
+            let rests = field(&waves, contact, true);
+            for (coupling, other) in [(contact.checked_sub(1), contact.wrapping_sub(1)), (Some(contact), contact + 1)] {
+                if let Some(weights) = coupling.and_then(|coupling| self.layout.coupling.get(coupling)) {
+                    add(&weights.plain, &rests, 1.0);
+                    add(&weights.plain, &field(&self.waves(other, nodes.clone()), other, true), -1.0);
+                }
             }
         }
         response

@@ -5,7 +5,7 @@
 //! one image. The tests T_k(s)/√(1 − s²), s = (x − m)/w, turn sin ζx into π J_k(ζw) times cos ζm or sin ζm.
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use faer::Mat;
+use faer::MatMut;
 
 use crate::numeric::bessel;
 
@@ -62,9 +62,16 @@ impl Patch {
         self.images() * self.half * FRAC_PI_2
     }
 
-    /// At some wavenumbers: transforms of `count` pressures, the same less a pressure of the same resultant whose
-    /// transform differs from 1 by `beyond`, and the tests.
-    pub(super) fn waves(&self, zeta: &[f64], beyond: &[f64], count: usize) -> [Mat<f64>; 3] {
+    /// At some wavenumbers: transforms of `count` pressures, into as many columns, and the tests, into others. What is
+    /// returned is the first transform less that of a pressure of the same resultant, which differs from 1 by `beyond`.
+    pub(super) fn waves(
+        &self,
+        zeta: &[f64],
+        beyond: &[f64],
+        mut transforms: MatMut<'_, f64>,
+        mut tested: MatMut<'_, f64>,
+    ) -> Vec<f64> {
+        let count = transforms.ncols();
         let highest = self.orders(count).last().unwrap_or(1);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * self.half).collect();
         let nodes = zeta.len();
@@ -76,7 +83,6 @@ impl Patch {
             let (sin, cos) = phases[node];
             if order.is_multiple_of(2) { sin } else { cos }
         };
-        let mut transforms = Mat::zeros(nodes, count);
         for (m, order) in self.orders(count).enumerate() {
             let sign = if order.is_multiple_of(2) { alternating(order / 2) } else { alternating((order - 1) / 2) };
             let factor = self.images() * PI * sign * order as f64;
@@ -84,21 +90,18 @@ impl Patch {
                 transforms[(node, m)] = factor * value / zeta * phase(order, node);
             }
         }
-        let mut rests = transforms.clone();
-        for (node, (zeta, beyond)) in zeta.iter().zip(beyond).enumerate() {
-            let deficit = bessel::jinc_deficit_from(arguments[node], column(1)[node]);
-            let turned = -2.0 * (0.5 * zeta * self.middle).sin().powi(2);
-            rests[(node, 0)] = self.resultant() * ((1.0 + deficit) * turned + deficit + beyond);
-        }
-        let tests = self.tests(count);
-        let mut tested = Mat::zeros(nodes, tests.len());
-        for (row, order) in tests.iter().enumerate() {
+        for (row, order) in self.tests(count).iter().enumerate() {
             let factor = PI * alternating(order / 2);
             for (node, value) in column(*order).iter().enumerate() {
                 tested[(node, row)] = factor * value * phase(*order, node);
             }
         }
-        [transforms, rests, tested]
+        let rest = |(node, (zeta, beyond)): (usize, (&f64, &f64))| {
+            let deficit = bessel::jinc_deficit_from(arguments[node], column(1)[node]);
+            let turned = -2.0 * (0.5 * zeta * self.middle).sin().powi(2);
+            self.resultant() * ((1.0 + deficit) * turned + deficit + beyond)
+        };
+        zeta.iter().zip(beyond).enumerate().map(rest).collect()
     }
 
     /// Adds to `slopes` what `count` pressures make of that of a half-plane with λμ₀C = 1 at x: those on the mirror image,

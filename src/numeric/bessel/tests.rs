@@ -208,3 +208,19 @@ fn deficit_keeps_its_digits() {
         assert_eq!(jinc_deficit(-z), jinc_deficit(z));
     }
 }
+
+#[test]
+fn some_orders_of_a_table_are_those_of_all() {
+    let arguments: Vec<f64> = (0..37).map(|k| 0.03 * f64::from(k * k)).collect();
+    let count = arguments.len();
+    for orders in [0, 1, 2, 9, 30] {
+        let mut all = vec![0.0; orders * count];
+        scaled_table(orders, &arguments, 0.7, count, &mut all);
+        for wanted in [Wanted::ALL, Wanted::EVEN, Wanted::ODD] {
+            let mut some = vec![0.0; wanted.below(orders) * count];
+            scaled_orders(orders, wanted, &arguments, 0.7, count, &mut some);
+            let columns: Vec<&[f64]> = all.chunks(count).collect();
+            assert_eq!(some, wanted.of(&columns).copied().collect::<Vec<_>>().concat(), "{orders} {wanted:?}");
+        }
+    }
+}
