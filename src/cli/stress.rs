@@ -60,6 +60,10 @@ const LISTED: usize = 12;
 const EXCESS: f64 = 10.0;
 /// An estimate further above the true error than this is counted.
 const CAUTION: f64 = 1000.0;
+/// Scenes with a number that is known no better are counted.
+const ROUGH: f64 = 0.01;
+/// A stricter answer is not surer if its own estimate is larger than this part of the other.
+const UNSEEN: f64 = 0.1;
 const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
@@ -160,7 +164,12 @@ fn spread(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     row(&mut table, "estimated error", solutions().map(|(ended, _)| worst(ended)).collect());
     writeln!(out, "{table}")?;
     let warned = solutions().filter(|(_, solution)| !solution.warnings().is_empty()).count();
-    writeln!(out, "{warned} of the solved scenes with a warning")
+    let rough = solutions().filter(|(ended, _)| worst(ended) > ROUGH).count();
+    writeln!(
+        out,
+        "{warned} of the solved scenes with a warning, {rough} with a number known to {:.0} % or worse",
+        100.0 * ROUGH
+    )
 }
 
 /// The slowest scenes.
@@ -201,6 +210,9 @@ fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     let compared = ended.iter().filter(|ended| ended.comparisons.is_some()).count();
     writeln!(out, "{compared} scenes compared, {total} numbers")?;
     writeln!(out, "{cautious} estimates ({:.2} %) too large by > {CAUTION}", 100.0 * cautious as f64 / total as f64)?;
+    // an answer that does not meet the tolerance is no less sure than the stricter one
+    let unseen = all().filter(|(_, one)| one.caution() > CAUTION && one.blur > UNSEEN * one.estimate).count();
+    writeln!(out, "{unseen} of these next to a stricter answer that is not surer of itself")?;
     let mut bold: Vec<_> = all().filter(|(_, one)| one.excess().is_nan() || one.excess() > EXCESS).collect();
     bold.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
     writeln!(out, "{} errors more than {EXCESS} times their estimate", bold.len())?;
