@@ -112,17 +112,17 @@ fn solve(
 
 /// What is to be said of half-lengths that are not known.
 fn uncertain(kernel: &Kernel, interfaces: &[Interface], level: &Level) -> Vec<String> {
-    let contacts = interfaces.iter().zip(&level.half_lengths).zip(&level.errors).zip(&level.faded);
-    let unknown = contacts.filter(|((_, [length, _]), _)| *length > UNKNOWN);
-    let about = |(((interface, a), [length, _]), faded): (((&Interface, &f64), &[f64; 2]), &Option<f64>)| match faded {
+    let unknown = (0..interfaces.len()).filter(|i| level.errors[*i][0] > UNKNOWN);
+    let about = |i: usize| match level.faded[i] {
         Some(_) => format!(
-            "no end of the contact {interface} was found: the pressure there fades, and nothing depends on what is beyond \
-             x = {:.3e}",
-            a * kernel.length()
+            "no end of the contact {} was found: the pressure there fades, and nothing depends on what is beyond x = {:.3e}",
+            interfaces[i],
+            level.half_lengths[i] * kernel.length()
         ),
         None => format!(
-            "the half-length of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
-            100.0 * length
+            "the half-length of the contact {} is known to {:.0} % only, and next to nothing depends on it",
+            interfaces[i],
+            100.0 * level.errors[i][0]
         ),
     };
     unknown.map(about).collect()
