@@ -20,7 +20,7 @@ const SAFETY: f64 = 3.0;
 /// Pressures under punches that are not smooth are continued with so many modes.
 const CONTINUED: usize = 2048;
 
-/// A pressure is taken to feel half-lengths so many times more than its derivatives say.
+/// A pressure is taken to be wrong by so many times what half-lengths are.
 const PEAKS: f64 = 3.0;
 
 /// Half-lengths with larger relative errors are not known.
@@ -147,19 +147,22 @@ impl Level {
             (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
         }
         let lengths: Vec<f64> = errors.iter().map(|[length, _]| *length).collect();
-        let passed_on = |influence: &[f64], i: usize| {
-            let others = lengths.iter().enumerate().filter(|(k, _)| *k != i);
-            others.map(|(k, length)| influence[k].min(1.0) * length).fold(0.0, f64::max)
+        // how far half-lengths feel others, and how far pressures do: no less, unless a half-length is not known at all
+        let by_length = |i: usize, k: usize| if i == k { 1.0 } else { found.influence[i][k].min(1.0) };
+        let by_peak = |i: usize, k: usize| {
+            let felt = found.peak_influence[i][k].min(1.0);
+            if lengths[k] > UNKNOWN { felt } else { felt.max(by_length(i, k)) }
         };
         let mut own_errors = Vec::with_capacity(errors.len());
         for (i, error) in errors.iter_mut().enumerate() {
-            // a pressure feels the half-length of its contact ...
-            error[1] += PEAKS * found.peak_influence[i][i].min(1.0) * error[0];
+            error[1] += PEAKS * by_peak(i, i) * lengths[i];
             own_errors.push(error[0].max(error[1]));
             if i >= given {
-                // ... and those of others, as far as they depend on each other
-                error[1] += PEAKS * passed_on(&found.peak_influence[i], i);
-                error[0] += passed_on(&found.influence[i], i);
+                let others = |feels: &dyn Fn(usize, usize) -> f64| {
+                    (0..lengths.len()).filter(|k| *k != i).map(|k| feels(i, k) * lengths[k]).fold(0.0, f64::max)
+                };
+                error[1] += PEAKS * others(&by_peak);
+                error[0] += others(&by_length);
             }
         }
         for (error, _) in errors.iter_mut().zip(&faded).filter(|(_, faded)| faded.is_some()) {
