@@ -28,8 +28,8 @@ pub(super) struct Linearised {
     pub(super) peak_influence: Vec<Vec<f64>>,
 }
 
-/// Rounding of a row, relative to its terms: some units in the last place, since kernels have more of them.
-const ROUNDING: f64 = 1e-15;
+/// Rounding of a row, relative to its terms.
+const ROUNDING: f64 = 2e-16;
 
 /// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the logarithms of the half-lengths.
 pub(super) struct Pressures {

@@ -44,7 +44,8 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
     let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: ABOVE };
     let rigid = elastic_base(stack).is_none();
-    let bottom = drawing.top + scale * total + if rigid { 12.0 } else { BASE };
+    let labels = drawing.labels().last().map_or(0.0, |(_, y, _)| y + TEXT);
+    let bottom = labels.max(drawing.top + scale * total + if rigid { 12.0 } else { BASE });
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
     let peaks = contacts.iter().map(|contact| format!("123456789012345{}", short(contact.peak_pressure)));
@@ -79,7 +80,6 @@ impl Drawing<'_> {
         let layers = self.layers_in_order();
         let stiffness = Stiffness::of(self.scene, self.stack, &layers);
         let mut y = self.top;
-        let mut labels = Vec::new();
         for placed in &layers {
             let thickness = placed.layer.thickness().unwrap_or(0.0);
             let height = self.scale * thickness;
@@ -90,37 +90,45 @@ impl Drawing<'_> {
                 // down to the bottom, so that no line remains between slices
                 canvas.rectangle((left, share(slice)), (right, y + height), stiffness.grey(placed, depth))?;
             }
-            labels.push((y + 0.5 * height, self.name(placed)));
             y += height;
         }
-        match self.stack.base().foundation() {
-            Foundation::HalfPlane(placed) if placed.layer.has_material() => {
-                canvas.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0))?;
-                labels.push((y + 0.4 * BASE, self.name(placed)));
-            }
-            ground => {
-                hatching(canvas, (left, right), y)?;
-                let name = match ground {
-                    Foundation::HalfPlane(support) => self.name(support),
-                    Foundation::Rigid { .. } => "rigid".to_owned(),
-                };
-                labels.push((y + 6.0, name));
-            }
+        match elastic_base(self.stack) {
+            Some(placed) => canvas.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0))?,
+            None => hatching(canvas, (left, right), y)?,
         }
         for y in self.bonds() {
             canvas.line(&[(left, y), (right, y)], hair(INK))?;
         }
         canvas.line(&[(left, self.top), (right, self.top)], hair(INK))?;
-        let mut last = f64::NEG_INFINITY;
-        for (at, text) in labels {
-            let y = at.max(last + 1.25 * TEXT);
+        for (at, y, text) in self.labels() {
             if y - at > 2.0 {
                 canvas.line(&[(right + 1.0, at), (right + 7.0, y)], hair(FAINT))?;
             }
             canvas.text((right + 9.0, y), &text, SMALL, INK, Anchor::Left)?;
-            last = y;
         }
         Ok(())
+    }
+
+    /// What layers and ground are called, the height of each, and the height at which that is written: below each other.
+    fn labels(&self) -> Vec<(f64, f64, String)> {
+        let mut y = self.top;
+        let mut labels = Vec::new();
+        for placed in self.layers_in_order() {
+            let height = self.scale * placed.layer.thickness().unwrap_or(0.0);
+            labels.push((y + 0.5 * height, self.name(placed)));
+            y += height;
+        }
+        labels.push(match self.stack.base().foundation() {
+            Foundation::HalfPlane(placed) if placed.layer.has_material() => (y + 0.4 * BASE, self.name(placed)),
+            Foundation::HalfPlane(support) => (y + 6.0, self.name(support)),
+            Foundation::Rigid { .. } => (y + 6.0, "rigid".to_owned()),
+        });
+        let mut last = f64::NEG_INFINITY;
+        let below = |(at, text): (f64, String)| {
+            last = at.max(last + 1.25 * TEXT);
+            (at, last, text)
+        };
+        labels.into_iter().map(below).collect()
     }
 
     /// Thickness and modulus of a layer; a support without a material as it is written.
