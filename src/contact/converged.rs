@@ -1,6 +1,7 @@
 //! What Newton's method has found with given numbers of modes, and all that tells how good it is.
 use super::galerkin::{Modes, Rows};
 use super::layout::Layout;
+use super::pressures::Influences;
 
 /// Where Newton's method has come to.
 pub(super) struct Converged {
@@ -18,12 +19,7 @@ pub(super) struct Converged {
     pub(super) whole: Vec<bool>,
     /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
     pub(super) unsettled: Vec<[f64; 2]>,
-    /// What rounding may change in the logarithms of the half-lengths.
-    pub(super) rounding: Vec<f64>,
-    /// By how much the logarithm of each half-length changes with that of each other.
-    pub(super) influence: Vec<Vec<f64>>,
-    /// The same for that of the pressure in the middle.
-    pub(super) peak_influence: Vec<Vec<f64>>,
+    pub(super) influences: Influences,
     /// What may depend on the end of each contact that fades, see [`super::fading`], relative.
     pub(super) faded: Vec<Option<f64>>,
     /// The last layout, and what the kernels make there of the pressures, almost.
@@ -41,9 +37,7 @@ impl Converged {
             shift: vec![0.0],
             whole: vec![false],
             unsettled: vec![[0.0; 2]],
-            rounding: vec![0.0],
-            influence: vec![vec![0.0]],
-            peak_influence: vec![vec![0.0]],
+            influences: Influences { rounding: vec![0.0], lengths: vec![vec![0.0]], peaks: vec![vec![0.0]] },
             faded: vec![None],
             waves: None,
         }

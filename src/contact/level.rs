@@ -118,7 +118,7 @@ impl Level {
             };
             // a pressure that is infinite cannot be missed
             let pressure = if peak.is_finite() { (missing + unsettled[i][1] / PI) / size } else { 0.0 };
-            arithmetic[i] = negligible + ROUNDING + found.rounding[i];
+            arithmetic[i] = negligible + ROUNDING + found.influences.rounding[i];
             // the modes of a punch that is not smooth fall slowly, but it is known how
             let felt = if local.is_some() { 0.0 } else { FELT * pressure };
             // and of an end that was left where it is, only what depends on it matters
@@ -148,9 +148,9 @@ impl Level {
         }
         let lengths: Vec<f64> = errors.iter().map(|[length, _]| *length).collect();
         // how far half-lengths feel others, and how far pressures do: no less, unless a half-length is not known at all
-        let by_length = |i: usize, k: usize| if i == k { 1.0 } else { found.influence[i][k].min(1.0) };
+        let by_length = |i: usize, k: usize| if i == k { 1.0 } else { found.influences.lengths[i][k].min(1.0) };
         let by_peak = |i: usize, k: usize| {
-            let felt = found.peak_influence[i][k].min(1.0);
+            let felt = found.influences.peaks[i][k].min(1.0);
             if lengths[k] > UNKNOWN { felt } else { felt.max(by_length(i, k)) }
         };
         let mut own_errors = Vec::with_capacity(errors.len());

@@ -128,6 +128,14 @@ fn uncertain(kernel: &Kernel, interfaces: &[Interface], level: &Level) -> Vec<St
     unknown.map(about).collect()
 }
 
+/// What is to be said of contacts in several parts.
+fn in_parts(contacts: &[Contact]) -> impl Iterator<Item = String> {
+    let several = contacts.iter().filter(|contact| !contact.parts.is_empty());
+    several.map(|Contact { interface, .. }| {
+        format!("contact {interface} is in several parts: its half-length is that of the part about x = 0")
+    })
+}
+
 fn touching_again(kernel: &Kernel, interfaces: &[Interface], overlap: &admissible::Overlap) -> String {
     format!(
         "the bodies at the contact {} touch again about x = {:.3e}; the force there, with {:.0e} of the moment of the \

@@ -258,25 +258,13 @@ impl<'a> Newton<'a> {
             && solved == modes
             && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), [FULLY, ENDS * tolerance])
         {
-            let Linearised { rounding, influence, peak_influence, .. } = end.linearised;
+            let influences = end.linearised.influences;
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
             let Point { half_lengths, corners, pressures, .. } = end;
             let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
             let (waves, faded) = (None, self.fading.felt());
-            let found = Converged {
-                half_lengths,
-                modes,
-                corners,
-                solved,
-                shift,
-                whole,
-                unsettled,
-                rounding,
-                influence,
-                peak_influence,
-                faded,
-                waves,
-            };
+            let found =
+                Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, influences, faded, waves };
             return Ok((found, true));
         }
         if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
@@ -298,7 +286,7 @@ impl<'a> Newton<'a> {
             *unsettled = UNKNOWN;
             responses = None;
         }
-        let Linearised { rounding, influence, peak_influence, .. } = linearised;
+        let influences = linearised.influences;
         if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(not_converged(self.kernel, self.punch, &half_lengths));
         }
@@ -306,20 +294,8 @@ impl<'a> Newton<'a> {
         let waves = responses.filter(|_| !linked.contains(&true)).map(|responses| (layout, responses));
         let (solved, whole) = (solved.to_vec(), vec![false; n]);
         let modes = all;
-        let found = Converged {
-            half_lengths,
-            modes,
-            corners,
-            solved,
-            shift,
-            whole,
-            unsettled,
-            rounding,
-            influence,
-            peak_influence,
-            faded,
-            waves,
-        };
+        let found =
+            Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, influences, faded, waves };
         Ok((found, settled))
     }
 

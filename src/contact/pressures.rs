@@ -20,12 +20,17 @@ pub(super) struct Linearised {
     inverse: Mat<f64>,
     /// d y_im / d ln a_k: `sensitivity[k][i][m]`.
     sensitivity: Vec<Modes>,
+    pub(super) influences: Influences,
+}
+
+/// What half-lengths and pressures in the middle feel of rounding and of each other.
+pub(super) struct Influences {
     /// What rounding may change in the logarithms of the half-lengths.
     pub(super) rounding: Vec<f64>,
     /// By how much the logarithm of each half-length changes with that of each other, if it alone gives way to it.
-    pub(super) influence: Vec<Vec<f64>>,
+    pub(super) lengths: Vec<Vec<f64>>,
     /// The same for the logarithm of the pressure in the middle of each contact.
-    pub(super) peak_influence: Vec<Vec<f64>>,
+    pub(super) peaks: Vec<Vec<f64>>,
 }
 
 /// Rounding of a row, relative to its terms.
@@ -84,7 +89,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     for (by, column) in free.iter().enumerate() {
         free.iter().enumerate().for_each(|(i, row)| inverse[(*row, *column)] = solved[(i, by)]);
     }
-    let influence = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
+    let lengths = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
     let residual = |i: usize| {
         let row = known[i] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
         row - dot(beta.col_as_slice(i), &gamma)
@@ -103,13 +108,14 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     let sensitivity: Vec<Modes> =
         (0..n).map(|by| equations.modes_of(&back(&factor, moved.col_as_slice(by), n))).collect();
     let sum = |modes: &[f64]| modes.iter().enumerate().map(|(m, y)| y / order(m)).sum::<f64>();
-    let peak_influence = |i: usize, by: usize| {
+    let peak = |i: usize, by: usize| {
         // a pressure is its modes over the half-length
         let own = if by == i { 1.0 } else { 0.0 };
         (sum(&sensitivity[by][i]) / sum(&modes[i]) - own).abs()
     };
-    let peak_influence = (0..n).map(|i| (0..n).map(|by| peak_influence(i, by)).collect()).collect();
-    let linearised = Linearised { factor, beta, inverse, sensitivity, rounding, influence, peak_influence };
+    let peaks = (0..n).map(|i| (0..n).map(|by| peak(i, by)).collect()).collect();
+    let influences = Influences { rounding, lengths, peaks };
+    let linearised = Linearised { factor, beta, inverse, sensitivity, influences };
     let pressures = Pressures { modes, step: linearised.step(&residuals), residuals };
     let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
     finite.then_some((pressures, linearised))
@@ -161,7 +167,7 @@ impl Linearised {
     /// By how much a step of contact i alone would change the pressures in the middle of all contacts, and by how much what is
     /// left in its row would change the half-lengths of others, relative.
     pub(super) fn felt(&self, i: usize, pressures: &Pressures) -> f64 {
-        let peaks = self.peak_influence.iter().map(|by| by[i] * pressures.step[i].abs());
+        let peaks = self.influences.peaks.iter().map(|by| by[i] * pressures.step[i].abs());
         let others = (0..pressures.step.len()).filter(|k| *k != i);
         let lengths = others.map(|k| (self.inverse[(k, i)] * pressures.residuals[i]).abs());
         // what is no number is felt by all

@@ -4,7 +4,7 @@
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::given::strip;
 use crate::contact::punch::Indentation;
-use crate::contact::stats;
+use crate::contact::{in_parts, stats};
 use crate::kernel::Kernel;
 use crate::solution::{Contact, Form, Interface, Part, Solution, Stats};
 
@@ -46,10 +46,7 @@ pub(in crate::contact) fn answer(
         "no answer of more digits was found: pressures are constant on each of {elements} elements here, and the error \
          estimates say how much they tell"
     )];
-    let several = contacts.iter().filter(|contact| !contact.parts.is_empty());
-    warnings.extend(several.map(|Contact { interface, .. }| {
-        format!("contact {interface} is in several parts: its half-length is that of the part about x = 0")
-    }));
+    warnings.extend(in_parts(&contacts));
     Some(Solution {
         contacts,
         force: punch.force * kernel.modulus() * kernel.length(),

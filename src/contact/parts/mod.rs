@@ -17,7 +17,7 @@ use super::convex::Zones;
 use super::layout::{Layout, negligible};
 use super::level::UNKNOWN;
 use super::punch::Indentation;
-use super::stats;
+use super::{in_parts, stats};
 
 use equations::{Equations, Pressures};
 use patch::Patch;
@@ -375,10 +375,7 @@ fn solution(
             contact.parts.push(Part { from, from_error: from_error * from, to, to_error: to_error * to });
         }
     }
-    let several = contacts.iter().filter(|contact| !contact.parts.is_empty());
-    warnings.extend(several.map(|Contact { interface, .. }| {
-        format!("contact {interface} is in several parts: its half-length is that of the part about x = 0")
-    }));
+    warnings.extend(in_parts(&contacts));
     Solution {
         contacts,
         force: punch.force * kernel.modulus() * length,
