@@ -31,12 +31,18 @@ impl fmt::Display for Interface {
 pub struct Contact {
     /// Which contact this is.
     pub interface: Interface,
-    /// Half-length a: the contact covers |x| < a. Of several loads, as far as the farthest of them reaches.
+    /// Half-length a: the contact covers |x| < a, but for what is `opening`. Of several loads, as far as the farthest of them
+    /// reaches.
     pub half_length: f64,
     /// The solver's estimate of the absolute error of `half_length`; as large as that where the pressure fades before an end
     /// is found, on which nothing else depends.
     pub half_length_error: f64,
-    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge, and under a line load.
+    /// Half-length of the part about x = 0 in which the bodies do not touch: 0 where they do at x = 0. A thin, stiff layer may
+    /// lift off between the two edges of a strip that presses on it.
+    pub opening: f64,
+    /// The solver's estimate of the absolute error of `opening`.
+    pub opening_error: f64,
+    /// Pressure at x = 0 (compression positive); infinite under the tip of a wedge, and under a line load; 0 in an `opening`.
     pub peak_pressure: f64,
     /// The solver's estimate of the absolute error of `peak_pressure`.
     pub peak_pressure_error: f64,
@@ -48,7 +54,7 @@ pub struct Contact {
     pub parts: Vec<Part>,
 }
 
-/// An interval from < |x| < to in which the bodies of a contact touch besides that about x = 0. Lengths are in the unit
+/// An interval from < |x| < to in which the bodies of a contact touch farther out than its half-length. Lengths are in the unit
 /// of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
@@ -156,7 +162,9 @@ impl Contact {
     pub fn intervals(&self) -> impl Iterator<Item = [f64; 2]> {
         let left = self.parts.iter().rev().map(|part| [-part.to, -part.from]);
         let right = self.parts.iter().map(|part| [part.from, part.to]);
-        left.chain([[-self.half_length, self.half_length]]).chain(right)
+        let (from, to) = (self.opening, self.half_length);
+        let first = if from > 0.0 { vec![[-to, -from], [from, to]] } else { vec![[-to, to]] };
+        left.chain(first).chain(right)
     }
 
     /// Contact pressure at `x` (compression positive); zero outside the contact.

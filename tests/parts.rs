@@ -57,6 +57,34 @@ fn bodies_meet_where_they_touch_and_only_there() {
 }
 
 #[test]
+fn a_sheet_that_bends_as_far_as_the_punch_is_round_touches_it_in_two_strips() {
+    for (name, radius) in [("seed_2_number_70", 277.1897857911962), ("seed_21_number_638", 13.072514773277263f64)] {
+        let (model, solution) = solved(name, 1e-6);
+        let contact = &solution.contacts()[0];
+        let (from, to) = (contact.opening, contact.half_length);
+        assert!(0.0 < from && from < to && contact.peak_pressure == 0.0, "{name}: {contact:?}");
+        assert_eq!(contact.intervals().collect::<Vec<_>>(), [[-to, -from], [from, to]]);
+        assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{name}: {contact:?}");
+        assert!(solution.warnings().iter().any(|warning| warning.contains("open about x = 0")));
+        // height of the punch above the face, up to a constant
+        let field = model.field(&solution);
+        let apart =
+            |x: f64| (x * x / radius) / (1.0 + (1.0 - (x / radius).powi(2)).sqrt()) - field.at(x, 0.0).unwrap().v;
+        let between = |from: f64, to: f64| [0.05, 0.3, 0.5, 0.7, 0.95].map(|t| from + t * (to - from));
+        let closed = between(from, to).map(apart);
+        let gaps = between(0.0, from).map(|x| apart(x) - closed[0]);
+        let outside = [1.05, 1.2, 1.5].map(|t| apart(t * to) - closed[0]);
+        assert!(gaps.iter().chain(&outside).all(|gap| *gap > 0.0), "{name}: {gaps:?} {outside:?}");
+        let widest = gaps.iter().fold(0.0, |widest: f64, gap| widest.max(*gap));
+        for place in closed {
+            assert!((place - closed[0]).abs() < 1e-4 * widest, "{name}: {:e} of {widest:e}", place - closed[0]);
+        }
+        assert!(between(from, to).iter().all(|x| contact.pressure(*x) > 0.0 && contact.pressure(-x) > 0.0));
+        assert!(between(0.0, from).iter().all(|x| contact.pressure(*x) == 0.0));
+    }
+}
+
+#[test]
 fn parts_share_the_force_and_push() {
     for name in ["seed_1_number_0", "seed_1_number_21", "seed_1_number_74", "seed_1_number_79"] {
         let (_, solution) = solved(name, 1e-6);

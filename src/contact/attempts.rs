@@ -140,9 +140,12 @@ fn decide(
     if let Some(error) = for_certain {
         return Err(error);
     }
-    let zones = zones.as_deref();
-    let Some((_, error)) = several(kernel, interfaces, zones, false) else { return Err(failure.into()) };
-    parts::solve(kernel, interfaces, indentation, zones.unwrap_or_default(), options).ok_or(error)
+    let error = several(kernel, interfaces, zones.as_deref(), false).map(|(_, error)| error);
+    let zones = zones.unwrap_or_default();
+    let apart = zones.iter().any(|zones| zones.hull().first().is_some_and(|first| first[0] > 0.0));
+    let solution =
+        if error.is_some() || apart { parts::solve(kernel, interfaces, indentation, &zones, options) } else { None };
+    solution.ok_or_else(|| error.unwrap_or_else(|| failure.into()))
 }
 
 /// Where contact i may end if it pulls at x: there, and later where the thinner of its bodies is bent no more.

@@ -92,6 +92,8 @@ pub(super) fn contact(load: &Load, interface: Interface, force: f64, strips: Vec
         peak_pressure_error: 0.0,
         resultant: force,
         strips,
+        opening: 0.0,
+        opening_error: 0.0,
         parts: Vec::new(),
     }
 }

@@ -130,9 +130,11 @@ fn uncertain(kernel: &Kernel, interfaces: &[Interface], level: &Level) -> Vec<St
 
 /// What is to be said of contacts in several parts.
 fn in_parts(contacts: &[Contact]) -> impl Iterator<Item = String> {
-    let several = contacts.iter().filter(|contact| !contact.parts.is_empty());
-    several.map(|Contact { interface, .. }| {
-        format!("contact {interface} is in several parts: its half-length is that of the part about x = 0")
+    contacts.iter().flat_map(|Contact { interface, opening, parts, .. }| {
+        let several = "is in several parts: its half-length is that of the innermost";
+        let apart = "is open about x = 0: its half-length is where the innermost part of it ends";
+        let both = [(!parts.is_empty(), several), (*opening > 0.0, apart)];
+        both.into_iter().filter(|(said, _)| *said).map(move |(_, what)| format!("contact {interface} {what}"))
     })
 }
 
@@ -197,6 +199,8 @@ fn solution(
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
                 resultant,
                 strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients, level.counts[i]) }],
+                opening: 0.0,
+                opening_error: 0.0,
                 parts: Vec::new(),
             }
         })

@@ -72,6 +72,11 @@ struct Contact {
     peak_pressure: Option<f64>,
     peak_pressure_error: Option<f64>,
     resultant: f64,
+    /// Not written unless the bodies are apart about x = 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    opening: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    opening_error: Option<f64>,
     /// Not written if the contact is one interval.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     parts: Vec<Part>,
@@ -101,6 +106,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         peak_pressure: finite(contact.peak_pressure),
         peak_pressure_error: finite(contact.peak_pressure).map(|_| contact.peak_pressure_error),
         resultant: contact.resultant,
+        opening: (contact.opening > 0.0).then_some(contact.opening),
+        opening_error: (contact.opening > 0.0).then_some(contact.opening_error),
         parts: contact.parts.iter().map(Part::of).collect(),
     });
     let document = Document {

@@ -124,14 +124,15 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 }
 
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
-    let Contact { half_length, half_length_error, peak_pressure, peak_pressure_error, .. } = *contact;
+    let Contact { half_length, half_length_error, opening, peak_pressure, peak_pressure_error, .. } = *contact;
     if contact.interface == Interface::Punch && scene.punch.load().is_some() {
         // it is given
         return None;
     }
     let sharp = contact.interface == Interface::Punch && scene.punch.is_sharp();
     for (name, value, infinite) in [("half-length", half_length, false), ("pressure", peak_pressure, sharp)] {
-        if !(value > 0.0 && value.is_infinite() == infinite) {
+        let none = name == "pressure" && opening > 0.0 && value == 0.0;
+        if !(none || value > 0.0 && value.is_infinite() == infinite) {
             return Some(format!("the {name} is {value:e}"));
         }
     }
@@ -158,7 +159,7 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
         return Some("a pressure is not a number".to_owned());
     }
     // nor is a pull wrong that the answer's own error covers
-    let feigned = if sharp { PULL } else { PULL.max(peak_pressure_error / peak_pressure) };
+    let feigned = if sharp || opening > 0.0 { PULL } else { PULL.max(peak_pressure_error / peak_pressure) };
     (smallest < -feigned * largest).then(|| format!("a pull of {:.1e} of the largest pressure", -smallest / largest))
 }
 

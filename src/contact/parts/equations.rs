@@ -24,6 +24,8 @@ const POINTS: usize = 48;
 
 /// Wavenumbers whose Bessel functions are made together: those of all take much memory.
 const TOGETHER: usize = 1024;
+/// Wavenumbers whose transforms and tests are kept at once.
+const AT_ONCE: usize = 4096;
 
 /// The equations of some patches, in the order of contacts and outwards.
 pub(super) struct Equations<'a> {
@@ -104,7 +106,11 @@ impl Equations<'_> {
                         }
                     }
                     let right = self.load(index, row);
-                    let list = if row == 0 || row >= patch.tests(self.count).len() { &mut left } else { &mut kept };
+                    // the second end of a first interval off the middle has no gap to be closed: equilibrium gives the mean
+                    // pressure, and the next test what is left over
+                    let two_ends = row == 1 && !patch.is_central() && self.opening(index).is_none();
+                    let end = row == 0 || row >= patch.tests(self.count).len() || two_ends;
+                    let list = if end { &mut left } else { &mut kept };
                     list.push((entries, right));
                 }
                 at += rows;
@@ -130,18 +136,33 @@ impl Equations<'_> {
 
     /// For each contact what its own pressures and those of its neighbours do to its tests.
     fn blocks(&self) -> Vec<Vec<(usize, Mat<f64>)>> {
-        let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = Vec::with_capacity(self.contacts());
-        // no more than two contacts at once: tables take much memory
-        let mut above: Option<Waves> = None;
-        for contact in 0..self.contacts() {
-            let waves = self.waves(contact, 0..self.layout.zeta.len());
-            let mut own = vec![(contact, self.own(contact, &waves))];
-            if let (Some(above), Some(blocks)) = (&above, blocks.last_mut()) {
-                own.push((contact - 1, self.between(contact - 1, &waves, above)));
-                blocks.push((contact, self.between(contact - 1, above, &waves)));
+        let n = self.contacts();
+        let rows = |contact: usize| self.of(contact).map(|(index, _)| self.rows(index)).sum();
+        let zeros =
+            |contact: usize, other: usize| (other, Mat::zeros(rows(contact), self.of(other).count() * self.count));
+        let others = |contact: usize| [contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
+        let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
+            .map(|contact| [Some(contact)].into_iter().chain(others(contact)).flatten())
+            .enumerate()
+            .map(|(contact, all)| all.map(|other| zeros(contact, other)).collect())
+            .collect();
+        // no more than two contacts at once, and some wavenumbers: tables take much memory
+        for first in (0..self.layout.zeta.len()).step_by(AT_ONCE) {
+            let mut above: Option<Waves> = None;
+            for contact in 0..n {
+                let waves = self.waves(contact, first..self.layout.zeta.len().min(first + AT_ONCE));
+                self.add_own(contact, first, &waves, &mut blocks[contact][0].1);
+                if let Some(above) = &above {
+                    blocks[contact][1].1 -= self.between(contact - 1, first, &waves, above);
+                    if let Some((_, below)) = blocks[contact - 1].last_mut() {
+                        *below -= self.between(contact - 1, first, above, &waves);
+                    }
+                }
+                above = Some(waves);
             }
-            blocks.push(own);
-            above = Some(waves);
+        }
+        for (contact, blocks) in blocks.iter_mut().enumerate() {
+            self.add_half_plane(contact, self.layout.own[contact].limit, &mut blocks[0].1);
         }
         blocks
     }
@@ -190,30 +211,26 @@ impl Equations<'_> {
         waves
     }
 
-    /// What the pressures of a contact do to itself.
-    fn own(&self, contact: usize, waves: &Waves) -> Mat<f64> {
-        let own = &self.layout.own[contact];
-        let mut block = self.tested(waves, &own.unit.plain, waves, false);
+    /// Adds what the pressures of a contact do to itself, half-planes left out, by wavenumbers from `first` on.
+    fn add_own(&self, contact: usize, first: usize, waves: &Waves, block: &mut Mat<f64>) {
+        *block += self.tested(waves, &self.layout.own[contact].unit.plain, first, waves, false);
         for weights in self.couplings(contact) {
-            block += self.tested(waves, &weights.plain, waves, true);
+            *block += self.tested(waves, &weights.plain, first, waves, true);
         }
-        self.add_half_plane(contact, own.limit, &mut block);
-        block
     }
 
-    /// What the pressures of another contact do to one.
-    fn between(&self, coupling: usize, waves: &Waves, other: &Waves) -> Mat<f64> {
-        let mut block = self.tested(waves, &self.layout.coupling[coupling].plain, other, true);
-        block *= faer::Scale(-1.0);
-        block
+    /// What the pressures of another contact take from one.
+    fn between(&self, coupling: usize, first: usize, waves: &Waves, other: &Waves) -> Mat<f64> {
+        self.tested(waves, &self.layout.coupling[coupling].plain, first, other, true)
     }
 
-    /// (1/π) Σ tests · ζ weights · fields.
-    fn tested(&self, waves: &Waves, weights: &[f64], fields: &Waves, less_resultants: bool) -> Mat<f64> {
+    /// (1/π) Σ tests · ζ weights · fields, by wavenumbers from `first` on.
+    fn tested(&self, waves: &Waves, weights: &[f64], first: usize, fields: &Waves, less_resultants: bool) -> Mat<f64> {
+        let weights = &weights[first.min(weights.len())..];
         let count = weights.len().min(fields.transforms.nrows()).min(waves.tests.nrows());
         let mut weighted = Mat::zeros(count, fields.transforms.ncols());
         for column in 0..weighted.ncols() {
-            let terms = weights.iter().zip(&self.layout.zeta).zip(fields.column(column, less_resultants));
+            let terms = weights.iter().zip(&self.layout.zeta[first..]).zip(fields.column(column, less_resultants));
             for (out, ((weight, zeta), value)) in weighted.col_as_slice_mut(column).iter_mut().zip(terms) {
                 *out = weight * zeta / PI * value;
             }

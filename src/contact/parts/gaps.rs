@@ -17,10 +17,17 @@ const PLACES: usize = 24;
 const GAPS: f64 = 1e-6;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-4;
+/// A gap is known to so many times what it differs by from that of fewer pressures.
+const KNOWN: f64 = 3.0;
 
 /// Smallest pressure and smallest gap, and by which part of its largest pressure there each contact pulls about the middle,
-/// for want of terms; `None` if one of them is negative.
-pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Option<([f64; 2], Vec<f64>)> {
+/// for want of terms; `None` if one of them is negative. `coarse` has fewer pressures, and tells how far gaps are known.
+pub(super) fn check(
+    kernel: &Kernel,
+    punch: &Indentation,
+    level: &Level,
+    coarse: &Level,
+) -> Option<([f64; 2], Vec<f64>)> {
     let (patches, coefficients) = (&level.patches, &level.pressures.coefficients);
     let count = coefficients.first()?.len();
     let mut least = [0.0f64; 2];
@@ -50,19 +57,29 @@ pub(super) fn check(kernel: &Kernel, punch: &Indentation, level: &Level) -> Opti
     let span = span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
     let equations = Equations { kernel, punch, layout: &layout, patches, count };
-    for (i, patch) in patches.iter().enumerate() {
+    let before =
+        Equations { patches: &coarse.patches, count: coarse.pressures.coefficients.first()?.len(), ..equations };
+    for (i, (patch, same)) in patches.iter().zip(&coarse.patches).enumerate() {
         let next = patches.get(i + 1).filter(|next| next.contact == patch.contact);
         let end = match (next, patch.contact, punch.max_half_length()) {
             (Some(next), ..) => next.from(),
             (None, 0, Some(edge)) => span.min(edge),
             _ => span,
         };
-        let gaps = equations.gaps(patch.contact, coefficients, patch.to(), end, PLACES);
-        let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
-        if gaps.iter().any(|(_, gap)| *gap < -ZERO * widest) {
-            return None;
+        let first = i == 0 || patches[i - 1].contact != patch.contact;
+        let inwards = (first && !patch.is_central()).then(|| [patch.from(), 0.0, same.from(), 0.0]);
+        let end_before = next.map_or(end, |_| coarse.patches[i + 1].from());
+        for [from, to, from_before, to_before] in inwards.into_iter().chain([[patch.to(), end, same.to(), end_before]])
+        {
+            let gaps = equations.gaps(patch.contact, coefficients, from, to, PLACES);
+            let others = before.gaps(patch.contact, &coarse.pressures.coefficients, from_before, to_before, PLACES);
+            let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+            let known = gaps.iter().zip(&others).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
+            if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + KNOWN * known)) {
+                return None;
+            }
+            least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));
         }
-        least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));
     }
     Some((least, pulls))
 }

@@ -1,4 +1,4 @@
-//! Contacts in several intervals: bodies that touch about the middle and again farther out.
+//! Contacts in several intervals: bodies that touch about the middle and again farther out, or are apart about the middle.
 //!
 //! The convex programme tells where bodies touch, roughly; Newton's method finds where exactly, with more and more
 //! pressures on each interval until two numbers of them agree.
@@ -87,7 +87,7 @@ pub(super) fn solve(
     let negligible = negligible(options.tolerance);
     let mut work = Work::default();
     let mut before: Option<Level> = None;
-    let mut best: Option<(Level, Errors, usize)> = None;
+    let mut best: Option<([Level; 2], Errors, usize)> = None;
     let mut count = COARSEST;
     while count <= FINEST {
         let start = before.as_ref().map_or(&patches, |before| &before.patches);
@@ -107,7 +107,7 @@ pub(super) fn solve(
             // more pressures do not help against what is due to something else
             let done = errors.worst() <= options.tolerance.max(2.0 * errors.floor);
             if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
-                best = Some((level, errors, count));
+                best = Some(([level, before], errors, count));
             }
             if done {
                 break;
@@ -115,7 +115,7 @@ pub(super) fn solve(
         }
         count *= 2;
     }
-    let (level, mut errors, count) = best?;
+    let ([level, coarse], mut errors, count) = best?;
     if errors.ends.iter().flatten().any(|error| *error > UNKNOWN) {
         return None;
     }
@@ -127,23 +127,28 @@ pub(super) fn solve(
             options.tolerance
         ));
     }
-    let (min, pulls) = gaps::check(kernel, punch, &level)?;
+    let (min, pulls) = gaps::check(kernel, punch, &level, &coarse)?;
     // pressures that pull are wrong by that
     errors.peaks.iter_mut().zip(&pulls).for_each(|(error, pull)| *error = error.max(SAFETY * pull));
     Some(solution(kernel, interfaces, punch, &level, &errors, min, count, work.steps, warnings))
 }
 
-/// Intervals to begin with; `None` if there is one that does not end, or none about the middle.
+/// Intervals to begin with; `None` if a contact has none, or one that does not end.
 fn patches(zones: &[Zones]) -> Option<Vec<Patch>> {
     let mut patches = Vec::new();
     for (contact, zones) in zones.iter().enumerate() {
         let parts = zones.hull();
-        if parts.first().is_none_or(|first| first[0] != 0.0) || parts.iter().any(|part| part[1].is_infinite()) {
+        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
         patches.extend(parts.iter().map(|part| Patch::new(contact, *part)));
     }
     Some(patches)
+}
+
+/// The innermost interval of each contact.
+fn first_of_each(patches: &[Patch]) -> impl Iterator<Item = usize> {
+    (0..patches.len()).filter(|i| i.checked_sub(1).is_none_or(|before| patches[before].contact != patches[*i].contact))
 }
 
 /// Where intervals end, from the middle outwards.
@@ -161,7 +166,7 @@ fn with_ends(patches: &[Patch], ends: &[f64]) -> Option<Vec<Patch>> {
         next += usize::from(!patch.is_central());
         let to = ends[next];
         next += 1;
-        if !to.is_finite() || to <= from {
+        if !to.is_finite() || to <= from || from <= 0.0 && !patch.is_central() {
             return None;
         }
         moved.push(Patch::new(patch.contact, [from, to]));
@@ -178,7 +183,8 @@ fn rooms(patches: &[Patch]) -> Vec<f64> {
         let same = |other: &&Patch| other.contact == patch.contact;
         if !patch.is_central() {
             let before = i.checked_sub(1).and_then(|before| patches.get(before)).filter(same);
-            rooms.push(before.map_or(whole, |before| whole.min(patch.from() - before.to())));
+            // what is left of x = 0 is a mirror image
+            rooms.push(whole.min(patch.from() - before.map_or(0.0, Patch::to)));
         }
         rooms.push(patches.get(i + 1).filter(same).map_or(whole, |after| whole.min(after.from() - patch.to())));
     }
@@ -312,9 +318,12 @@ impl Errors {
             let rest = rest(new);
             [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]
         });
-        let central = level.patches.iter().filter(|patch| patch.is_central());
-        let peaks = level.peaks().zip(before.peaks()).zip(central);
-        let peaks = peaks.map(|((new, old), patch)| change(new, old) + rest(patch)).collect();
+        let peaks = level.peaks().zip(before.peaks()).zip(first_of_each(&level.patches));
+        let peaks = peaks.map(|((new, old), i)| {
+            // none where the bodies are apart
+            if new == 0.0 { 0.0 } else { change(new, old) + rest(&level.patches[i]) }
+        });
+        let peaks = peaks.collect();
         let floor = level.patches.iter().map(rest).fold(0.0, f64::max);
         Self { ends: ends.collect(), peaks, floor }
     }
@@ -327,8 +336,7 @@ impl Errors {
 impl Level {
     /// p(0) of each contact, per unit of P'.
     fn peaks(&self) -> impl Iterator<Item = f64> {
-        let central = self.patches.iter().zip(&self.pressures.coefficients).filter(|(patch, _)| patch.is_central());
-        central.map(|(patch, coefficients)| patch.pressure(coefficients, 0.0))
+        first_of_each(&self.patches).map(|i| self.patches[i].pressure(&self.pressures.coefficients[i], 0.0))
     }
 }
 
@@ -354,25 +362,35 @@ fn solution(
         let (at, extent) = (patch.middle * length, patch.half * length);
         let resultant = coefficients[0] * patch.resultant() * length;
         let (from, to) = (patch.from() * length, patch.to() * length);
-        if patch.is_central() {
-            let (peak, peak_error) = peaks.next().unwrap_or((0.0, &0.0));
-            let peak_pressure = peak * pressure_unit;
-            contacts.push(Contact {
-                interface: interfaces[patch.contact],
-                half_length: to,
-                half_length_error: to_error * to,
-                peak_pressure,
-                peak_pressure_error: peak_error * peak_pressure.abs(),
-                resultant,
-                strips: vec![Strip::series(extent, coefficients, count)],
-                parts: Vec::new(),
-            });
-        } else if let Some(contact) = contacts.last_mut() {
+        let strip = if patch.is_central() {
+            Strip::series(extent, coefficients, count)
+        } else {
             let skew = coefficients.iter().skip(1).step_by(2).copied().collect();
             coefficients = coefficients.iter().step_by(2).copied().collect();
-            contact.resultant += resultant;
-            contact.strips.push(Strip { at, skew, ..Strip::series(extent, coefficients, count) });
-            contact.parts.push(Part { from, from_error: from_error * from, to, to_error: to_error * to });
+            Strip { at, skew, ..Strip::series(extent, coefficients, count) }
+        };
+        match contacts.last_mut().filter(|contact| contact.interface == interfaces[patch.contact]) {
+            None => {
+                let (peak, peak_error) = peaks.next().unwrap_or((0.0, &0.0));
+                let peak_pressure = peak * pressure_unit;
+                contacts.push(Contact {
+                    interface: interfaces[patch.contact],
+                    half_length: to,
+                    half_length_error: to_error * to,
+                    opening: from,
+                    opening_error: from_error * from,
+                    peak_pressure,
+                    peak_pressure_error: peak_error * peak_pressure.abs(),
+                    resultant,
+                    strips: vec![strip],
+                    parts: Vec::new(),
+                });
+            }
+            Some(contact) => {
+                contact.resultant += resultant;
+                contact.strips.push(strip);
+                contact.parts.push(Part { from, from_error: from_error * from, to, to_error: to_error * to });
+            }
         }
     }
     warnings.extend(in_parts(&contacts));
