@@ -1,4 +1,5 @@
 //! What Newton's method has found with given numbers of modes, and all that tells how good it is.
+use super::fading::Faded;
 use super::galerkin::{Modes, Rows};
 use super::layout::Layout;
 use super::pressures::Influences;
@@ -20,8 +21,8 @@ pub(super) struct Converged {
     /// By how much further rounds would change the logarithms of the half-lengths, and Σ y_m/order.
     pub(super) unsettled: Vec<[f64; 2]>,
     pub(super) influences: Influences,
-    /// What may depend on the end of each contact that fades, see [`super::fading`], relative.
-    pub(super) faded: Vec<Option<f64>>,
+    /// What is known of the ends of contacts that fade.
+    pub(super) faded: Vec<Option<Faded>>,
     /// The last layout, and what the kernels make there of the pressures, almost.
     pub(super) waves: Option<(Layout, Vec<Rows>)>,
 }

@@ -19,6 +19,15 @@ const RISES: f64 = 4.0;
 /// Nothing is known better than this.
 const NOISE: f64 = 1e-13;
 
+/// The end of a contact that fades.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Faded {
+    /// What may depend on it, relative.
+    pub(super) felt: f64,
+    /// How far on Newton's method would have it, relative: over that length the pressure falls to a third.
+    pub(super) decay: f64,
+}
+
 /// What is seen of the end of one contact during Newton's method.
 #[derive(Clone, Debug)]
 struct End {
@@ -54,10 +63,13 @@ impl Fading {
         self.ends.iter().map(|end| end.left).collect()
     }
 
-    /// What may depend on the end of each contact that fades, relative.
-    pub(super) fn felt(&self) -> Vec<Option<f64>> {
-        let felt = |(end, seen): (&End, &bool)| (end.left && *seen).then_some(end.least.0.max(NOISE));
-        self.ends.iter().zip(&self.seen).map(felt).collect()
+    /// The ends of contacts that fade.
+    pub(super) fn faded(&self, half_lengths: &[f64]) -> Vec<Option<Faded>> {
+        let faded = |((end, seen), a): ((&End, &bool), &f64)| {
+            let decay = (end.last / a).min(1.0);
+            (end.left && *seen).then_some(Faded { felt: end.least.0.max(NOISE), decay })
+        };
+        self.ends.iter().zip(&self.seen).zip(half_lengths).map(faded).collect()
     }
 
     /// Looks at a step before it is taken, with the half-lengths where it begins; whether an end more is to be left where it is

@@ -218,6 +218,26 @@ impl<'a> Equations<'a> {
         0.5 * self.layout.own[i].limit / (order(m) * self.bases[i].half_length.powi(2))
     }
 
+    /// Whether all modes of some contact are counted from those of the contact above.
+    pub(super) fn has_linked(&self) -> bool {
+        self.linked.contains(&true)
+    }
+
+    /// How large the terms are of which the differences of modes that are counted from those above consist, in a sum of rows
+    /// with these weights: a laminate that bends easily makes much of what rounding leaves of the differences. `diagonal` is
+    /// that of the matrix.
+    pub(super) fn difference_rounding(&self, weights: &[f64], modes: &[Vec<f64>], diagonal: &[f64]) -> f64 {
+        let laminate = |i: usize| {
+            let below = |m: usize| self.place(i + 1, m);
+            let both = self.modes[i].min(self.modes[i + 1]);
+            let energy = |amplitude: &dyn Fn(usize) -> f64| {
+                (1..both).map(|m| amplitude(m).powi(2) * diagonal[below(m)]).sum::<f64>().sqrt()
+            };
+            energy(&|m| weights[below(m)]) * energy(&|m| modes[i][m])
+        };
+        (0..self.linked.len()).filter(|i| self.linked[*i]).map(laminate).sum()
+    }
+
     /// What the unknowns, in the order of the matrix, are as modes of each contact.
     pub(super) fn modes_of(&self, unknowns: &[f64]) -> Vec<Vec<f64>> {
         let mut modes: Vec<Vec<f64>> = Vec::with_capacity(self.contacts());

@@ -41,6 +41,9 @@ const PULLED: f64 = 2.0;
 /// Half-lengths feel at least this part of what is missing of pressures, whatever the last modes say.
 const FELT: f64 = 1e-3;
 
+/// The last modes that tell where a sum of alternating terms ends.
+const LAST: usize = 4;
+
 /// Half-lengths and pressures at one level of refinement.
 pub(super) struct Level {
     /// Half-lengths in units of L.
@@ -90,6 +93,8 @@ impl Level {
         // by how much more than the last ones the modes that are missing may change, and by how much at most
         let mut further = vec![[0.0; 2]; modes.len()];
         let mut arithmetic = vec![0.0; modes.len()];
+        // what is missing of a pressure, as its neighbours feel it: not averaged
+        let mut unheard = vec![0.0; modes.len()];
         for (i, y) in modes.iter().enumerate() {
             let local = local.as_ref().filter(|_| i == 0);
             let own = without(y, local);
@@ -118,11 +123,12 @@ impl Level {
             };
             // a pressure that is infinite cannot be missed
             let pressure = if peak.is_finite() { (missing + unsettled[i][1] / PI) / size } else { 0.0 };
-            arithmetic[i] = negligible + ROUNDING + found.influences.rounding[i];
+            unheard[i] = if averaged { largest(&own, own.len().saturating_sub(LAST)) / PI } else { beyond / PI };
+            arithmetic[i] = negligible + ROUNDING;
             // the modes of a punch that is not smooth fall slowly, but it is known how
             let felt = if local.is_some() { 0.0 } else { FELT * pressure };
             // and of an end that was left where it is, only what depends on it matters
-            let length = faded[i].unwrap_or(beyond_length + unsettled[i][0] + felt) + arithmetic[i];
+            let length = faded[i].map_or(beyond_length + unsettled[i][0] + felt, |faded| faded.felt) + arithmetic[i];
             errors.push([length, pressure + 3.0 * arithmetic[i]]);
             let still = !peak.is_finite() || unsettled[i][1] < 0.1 * pressure * size * PI;
             settled.push(unsettled[i][0] < 0.1 * length && still);
@@ -147,22 +153,52 @@ impl Level {
             (errors[0], tails[0], settled[0]) = ([0.0; 2], 0.0, true);
         }
         let lengths: Vec<f64> = errors.iter().map(|[length, _]| *length).collect();
+        // an end that was left where it is may be anywhere; as the pressure fades, so does what depends on it
+        let first: Vec<f64> =
+            lengths.iter().zip(&faded).map(|(length, faded)| faded.map_or(*length, |faded| faded.decay)).collect();
         // how far half-lengths feel others, and how far pressures do: no less, unless a half-length is not known at all
         let by_length = |i: usize, k: usize| if i == k { 1.0 } else { found.influences.lengths[i][k].min(1.0) };
         let by_peak = |i: usize, k: usize| {
             let felt = found.influences.peaks[i][k].min(1.0);
-            if lengths[k] > UNKNOWN { felt } else { felt.max(by_length(i, k)) }
+            let unknown = if i == k { lengths[k] > UNKNOWN } else { first[k] > UNKNOWN || faded[k].is_some() };
+            if unknown { felt } else { felt.max(by_length(i, k)) }
         };
+        // what contact k misses of its pressure is a load on the other side of the laminate between them
+        let passed_on = |i: usize, k: usize| {
+            let last = 2.0 * modes[k].len() as f64 / half_lengths[k];
+            let heard = (kernel.coupling(i.min(k), last).abs() / kernel.far(i).limit).min(1.0);
+            let size = if peaks[i].is_finite() { peaks[i].abs() } else { PI.recip() };
+            heard * unheard[k] * half_lengths[i] / (half_lengths[k] * size)
+        };
+        // what rounding does to pressures comes by way of the half-lengths
+        let rounding = &found.influences.rounding;
+        let by_rounding = |i: usize| {
+            let felt = found.influences.peaks[i].iter().zip(rounding).map(|(felt, rounding)| felt.min(1.0) * rounding);
+            PEAKS * felt.fold(rounding[i].min(ROUNDING), f64::max)
+        };
+        let others = |i: usize, feels: &dyn Fn(usize, usize) -> f64, lengths: &[f64]| {
+            (0..lengths.len()).filter(|k| *k != i).map(|k| feels(i, k) * lengths[k]).fold(0.0, f64::max)
+        };
+        let passed: Vec<f64> = (0..lengths.len()).map(|i| first[i].max(others(i, &by_length, &first))).collect();
         let mut own_errors = Vec::with_capacity(errors.len());
         for (i, error) in errors.iter_mut().enumerate() {
             error[1] += PEAKS * by_peak(i, i) * lengths[i];
             own_errors.push(error[0].max(error[1]));
+        }
+        for (i, error) in errors.iter_mut().enumerate() {
+            error[0] += rounding[i];
+            error[1] += by_rounding(i);
+            for k in [i.wrapping_sub(1), i + 1].into_iter().filter(|k| i.min(*k) >= given && *k < modes.len()) {
+                let passed_on = passed_on(i, k);
+                error[1] += passed_on;
+                own_errors[k] = own_errors[k].max(passed_on);
+            }
             if i >= given {
-                let others = |feels: &dyn Fn(usize, usize) -> f64| {
-                    (0..lengths.len()).filter(|k| *k != i).map(|k| feels(i, k) * lengths[k]).fold(0.0, f64::max)
-                };
-                error[1] += PEAKS * others(&by_peak);
-                error[0] += others(&by_length);
+                error[1] += PEAKS * others(i, &by_peak, &passed);
+                if faded[i].is_none() {
+                    error[1] += PEAKS * by_peak(i, i) * (passed[i] - first[i]);
+                }
+                error[0] += others(i, &by_length, &passed);
             }
         }
         for (error, _) in errors.iter_mut().zip(&faded).filter(|(_, faded)| faded.is_some()) {
@@ -187,7 +223,7 @@ impl Level {
             settled,
             errors,
             own_errors,
-            faded,
+            faded: faded.iter().map(|faded| faded.map(|faded| faded.felt)).collect(),
             tails,
             waves,
             rest,
@@ -234,6 +270,11 @@ impl Level {
 fn without(modes: &[f64], local: Option<&Local>) -> Vec<f64> {
     let Some(local) = local else { return modes.to_vec() };
     modes.iter().zip(&local.modes).map(|(y, local)| y - local).collect()
+}
+
+/// The largest |y_m|/order from a mode on.
+fn largest(modes: &[f64], from: usize) -> f64 {
+    (from..modes.len()).map(|m| weight(modes, m..m + 1)).fold(0.0, f64::max)
 }
 
 /// last/before, not quite 1 at most.

@@ -182,7 +182,7 @@ impl<'a> Newton<'a> {
         let Point { mut half_lengths, mut corners, pressures, linearised, layout, mut bases, mut slopes } =
             self.iterate(half_lengths, solved, modes, negligible(tolerance), [NEARBY, ENDS * tolerance])?;
         let Pressures { modes: mut all, mut step, .. } = pressures;
-        let faded = self.fading.felt();
+        let faded = self.fading.faded(&half_lengths);
         for (own, modes) in all.iter_mut().zip(modes) {
             own.resize(*modes, 0.0);
         }
@@ -262,7 +262,7 @@ impl<'a> Newton<'a> {
             let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
             let Point { half_lengths, corners, pressures, .. } = end;
             let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
-            let (waves, faded) = (None, self.fading.felt());
+            let (waves, faded) = (None, self.fading.faded(&half_lengths));
             let found =
                 Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, influences, faded, waves };
             return Ok((found, true));

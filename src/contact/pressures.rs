@@ -57,6 +57,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     let mut columns = Mat::<f64>::zeros(higher, n + 1);
     columns.as_mut().subcols_mut(0, n).copy_from(matrix.submatrix(n, 0, higher, n));
     let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
+    let diagonal: Vec<f64> = (0..size).map(|k| matrix[(k, k)]).collect();
     // derivatives take as much memory
     drop(matrix);
     for m in 1..equations.modes(0) {
@@ -95,10 +96,16 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
         row - dot(beta.col_as_slice(i), &gamma)
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
+    let differences = |i: usize| {
+        let mut weights = back(&factor, beta.col_as_slice(i), n);
+        weights[i] = 1.0;
+        equations.difference_rounding(&weights, &modes, &diagonal)
+    };
     let sizes: Vec<f64> = (0..n)
         .map(|i| {
             let terms = beta.col_as_slice(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs());
-            ROUNDING * (terms.sum::<f64>() + known[i].abs())
+            let differences = if equations.has_linked() { differences(i) } else { 0.0 };
+            ROUNDING * (terms.sum::<f64>() + known[i].abs() + differences)
         })
         .collect();
     let felt = |changes: &[f64]| -> Vec<f64> {
