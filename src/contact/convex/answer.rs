@@ -3,13 +3,15 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::given::strip;
+use crate::contact::level::ENDLESS;
 use crate::contact::punch::Indentation;
 use crate::contact::{in_parts, stats};
 use crate::kernel::Kernel;
 use crate::solution::{Contact, Form, Interface, Part, Solution, Stats};
 
+use super::energy::Compliances;
 use super::grid::Grid;
-use super::{Round, rounds};
+use super::{Round, rounds, short};
 
 /// Ends are right to so many elements.
 const ELEMENTS: f64 = 3.0;
@@ -19,6 +21,8 @@ const SAFETY: f64 = 2.0;
 const LEAST_ERROR: f64 = 0.01;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
+/// Contacts that fade before they end are given up to where this part of the force is left.
+const FADED: f64 = 1e-4;
 /// Forces are those given to this part.
 const RESULTANT: f64 = 1e-3;
 
@@ -33,15 +37,18 @@ pub(in crate::contact) fn answer(
     if punch.flat().is_some() || punch.is_sharp() {
         return None;
     }
-    let rounds = rounds(kernel, punch, expected, far);
-    let [before, last] = &rounds[..] else { return None };
+    let known = short(kernel, expected);
+    let all = rounds(&Compliances { kernel, alone: false }, punch, expected, far, known);
+    // a contact that is a line load to the others does not feel where they end
+    let alone = known.map(|a| rounds(&Compliances { kernel, alone: true }, punch, &[a], 0.0, None));
+    let under_punch = alone.as_deref().unwrap_or(&all);
     let contacts: Option<Vec<Contact>> = interfaces
         .iter()
         .enumerate()
-        .map(|(i, interface)| contact(kernel, punch, *interface, i, last, before))
+        .map(|(i, interface)| contact(kernel, punch, *interface, i, if i == 0 { under_punch } else { &all }))
         .collect();
     let contacts = contacts?;
-    let elements = last.grid.elements();
+    let elements = all.last()?.grid.elements();
     let mut warnings = vec![format!(
         "no answer of more digits was found: pressures are constant on each of {elements} elements here, and the error \
          estimates say how much they tell"
@@ -59,14 +66,8 @@ pub(in crate::contact) fn answer(
 }
 
 /// One contact in the units of the scene.
-fn contact(
-    kernel: &Kernel,
-    punch: &Indentation,
-    interface: Interface,
-    i: usize,
-    last: &Round,
-    before: &Round,
-) -> Option<Contact> {
+fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize, rounds: &[Round]) -> Option<Contact> {
+    let [before, last] = rounds else { return None };
     let force: f64 = last.forces[i].iter().filter(|force| **force > 0.0).sum();
     if (force - 1.0).abs() > RESULTANT {
         return None;
@@ -77,11 +78,13 @@ fn contact(
     let error = |end: f64| ELEMENTS * last.grid.width(end);
     // bodies that touch for ever do so without a force
     let zones = if zones.sure.len() > 1 { zones.sure } else { zones.apart };
-    let mut parts = zones.iter().filter(|[_, to]| to.is_finite()).map(|[from, to]| Part {
+    // as far as they do with one
+    let fades = last.fades(i);
+    let mut parts = zones.iter().filter(|[from, to]| to.is_finite() || *from < fades).map(|[from, to]| Part {
         from: from * length,
         from_error: error(*from) * length,
-        to: to * length,
-        to_error: error(*to) * length,
+        to: if to.is_finite() { *to } else { fades } * length,
+        to_error: if to.is_finite() { error(*to) } else { ENDLESS * fades } * length,
     });
     let first = parts.next().filter(|first| first.from == 0.0)?;
     let parts: Vec<Part> = parts.collect();
@@ -96,6 +99,7 @@ fn contact(
     let peak_pressure = unit * middle(last);
     let peak_error = LEAST_ERROR + SAFETY * (middle(before) / middle(last) - 1.0).abs();
     let lengths = [&first].into_iter().chain(&parts).map(|part| part.to_error / part.to);
+    let lengths = lengths.filter(|error| *error < ENDLESS);
     let worst = lengths.fold(peak_error, f64::max);
     // what is no number is no answer either
     if worst.is_nan() || worst > MOST_ERROR {
@@ -105,12 +109,27 @@ fn contact(
         interface,
         half_length: first.to,
         half_length_error: first.to_error,
+        opening: 0.0,
+        opening_error: 0.0,
         peak_pressure,
         peak_pressure_error: peak_error * peak_pressure,
         resultant: strips.iter().map(|strip| strip.resultant() * if strip.at == 0.0 { 1.0 } else { 2.0 }).sum(),
         strips,
         parts,
     })
+}
+
+impl Round {
+    /// Up to where contact i carries all but a small part of the force.
+    fn fades(&self, i: usize) -> f64 {
+        let mut left = 0.0;
+        let outwards = self.forces[i].iter().enumerate().rev();
+        let last = outwards.map(|(e, force)| (e, force.max(0.0))).find(|(_, force)| {
+            left += force;
+            left > FADED
+        });
+        last.map_or(0.0, |(e, _)| self.grid.element(e)[1])
+    }
 }
 
 impl Grid {

@@ -45,7 +45,7 @@ pub(super) struct Energy {
 }
 
 impl Energy {
-    pub(super) fn new(kernel: &Kernel, punch: &Indentation, grid: &Grid) -> Self {
+    pub(super) fn new(kernel: &Compliances, punch: &Indentation, grid: &Grid) -> Self {
         let (contacts, elements) = (kernel.contacts(), grid.elements());
         let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let mut energy = Self {
@@ -59,6 +59,9 @@ impl Energy {
         let least: Vec<f64> = (0..contacts).map(|i| waves.least(kernel, i)).collect();
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
+        if waves.any_negative(kernel) {
+            energy.add_resultants();
+        }
         energy.add_punch(punch, grid);
         energy
     }
@@ -88,7 +91,7 @@ impl Energy {
         }
     }
 
-    fn add_waves(&mut self, kernel: &Kernel, least: &[f64], grid: &Grid, waves: &Waves) {
+    fn add_waves(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, waves: &Waves) {
         let elements = self.elements();
         let end = grid.edges()[elements];
         for (from, to) in waves.octaves() {
@@ -108,7 +111,7 @@ impl Energy {
             }
             for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
                 let weights: Vec<f64> =
-                    zeta.iter().map(|(zeta, w)| w / (PI * zeta) * (unit_kernel(kernel, i, *zeta) - least[i])).collect();
+                    zeta.iter().map(|(zeta, w)| w / (PI * zeta) * (kernel.unit(i, *zeta) - least[i])).collect();
                 add_gram(&transforms, &weights, unit);
                 for (e, linear) in linear.iter_mut().enumerate() {
                     let terms = transforms.col_as_slice(e).iter().zip(&weights).zip(&reference);
@@ -120,6 +123,24 @@ impl Energy {
                     zeta.iter().map(|(zeta, w)| -w / (PI * zeta) * kernel.coupling(i, *zeta)).collect();
                 if weights.iter().any(|weight| *weight != 0.0) {
                     add_gram(&transforms, &weights, coupling);
+                }
+            }
+        }
+    }
+
+    /// Adds multiples of the squares of the resultants, which are given: where a laminate bends when it is squeezed, the form
+    /// is definite among pressures of no resultant only.
+    fn add_resultants(&mut self) {
+        let stiffness = |unit: &Mat<f64>| {
+            let diagonal =
+                self.resultants.iter().enumerate().map(|(e, resultant)| unit[(e, e)].abs() / resultant.powi(2));
+            diagonal.fold(0.0, f64::max)
+        };
+        let most = self.unit.iter().map(stiffness).fold(0.0, f64::max);
+        for unit in &mut self.unit {
+            for e in 0..self.resultants.len() {
+                for f in 0..self.resultants.len() {
+                    unit[(e, f)] += most * self.resultants[e] * self.resultants[f];
                 }
             }
         }
@@ -164,15 +185,44 @@ impl Waves {
             .chain(edges.take_while(move |edge| *edge < last).map(|from| (from, 2.0 * from)))
     }
 
+    /// Whether a kernel is negative anywhere.
+    fn any_negative(&self, kernel: &Compliances) -> bool {
+        (0..kernel.contacts()).any(|i| self.octaves().any(|(_, to)| kernel.unit(i, to) < 0.0))
+    }
+
     /// The least value of the kernel of contact i, if that is positive.
-    fn least(&self, kernel: &Kernel, i: usize) -> f64 {
-        let values = self.octaves().map(|(_, to)| unit_kernel(kernel, i, to));
-        values.fold(kernel.far(i).limit, f64::min).max(0.0)
+    fn least(&self, kernel: &Compliances, i: usize) -> f64 {
+        let values = self.octaves().map(|(_, to)| kernel.unit(i, to));
+        values.fold(kernel.limit(i), f64::min).max(0.0)
     }
 }
 
-fn unit_kernel(kernel: &Kernel, i: usize, zeta: f64) -> f64 {
-    kernel.far(i).limit + kernel.unit_excess(i, zeta)
+/// The kernels of all contacts, or that of the contact under the punch if no other opens.
+pub(super) struct Compliances<'a> {
+    pub(super) kernel: &'a Kernel,
+    pub(super) alone: bool,
+}
+
+impl Compliances<'_> {
+    fn contacts(&self) -> usize {
+        if self.alone { 1 } else { self.kernel.contacts() }
+    }
+
+    fn limit(&self, i: usize) -> f64 {
+        self.kernel.far(i).limit
+    }
+
+    /// The kernel of contact i under equal neighbouring pressures, or of contact 0 alone.
+    fn unit(&self, i: usize, zeta: f64) -> f64 {
+        match self.alone {
+            true => self.kernel.compliances(zeta)[0],
+            false => self.limit(i) + self.kernel.unit_excess(i, zeta),
+        }
+    }
+
+    fn coupling(&self, i: usize, zeta: f64) -> f64 {
+        self.kernel.coupling(i, zeta)
+    }
 }
 
 /// x (sin ζx/(ζx) − 1).

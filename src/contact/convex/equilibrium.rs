@@ -13,6 +13,10 @@ use faer::{Accum, Mat, MatRef, Par, Side};
 use super::energy::Energy;
 use super::programme::Elements;
 
+/// What is added to the diagonal, as a part of the terms that cancel there, one after the other until rounding leaves the
+/// equations definite.
+const SOFTENED: [f64; 5] = [0.0, 1e-15, 1e-14, 1e-13, 1e-12];
+
 /// What follows if given elements of each contact touch.
 pub(super) struct Equilibrium<'a> {
     energy: &'a Energy,
@@ -51,14 +55,16 @@ impl<'a> Equilibrium<'a> {
         })
     }
 
-    /// Eliminates contact i + 1: what it makes of a pressure on contact i, and the energy that is left.
-    fn eliminate(&self, i: usize, below: &Below) -> Option<(Response, Below)> {
+    /// Eliminates contact i + 1: what it makes of a pressure on contact i, and the energy that is left; `softened` is one of
+    /// [`SOFTENED`].
+    fn eliminate(&self, i: usize, below: &Below, softened: f64) -> Option<(Response, Below)> {
         let (unit, coupling) = (&self.energy.unit[i], &self.energy.coupling[i]);
         let (upper, lower) = (&self.elements[i], &self.elements[i + 1]);
         let Below { stiffness, load } = below;
         // where the pressure of an element goes on below, and where it is a jump
         let place: Vec<Option<usize>> = upper.iter().map(|e| lower.binary_search(e).ok()).collect();
-        let own = Mat::from_fn(lower.len(), lower.len(), |k, l| coupling[(lower[k], lower[l])] + stiffness[(k, l)]);
+        let mut own = Mat::from_fn(lower.len(), lower.len(), |k, l| coupling[(lower[k], lower[l])] + stiffness[(k, l)]);
+        (0..own.nrows()).for_each(|k| own[(k, k)] += softened * (own[(k, k)].abs() + 2.0 * stiffness[(k, k)].abs()));
         let factor = own.llt(Side::Lower).ok()?;
         drop(own);
         let mut gain = Mat::from_fn(lower.len(), upper.len(), |k, l| match place[l] {
@@ -77,6 +83,10 @@ impl<'a> Equilibrium<'a> {
                     _ => 0.0,
                 }
         });
+        for (k, e) in upper.iter().enumerate() {
+            let below = place[k].map_or(coupling[(*e, *e)], |k| stiffness[(k, k)]);
+            left[(k, k)] += softened * (unit[(*e, *e)].abs() + below.abs());
+        }
         matmul(left.as_mut(), Accum::Add, gain.transpose(), gain.as_ref(), -1.0, Par::Seq);
         let mut passed = self.load(i);
         for (k, place) in place.iter().enumerate() {
@@ -93,7 +103,7 @@ impl<'a> Equilibrium<'a> {
 
     /// The unknowns of each contact's elements that touch, a column for each right-hand side; `None` if the equations
     /// cannot be solved in double precision.
-    fn unknowns(&self) -> Option<Vec<Mat<f64>>> {
+    fn unknowns(&self, softened: f64) -> Option<Vec<Mat<f64>>> {
         let last = self.energy.contacts() - 1;
         let unit = &self.energy.unit[last];
         let own = &self.elements[last];
@@ -103,7 +113,7 @@ impl<'a> Equilibrium<'a> {
         };
         let mut responses = Vec::with_capacity(last);
         for i in (0..last).rev() {
-            let (response, next) = self.eliminate(i, &below)?;
+            let (response, next) = self.eliminate(i, &below, softened)?;
             responses.push(response);
             below = next;
         }
@@ -132,7 +142,7 @@ impl<'a> Equilibrium<'a> {
     pub(super) fn solve(&self) -> Option<(Elements<f64>, Elements<f64>)> {
         let Energy { linear, resultants, .. } = self.energy;
         let n = self.energy.contacts();
-        let responses = self.unknowns()?;
+        let responses = SOFTENED.iter().find_map(|softened| self.unknowns(*softened))?;
         let mut stiffness = Mat::<f64>::zeros(n, n + 1);
         let mut pressure = Mat::zeros(0, 0);
         for (i, unknowns) in responses.iter().enumerate() {

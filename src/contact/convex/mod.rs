@@ -15,7 +15,7 @@ mod tests;
 use crate::kernel::Kernel;
 
 use super::punch::Indentation;
-use energy::Energy;
+use energy::{Compliances, Energy};
 use grid::Grid;
 use programme::Programme;
 
@@ -45,6 +45,10 @@ const LEAST_FORCE: f64 = 1e-8;
 
 /// Gaps shorter than this part of where the contact outside them ends are none.
 const NARROW: f64 = 0.05;
+
+/// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
+/// line load to them.
+const SHORT: f64 = 0.05;
 
 /// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,25 +96,43 @@ impl Round {
 /// `far` is a place that is to be well inside it. `None` if the programme
 /// has no solution in double precision, or part of it is known.
 pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
-    rounds(kernel, punch, expected, far).pop().map(|last| last.zones())
+    let known = short(kernel, expected);
+    let all = Compliances { kernel, alone: false };
+    let mut zones = rounds(&all, punch, expected, far, known).pop()?.zones();
+    if let Some(a) = known {
+        zones[0] = Zones { sure: vec![[0.0, a]], apart: vec![[0.0, a]] };
+    }
+    Some(zones)
 }
 
-/// The last rounds, two at most, with the finest grids.
-fn rounds(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Vec<Round> {
+/// The half-length expected under the punch, if that is a line load to all other contacts.
+fn short(kernel: &Kernel, expected: &[f64]) -> Option<f64> {
+    let top = kernel.laminates().first().map(|(thickness, _)| *thickness)?;
+    expected[1..].iter().chain([&top]).all(|a| expected[0] < SHORT * a).then_some(expected[0])
+}
+
+/// The last rounds, two at most, with the finest grids. The half-length under the punch may be `known`, and far below that
+/// of all others.
+fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64, known: Option<f64>) -> Vec<Round> {
     let mut rounds: Vec<Round> = Vec::new();
     if punch.given().is_some() {
         return rounds;
     }
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-    let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
+    let unknown = &expected[usize::from(known.is_some())..];
+    let shortest = unknown.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
     let mut grid = Grid::new(shortest, REACH * longest.max(far));
     let mut longer = LONGER;
     for _ in 0..ROUNDS {
-        let energy = Energy::new(kernel, punch, &grid);
+        let mut energy = Energy::new(kernel, punch, &grid);
+        if known.is_some() {
+            energy.barred[1..].fill(true);
+        }
         let start = rounds.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
-        let ends: Vec<usize> = touching.iter().flat_map(|touching| transitions(touching)).collect();
+        let looked_for = &touching[usize::from(known.is_some())..];
+        let ends: Vec<usize> = looked_for.iter().flat_map(|touching| transitions(touching)).collect();
         // bodies that touch again far away do so for ever
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         rounds.push(Round { grid: grid.clone(), touching, forces });

@@ -5,7 +5,7 @@ use crate::kernel::Kernel;
 use crate::stress::{Ranges, scene};
 use crate::{Model, Options, Solution, Stack};
 
-use super::energy::Energy;
+use super::energy::{Compliances, Energy};
 use super::equilibrium::Equilibrium;
 use super::grid::Grid;
 use super::{FINE, answer, zones};
@@ -66,7 +66,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
         let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
         let grid = Grid::new(0.5, 20.0);
-        let energy = Energy::new(&kernel, &indentation, &grid);
+        let energy = Energy::new(&Compliances { kernel: &kernel, alone: false }, &indentation, &grid);
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {
