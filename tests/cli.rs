@@ -358,3 +358,23 @@ fn names_that_are_nearly_right_are_understood() {
         assert!(succeeds(&[name, "--help"]).contains("Examples:\n"), "{name}");
     }
 }
+
+#[test]
+fn stress_tells_what_became_of_random_scenes() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stress");
+    let folder = folder.to_str().unwrap();
+    let of = ["stress", "--paper-kinds", "--seed", "1", "--first", "1", "--count", "4"];
+    let said = succeeds(&[&of[..], &["--verify", "--save", folder, "--threads", "1"]].concat());
+    for part in ["solved", "100.00 %", "estimated error", "slowest", "4 scenes compared", "0 errors more than 10 times"]
+    {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    // what is saved are the scenes that were solved
+    let saved = format!("{folder}/stress_1_4.ron");
+    let text = fs::read_to_string(&saved).unwrap();
+    assert!(text.starts_with("// solved\n"), "{text}");
+    assert!(succeeds(&["solve", &saved, "--format", "csv"]).starts_with("interface,half_length"));
+    // all kinds, to a tolerance of one's own
+    let said = succeeds(&["stress", "--seed", "1", "--first", "1", "--count", "2", "--tolerance", "1e-6"]);
+    assert!(said.contains("100.00 %") && !said.contains("compared"), "{said}");
+}

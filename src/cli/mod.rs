@@ -5,6 +5,7 @@ mod generate;
 mod init;
 mod list;
 mod plot;
+mod progress;
 mod rows_file;
 mod show;
 mod solve;

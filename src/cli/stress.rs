@@ -10,6 +10,7 @@ use recede::stress::{Comparison, Ranges, Trial, compare, scene, scene_of_any_kin
 use recede::{Options, Scene};
 
 use super::Failure;
+use super::progress::bar;
 
 /// Solve random legal scenes and tell what became of them
 #[derive(Debug, clap::Args)]
@@ -82,8 +83,14 @@ impl Stress {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads.map_or(0, NonZeroUsize::get)).build()?;
         let numbers = self.first..self.first.saturating_add(self.count);
-        let ended: Vec<Ended> =
-            pool.install(|| numbers.into_par_iter().map(|number| self.one(number)).collect::<Result<_, _>>())?;
+        let bar = bar(self.count, 0);
+        let one = |number: u64| {
+            let ended = self.one(number);
+            bar.inc(1);
+            ended
+        };
+        let ended: Vec<Ended> = pool.install(|| numbers.into_par_iter().map(one).collect::<Result<_, _>>())?;
+        bar.finish_and_clear();
         let mut slowest: Vec<&Ended> = ended.iter().collect();
         slowest.sort_by(|a, b| b.trial.seconds.total_cmp(&a.trial.seconds).then(a.number.cmp(&b.number)));
         slowest.truncate(SLOWEST);

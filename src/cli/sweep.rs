@@ -6,15 +6,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use recede::plot::{self, Kind};
 use recede::report::SweepCsv;
 use recede::{Axis, MAX_BYTES, Options, Registry, Scene, Sweep};
 
+use super::progress::bar;
 use super::rows_file::RowsFile;
 use super::{Failure, tell};
-
-const BAR: &str = "{wide_bar} {pos}/{len}  {per_sec}  {eta} left";
 
 /// Solve a scene for many values of some of its quantities
 #[derive(Debug, clap::Args)]
@@ -137,10 +136,5 @@ fn progress(rows: usize, first: usize, rows_elsewhere: bool) -> ProgressBar {
     if !rows_elsewhere && io::stdout().is_terminal() {
         return ProgressBar::hidden();
     }
-    let bar = ProgressBar::new(rows as u64).with_position(first as u64);
-    bar.reset_eta();
-    match ProgressStyle::with_template(BAR) {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
+    bar(rows as u64, first as u64)
 }
