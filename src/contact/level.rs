@@ -183,7 +183,9 @@ impl Level {
         let mut own_errors = Vec::with_capacity(errors.len());
         for (i, error) in errors.iter_mut().enumerate() {
             error[1] += PEAKS * by_peak(i, i) * lengths[i];
-            own_errors.push(error[0].max(error[1]));
+            // no modes help against rounding
+            let arithmetic = arithmetic[i];
+            own_errors.push((error[0] - arithmetic).max(error[1] - (3.0 + PEAKS) * arithmetic));
         }
         for (i, error) in errors.iter_mut().enumerate() {
             error[0] += rounding[i];

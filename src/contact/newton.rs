@@ -76,12 +76,14 @@ pub(super) struct Newton<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) punch: &'a Indentation<'a>,
     pub(super) work: Work,
+    /// Whether there were too many wavenumbers for what was to be negligible.
+    pub(super) crowded: bool,
     fading: Fading,
 }
 
 impl<'a> Newton<'a> {
     pub(super) fn new(kernel: &'a Kernel, punch: &'a Indentation, work: Work) -> Self {
-        Self { kernel, punch, work, fading: Fading::default() }
+        Self { kernel, punch, work, crowded: false, fading: Fading::default() }
     }
 
     /// Goes on with given numbers of modes until the half-lengths are right to about `enough`: these, and the modes.
@@ -332,7 +334,10 @@ impl<'a> Newton<'a> {
                         self.work.interpolated += new.zeta.len();
                         (new, half_lengths.clone())
                     }
-                    None => break,
+                    None => {
+                        self.crowded = true;
+                        break;
+                    }
                 },
             };
             let bases = self.bases(&at.0, &half_lengths, modes);

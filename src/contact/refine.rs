@@ -31,6 +31,9 @@ const MORE: usize = 16;
 const LEAST_MORE: usize = 4;
 /// Half of them will do for tolerances from here on.
 const FEW_DIGITS: f64 = 1e-5;
+/// Where there are too many wavenumbers, so many times more counts as negligible, up to what this tolerance allows.
+const LOOSER: f64 = 30.0;
+const LOOSEST: f64 = 1e-10;
 /// What is left of a Newton step on the coarsest level.
 const ROUGHLY: f64 = 1e-5;
 
@@ -104,12 +107,21 @@ pub(super) fn refine(
     let mut before: Option<Level> = None;
     let mut fewer = coarse.clone();
     loop {
-        let found = newton.converge(half_lengths.clone(), &fewer, &solved, &modes, tolerance);
+        let mut allowed = tolerance;
+        let found = loop {
+            newton.crowded = false;
+            let found = newton.converge(half_lengths.clone(), &fewer, &solved, &modes, allowed);
+            if found.is_ok() || !newton.crowded || allowed > LOOSEST {
+                break found;
+            }
+            // fewer wavenumbers will do for more modes rather than none
+            allowed *= LOOSER;
+        };
         *work = newton.work.clone();
         let whole = found.as_ref().is_ok_and(|found| found.whole.contains(&true));
         let level = match (found, before.take()) {
             (Ok(found), _) => {
-                let mut level = Level::new(found, kernel, punch, negligible(tolerance));
+                let mut level = Level::new(found, kernel, punch, negligible(allowed));
                 level.doubt(&half_lengths);
                 level
             }
