@@ -21,12 +21,14 @@ const SAFETY: f64 = 2.0;
 const LEAST_ERROR: f64 = 0.01;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
+/// A gap about the middle has more elements than these.
+const OPEN: usize = 6;
 /// Contacts that fade before they end are given up to where this part of the force is left.
 const FADED: f64 = 1e-4;
 /// Forces are those given to this part.
 const RESULTANT: f64 = 1e-3;
 
-/// Presses a round punch: `None` if contacts are open about the middle, have no end, or are known too badly.
+/// Presses a round punch: `None` if contacts are open next to the middle, or are known too badly.
 pub(in crate::contact) fn answer(
     kernel: &Kernel,
     interfaces: &[Interface],
@@ -86,7 +88,9 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
         to: if to.is_finite() { *to } else { fades } * length,
         to_error: if to.is_finite() { error(*to) } else { ENDLESS * fades } * length,
     });
-    let first = parts.next().filter(|first| first.from == 0.0)?;
+    // a gap about the middle is one if it is longer than rounding may feign
+    let open = |first: &Part| last.grid.edges().partition_point(|edge| edge * length < first.from) > OPEN;
+    let first = parts.next().filter(|first| first.from == 0.0 || open(first))?;
     let parts: Vec<Part> = parts.collect();
     let mut strips = Vec::new();
     for (e, force) in last.forces[i].iter().enumerate().filter(|(_, force)| **force > 0.0) {
@@ -96,11 +100,12 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
         strips.push(strip(Form::Uniform, at * length, extent * length, unit * length * force / images));
     }
     let middle = |round: &Round| round.forces[i][0] / (2.0 * round.grid.element(0)[1]);
-    let peak_pressure = unit * middle(last);
-    let peak_error = LEAST_ERROR + SAFETY * (middle(before) / middle(last) - 1.0).abs();
+    let is_open = first.from > 0.0;
+    let peak_error = if is_open { 0.0 } else { LEAST_ERROR + SAFETY * (middle(before) / middle(last) - 1.0).abs() };
     let lengths = [&first].into_iter().chain(&parts).map(|part| part.to_error / part.to);
     let lengths = lengths.filter(|error| *error < ENDLESS);
     let worst = lengths.fold(peak_error, f64::max);
+    let peak_pressure = if is_open { 0.0 } else { unit * middle(last) };
     // what is no number is no answer either
     if worst.is_nan() || worst > MOST_ERROR {
         return None;
@@ -109,8 +114,8 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
         interface,
         half_length: first.to,
         half_length_error: first.to_error,
-        opening: 0.0,
-        opening_error: 0.0,
+        opening: first.from,
+        opening_error: if is_open { first.from_error } else { 0.0 },
         peak_pressure,
         peak_pressure_error: peak_error * peak_pressure,
         resultant: strips.iter().map(|strip| strip.resultant() * if strip.at == 0.0 { 1.0 } else { 2.0 }).sum(),
