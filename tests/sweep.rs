@@ -48,6 +48,24 @@ fn rows_are_those_of_single_scenes() {
 }
 
 #[test]
+fn a_tolerance_is_that_of_all_rows() {
+    let of = |name: &str, tolerance: &str| {
+        let text = written(name, &["--vary", "punch.radius=[250,500]", "--tolerance", tolerance]);
+        let rows = text.lines().skip(1).map(|row| row.split(',').map(str::to_owned).collect::<Vec<_>>());
+        // radius, then a and its error
+        rows.map(|row| [row[1].parse::<f64>().unwrap(), row[2].parse::<f64>().unwrap()]).collect::<Vec<_>>()
+    };
+    let (rough, fine) = (of("rough.csv", "1e-4"), of("fine.csv", "1e-11"));
+    for ([a, error], [exact, least]) in rough.iter().zip(&fine) {
+        assert!(
+            (a - exact).abs() <= 10.0 * error && error / a <= 1e-4 && least / exact <= 1e-11,
+            "{a} {error} {least}"
+        );
+        assert!(error > least);
+    }
+}
+
+#[test]
 fn numbers_do_not_depend_on_threads_nor_on_where_one_begins() {
     let sweep = Arc::new(sweep(&["punch.radius=100:1000:11", "layer[2].beta=[-1,1]", "force=0.001:0.004:9"]));
     assert!(sweep.len() > 3 * 64, "chunks have more than one row");
