@@ -83,6 +83,11 @@ impl Equations<'_> {
         (before.contact == patch.contact).then(|| [before.to(), patch.from()])
     }
 
+    /// Whether a patch is the innermost of its contact and off the middle: there the bodies are apart about x = 0.
+    pub(super) fn is_apart(&self, index: usize) -> bool {
+        !self.patches[index].is_central() && self.opening(index).is_none()
+    }
+
     /// Tests of a patch: their orders, and whether a gap is to be closed besides.
     fn rows(&self, index: usize) -> usize {
         self.patches[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
@@ -108,7 +113,7 @@ impl Equations<'_> {
                     let right = self.load(index, row);
                     // the second end of a first interval off the middle has no gap to be closed: equilibrium gives the mean
                     // pressure, and the next test what is left over
-                    let two_ends = row == 1 && !patch.is_central() && self.opening(index).is_none();
+                    let two_ends = row == 1 && self.is_apart(index);
                     let end = row == 0 || row >= patch.tests(self.count).len() || two_ends;
                     let list = if end { &mut left } else { &mut kept };
                     list.push((entries, right));
@@ -140,11 +145,9 @@ impl Equations<'_> {
         let rows = |contact: usize| self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let zeros =
             |contact: usize, other: usize| (other, Mat::zeros(rows(contact), self.of(other).count() * self.count));
-        let others = |contact: usize| [contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
+        let felt = |contact: usize| [Some(contact), contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
         let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
-            .map(|contact| [Some(contact)].into_iter().chain(others(contact)).flatten())
-            .enumerate()
-            .map(|(contact, all)| all.map(|other| zeros(contact, other)).collect())
+            .map(|contact| felt(contact).into_iter().flatten().map(|other| zeros(contact, other)).collect())
             .collect();
         // no more than two contacts at once, and some wavenumbers: tables take much memory
         for first in (0..self.layout.zeta.len()).step_by(AT_ONCE) {

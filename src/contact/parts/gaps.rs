@@ -66,8 +66,7 @@ pub(super) fn check(
             (None, 0, Some(edge)) => span.min(edge),
             _ => span,
         };
-        let first = i == 0 || patches[i - 1].contact != patch.contact;
-        let inwards = (first && !patch.is_central()).then(|| [patch.from(), 0.0, same.from(), 0.0]);
+        let inwards = equations.is_apart(i).then(|| [patch.from(), 0.0, same.from(), 0.0]);
         let end_before = next.map_or(end, |_| coarse.patches[i + 1].from());
         for [from, to, from_before, to_before] in inwards.into_iter().chain([[patch.to(), end, same.to(), end_before]])
         {
