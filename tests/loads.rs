@@ -254,13 +254,38 @@ fn two_lines_on_a_half_plane_are_those_of_flamant() {
 }
 
 #[test]
-fn loads_too_far_apart_for_one_contact_are_said_to_be() {
-    let far = Load::several(&[(30.0, 1.0, Load::uniform(0.5).unwrap())]).unwrap();
-    let model = Model::new(strip().layer(ground(1.0)).build().unwrap()).unwrap();
-    let error = model.press(&Punch::Given(far), 0.01).unwrap_err();
-    assert!(matches!(error, Error::NoSolution(_)), "{error}");
+fn loads_far_apart_open_the_contact_between_them() {
+    let load = || Load::uniform(0.5).unwrap();
+    let (_, alone) = press(strip().layer(ground(1.0)), load(), 0.01);
+    let alone = alone.contacts()[1].half_length;
+    let mut before = f64::INFINITY;
+    for at in [30.0, 120.0] {
+        let far = Load::several(&[(at, 1.0, load())]).unwrap();
+        let model = Model::new(strip().layer(ground(1.0)).build().unwrap()).unwrap();
+        let solution = model.press(&Punch::Given(far), 0.01).unwrap();
+        assert!(solution.warnings()[0].contains("1|2 is open about x = 0"), "{:?}", solution.warnings());
+        let contact = &solution.contacts()[1];
+        close(contact.resultant, 0.01, 1e-9);
+        // each is pressed as by itself, the farther apart the more so
+        let off = (0.5 * (contact.half_length - contact.opening) / alone - 1.0).abs();
+        assert!(off < 0.3 * before && off < 0.03, "{at}: {off}");
+        before = off;
+        // where the bodies touch, both faces move alike, and outside they do not overlap
+        let field = model.field(&solution);
+        let gap = |x: f64| {
+            let [upper, lower] = [1, 2].map(|layer| field.at_layer(x, 2.0, layer).unwrap());
+            upper.v - lower.v
+        };
+        let (inner, outer) = (contact.opening, contact.half_length);
+        let reference = gap(at);
+        let open = gap(inner - 1.0) - reference;
+        assert!(open > 0.0 && gap(outer + 1.0) - reference > 0.0, "{at}");
+        for x in [0.9 * inner + 0.1 * outer, 0.5 * (inner + outer), 0.1 * inner + 0.9 * outer] {
+            assert!((gap(x) - reference).abs() < 1e-5 * open, "{at}, {x}: {:e} {open:e}", gap(x) - reference);
+        }
+    }
     // near each other they are pressed by one
-    let near = Load::several(&[(0.9, 1.0, Load::uniform(0.5).unwrap())]).unwrap();
+    let near = Load::several(&[(0.9, 1.0, load())]).unwrap();
     let (_, solution) = press(strip().layer(ground(1.0)), near, 0.01);
     assert!(solution.contacts()[1].half_length > 1.4 && solution.min_pressure() >= 0.0);
 }

@@ -2,16 +2,16 @@
 //!
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
-use crate::contact::given::strip;
+use crate::contact::given::{self, strip};
 use crate::contact::level::ENDLESS;
 use crate::contact::punch::Indentation;
 use crate::contact::{in_parts, stats};
 use crate::kernel::Kernel;
 use crate::solution::{Contact, Form, Interface, Part, Solution, Stats};
 
-use super::energy::Compliances;
+use super::compliances::Compliances;
 use super::grid::Grid;
-use super::{Round, rounds, short};
+use super::{First, Round, Rounds, rounds};
 
 /// Ends are right to so many elements.
 const ELEMENTS: f64 = 3.0;
@@ -28,7 +28,7 @@ const FADED: f64 = 1e-4;
 /// Forces are those given to this part.
 const RESULTANT: f64 = 1e-3;
 
-/// Presses a round punch: `None` if contacts are open next to the middle, or are known too badly.
+/// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
 pub(in crate::contact) fn answer(
     kernel: &Kernel,
     interfaces: &[Interface],
@@ -36,20 +36,24 @@ pub(in crate::contact) fn answer(
     expected: &[f64],
     far: f64,
 ) -> Option<Solution> {
-    if punch.flat().is_some() || punch.is_sharp() {
-        return None;
-    }
-    let known = short(kernel, expected);
-    let all = rounds(&Compliances { kernel, alone: false }, punch, expected, far, known);
-    // a contact that is a line load to the others does not feel where they end
-    let alone = known.map(|a| rounds(&Compliances { kernel, alone: true }, punch, &[a], 0.0, None));
-    let under_punch = alone.as_deref().unwrap_or(&all);
-    let contacts: Option<Vec<Contact>> = interfaces
-        .iter()
-        .enumerate()
-        .map(|(i, interface)| contact(kernel, punch, *interface, i, if i == 0 { under_punch } else { &all }))
-        .collect();
-    let contacts = contacts?;
+    let Rounds { first, rounds: all } = Rounds::new(kernel, punch, expected, far);
+    let under_punch = |rounds: &[Round]| contact(kernel, punch, interfaces[0], rounds, 0);
+    let (top, known) = match (first, punch.load()) {
+        (First::Given(_), load) => {
+            let (load, force) = (load?, punch.force * kernel.modulus() * kernel.length());
+            (given::contact(load, interfaces[0], force, given::strips(load, force, kernel.length())), 1)
+        }
+        // a contact that is a line load to the others is found by itself
+        (First::Short(a), _) => {
+            let others = all.last()?;
+            let alone = Compliances::of_first(kernel, |zeta| others.deficit(1, zeta));
+            (under_punch(&rounds(&alone, punch, &[a], 0.0, false))?, 0)
+        }
+        (First::Unknown, _) => (under_punch(&all)?, 0),
+    };
+    let below = (1..interfaces.len()).map(|i| contact(kernel, punch, interfaces[i], &all, i - known));
+    let mut contacts = vec![top];
+    contacts.extend(below.collect::<Option<Vec<Contact>>>()?);
     let elements = all.last()?.grid.elements();
     let mut warnings = vec![format!(
         "no answer of more digits was found: pressures are constant on each of {elements} elements here, and the error \
@@ -67,8 +71,8 @@ pub(in crate::contact) fn answer(
     })
 }
 
-/// One contact in the units of the scene.
-fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize, rounds: &[Round]) -> Option<Contact> {
+/// One contact in the units of the scene, contact i of the programme.
+fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, rounds: &[Round], i: usize) -> Option<Contact> {
     let [before, last] = rounds else { return None };
     let force: f64 = last.forces[i].iter().filter(|force| **force > 0.0).sum();
     if (force - 1.0).abs() > RESULTANT {
@@ -77,7 +81,9 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
     let length = kernel.length();
     let unit = kernel.modulus() * punch.force / force;
     let zones = last.zones().swap_remove(i);
-    let error = |end: f64| ELEMENTS * last.grid.width(end);
+    let is_first = interface == Interface::Punch;
+    let corner = punch.flat().filter(|_| is_first);
+    let error = |end: f64| if corner == Some(end) { 0.0 } else { ELEMENTS * last.grid.width(end) };
     // bodies that touch for ever do so without a force
     let zones = if zones.sure.len() > 1 { zones.sure } else { zones.apart };
     // as far as they do with one
@@ -99,13 +105,19 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
         let images = if from == 0.0 { 1.0 } else { 2.0 };
         strips.push(strip(Form::Uniform, at * length, extent * length, unit * length * force / images));
     }
-    let middle = |round: &Round| round.forces[i][0] / (2.0 * round.grid.element(0)[1]);
+    let middle = |round: &Round| round.pressure(i, 0);
     let is_open = first.from > 0.0;
-    let peak_error = if is_open { 0.0 } else { LEAST_ERROR + SAFETY * (middle(before) / middle(last) - 1.0).abs() };
+    let is_sharp = is_first && punch.is_sharp();
+    let change = if is_open || is_sharp { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     let lengths = [&first].into_iter().chain(&parts).map(|part| part.to_error / part.to);
     let lengths = lengths.filter(|error| *error < ENDLESS);
-    let worst = lengths.fold(peak_error, f64::max);
-    let peak_pressure = if is_open { 0.0 } else { unit * middle(last) };
+    // stiff sheets wrapped round a punch may press next to nothing about the middle
+    let worst = lengths.fold(change / last.largest(i), f64::max);
+    let peak_pressure = match () {
+        () if is_open => 0.0,
+        () if is_sharp => f64::INFINITY,
+        () => unit * middle(last),
+    };
     // what is no number is no answer either
     if worst.is_nan() || worst > MOST_ERROR {
         return None;
@@ -117,7 +129,7 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
         opening: first.from,
         opening_error: if is_open { first.from_error } else { 0.0 },
         peak_pressure,
-        peak_pressure_error: peak_error * peak_pressure,
+        peak_pressure_error: if is_sharp { 0.0 } else { LEAST_ERROR * peak_pressure + unit * change },
         resultant: strips.iter().map(|strip| strip.resultant() * if strip.at == 0.0 { 1.0 } else { 2.0 }).sum(),
         strips,
         parts,
@@ -125,6 +137,16 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, i: usize,
 }
 
 impl Round {
+    /// On an element of contact i.
+    fn pressure(&self, i: usize, e: usize) -> f64 {
+        let [from, to] = self.grid.element(e);
+        self.forces[i][e] / (2.0 * (to - from))
+    }
+
+    fn largest(&self, i: usize) -> f64 {
+        (0..self.grid.elements()).map(|e| self.pressure(i, e)).fold(0.0, f64::max)
+    }
+
     /// Up to where contact i carries all but a small part of the force.
     fn fades(&self, i: usize) -> f64 {
         let mut left = 0.0;

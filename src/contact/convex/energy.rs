@@ -2,19 +2,20 @@
 //! p_(i+1)) + Σ b_iᵀ p_i, per unit of P'.
 //!
 //! A pressure 1 on [x_e, x_(e+1)] and its mirror image has the transform (2/ζ) (sin ζx_(e+1) − sin ζx_e). The energy is
-//! that of [`super::super::galerkin`]. What a kernel has in common with a half-plane, its least value, is integrated in
-//! closed form: −g/π ln |x| responds to a line load. What is left is a sum of squares over wavenumbers, positive even
-//! where those are too few for the elements far out. Resultants are given, so only what is beyond them matters to long waves: every
-//! transform is taken less that of a fixed pressure of the same resultant.
+//! that of [`super::super::galerkin`]. Resultants are given, so every pressure is taken less a uniform one of the same resultant
+//! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
+//! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form: −g/π ln |x| responds
+//! to a line load. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
+//! where they are too few for the elements far out.
 use std::f64::consts::PI;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
-use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
 
 use super::super::punch::Indentation;
+use super::compliances::Compliances;
 use super::grid::Grid;
 
 /// Nodes per octave of wavenumbers, and some more the shorter elements are against their distance from the middle.
@@ -25,8 +26,8 @@ const MOST_PER_OCTAVE: usize = 256;
 const LONGEST_WAVE: f64 = 0.05;
 /// And end here, divided by the length of the shortest element.
 const SHORTEST_WAVE: f64 = 12.0;
-/// How much longer than the grid the unit of lengths in logarithms is.
-const BEYOND: f64 = 4.0;
+/// Parts of a kernel that are integrated in closed form, the first that will do.
+const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.0];
 /// Sines of smaller arguments are taken from their series.
 const SMALL: f64 = 0.05;
 
@@ -56,13 +57,13 @@ impl Energy {
             barred: vec![false; elements],
         };
         let waves = Waves::new(grid, &widths);
-        let least: Vec<f64> = (0..contacts).map(|i| waves.least(kernel, i)).collect();
+        let least = waves.least(kernel);
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
-        if waves.any_negative(kernel) {
-            energy.add_resultants();
+        energy.add_resultants(kernel);
+        if kernel.is_topmost() {
+            energy.add_punch(punch, grid);
         }
-        energy.add_punch(punch, grid);
         energy
     }
 
@@ -75,52 +76,69 @@ impl Energy {
     }
 
     fn add_half_planes(&mut self, least: &[f64], grid: &Grid) {
-        let (edges, elements) = (grid.edges(), self.elements());
-        // ∬ of ln|x|/unit: any unit will do, and one longer than the grid makes the form definite
-        let unit = BEYOND * edges[elements];
-        let twice = |x: f64| if x == 0.0 { 0.0 } else { x * x * (0.5 * (x.abs() / unit).ln() - 0.75) };
+        let (elements, reference) = (self.elements(), grid.shortest());
+        // ∬ of ln|x|, in any unit of length
+        let twice = |x: f64| if x == 0.0 { 0.0 } else { x * x * (0.5 * (x.abs() / reference).ln() - 0.75) };
+        let both = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+            let at = |x: f64, y: f64| twice(x + y) - twice(x - y);
+            2.0 * (at(b, d) - at(a, d) - at(b, c) + at(a, c))
+        };
+        let whole = [0.0, reference];
+        // per unit of the resultant
+        let with_it: Vec<f64> = (0..elements).map(|e| both(grid.element(e), whole) / (2.0 * reference)).collect();
+        let itself = both(whole, whole) / (2.0 * reference).powi(2);
         for e in 0..elements {
+            let own = self.resultants[e];
             for f in 0..=e {
-                let at = |k: usize, l: usize| twice(edges[e + k] + edges[f + l]) - twice(edges[e + k] - edges[f + l]);
-                let both = 2.0 * (at(1, 1) - at(0, 1) - at(1, 0) + at(0, 0));
+                let other = self.resultants[f];
+                let both = both(grid.element(e), grid.element(f)) - own * with_it[f] - other * with_it[e]
+                    + own * other * itself;
                 for (unit, least) in self.unit.iter_mut().zip(least) {
                     unit[(e, f)] = -least / PI * both;
                     unit[(f, e)] = unit[(e, f)];
                 }
+            }
+            for (linear, least) in self.linear.iter_mut().zip(least) {
+                linear[e] = -least / PI * (with_it[e] - own * itself);
             }
         }
     }
 
     fn add_waves(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, waves: &Waves) {
         let elements = self.elements();
-        let end = grid.edges()[elements];
         for (from, to) in waves.octaves() {
             let zeta: Vec<(f64, f64)> = rule(waves.nodes).on(from, to).collect();
             let mut transforms = Mat::<f64>::zeros(zeta.len(), elements);
-            let reference: Vec<f64> = zeta.iter().map(|(zeta, _)| (-0.5 * (zeta * end).powi(2)).exp()).collect();
-            let beyond: Vec<f64> = zeta.iter().map(|(zeta, _)| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect();
+            let beyond: Vec<f64> =
+                zeta.iter().map(|(zeta, _)| deficit(*zeta, grid.shortest()) / grid.shortest()).collect();
             let mut edge = vec![0.0; zeta.len()];
             for e in 0..elements {
                 let x = grid.edges()[e + 1];
                 let column = transforms.col_as_slice_mut(e);
                 for (k, (zeta, _)) in zeta.iter().enumerate() {
                     let next = deficit(*zeta, x);
-                    column[k] = 2.0 * (next - edge[k]) + self.resultants[e] * beyond[k];
+                    column[k] = 2.0 * (next - edge[k]) - self.resultants[e] * beyond[k];
                     edge[k] = next;
                 }
             }
             for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
-                let weights: Vec<f64> =
-                    zeta.iter().map(|(zeta, w)| w / (PI * zeta) * (kernel.unit(i, *zeta) - least[i])).collect();
+                let (mut weights, mut forces) = (Vec::new(), Vec::new());
+                for ((zeta, w), beyond) in zeta.iter().zip(&beyond) {
+                    let w = w / (PI * zeta);
+                    let (own, tied) = (kernel.own(i, *zeta) - least[i], kernel.tied(i, *zeta));
+                    let given = if tied == 0.0 { 0.0 } else { kernel.given(*zeta) };
+                    weights.push(w * (own + tied));
+                    // a given neighbour is felt by what it differs from the pressure that all are compared with
+                    forces.push(w * (own * (1.0 + beyond) + tied * (beyond - given)));
+                }
                 add_gram(&transforms, &weights, unit);
                 for (e, linear) in linear.iter_mut().enumerate() {
-                    let terms = transforms.col_as_slice(e).iter().zip(&weights).zip(&reference);
-                    *linear += terms.map(|((d, w), r)| d * w * r).sum::<f64>();
+                    *linear += transforms.col_as_slice(e).iter().zip(&forces).map(|(d, force)| d * force).sum::<f64>();
                 }
             }
             for (i, coupling) in self.coupling.iter_mut().enumerate() {
                 let weights: Vec<f64> =
-                    zeta.iter().map(|(zeta, w)| -w / (PI * zeta) * kernel.coupling(i, *zeta)).collect();
+                    zeta.iter().map(|(zeta, w)| w / (PI * zeta) * kernel.coupling(i, *zeta)).collect();
                 if weights.iter().any(|weight| *weight != 0.0) {
                     add_gram(&transforms, &weights, coupling);
                 }
@@ -128,19 +146,13 @@ impl Energy {
         }
     }
 
-    /// Adds multiples of the squares of the resultants, which are given: where a laminate bends when it is squeezed, the form
-    /// is definite among pressures of no resultant only.
-    fn add_resultants(&mut self) {
-        let stiffness = |unit: &Mat<f64>| {
-            let diagonal =
-                self.resultants.iter().enumerate().map(|(e, resultant)| unit[(e, e)].abs() / resultant.powi(2));
-            diagonal.fold(0.0, f64::max)
-        };
-        let most = self.unit.iter().map(stiffness).fold(0.0, f64::max);
-        for unit in &mut self.unit {
+    /// Adds multiples of the squares of the resultants, which are given: a pressure like that which all are compared with has no
+    /// energy otherwise.
+    fn add_resultants(&mut self, kernel: &Compliances) {
+        for (i, unit) in self.unit.iter_mut().enumerate() {
             for e in 0..self.resultants.len() {
                 for f in 0..self.resultants.len() {
-                    unit[(e, f)] += most * self.resultants[e] * self.resultants[f];
+                    unit[(e, f)] += kernel.limit(i) * self.resultants[e] * self.resultants[f];
                 }
             }
         }
@@ -150,7 +162,7 @@ impl Energy {
         let last = punch.max_half_length().unwrap_or(f64::INFINITY);
         for e in 0..self.elements() {
             let [from, to] = grid.element(e);
-            self.barred[e] = to >= last;
+            self.barred[e] = to > last;
             if !self.barred[e] {
                 self.linear[0][e] +=
                     rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * punch.profile(x)).sum::<f64>();
@@ -185,48 +197,46 @@ impl Waves {
             .chain(edges.take_while(move |edge| *edge < last).map(|from| (from, 2.0 * from)))
     }
 
-    /// Whether a kernel is negative anywhere.
-    fn any_negative(&self, kernel: &Compliances) -> bool {
-        (0..kernel.contacts()).any(|i| self.octaves().any(|(_, to)| kernel.unit(i, to) < 0.0))
-    }
-
-    /// The least value of the kernel of contact i, if that is positive.
-    fn least(&self, kernel: &Compliances, i: usize) -> f64 {
-        let values = self.octaves().map(|(_, to)| kernel.unit(i, to));
-        values.fold(kernel.limit(i), f64::min).max(0.0)
-    }
-}
-
-/// The kernels of all contacts, or that of the contact under the punch if no other opens.
-pub(super) struct Compliances<'a> {
-    pub(super) kernel: &'a Kernel,
-    pub(super) alone: bool,
-}
-
-impl Compliances<'_> {
-    fn contacts(&self) -> usize {
-        if self.alone { 1 } else { self.kernel.contacts() }
-    }
-
-    fn limit(&self, i: usize) -> f64 {
-        self.kernel.far(i).limit
-    }
-
-    /// The kernel of contact i under equal neighbouring pressures, or of contact 0 alone.
-    fn unit(&self, i: usize, zeta: f64) -> f64 {
-        match self.alone {
-            true => self.kernel.compliances(zeta)[0],
-            false => self.limit(i) + self.kernel.unit_excess(i, zeta),
+    /// The least value of the kernel of each contact; less of it where the energy of some wave would not be positive
+    /// without it, since some other kernel is negative.
+    fn least(&self, kernel: &Compliances) -> Vec<f64> {
+        let n = kernel.contacts();
+        let waves: Vec<(Vec<f64>, Vec<f64>)> = self
+            .octaves()
+            .map(|(_, zeta)| {
+                let coupling = (1..n).map(|i| kernel.coupling(i - 1, zeta)).collect();
+                ((0..n).map(|i| kernel.own(i, zeta) + kernel.tied(i, zeta)).collect(), coupling)
+            })
+            .collect();
+        let mut least = vec![0.0; n];
+        for i in 0..n {
+            let values = waves.iter().map(|(units, _)| units[i]);
+            let most = values.fold(kernel.limit(i), f64::min).max(0.0);
+            for part in PARTS {
+                least[i] = part * most;
+                if waves.iter().all(|(units, coupling)| is_positive(units, coupling, &least)) {
+                    break;
+                }
+            }
         }
+        least
     }
+}
 
-    fn coupling(&self, i: usize, zeta: f64) -> f64 {
-        self.kernel.coupling(i, zeta)
-    }
+/// Whether the energy of a wave is positive without the least kernels, for any pressures on the contacts.
+fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
+    // what is left of contact i with all above it as they like best
+    let mut above = 0.0;
+    (0..units.len()).all(|i| {
+        let own = units[i] - least[i] + above;
+        let Some(tied) = coupling.get(i) else { return own >= 0.0 };
+        above = if own + tied > 0.0 { own * tied / (own + tied) } else { 0.0 };
+        own + tied >= 0.0
+    })
 }
 
 /// x (sin ζx/(ζx) − 1).
-fn deficit(zeta: f64, x: f64) -> f64 {
+pub(super) fn deficit(zeta: f64, x: f64) -> f64 {
     let z = zeta * x;
     if z < SMALL {
         let z = z * z;

@@ -13,15 +13,20 @@ use faer::{Accum, Mat, MatRef, Par, Side};
 use super::energy::Energy;
 use super::programme::Elements;
 
-/// What is added to the diagonal, as a part of the terms that cancel there, one after the other until rounding leaves the
-/// equations definite.
-const SOFTENED: [f64; 5] = [0.0, 1e-15, 1e-14, 1e-13, 1e-12];
-
 /// What follows if given elements of each contact touch.
 pub(super) struct Equilibrium<'a> {
     energy: &'a Energy,
     /// The elements of each contact that touch.
     elements: Elements<usize>,
+}
+
+/// What comes of it, for each element of each contact.
+pub(super) struct State {
+    pub(super) pressures: Elements<f64>,
+    /// Where bodies do not touch; next to nothing where they do.
+    pub(super) gaps: Elements<f64>,
+    /// The magnitudes of all that a gap is the sum of: a gap is known to a rounding of these.
+    pub(super) terms: Elements<f64>,
 }
 
 /// How the unknowns of a contact follow from the pressure above: u = gain p + own, a column for each right-hand side.
@@ -55,16 +60,14 @@ impl<'a> Equilibrium<'a> {
         })
     }
 
-    /// Eliminates contact i + 1: what it makes of a pressure on contact i, and the energy that is left; `softened` is one of
-    /// [`SOFTENED`].
-    fn eliminate(&self, i: usize, below: &Below, softened: f64) -> Option<(Response, Below)> {
+    /// Eliminates contact i + 1: what it makes of a pressure on contact i, and the energy that is left.
+    fn eliminate(&self, i: usize, below: &Below) -> Option<(Response, Below)> {
         let (unit, coupling) = (&self.energy.unit[i], &self.energy.coupling[i]);
         let (upper, lower) = (&self.elements[i], &self.elements[i + 1]);
         let Below { stiffness, load } = below;
         // where the pressure of an element goes on below, and where it is a jump
         let place: Vec<Option<usize>> = upper.iter().map(|e| lower.binary_search(e).ok()).collect();
-        let mut own = Mat::from_fn(lower.len(), lower.len(), |k, l| coupling[(lower[k], lower[l])] + stiffness[(k, l)]);
-        (0..own.nrows()).for_each(|k| own[(k, k)] += softened * (own[(k, k)].abs() + 2.0 * stiffness[(k, k)].abs()));
+        let own = Mat::from_fn(lower.len(), lower.len(), |k, l| coupling[(lower[k], lower[l])] + stiffness[(k, l)]);
         let factor = own.llt(Side::Lower).ok()?;
         drop(own);
         let mut gain = Mat::from_fn(lower.len(), upper.len(), |k, l| match place[l] {
@@ -83,10 +86,6 @@ impl<'a> Equilibrium<'a> {
                     _ => 0.0,
                 }
         });
-        for (k, e) in upper.iter().enumerate() {
-            let below = place[k].map_or(coupling[(*e, *e)], |k| stiffness[(k, k)]);
-            left[(k, k)] += softened * (unit[(*e, *e)].abs() + below.abs());
-        }
         matmul(left.as_mut(), Accum::Add, gain.transpose(), gain.as_ref(), -1.0, Par::Seq);
         let mut passed = self.load(i);
         for (k, place) in place.iter().enumerate() {
@@ -103,7 +102,7 @@ impl<'a> Equilibrium<'a> {
 
     /// The unknowns of each contact's elements that touch, a column for each right-hand side; `None` if the equations
     /// cannot be solved in double precision.
-    fn unknowns(&self, softened: f64) -> Option<Vec<Mat<f64>>> {
+    fn unknowns(&self) -> Option<Vec<Mat<f64>>> {
         let last = self.energy.contacts() - 1;
         let unit = &self.energy.unit[last];
         let own = &self.elements[last];
@@ -113,7 +112,7 @@ impl<'a> Equilibrium<'a> {
         };
         let mut responses = Vec::with_capacity(last);
         for i in (0..last).rev() {
-            let (response, next) = self.eliminate(i, &below, softened)?;
+            let (response, next) = self.eliminate(i, &below)?;
             responses.push(response);
             below = next;
         }
@@ -138,11 +137,11 @@ impl<'a> Equilibrium<'a> {
         unknowns
     }
 
-    /// Pressures, and gaps where bodies do not touch; `None` if the equations cannot be solved in double precision.
-    pub(super) fn solve(&self) -> Option<(Elements<f64>, Elements<f64>)> {
+    /// Pressures and gaps; `None` if the equations cannot be solved in double precision.
+    pub(super) fn solve(&self) -> Option<State> {
         let Energy { linear, resultants, .. } = self.energy;
         let n = self.energy.contacts();
-        let responses = SOFTENED.iter().find_map(|softened| self.unknowns(*softened))?;
+        let responses = self.unknowns()?;
         let mut stiffness = Mat::<f64>::zeros(n, n + 1);
         let mut pressure = Mat::zeros(0, 0);
         for (i, unknowns) in responses.iter().enumerate() {
@@ -159,6 +158,7 @@ impl<'a> Equilibrium<'a> {
         let approach = stiffness.subcols(0, n).partial_piv_lu().solve(missing);
         let mut pressures = vec![vec![0.0; self.energy.elements()]; n];
         let mut gaps = linear.clone();
+        let mut terms: Elements<f64> = linear.iter().map(|own| own.iter().map(|value| value.abs()).collect()).collect();
         for (i, responses) in responses.iter().enumerate() {
             let mut jump = if i > 0 { pressures[i - 1].clone() } else { Vec::new() };
             for (k, e) in self.elements[i].iter().enumerate() {
@@ -171,23 +171,27 @@ impl<'a> Equilibrium<'a> {
                 pressures[i][*e] = above + unknown;
             }
             if i > 0 {
-                add_product(1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i - 1]);
-                add_product(-1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i]);
+                add_product(1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i - 1], &mut terms[i - 1]);
+                add_product(-1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i], &mut terms[i]);
             }
-            add_product(1.0, &self.energy.unit[i], &pressures[i], &mut gaps[i]);
+            add_product(1.0, &self.energy.unit[i], &pressures[i], &mut gaps[i], &mut terms[i]);
         }
-        for (i, gap) in gaps.iter_mut().enumerate() {
-            for (gap, resultant) in gap.iter_mut().zip(resultants) {
+        for (i, (gaps, terms)) in gaps.iter_mut().zip(&mut terms).enumerate() {
+            for ((gap, terms), resultant) in gaps.iter_mut().zip(terms).zip(resultants) {
                 *gap = *gap / resultant - approach[(i, 0)];
+                *terms = *terms / resultant + approach[(i, 0)].abs();
             }
         }
         let finite = pressures.iter().chain(&gaps).flatten().all(|value| value.is_finite());
-        finite.then_some((pressures, gaps))
+        finite.then_some(State { pressures, gaps, terms })
     }
 }
 
-fn add_product(sign: f64, matrix: &Mat<f64>, vector: &[f64], sum: &mut [f64]) {
+fn add_product(sign: f64, matrix: &Mat<f64>, vector: &[f64], sum: &mut [f64], terms: &mut [f64]) {
     for (e, value) in vector.iter().enumerate().filter(|(_, value)| **value != 0.0) {
-        sum.iter_mut().zip(matrix.col_as_slice(e)).for_each(|(sum, entry)| *sum += sign * value * entry);
+        for ((sum, terms), entry) in sum.iter_mut().zip(terms.iter_mut()).zip(matrix.col_as_slice(e)) {
+            *sum += sign * value * entry;
+            *terms += (value * entry).abs();
+        }
     }
 }

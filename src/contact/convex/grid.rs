@@ -11,11 +11,12 @@ const AROUND: usize = 2;
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     edges: Vec<f64>,
+    shortest: f64,
 }
 
 impl Grid {
-    /// For contacts from a length to another.
-    pub(super) fn new(shortest: f64, end: f64) -> Self {
+    /// For contacts from a length to another; the punch may have an edge.
+    pub(super) fn new(shortest: f64, end: f64, edge: Option<f64>) -> Self {
         let first = FIRST * shortest;
         let mut edges = vec![0.0, first];
         let mut width = first;
@@ -25,7 +26,26 @@ impl Grid {
             width = width.max((GROWTH - 1.0) * edge);
             edges.push(edge + width);
         }
-        Self { edges }
+        let mut grid = Self { edges, shortest };
+        if let Some(edge) = edge {
+            grid.insert(edge);
+        }
+        grid
+    }
+
+    /// Ends an element at x, in place of the nearest other end.
+    fn insert(&mut self, x: f64) {
+        let next = self.edges.partition_point(|edge| *edge < x);
+        if next >= self.edges.len() {
+            return;
+        }
+        let nearest = if next > 1 && x - self.edges[next - 1] < self.edges[next] - x { next - 1 } else { next };
+        self.edges[nearest] = x;
+    }
+
+    /// The shortest contact it is made for.
+    pub(super) fn shortest(&self) -> f64 {
+        self.shortest
     }
 
     pub(super) fn elements(&self) -> usize {
@@ -49,14 +69,13 @@ impl Grid {
         self
     }
 
-    /// Halves the elements around some edges unless they are shorter than a part of their distance from the middle.
-    /// Whether there were any.
-    pub(super) fn refine(&mut self, around: &[usize], fine: f64) -> bool {
+    /// Halves the elements around some edges that are longer than is allowed there. Whether there were any.
+    pub(super) fn refine(&mut self, around: &[(usize, f64)]) -> bool {
         let mut more: Vec<f64> = Vec::new();
         for e in 0..self.elements() {
             let [from, to] = self.element(e);
-            let near = around.iter().any(|edge| (edge.saturating_sub(AROUND)..edge + AROUND).contains(&e));
-            if near && to - from > fine * to {
+            let is_near = |edge: usize| (edge.saturating_sub(AROUND)..edge + AROUND).contains(&e);
+            if around.iter().any(|(edge, longest)| is_near(*edge) && to - from > *longest) {
                 more.push(0.5 * (from + to));
             }
         }

@@ -5,6 +5,7 @@
 //! programme: it always has one solution, whatever the start, and says where bodies touch, in one interval or in
 //! several.
 mod answer;
+mod compliances;
 mod energy;
 mod equilibrium;
 mod grid;
@@ -15,7 +16,8 @@ mod tests;
 use crate::kernel::Kernel;
 
 use super::punch::Indentation;
-use energy::{Compliances, Energy};
+use compliances::Compliances;
+use energy::Energy;
 use grid::Grid;
 use programme::Programme;
 
@@ -31,8 +33,10 @@ const LONGER: usize = 3;
 const ROUNDS: usize = 12;
 /// Grids of more elements are not refined.
 const MOST_ELEMENTS: usize = 200;
-/// Elements at the ends of contacts are as long as this part of their distance from the middle.
+/// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it ...
 const FINE: f64 = 0.02;
+/// ... which counts as no shorter than this part of the former.
+const SHORTEST: f64 = 0.02;
 /// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
 const SURE: usize = 2;
 
@@ -43,7 +47,7 @@ const FAR: f64 = 1.5;
 /// Parts of the force on a contact that are smaller are rounding.
 const LEAST_FORCE: f64 = 1e-8;
 
-/// Gaps shorter than this part of where the contact outside them ends are none.
+/// Gaps shorter than this part of where the contact outside them begins are none.
 const NARROW: f64 = 0.05;
 
 /// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
@@ -60,6 +64,10 @@ pub(super) struct Zones {
 }
 
 impl Zones {
+    fn one(end: f64) -> Self {
+        Self { sure: vec![[0.0, end]], apart: vec![[0.0, end]] }
+    }
+
     /// Where the contact about the middle ends.
     pub(super) fn end(&self) -> f64 {
         self.sure.first().map_or(0.0, |part| part[1])
@@ -92,40 +100,81 @@ impl Round {
     }
 }
 
+impl Round {
+    /// p̂/P − 1 of contact i at a wavenumber.
+    fn deficit(&self, i: usize, zeta: f64) -> f64 {
+        let part = |(e, force): (usize, &f64)| {
+            let [from, to] = self.grid.element(e);
+            force * (energy::deficit(zeta, to) - energy::deficit(zeta, from)) / (to - from)
+        };
+        self.forces[i].iter().enumerate().filter(|(_, force)| **force != 0.0).map(part).sum()
+    }
+}
+
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
-/// `far` is a place that is to be well inside it. `None` if the programme
-/// has no solution in double precision, or part of it is known.
+/// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
 pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
-    let known = short(kernel, expected);
-    let all = Compliances { kernel, alone: false };
-    let mut zones = rounds(&all, punch, expected, far, known).pop()?.zones();
-    if let Some(a) = known {
-        zones[0] = Zones { sure: vec![[0.0, a]], apart: vec![[0.0, a]] };
+    let Rounds { first, rounds } = Rounds::new(kernel, punch, expected, far);
+    let mut zones = rounds.last()?.zones();
+    match first {
+        First::Unknown => {}
+        First::Given(a) => zones.insert(0, Zones::one(a)),
+        First::Short(a) => zones[0] = Zones::one(a),
     }
     Some(zones)
 }
 
-/// The half-length expected under the punch, if that is a line load to all other contacts.
-fn short(kernel: &Kernel, expected: &[f64]) -> Option<f64> {
-    let top = kernel.laminates().first().map(|(thickness, _)| *thickness)?;
-    expected[1..].iter().chain([&top]).all(|a| expected[0] < SHORT * a).then_some(expected[0])
+/// What is known of the contact under the punch.
+#[derive(Clone, Copy)]
+enum First {
+    /// Nothing.
+    Unknown,
+    /// Its pressure: it is none of those of the programme. With its half-length.
+    Given(f64),
+    /// That it is a line load to all others. With the half-length expected.
+    Short(f64),
 }
 
-/// The last rounds, two at most, with the finest grids. The half-length under the punch may be `known`, and far below that
-/// of all others.
-fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64, known: Option<f64>) -> Vec<Round> {
-    let mut rounds: Vec<Round> = Vec::new();
-    if punch.given().is_some() {
-        return rounds;
+/// The programme of all contacts that are not known.
+struct Rounds {
+    first: First,
+    /// The last ones, two at most, with the finest grids.
+    rounds: Vec<Round>,
+}
+
+impl Rounds {
+    fn new(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Self {
+        if let Some(given) = punch.given() {
+            let a = given.half_length;
+            let below = Compliances::below_first(kernel, |zeta| given.deficit(zeta));
+            let rounds = match kernel.contacts() {
+                // nothing is unknown
+                1 => Vec::new(),
+                _ => rounds(&below, punch, &expected[1..], far.max(a), false),
+            };
+            return Self { first: First::Given(a), rounds };
+        }
+        let all = Compliances::all(kernel);
+        let is_short = all
+            .thickness()
+            .is_some_and(|thickness| expected[1..].iter().chain([&thickness]).all(|a| expected[0] < SHORT * a));
+        let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
+        Self { first, rounds: rounds(&all, punch, &expected[usize::from(is_short)..], far, is_short) }
     }
+}
+
+/// The last rounds, two at most, with the finest grids, for contacts of the lengths that are `expected`; that under the
+/// punch may be far `shorter`.
+fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64, shorter: bool) -> Vec<Round> {
+    let mut rounds: Vec<Round> = Vec::new();
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-    let unknown = &expected[usize::from(known.is_some())..];
-    let shortest = unknown.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
-    let mut grid = Grid::new(shortest, REACH * longest.max(far));
+    let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
+    let edge = punch.max_half_length().filter(|_| kernel.is_topmost() && !shorter);
+    let mut grid = Grid::new(shortest, REACH * longest.max(far), edge);
     let mut longer = LONGER;
     for _ in 0..ROUNDS {
         let mut energy = Energy::new(kernel, punch, &grid);
-        if known.is_some() {
+        if shorter {
             // a line load about x = 0, however small the punch
             energy.barred.fill(true);
             energy.barred[0] = false;
@@ -133,8 +182,8 @@ fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64,
         let start = rounds.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
-        let looked_for = &touching[usize::from(known.is_some())..];
-        let ends: Vec<usize> = looked_for.iter().flat_map(|touching| transitions(touching)).collect();
+        let looked_for = &touching[usize::from(shorter)..];
+        let ends: Vec<(usize, f64)> = looked_for.iter().flat_map(|touching| ends(touching, &grid)).collect();
         // bodies that touch again far away do so for ever
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         rounds.push(Round { grid: grid.clone(), touching, forces });
@@ -144,7 +193,7 @@ fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64,
         if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(FARTHER);
-        } else if grid.elements() > MOST_ELEMENTS || !grid.refine(&ends, FINE) {
+        } else if grid.elements() > MOST_ELEMENTS || !grid.refine(&ends) {
             break;
         }
     }
@@ -164,9 +213,20 @@ fn part_where_free(touching: &mut [bool], forces: &[f64]) {
     }
 }
 
-/// Elements before which bodies part or meet.
-fn transitions(touching: &[bool]) -> impl Iterator<Item = usize> {
-    touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1)
+/// Edges at which bodies part or meet, and how long elements next to them may be: where bodies are apart about the middle,
+/// the strips in which they touch may be short.
+fn ends(touching: &[bool], grid: &Grid) -> Vec<(usize, f64)> {
+    let transitions = touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1);
+    let strip = |edge: usize| {
+        let outwards = touching[edge..].iter().take_while(|touches| **touches).count();
+        let inwards = touching[..edge].iter().rev().take_while(|touches| **touches).count();
+        grid.edges()[edge + outwards] - grid.edges()[edge - inwards]
+    };
+    let room = |edge: usize| {
+        let x = grid.edges()[edge];
+        if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
+    };
+    transitions.map(|edge| (edge, FINE * room(edge))).collect()
 }
 
 /// The same without what is too short to be sure of.
@@ -199,9 +259,8 @@ fn apart(mut parts: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut wide: Vec<[f64; 2]> = Vec::new();
     for part in intervals(touching, grid) {
-        let end = if part[1].is_finite() { part[1] } else { part[0] };
         match wide.last_mut() {
-            Some(before) if part[0] - before[1] < NARROW * end => before[1] = part[1],
+            Some(before) if part[0] - before[1] < NARROW * part[0] => before[1] = part[1],
             _ => wide.push(part),
         }
     }

@@ -4,14 +4,16 @@
 //! in circles, elements are let touch one by one, and freed again as soon as they would pull, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
 use super::energy::Energy;
-use super::equilibrium::Equilibrium;
+use super::equilibrium::{Equilibrium, State};
 
 /// Steps without fewer violations that are allowed.
 const PATIENCE: usize = 8;
 /// Operations at most, about: each step costs the cube of the number of elements.
 const WORK: f64 = 2e10;
-/// Violations below this part of the largest value are rounding.
+/// Pressures below this part of the largest are zero.
 const ROUNDING: f64 = 1e-9;
+/// And gaps below this part of the terms they are the sum of.
+const CANCELLED: f64 = 1e-11;
 
 /// The programme of one grid.
 pub(super) struct Programme<'a> {
@@ -36,22 +38,23 @@ impl<'a> Programme<'a> {
         }
         let (mut fewest, mut patience) = (contacts * elements + 1, PATIENCE);
         loop {
-            let (pressure, gap) = Equilibrium::new(self.energy, &touching).solve()?;
+            let state = Equilibrium::new(self.energy, &touching).solve()?;
+            let pressure = &state.pressures;
             let mut wrong = Vec::new();
             for i in 0..contacts {
                 let little = ROUNDING * largest(&pressure[i]);
                 let pulls = (0..elements).filter(|e| touching[i][*e] && pressure[i][*e] < -little);
-                wrong.extend(pulls.chain(self.overlaps(i, &touching[i], &gap[i])).map(|e| (i, e)));
+                wrong.extend(pulls.chain(self.overlaps(i, &touching[i], &state)).map(|e| (i, e)));
             }
             if wrong.is_empty() {
-                return Some((touching, self.forces(pressure)));
+                return Some((touching, self.forces(state.pressures)));
             }
             if wrong.len() < fewest {
                 (fewest, patience) = (wrong.len(), PATIENCE);
             } else if patience > 0 {
                 patience -= 1;
             } else {
-                return self.descend(pressure);
+                return self.descend(state.pressures);
             }
             for (i, e) in wrong {
                 touching[i][e] = !touching[i][e];
@@ -77,14 +80,15 @@ impl<'a> Programme<'a> {
         let mut last: Vec<(usize, usize)> = Vec::new();
         let mut rejected: Vec<(usize, usize)> = Vec::new();
         for _ in 0..(WORK / (size as f64).powi(3)) as usize {
-            let (wanted, gap) = Equilibrium::new(self.energy, &touching).solve()?;
+            let state = Equilibrium::new(self.energy, &touching).solve()?;
+            let wanted = &state.pressures;
             // as far towards equilibrium as nothing pulls
             let mut step = 1.0f64;
-            for (own, wanted) in pressure.iter().zip(&wanted) {
+            for (own, wanted) in pressure.iter().zip(wanted) {
                 let pulling = own.iter().zip(wanted).filter(|(_, wanted)| **wanted < 0.0);
                 step = pulling.fold(step, |step, (p, wanted)| step.min(p / (p - wanted)));
             }
-            for (i, ((own, wanted), touching)) in pressure.iter_mut().zip(&wanted).zip(&mut touching).enumerate() {
+            for (i, ((own, wanted), touching)) in pressure.iter_mut().zip(wanted).zip(&mut touching).enumerate() {
                 let little = ROUNDING * largest(wanted);
                 for (e, ((p, wanted), touches)) in own.iter_mut().zip(wanted).zip(touching).enumerate() {
                     *p += step * (wanted - *p);
@@ -100,8 +104,8 @@ impl<'a> Programme<'a> {
             last.clear();
             let mut done = true;
             for (i, touching) in touching.iter_mut().enumerate() {
-                let overlaps = self.overlaps(i, touching, &gap[i]).filter(|e| !rejected.contains(&(i, *e)));
-                if let Some(worst) = overlaps.min_by(|e, f| gap[i][*e].total_cmp(&gap[i][*f])) {
+                let overlaps = self.overlaps(i, touching, &state).filter(|e| !rejected.contains(&(i, *e)));
+                if let Some(worst) = overlaps.min_by(|e, f| state.gaps[i][*e].total_cmp(&state.gaps[i][*f])) {
                     touching[worst] = true;
                     last.push((i, worst));
                     done = false;
@@ -126,9 +130,9 @@ impl<'a> Programme<'a> {
     }
 
     /// Elements of contact i where bodies overlap.
-    fn overlaps(&self, i: usize, touching: &[bool], gap: &[f64]) -> impl Iterator<Item = usize> {
-        let little = ROUNDING * largest(gap);
-        (0..gap.len()).filter(move |e| !touching[*e] && !self.is_barred(i, *e) && gap[*e] < -little)
+    fn overlaps(&self, i: usize, touching: &[bool], state: &State) -> impl Iterator<Item = usize> {
+        let (gaps, terms) = (&state.gaps[i], &state.terms[i]);
+        (0..gaps.len()).filter(move |e| !touching[*e] && !self.is_barred(i, *e) && gaps[*e] < -CANCELLED * terms[*e])
     }
 
     fn resultant(&self, pressure: &[f64]) -> f64 {

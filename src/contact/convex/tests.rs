@@ -3,10 +3,11 @@ use crate::contact::punch::Indentation;
 use crate::contact::start;
 use crate::kernel::Kernel;
 use crate::stress::{Ranges, scene};
-use crate::{Model, Options, Solution, Stack};
+use crate::{Load, Model, Options, Punch, Solution, Stack};
 
-use super::energy::{Compliances, Energy};
-use super::equilibrium::Equilibrium;
+use super::compliances::Compliances;
+use super::energy::Energy;
+use super::equilibrium::{Equilibrium, State};
 use super::grid::Grid;
 use super::{FINE, answer, zones};
 
@@ -60,13 +61,54 @@ fn its_own_answer_is_as_good_as_it_says() {
 }
 
 #[test]
+fn corners_tips_and_given_loads_are_known_as_well() {
+    let options = Options { tolerance: 1e-6, ..Options::default() };
+    for number in 0..12 {
+        let scene = scene(&Ranges::moderate(), 9, number).scene().unwrap();
+        let stack = scene.stack().unwrap();
+        let kernel = Kernel::new(&stack).unwrap();
+        let width = 0.3 * kernel.length();
+        let loads = [Load::uniform(width), Load::several(&[(2.0 * width, 1.0, Load::Line), (0.0, 1.0, Load::Line)])];
+        let loads = loads.map(|load| Punch::Given(load.unwrap()));
+        let mut compared = 0;
+        for punch in [Punch::flat(width).unwrap(), Punch::wedge(0.01).unwrap()].iter().chain(&loads) {
+            let Ok(fine) = Model::new(stack.clone()).unwrap().press_with(punch, scene.force, &options) else {
+                continue;
+            };
+            if fine.contacts().iter().any(|contact| contact.opening > 0.0 || !contact.parts.is_empty()) {
+                continue;
+            }
+            let indentation = Indentation::new(punch, &kernel, scene.force.number());
+            let expected = start::half_lengths(&kernel, &indentation).unwrap();
+            let Some(coarse) = answer(&kernel, &stack.contacts(), &indentation, &expected, 0.0) else {
+                // nothing is unknown
+                assert!(kernel.contacts() == 1 && punch.load().is_some(), "{number}, {punch:?}");
+                continue;
+            };
+            for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
+                let off = (coarse.half_length - fine.half_length).abs();
+                assert!(off <= coarse.half_length_error, "{number}, {punch:?}: {coarse:?} {}", fine.half_length);
+                if fine.peak_pressure.is_finite() {
+                    let off = (coarse.peak_pressure - fine.peak_pressure).abs();
+                    assert!(off <= coarse.peak_pressure_error, "{number}, {punch:?}: {off} {}", coarse.interface);
+                } else {
+                    assert_eq!(coarse.peak_pressure, fine.peak_pressure);
+                }
+                compared += 1;
+            }
+        }
+        assert!(compared > 0, "{number}");
+    }
+}
+
+#[test]
 fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
     for number in 0..6 {
         let scene = scene(&Ranges::moderate(), 8, number).scene().unwrap();
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
         let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
-        let grid = Grid::new(0.5, 20.0);
-        let energy = Energy::new(&Compliances { kernel: &kernel, alone: false }, &indentation, &grid);
+        let grid = Grid::new(0.5, 20.0, None);
+        let energy = Energy::new(&Compliances::all(&kernel), &indentation, &grid);
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {
@@ -75,7 +117,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
             };
             let touching: Vec<Vec<bool>> =
                 (0..contacts).map(|i| (0..elements).map(|e| touches(i, e)).collect()).collect();
-            let (pressures, gaps) = Equilibrium::new(&energy, &touching).solve().unwrap();
+            let State { pressures, gaps, .. } = Equilibrium::new(&energy, &touching).solve().unwrap();
             for i in 0..contacts {
                 let resultant: f64 = pressures[i].iter().zip(&energy.resultants).map(|(p, area)| p * area).sum();
                 assert!((resultant - 1.0).abs() < 1e-9, "{number}, {i}: {resultant}");

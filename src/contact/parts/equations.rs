@@ -46,6 +46,14 @@ pub(super) struct Pressures {
     pub(super) residuals: Vec<f64>,
 }
 
+/// What all pressures do to all tests.
+struct Blocks {
+    /// For each contact, those of itself and of its neighbours.
+    blocks: Vec<Vec<(usize, Mat<f64>)>>,
+    /// What a given pressure on top does to the contact below it.
+    loads: Vec<f64>,
+}
+
 /// What is known of one contact at all wavenumbers: pressures by columns, and tests.
 struct Waves {
     transforms: Mat<f64>,
@@ -98,7 +106,8 @@ impl Equations<'_> {
         let size = self.patches.len() * self.count;
         let mut kept: Vec<(Vec<f64>, f64)> = Vec::with_capacity(size);
         let mut left: Vec<(Vec<f64>, f64)> = Vec::new();
-        for (contact, blocks) in self.blocks().into_iter().enumerate() {
+        let Blocks { blocks, loads } = self.blocks();
+        for (contact, blocks) in blocks.into_iter().enumerate().skip(self.first()) {
             let place = |contact: usize| self.of(contact).next().map_or(0, |(index, _)| index * self.count);
             let mut at = 0;
             for (index, patch) in self.of(contact) {
@@ -110,7 +119,7 @@ impl Equations<'_> {
                             entries[place(*other) + column] += block[(at + row, column)];
                         }
                     }
-                    let right = self.load(index, row);
+                    let right = self.load(index, row) + if contact == 1 { loads[at + row] } else { 0.0 };
                     // the second end of a first interval off the middle has no gap to be closed: equilibrium gives the mean
                     // pressure, and the next test what is left over
                     let two_ends = row == 1 && self.is_apart(index);
@@ -139,8 +148,8 @@ impl Equations<'_> {
         residuals.iter().chain(all).all(|value| value.is_finite()).then_some(Pressures { coefficients, residuals })
     }
 
-    /// For each contact what its own pressures and those of its neighbours do to its tests.
-    fn blocks(&self) -> Vec<Vec<(usize, Mat<f64>)>> {
+    /// What all pressures do to all tests.
+    fn blocks(&self) -> Blocks {
         let n = self.contacts();
         let rows = |contact: usize| self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let zeros =
@@ -149,12 +158,18 @@ impl Equations<'_> {
         let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
             .map(|contact| felt(contact).into_iter().flatten().map(|other| zeros(contact, other)).collect())
             .collect();
+        let mut loads = vec![0.0; if n > 1 { rows(1) } else { 0 }];
         // no more than two contacts at once, and some wavenumbers: tables take much memory
         for first in (0..self.layout.zeta.len()).step_by(AT_ONCE) {
             let mut above: Option<Waves> = None;
             for contact in 0..n {
                 let waves = self.waves(contact, first..self.layout.zeta.len().min(first + AT_ONCE));
                 self.add_own(contact, first, &waves, &mut blocks[contact][0].1);
+                if contact == 1 && self.first() == 1 {
+                    let given = self.given(first, waves.tests.nrows());
+                    let tested = self.loaded(0, first, &waves, &given);
+                    loads.iter_mut().zip(tested).for_each(|(load, tested)| *load += tested);
+                }
                 if let Some(above) = &above {
                     blocks[contact][1].1 -= self.between(contact - 1, first, &waves, above);
                     if let Some((_, below)) = blocks[contact - 1].last_mut() {
@@ -167,7 +182,26 @@ impl Equations<'_> {
         for (contact, blocks) in blocks.iter_mut().enumerate() {
             self.add_half_plane(contact, self.layout.own[contact].limit, &mut blocks[0].1);
         }
-        blocks
+        Blocks { blocks, loads }
+    }
+
+    /// The first contact of which the pressure is unknown.
+    fn first(&self) -> usize {
+        usize::from(self.punch.given().is_some())
+    }
+
+    /// The transform of what presses on a contact at some wavenumbers less that of the pressure all are compared with.
+    fn given(&self, first: usize, count: usize) -> Vec<f64> {
+        let Some(given) = self.punch.given() else { return Vec::new() };
+        let zeta = &self.layout.zeta[first..first + count];
+        zeta.iter().zip(self.beyond(zeta)).map(|(zeta, beyond)| given.deficit(*zeta) + beyond).collect()
+    }
+
+    /// By how much the transform of the pressure that all are compared with, of the resultant 1, is less than 1.
+    fn beyond(&self, zeta: &[f64]) -> Vec<f64> {
+        // as narrow as the shortest, so that little is lost where pressures cancel
+        let end = self.patches.iter().map(Patch::to).fold(f64::INFINITY, f64::min);
+        zeta.iter().map(|zeta| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect()
     }
 
     /// The laminates next to a contact.
@@ -180,8 +214,7 @@ impl Equations<'_> {
     fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
         let nodes = nodes.start.min(self.layout.own[contact].reach)..nodes.end.min(self.layout.own[contact].reach);
         let zeta = &self.layout.zeta[nodes.clone()];
-        let end = self.patches.iter().map(Patch::to).fold(0.0, f64::max);
-        let beyond: Vec<f64> = zeta.iter().map(|zeta| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect();
+        let beyond = self.beyond(zeta);
         let columns = self.of(contact).count() * self.count;
         let rows: usize = self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let mut waves = Waves {
@@ -225,6 +258,15 @@ impl Equations<'_> {
     /// What the pressures of another contact take from one.
     fn between(&self, coupling: usize, first: usize, waves: &Waves, other: &Waves) -> Mat<f64> {
         self.tested(waves, &self.layout.coupling[coupling].plain, first, other, true)
+    }
+
+    /// What a given pressure gives to a contact through a coupling, by wavenumbers from `first` on.
+    fn loaded(&self, coupling: usize, first: usize, waves: &Waves, field: &[f64]) -> Vec<f64> {
+        let weights = &self.layout.coupling[coupling].plain;
+        let terms = weights[first.min(weights.len())..].iter().zip(&self.layout.zeta[first..]).zip(field);
+        let terms: Vec<f64> = terms.map(|((weight, zeta), value)| weight * zeta / PI * value).collect();
+        let tests = (0..waves.tests.ncols()).map(|row| waves.tests.col_as_slice(row));
+        tests.map(|test| dot(test, &terms)).collect()
     }
 
     /// (1/π) Σ tests · ζ weights · fields, by wavenumbers from `first` on.
@@ -350,8 +392,13 @@ impl Equations<'_> {
             let rests = field(&waves, contact, true);
             for (coupling, other) in [(contact.checked_sub(1), contact.wrapping_sub(1)), (Some(contact), contact + 1)] {
                 if let Some(weights) = coupling.and_then(|coupling| self.layout.coupling.get(coupling)) {
+                    let others = if other < self.first() {
+                        self.given(first, rests.len())
+                    } else {
+                        field(&self.waves(other, nodes.clone()), other, true)
+                    };
                     add(&weights.plain, &rests, 1.0);
-                    add(&weights.plain, &field(&self.waves(other, nodes.clone()), other, true), -1.0);
+                    add(&weights.plain, &others, -1.0);
                 }
             }
         }

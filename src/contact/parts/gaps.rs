@@ -53,7 +53,7 @@ pub(super) fn check(
         return None;
     }
     least[0] = smallest.iter().copied().fold(0.0, f64::min);
-    let [ends, shortest] = super::lengths(kernel, patches);
+    let [ends, shortest] = super::lengths(kernel, punch, patches);
     let span = span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
     let equations = Equations { kernel, punch, layout: &layout, patches, count };

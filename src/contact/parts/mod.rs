@@ -17,7 +17,7 @@ use super::convex::Zones;
 use super::layout::{Layout, negligible};
 use super::level::UNKNOWN;
 use super::punch::Indentation;
-use super::{in_parts, stats};
+use super::{given, in_parts, stats};
 
 use equations::{Equations, Pressures};
 use patch::Patch;
@@ -80,10 +80,10 @@ pub(super) fn solve(
     zones: &[Zones],
     options: &Options,
 ) -> Option<Solution> {
-    if punch.flat().is_some() || punch.given().is_some() || punch.is_sharp() {
+    if punch.flat().is_some() || punch.is_sharp() {
         return None;
     }
-    let patches = patches(zones)?;
+    let patches = patches(punch, zones)?;
     let negligible = negligible(options.tolerance);
     let mut work = Work::default();
     let mut before: Option<Level> = None;
@@ -133,10 +133,10 @@ pub(super) fn solve(
     Some(solution(kernel, interfaces, punch, &level, &errors, min, count, work.steps, warnings))
 }
 
-/// Intervals to begin with; `None` if a contact has none, or one that does not end.
-fn patches(zones: &[Zones]) -> Option<Vec<Patch>> {
+/// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end.
+fn patches(punch: &Indentation, zones: &[Zones]) -> Option<Vec<Patch>> {
     let mut patches = Vec::new();
-    for (contact, zones) in zones.iter().enumerate() {
+    for (contact, zones) in zones.iter().enumerate().skip(usize::from(punch.given().is_some())) {
         let parts = zones.hull();
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
@@ -191,12 +191,16 @@ fn rooms(patches: &[Patch]) -> Vec<f64> {
     rooms
 }
 
-/// How far each contact reaches, and half of its shortest interval.
-fn lengths(kernel: &Kernel, patches: &[Patch]) -> [Vec<f64>; 2] {
+/// How far each contact reaches, and half of its shortest interval; a given pressure is felt by the contact below only.
+fn lengths(kernel: &Kernel, punch: &Indentation, patches: &[Patch]) -> [Vec<f64>; 2] {
     let of = |i: usize| patches.iter().filter(move |patch| patch.contact == i);
     let ends = (0..kernel.contacts()).map(|i| of(i).map(Patch::to).fold(0.0, f64::max));
     let shortest = (0..kernel.contacts()).map(|i| of(i).map(|patch| patch.half).fold(f64::INFINITY, f64::min));
-    [ends.collect(), shortest.collect()]
+    let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
+    if let Some(given) = punch.given() {
+        (ends[0], shortest[0]) = (given.half_length.max(ends[1]), shortest[1]);
+    }
+    [ends, shortest]
 }
 
 /// Newton's method for the ends, with long steps shortened all `together` or each alone; `None` if it is lost.
@@ -217,7 +221,7 @@ fn converge(
     let mut left_before: Vec<f64> = Vec::new();
     work.steps.push(0);
     for _ in 0..STEPS {
-        let [reach, shortest] = lengths(kernel, &patches);
+        let [reach, shortest] = lengths(kernel, punch, &patches);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
             Some(kept) => kept,
@@ -354,7 +358,11 @@ fn solution(
     mut warnings: Vec<String>,
 ) -> Solution {
     let (length, pressure_unit) = (kernel.length(), kernel.modulus() * punch.force);
+    let force = pressure_unit * length;
     let mut contacts: Vec<Contact> = Vec::new();
+    if let Some(load) = punch.load() {
+        contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force, length)));
+    }
     let all = level.patches.iter().zip(&level.pressures.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);
     for ((patch, coefficients), [from_error, to_error]) in all {
@@ -396,7 +404,7 @@ fn solution(
     warnings.extend(in_parts(&contacts));
     Solution {
         contacts,
-        force: punch.force * kernel.modulus() * length,
+        force,
         force_error: 0.0,
         min_pressure: min_pressure * pressure_unit,
         min_gap: min_gap * punch.force * length,
