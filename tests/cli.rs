@@ -24,6 +24,23 @@ fn refused(arguments: &[&str]) -> String {
 }
 
 #[test]
+fn where_bodies_are_apart_or_meet_again_stands_under_the_table() {
+    let apart =
+        "Scene(plane: Strain, load: Several([(at: 30.0, share: 1.0, load: Uniform(half_width: 0.5))]), force: 0.01,
+        stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
+        HalfPlane(shear_modulus: 1, poisson: 0.25)])";
+    let again = fs::read_to_string("tests/data/hard/seed_23_number_1121.ron").unwrap();
+    for (scene, line) in
+        [(apart, "1|2: the bodies are apart for |x| < 28.5475"), (&again, "1|2: the bodies touch again from |x| = ")]
+    {
+        let Run { status, stdout, stderr } = recede(&["solve", "-"], scene.as_bytes());
+        assert_eq!(status, Some(0), "{stderr}");
+        assert!(stdout.contains(line), "{stdout}");
+        assert!(stderr.contains("warning: "), "{stderr}");
+    }
+}
+
+#[test]
 fn check_draws_the_stack() {
     insta::assert_snapshot!(succeeds(&["check", PAPER]), @r#"
                      ╲    Cylinder(radius: 500.0), force 0.002    ╱

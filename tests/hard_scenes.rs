@@ -70,14 +70,36 @@ fn hard_scenes_are_solved() {
 }
 
 #[test]
-fn an_interval_off_the_middle_is_named() {
+fn what_has_no_answer_is_named_with_what_to_do() {
+    let (interface, x) = (Interface::Punch, 0.8);
     let parts = vec![[0.05, 0.8]];
-    let error = Error::from(NoSolution::Parts { interface: Interface::Punch, parts });
-    let (message, hint) = (error.to_string(), error.hint());
-    assert!(
-        message.contains("the punch") && message.contains("5.000e-2 < |x| < 8.000e-1") && hint.is_some(),
-        "{message}"
-    );
+    for (failure, expected) in [
+        (NoSolution::Parts { interface, parts }, "5.000e-2 < |x| < 8.000e-1"),
+        (NoSolution::Tension { interface, x }, "pull at x = 8e-1"),
+        (NoSolution::Overlap { interface, x }, "overlap at x = 8e-1"),
+        (NoSolution::NotConverged { half_lengths: vec![x] }, "did not converge"),
+    ] {
+        let named = !matches!(failure, NoSolution::NotConverged { .. });
+        let error = Error::from(failure);
+        let (message, hint) = (error.to_string(), error.hint());
+        assert!(message.contains(expected) && hint.is_some(), "{message}");
+        assert_eq!(message.contains("punch"), named, "{message}");
+    }
+}
+
+#[test]
+fn a_trial_without_an_answer_says_why_in_words_that_count() {
+    let text = |radius: f64| {
+        format!(
+            "Scene(plane: Strain, punch: Cylinder(radius: {radius}), force: 1, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])"
+        )
+    };
+    let [one, other] =
+        [1e-2, 2e-2].map(|radius| Trial::run(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
+    assert_eq!((one.status(), one.is_wrong(), one.interface()), ("unsolved", false, None));
+    assert!(one.solution().is_none() && one.reason().contains("reach its edge"), "{}", one.reason());
+    // the same words for the same cause
+    assert_eq!(one.reason(), other.reason());
 }
 
 #[test]

@@ -30,12 +30,12 @@ const FARTHER: f64 = 4.0;
 /// At most so often.
 const LONGER: usize = 3;
 /// How often the grid is made longer or finer.
-const ROUNDS: usize = 12;
-/// Grids of more elements are not refined.
-const MOST_ELEMENTS: usize = 200;
-/// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it ...
-const FINE: f64 = 0.02;
-/// ... which counts as no shorter than this part of the former.
+const ROUNDS: usize = 14;
+/// For starts.
+const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
+/// For answers.
+const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
+/// A strip off the middle counts as no shorter than this part of its distance from there.
 const SHORTEST: f64 = 0.02;
 /// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
 const SURE: usize = 2;
@@ -53,6 +53,15 @@ const NARROW: f64 = 0.05;
 /// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
 /// line load to them.
 const SHORT: f64 = 0.05;
+
+/// How fine grids become.
+#[derive(Clone, Copy)]
+struct Resolution {
+    /// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it.
+    ends: f64,
+    /// Grids of more elements are not refined.
+    elements: usize,
+}
 
 /// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,7 +123,7 @@ impl Round {
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
 /// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
 pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
-    let Rounds { first, rounds } = Rounds::new(kernel, punch, expected, far);
+    let Rounds { first, rounds } = Rounds::new(kernel, punch, expected, far, COARSE);
     let mut zones = rounds.last()?.zones();
     match first {
         First::Unknown => {}
@@ -143,14 +152,14 @@ struct Rounds {
 }
 
 impl Rounds {
-    fn new(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Self {
+    fn new(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64, resolution: Resolution) -> Self {
         if let Some(given) = punch.given() {
             let a = given.half_length;
             let below = Compliances::below_first(kernel, |zeta| given.deficit(zeta));
             let rounds = match kernel.contacts() {
                 // nothing is unknown
                 1 => Vec::new(),
-                _ => rounds(&below, punch, &expected[1..], far.max(a), false),
+                _ => rounds(&below, punch, &expected[1..], far.max(a), false, resolution),
             };
             return Self { first: First::Given(a), rounds };
         }
@@ -159,13 +168,20 @@ impl Rounds {
             .thickness()
             .is_some_and(|thickness| expected[1..].iter().chain([&thickness]).all(|a| expected[0] < SHORT * a));
         let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
-        Self { first, rounds: rounds(&all, punch, &expected[usize::from(is_short)..], far, is_short) }
+        Self { first, rounds: rounds(&all, punch, &expected[usize::from(is_short)..], far, is_short, resolution) }
     }
 }
 
 /// The last rounds, two at most, with the finest grids, for contacts of the lengths that are `expected`; that under the
 /// punch may be far `shorter`.
-fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64, shorter: bool) -> Vec<Round> {
+fn rounds(
+    kernel: &Compliances,
+    punch: &Indentation,
+    expected: &[f64],
+    far: f64,
+    shorter: bool,
+    resolution: Resolution,
+) -> Vec<Round> {
     let mut rounds: Vec<Round> = Vec::new();
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
     let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
@@ -183,7 +199,8 @@ fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64,
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
         let looked_for = &touching[usize::from(shorter)..];
-        let ends: Vec<(usize, f64)> = looked_for.iter().flat_map(|touching| ends(touching, &grid)).collect();
+        let ends: Vec<(usize, f64)> =
+            looked_for.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
         // bodies that touch again far away do so for ever
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         rounds.push(Round { grid: grid.clone(), touching, forces });
@@ -193,7 +210,7 @@ fn rounds(kernel: &Compliances, punch: &Indentation, expected: &[f64], far: f64,
         if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(FARTHER);
-        } else if grid.elements() > MOST_ELEMENTS || !grid.refine(&ends) {
+        } else if grid.elements() > resolution.elements || !grid.refine(&ends) {
             break;
         }
     }
@@ -215,7 +232,7 @@ fn part_where_free(touching: &mut [bool], forces: &[f64]) {
 
 /// Edges at which bodies part or meet, and how long elements next to them may be: where bodies are apart about the middle,
 /// the strips in which they touch may be short.
-fn ends(touching: &[bool], grid: &Grid) -> Vec<(usize, f64)> {
+fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
     let transitions = touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1);
     let strip = |edge: usize| {
         let outwards = touching[edge..].iter().take_while(|touches| **touches).count();
@@ -226,7 +243,7 @@ fn ends(touching: &[bool], grid: &Grid) -> Vec<(usize, f64)> {
         let x = grid.edges()[edge];
         if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
     };
-    transitions.map(|edge| (edge, FINE * room(edge))).collect()
+    transitions.map(|edge| (edge, fine * room(edge))).collect()
 }
 
 /// The same without what is too short to be sure of.
