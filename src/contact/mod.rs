@@ -33,9 +33,13 @@ pub(crate) use prescribed::press_to;
 
 use attempts::{Answer, from_any_start};
 use converged::Converged;
-use level::{Level, UNKNOWN, coefficients};
+use level::{BEST, Level, UNKNOWN, coefficients};
 use punch::Indentation;
 use refine::{Start, refine};
+
+/// Tolerances so many times larger are tried where errors are larger still, but not beyond what is worth it.
+const LOOSER: [f64; 2] = [10.0, 100.0];
+const WORTH_IT: f64 = 1e-3;
 
 /// Presses a punch with a force on a stack: the answer in the units of the scene. It may start from what a lattice of answers
 /// for this kernel tells.
@@ -82,6 +86,21 @@ fn solve(
     }
     let mut from = |start: Start| {
         let (mut level, mut warnings) = refine(kernel, interfaces, indentation, start, options, &mut work)?;
+        // what is too strict for the arithmetic, or for memory, may end with fewer digits than what is less strict
+        for looser in LOOSER.map(|factor| factor * options.tolerance.max(BEST)) {
+            if level.worst_error() <= looser || level.worst_error() > WORTH_IT {
+                break;
+            }
+            let start = Start::Formulas { half_lengths: level.half_lengths.clone(), finer: 1 };
+            let options = Options { tolerance: looser, ..*options };
+            match refine(kernel, interfaces, indentation, start, &options, &mut work) {
+                Ok((other, _)) if other.worst_error() < level.worst_error() => level = other,
+                _ => {}
+            }
+        }
+        if level.worst_error() <= options.tolerance {
+            warnings.clear();
+        }
         // nobody needs a half-length that nothing depends on
         if level.errors.iter().any(|[length, pressure]| *length > UNKNOWN && *pressure > UNKNOWN) {
             return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
