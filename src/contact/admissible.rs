@@ -8,12 +8,13 @@ use crate::Error;
 use crate::error::NoSolution;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
+use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::vectorised;
 use crate::solution::Interface;
 
 use super::basis::Basis;
 use super::galerkin::{Equations, alternating, order};
-use super::layout::{COARSE, Layout, frequency_of_fields, span};
+use super::layout::{FIELDS, Layout, frequency_of_fields, span};
 use super::level::{Level, coefficients};
 use super::newton::not_converged;
 use super::punch::Indentation;
@@ -192,18 +193,29 @@ fn angle(place: usize, places: usize) -> f64 {
 fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
     let coefficients = coefficients(modes);
     let places = PER_MODE * resolved;
-    let at = |place: usize| {
-        let phi = angle(place, places);
-        // sin(3φ), sin(5φ), ... from sin φ
-        let turn = 2.0 * (2.0 * phi).cos();
-        let (mut before, mut sine, mut pressure) = (-phi.sin(), phi.sin(), 0.0);
-        for c in &coefficients {
-            pressure += c * sine;
-            (before, sine) = (sine, turn * sine - before);
-        }
-        pressure
-    };
-    (0..places).map(at).collect()
+    let mut pressures = vec![0.0; places];
+    vectorised(
+        #[inline(always)]
+        || {
+            for (block, out) in pressures.chunks_mut(LANES).enumerate() {
+                let phi: [f64; LANES] = std::array::from_fn(|lane| angle(block * LANES + lane, places));
+                let (mut sine, cosine) = sin_cos(&phi);
+                // sin(3φ), sin(5φ), ... from sin φ
+                let turn: [f64; LANES] = std::array::from_fn(|lane| 4.0 * cosine[lane] * cosine[lane] - 2.0);
+                let [mut before, mut pressure] = [sine.map(|sine| -sine), [0.0; LANES]];
+                for c in &coefficients {
+                    for lane in 0..LANES {
+                        pressure[lane] += c * sine[lane];
+                        let next = turn[lane] * sine[lane] - before[lane];
+                        before[lane] = sine[lane];
+                        sine[lane] = next;
+                    }
+                }
+                out.copy_from_slice(&pressure[..out.len()]);
+            }
+        },
+    );
+    pressures
 }
 
 /// The slope transforms of all contacts at real wavenumbers that resolve fields out to `span`: those of the equations, if
@@ -234,7 +246,7 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     if punch.given().is_some() {
         orders[0] = 0;
     }
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, COARSE, span(&level.half_lengths))?;
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, FIELDS, span(&level.half_lengths))?;
     let basis = |i: usize| match punch.given().filter(|_| i == 0) {
         Some(given) => Basis::given(&layout, given),
         None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
@@ -310,23 +322,23 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
 fn deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; GAPS]; 2] {
     let mut parts = [[[0.0; LANES]; GAPS]; 2];
     for (zetas, slopes) in zeta.chunks(LANES).zip(slopes.chunks(LANES)) {
-        let [mut weight, mut sin, mut cos] = [[0.0; LANES]; 3];
-        for (lane, (zeta, slope)) in zetas.iter().zip(slopes).enumerate() {
-            weight[lane] = slope / zeta;
-            (sin[lane], cos[lane]) = (zeta * a).sin_cos();
+        // nothing where there are none left
+        let [mut zeta, mut weight] = [[0.0; LANES]; 2];
+        for (lane, (wave, slope)) in zetas.iter().zip(slopes).enumerate() {
+            (zeta[lane], weight[lane]) = (*wave, slope / wave);
         }
+        let (sin, cos) = sin_cos(&zeta.map(|zeta| zeta * a));
         for (parts, step) in parts.iter_mut().zip(steps) {
-            let [mut before, mut here, mut turn] = [cos, cos, [0.0; LANES]];
-            for (lane, zeta) in zetas.iter().enumerate() {
-                let (sin_step, cos_step) = (zeta * step).sin_cos();
-                here[lane] = cos[lane] * cos_step - sin[lane] * sin_step;
-                turn[lane] = 2.0 * cos_step;
+            let (sin_step, cos_step) = sin_cos(&zeta.map(|zeta| zeta * step));
+            let (mut before, mut here) = (cos, cos);
+            for lane in 0..LANES {
+                here[lane] = cos[lane] * cos_step[lane] - sin[lane] * sin_step[lane];
             }
             for part in parts {
                 let mut next = [0.0; LANES];
                 for lane in 0..LANES {
                     part[lane] += weight[lane] * (cos[lane] - here[lane]);
-                    next[lane] = turn[lane] * here[lane] - before[lane];
+                    next[lane] = 2.0 * cos_step[lane] * here[lane] - before[lane];
                 }
                 (before, here) = (here, next);
             }

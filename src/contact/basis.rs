@@ -2,18 +2,24 @@
 //!
 //! p(x) = √(1 − s²) Σ c_j U_(j−1)(s), s = x/a, j odd, has the transform (2P/ζ) Σ y_j ψ_j(ζ) with ψ_j = J_j(ζa)/a and
 //! y_1 = 1. The tests T_k/√(1 − s²) turn sin ζx into J_k(ζa). So all integrals need ψ_j for odd j, and Newton's method
-//! the derivative with respect to ln a, z (J_(j−1) − J_(j+1))/(2a) − ψ_j, z = ζa: the even orders of the same table.
-use faer::MatRef;
+//! the derivative with respect to ln a, z (J_(j−1) − J_(j+1))/(2a) − ψ_j, z = ζa, in which even orders are sums of odd ones,
+//! J_n = z (J_(n−1) + J_(n+1))/(2n), but for J_0.
 use num_complex::Complex64;
 
 use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::buffer::Buffer;
+use crate::numeric::vector::vectorised;
 
+use super::columns::{Columns, Part};
 use super::given::Given;
 use super::layout::Layout;
+use super::tail::Tail;
 
 /// Nodes of a tail whose Bessel functions are made together.
 const TOGETHER: usize = 512;
+
+/// Orders of the tables.
+const WANTED: Wanted = Wanted::ZERO_AND_ODD;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(super) struct Basis {
@@ -21,21 +27,12 @@ pub(super) struct Basis {
     pub(super) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
     pub(super) deficit: Buffer,
-    /// Real wavenumbers.
-    reach: usize,
-    rows: usize,
-    /// Orders below this are those of the modes and of their derivatives.
-    orders: usize,
-    /// J_n/a for n = 0, 1, ..., 2·modes, column by column; only odd n where memory is short.
-    table: Buffer,
-    /// Whether even n are left out.
-    odd: bool,
+    /// J_n/a for n = 0, 1, 3, 5, ..., one odd order more than there are modes.
+    table: Columns,
     /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
     arguments: Buffer,
     /// z on the turned path.
     paths: Vec<Complex64>,
-    /// What exp(−iz) H_n is multiplied by there.
-    factors: Vec<Complex64>,
 }
 
 impl Basis {
@@ -47,34 +44,28 @@ impl Basis {
             arguments.extend(tail.smooth.iter().map(|zeta| zeta * half_length));
         }
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
-        let factors = paths.iter().zip(&tail.lift);
-        let factors = factors.map(|(z, lift)| (Complex64::I * z + lift).exp() * half_length.recip()).collect();
-        let (rows, orders, odd) = (reach + tail.rows(), 2 * modes + 1, layout.is_large());
-        let (deficit, table) = (Buffer::default(), Buffer::default());
-        let mut basis = Self { half_length, deficit, reach, rows, orders, table, odd, arguments, paths, factors };
-        basis.table = basis.tabulate(if odd { Wanted::ODD } else { Wanted::ALL });
-        basis.deficit = (basis.arguments[..reach].iter().zip(basis.value(0)))
-            .map(|(z, j1)| bessel::jinc_deficit_from(*z, *j1 * half_length))
-            .collect();
-        basis
-    }
-
-    /// J_n/a of some orders, column by column.
-    fn tabulate(&self, wanted: Wanted) -> Buffer {
-        let (rows, reach) = (self.rows, self.reach);
-        let entries = wanted.below(self.orders) * rows;
-        let mut table = if self.odd { Buffer::exactly(entries) } else { Buffer::any(entries) };
-        let scale = self.half_length.recip();
-        bessel::scaled_orders(self.orders, wanted, &self.arguments[..reach], scale, rows, &mut table);
+        let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, half_length.recip());
+        let mut table = Columns::new(rows, WANTED.below(orders));
+        bessel::scaled_orders(orders, WANTED, &arguments[..reach], scale, rows, &mut table.values);
+        let mut basis = Self { half_length, deficit: Buffer::default(), table, arguments, paths };
         if rows > reach {
-            self.tabulate_tail(wanted, &mut table);
+            basis.tabulate_tail(tail, reach, orders);
         }
-        table
+        let mut deficit = Buffer::any(reach);
+        vectorised(
+            #[inline(always)]
+            || {
+                for ((deficit, z), j1) in deficit.iter_mut().zip(basis.arguments.iter()).zip(basis.value(0)) {
+                    *deficit = bessel::jinc_deficit_from(*z, *j1 * half_length);
+                }
+            },
+        );
+        Self { deficit, ..basis }
     }
 
-    /// J/a, Y/a and both parts of H/a in the rows of the tail.
-    fn tabulate_tail(&self, wanted: Wanted, table: &mut [f64]) {
-        let (first, orders, scale) = (self.reach, self.orders, self.half_length.recip());
+    /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
+    fn tabulate_tail(&mut self, tail: &Tail, first: usize, orders: usize) {
+        let (rows, scale) = (self.rows(), self.half_length.recip());
         let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
         let smooth = &self.arguments[first..first + count];
         let all: Vec<usize> = (0..orders).collect();
@@ -82,91 +73,110 @@ impl Basis {
             let length = some.len();
             let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
             bessel::jy_table(orders, some, &mut j, &mut y);
-            for (&n, column) in wanted.of(&all).zip(table.chunks_exact_mut(self.rows)) {
+            for (&n, column) in WANTED.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
                 for (place, values) in [(first + start, &j), (first + count + start, &y)] {
                     let values = &values[n * length..(n + 1) * length];
                     column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
                 }
             }
         }
+        // what exp(−iz) H_n is multiplied by
+        let factors = self.paths.iter().zip(&tail.lift).map(|(z, lift)| (Complex64::I * z + lift).exp() * scale);
+        let factors: Vec<Complex64> = factors.collect();
         let mut h = vec![Complex64::ZERO; orders * turned];
         bessel::hankel_table(orders, &self.paths, &mut h);
-        for (&n, column) in wanted.of(&all).zip(table.chunks_exact_mut(self.rows)) {
+        for (&n, column) in WANTED.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
             let (re, im) = column[first + 2 * count..].split_at_mut(turned);
-            for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&self.factors).enumerate() {
+            for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
                 let value = h * factor;
                 (re[i], im[i]) = (value.re, value.im);
             }
         }
     }
 
-    /// The only mode of a given pressure on top, whatever its transform. Its half-length is not varied, so that the even
+    /// The only mode of a given pressure on top, whatever its transform. Its half-length is not varied, so that other
     /// orders do not matter.
     pub(super) fn given(layout: &Layout, given: &Given) -> Self {
         let zeta = &layout.zeta[..layout.own[0].reach];
         let deficit: Buffer = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
-        let rows = zeta.len();
-        let mut table = Buffer::zeros(3 * rows);
-        for ((value, zeta), deficit) in table[rows..].iter_mut().zip(zeta).zip(deficit.iter()) {
+        let mut table = Columns::zeros(zeta.len(), 3);
+        for ((value, zeta), deficit) in table.column_mut(1).iter_mut().zip(zeta).zip(deficit.iter()) {
             *value = 0.5 * zeta * (1.0 + deficit);
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
-        let (half_length, paths, factors) = (given.half_length, Vec::new(), Vec::new());
-        Self { half_length, deficit, reach: rows, rows, orders: 3, table, odd: false, arguments, paths, factors }
+        Self { half_length: given.half_length, deficit, table, arguments, paths: Vec::new() }
     }
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
     pub(super) fn corners(&self) -> Buffer {
-        let mut corners = Buffer::of(self.even_orders().column(1));
+        let mut corners: Buffer = self.value(0).iter().zip(self.value(1)).map(|(j1, j3)| -0.5 * (j1 + j3)).collect();
         self.scale(&mut corners, false);
-        corners.iter_mut().for_each(|value| *value = -*value);
+        self.scale(&mut corners, false);
         corners
     }
 
     /// Number of rows.
     pub(super) fn rows(&self) -> usize {
-        self.rows
+        self.table.rows()
     }
 
-    /// ψ of the first `count` modes, rows by modes.
-    pub(super) fn values(&self, count: usize) -> MatRef<'_, f64> {
-        let (first, stride) = if self.odd { (0, 1) } else { (1, 2) };
-        MatRef::from_column_major_slice_with_stride(
-            &self.table[first * self.rows..],
-            self.rows,
-            count,
-            stride * self.rows,
-        )
+    /// ψ of the first `count` modes, and of one more that may be asked for.
+    pub(super) fn values(&self, count: usize) -> Part<'_> {
+        self.table.part(1..count + 1)
     }
 
     /// ψ of mode `m` (order 2m + 1) in every row.
     pub(super) fn value(&self, m: usize) -> &[f64] {
-        let column = if self.odd { m } else { 2 * m + 1 };
-        &self.table[column * self.rows..(column + 1) * self.rows]
+        self.table.column(m + 1)
     }
 
-    /// Even orders: part of the table, or made for as long as they are used.
-    pub(super) fn even_orders(&self) -> EvenOrders<'_> {
-        EvenOrders { basis: self, made: self.odd.then(|| self.tabulate(Wanted::EVEN)) }
+    /// J_0/a in every row.
+    fn zeroth(&self) -> &[f64] {
+        self.table.column(0)
     }
 
     /// Σ_m y_m ψ_m in every row.
     pub(super) fn combine(&self, y: &[f64]) -> Buffer {
-        times(self.values(y.len()), y)
+        self.values(y.len()).combine(y)
     }
 
     /// Σ_m y_m ψ_m for the modes from number `first` on, in every row.
     pub(super) fn combine_from(&self, first: usize, y: &[f64]) -> Buffer {
-        if y.is_empty() {
-            return Buffer::zeros(self.rows);
-        }
-        times(self.values(first + y.len()).subcols(first, y.len()), y)
+        self.values(first + y.len()).part(first..first + y.len()).combine(y)
     }
 
     /// Σ over the rows of `s` ψ_m, for the first `count` modes.
     pub(super) fn test(&self, s: &[f64], count: usize) -> Buffer {
-        times(self.values(count).transpose(), s)
+        self.values(count).test(s)
+    }
+
+    /// The derivative of [`Self::combine`] with respect to ln a.
+    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
+        // (z/2) Σ d_m J_2m, d_m = y_m − y_(m−1), and J_2m = (z/2) (J_(2m−1) + J_(2m+1))/(2m) but for the first
+        let mut odd = Buffer::zeros(y.len() + 1);
+        for m in 1..=y.len() {
+            let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / (2 * m) as f64;
+            odd[m - 1] += part;
+            odd[m] += part;
+        }
+        let mut slopes = self.combine(&odd);
+        self.scale(&mut slopes, false);
+        slopes.iter_mut().zip(self.zeroth()).for_each(|(slope, zeroth)| *slope += y[0] * zeroth);
+        self.scale(&mut slopes, false);
+        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
+        slopes
+    }
+
+    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
+    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
+        let mut scaled = Buffer::of(s);
+        self.scale(&mut scaled, true);
+        let zeroth: f64 = self.zeroth().iter().zip(scaled.iter()).map(|(zeroth, s)| zeroth * s).sum();
+        self.scale(&mut scaled, true);
+        let odd = self.test(&scaled, tested.len() + 1);
+        let even = |m: usize| if m == 0 { zeroth } else { (odd[m - 1] + odd[m]) / (2 * m) as f64 };
+        tested.iter().enumerate().map(|(m, value)| even(m) - even(m + 1) - value).collect()
     }
 
     /// Multiplies by z/2 in every row; `adjoint` on the side of the tests.
@@ -180,62 +190,4 @@ impl Basis {
             (*re, *im) = (product.re, product.im);
         }
     }
-}
-
-/// J_n/a of even orders n, from which derivatives with respect to ln a are made.
-pub(super) struct EvenOrders<'a> {
-    basis: &'a Basis,
-    /// Column by column, if they are not part of the table.
-    made: Option<Buffer>,
-}
-
-impl EvenOrders<'_> {
-    /// The first `count` orders n = 0, 2, ..., rows by orders.
-    fn first(&self, count: usize) -> MatRef<'_, f64> {
-        let rows = self.basis.rows;
-        match &self.made {
-            Some(made) => MatRef::from_column_major_slice(&made[..count * rows], rows, count),
-            None => MatRef::from_column_major_slice_with_stride(&self.basis.table, rows, count, 2 * rows),
-        }
-    }
-
-    /// Order 2m in every row.
-    fn column(&self, m: usize) -> &[f64] {
-        let rows = self.basis.rows;
-        match &self.made {
-            Some(made) => &made[m * rows..(m + 1) * rows],
-            None => &self.basis.table[2 * m * rows..(2 * m + 1) * rows],
-        }
-    }
-
-    /// The derivative of [`Basis::combine`] with respect to ln a.
-    pub(super) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
-        // Σ y_m (E_m − E_(m+1)), E the even orders
-        let mut differences = Buffer::zeros(y.len() + 1);
-        for (m, y) in y.iter().enumerate() {
-            differences[m] += y;
-            differences[m + 1] -= y;
-        }
-        let mut slopes = times(self.first(differences.len()), &differences);
-        self.basis.scale(&mut slopes, false);
-        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
-        slopes
-    }
-
-    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Basis::test`].
-    pub(super) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
-        let mut scaled = Buffer::of(s);
-        self.basis.scale(&mut scaled, true);
-        let even = times(self.first(tested.len() + 1).transpose(), &scaled);
-        even.windows(2).zip(tested).map(|(even, value)| even[0] - even[1] - value).collect()
-    }
-}
-
-/// matrix · vector.
-pub(super) fn times(matrix: MatRef<'_, f64>, vector: &[f64]) -> Buffer {
-    let mut product = Buffer::any(matrix.nrows());
-    let out = faer::MatMut::from_column_major_slice_mut(&mut product, matrix.nrows(), 1);
-    let vector = MatRef::from_column_major_slice(vector, vector.len(), 1);
-    faer::linalg::matmul::matmul(out, faer::Accum::Replace, matrix, vector, 1.0, faer::Par::Seq);
-    product
 }

@@ -15,14 +15,15 @@ mod products;
 
 use std::ops::Range;
 
-use faer::Mat;
+use nalgebra::DMatrix;
 
 use crate::numeric::buffer::Buffer;
 
-use super::basis::{Basis, times};
+use super::basis::Basis;
+use super::columns::Columns;
 use super::layout::Layout;
 use super::tail::Weights;
-use products::{Columns, product, symmetric_product};
+use products::{product, symmetric_product};
 
 /// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
 pub(super) struct Slopes {
@@ -159,12 +160,11 @@ impl<'a> Equations<'a> {
     }
 
     /// The matrix, its lower half.
-    pub(super) fn matrix(&self) -> Mat<f64> {
+    pub(super) fn matrix(&self) -> DMatrix<f64> {
         let size = self.size();
-        let mut matrix = Mat::<f64>::zeros(size, size);
+        let mut matrix = DMatrix::zeros(size, size);
         for (i, basis) in self.bases.iter().enumerate() {
-            let values = basis.values(self.modes[i]);
-            let mut gram = symmetric_product(values, &self.layout.own[i].unit, |m| basis.value(m));
+            let mut gram = symmetric_product(basis.values(self.modes[i]), &self.layout.own[i].unit);
             for m in 0..self.modes[i] {
                 gram.column_mut(m)[m] += self.cauchy(i, m);
             }
@@ -177,15 +177,14 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds what the laminate between the contacts i and i + 1 makes of their differences.
-    fn add_coupling(&self, matrix: &mut Mat<f64>, i: usize, weights: &Weights, difference: &Columns) {
-        let upper = difference.first(self.modes[i]);
-        let gram = symmetric_product(upper, weights, |m| difference.column(m));
+    fn add_coupling(&self, matrix: &mut DMatrix<f64>, i: usize, weights: &Weights, difference: &Columns) {
+        let upper = difference.part(0..self.modes[i]);
+        let gram = symmetric_product(upper, weights);
         self.add_symmetric(matrix, &gram, |m| self.chain(i, m));
-        let below = &self.bases[i + 1];
-        let lower = below.values(self.modes[i + 1]).subrows(0, weights.rows());
-        let gram = symmetric_product(lower, weights, |m| below.value(m));
+        let lower = self.bases[i + 1].values(self.modes[i + 1]);
+        let gram = symmetric_product(lower, weights);
         self.add_symmetric(matrix, &gram, |_| i + 1..i + 2);
-        let gram = product(upper, weights, self.modes[i + 1], |m| below.value(m));
+        let gram = product(upper, weights, lower);
         for n in 0..self.modes[i + 1] {
             let column = self.place(i + 1, n);
             for (m, value) in gram.column(n).iter().enumerate() {
@@ -197,10 +196,10 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds a symmetric block (its lower half) to the modes of all contacts in the chain of its own.
-    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Columns, chain: impl Fn(usize) -> Range<usize>) {
-        for n in 0..block.rows {
+    fn add_symmetric(&self, matrix: &mut DMatrix<f64>, block: &Columns, chain: impl Fn(usize) -> Range<usize>) {
+        for n in 0..block.rows() {
             let columns = chain(n);
-            for m in n..block.rows {
+            for m in n..block.rows() {
                 let rows = chain(m);
                 for row in rows.clone().map(|i| self.place(i, m)) {
                     for column in columns.clone().map(|i| self.place(i, n)) {
@@ -278,11 +277,9 @@ impl<'a> Equations<'a> {
             // the tests of this contact change ...
             let response = self.response(by, &pressures[by], &jumps);
             let tested = basis.test(&response, count);
-            let even = basis.even_orders();
-            add(&mut rows[by], &even.test_slopes(&response, &tested));
+            add(&mut rows[by], &basis.test_slopes(&response, &tested));
             // ... and so does its pressure
-            let change = even.combine_slopes(&modes[by], &pressures[by]);
-            drop(even);
+            let change = basis.combine_slopes(&modes[by], &pressures[by]);
             let mut response = self.layout.own[by].unit.over(basis.rows(), &change);
             let above = by.checked_sub(1).map(|above| (above, above));
             let below = (by + 1 < n).then_some((by, by + 1));
@@ -327,7 +324,7 @@ impl<'a> Equations<'a> {
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
         let own: Buffer = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
         let count = self.modes[i].min(modes[i].len());
-        let mut jump = self.with_difference(i, |difference| times(difference.first(count), &modes[i][..count]));
+        let mut jump = self.with_difference(i, |difference| difference.part(0..count).combine(&modes[i][..count]));
         let lower = self.bases[i + 1].combine(&own);
         jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
         self.add_corners(i, &mut jump);

@@ -16,9 +16,9 @@ const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
 const MOST_WAVENUMBERS: usize = 16_000;
 /// Bessel functions of all orders at all wavenumbers: what memory and patience allow.
-const MOST_ENTRIES: usize = 10_000_000;
+const MOST_ENTRIES: usize = 5_000_000;
 /// More of them are not kept if they can be made again when they are needed.
-const MANY_ENTRIES: usize = 2_000_000;
+const MANY_ENTRIES: usize = 1_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
 /// Without tails, integrals end after about so many wavenumbers.
@@ -32,8 +32,9 @@ pub(super) fn negligible(tolerance: f64) -> f64 {
     (1e-3 * tolerance).min(1e-10)
 }
 
-/// The same for the first steps.
-pub(super) const COARSE: f64 = FIELDS;
+/// The same for the first steps, and where contacts are tied together.
+pub(super) const COARSE: f64 = 1e-4;
+pub(super) const CAREFUL: f64 = 1e-6;
 
 /// How far out, in units of L, gaps are looked at.
 pub(super) fn span(half_lengths: &[f64]) -> f64 {
@@ -58,7 +59,7 @@ fn points(phase: f64, digits: f64) -> usize {
 }
 
 /// Fields away from the contacts are wanted to this, relative.
-const FIELDS: f64 = 1e-6;
+pub(super) const FIELDS: f64 = 1e-6;
 /// Points of a stretch may be so many times more than contacts need, for the sake of fields.
 const MORE_FOR_FIELDS: f64 = 2.0;
 
@@ -166,7 +167,10 @@ impl Layout {
     ) -> Option<Self> {
         let n = kernel.contacts();
         // a given pressure is felt by others only
-        let end = |i: usize| if orders[i] == 0 { 0.0 } else { kernel.vanishes(i, half_lengths[i], negligible) };
+        let end = |i: usize| match orders[i] {
+            0 => 0.0,
+            orders => kernel.blurs(i, half_lengths[i], turning(orders) / half_lengths[i], negligible),
+        };
         let ends: Vec<f64> = (0..n).map(end).collect();
         let coupled: Vec<f64> = half_lengths
             .windows(2)
@@ -196,11 +200,16 @@ impl Layout {
                 layout.own[*i].unit.plain.resize(reach, 0.0);
             }
             if group.from.is_infinite() {
-                layout.tails.push(Tail::default());
+                let i = group.contacts[0];
+                // kernels that never vanish
+                let rest = !kernel.far(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
+                let tail = if rest { Tail::beyond(ends[i]) } else { Tail::default() };
+                tail.extend(&mut layout.own[i].unit, |zeta| kernel.unit_excess(i, zeta));
+                layout.tails.push(tail);
                 continue;
             }
             let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
-            let finite = |i: &usize| if ends[*i].is_finite() { ends[*i] } else { kernel.far(*i).from };
+            let finite = |i: &usize| if kernel.far(*i).is_constant() { ends[*i] } else { kernel.far(*i).from };
             let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(n - 1)];
             let to = group.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
             let to = to.fold(0.0, f64::max);
@@ -215,7 +224,8 @@ impl Layout {
             }
             layout.tails.push(tail);
         }
-        layout.entries = (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] + 1)).sum::<usize>();
+        layout.entries =
+            (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] / 2 + 2)).sum::<usize>();
         (layout.entries <= MOST_ENTRIES).then_some(layout)
     }
 
@@ -272,6 +282,11 @@ impl Layout {
     /// Whether tables are so large that what can be made again is not kept.
     pub(super) fn is_large(&self) -> bool {
         self.entries > MANY_ENTRIES
+    }
+
+    /// Wavenumbers, those of the tails included.
+    pub(super) fn nodes(&self) -> usize {
+        self.zeta.len() + self.tails.iter().map(|tail| tail.smooth.len() + tail.turned.len()).sum::<usize>()
     }
 
     /// The tail of contact i.

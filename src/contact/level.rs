@@ -100,11 +100,8 @@ impl Level {
             let own = without(y, local);
             // where modes fall like a power, the terms of the pressure at x = 0 are averaged
             let averaged = !kernel.far(i).is_constant();
-            let quarter = |k: usize| (own.len() * k) / 4;
-            let (third, fourth) = (weight(&own, quarter(2)..quarter(3)), weight(&own, quarter(3)..own.len()));
             let iterated = weight(&own, solved[i]..own.len());
-            let fall = ratio(third, fourth);
-            let beyond = SAFETY * fourth * fall / (1.0 - fall);
+            let (beyond, fall) = beyond(&own);
             let peak = peak(&own, averaged) + local.map_or(0.0, |local| local.peak)
                 - corners.filter(|_| i == 0).map_or(0.0, |corners| 0.5 * corners / PI);
             // an infinite pressure is known, and others are judged by that of a mean pressure
@@ -116,7 +113,7 @@ impl Level {
             let beyond_length = (shift[i].abs() * further[i][0]).min(further[i][1]);
             let missing = if averaged {
                 // an averaged sum is as good as the next one differs from it
-                let change = (self::peak(&own[..quarter(3)], true) - self::peak(&own, true)).abs();
+                let change = (self::peak(&own[..own.len() * 3 / 4], true) - self::peak(&own, true)).abs();
                 (change * SAFETY * fall).min(beyond / PI)
             } else {
                 beyond / PI
@@ -277,6 +274,14 @@ fn without(modes: &[f64], local: Option<&Local>) -> Vec<f64> {
 /// The largest |y_m|/order from a mode on.
 fn largest(modes: &[f64], from: usize) -> f64 {
     (from..modes.len()).map(|m| weight(modes, m..m + 1)).fold(0.0, f64::max)
+}
+
+/// Σ |y_m|/order of the modes that are missing, by how the last ones fall, and that fall from quarter to quarter.
+pub(super) fn beyond(modes: &[f64]) -> (f64, f64) {
+    let quarter = |k: usize| (modes.len() * k) / 4;
+    let (third, fourth) = (weight(modes, quarter(2)..quarter(3)), weight(modes, quarter(3)..modes.len()));
+    let fall = ratio(third, fourth);
+    (SAFETY * fourth * fall / (1.0 - fall), fall)
 }
 
 /// last/before, not quite 1 at most.

@@ -3,6 +3,7 @@ mod admissible;
 mod attempts;
 mod basis;
 mod collocation;
+mod columns;
 mod converged;
 mod convex;
 mod fading;
@@ -17,6 +18,8 @@ mod prescribed;
 mod pressures;
 mod punch;
 mod refine;
+mod secants;
+mod settling;
 mod start;
 mod tail;
 

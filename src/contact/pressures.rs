@@ -3,9 +3,8 @@
 //! The rows of the first modes are what is left over, one for each unknown half-length: the residual of Newton's method.
 //! With the Cholesky factor L of the other rows and β = L⁻¹ (columns of the first modes), a residual (r, r') in the first
 //! and the other rows leaves r − β · L⁻¹r' once the other modes have given way.
-use faer::linalg::solvers::{Llt, Solve};
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Mat, Par, Side};
+use faer::{MatRef, Side};
+use nalgebra::{DMatrix, DVector};
 
 use crate::numeric::buffer::Buffer;
 
@@ -13,11 +12,12 @@ use super::galerkin::{Equations, Modes, Rows, Slopes, order};
 
 /// The equations about a set of half-lengths, factorised.
 pub(super) struct Linearised {
-    factor: Llt<f64>,
+    /// L.
+    factor: DMatrix<f64>,
     /// β, a column for each contact.
-    beta: Mat<f64>,
+    beta: DMatrix<f64>,
     /// The inverse of the derivative of the residual with respect to the logarithms of the half-lengths.
-    inverse: Mat<f64>,
+    inverse: DMatrix<f64>,
     /// d y_im / d ln a_k: `sensitivity[k][i][m]`.
     sensitivity: Vec<Modes>,
     pub(super) influences: Influences,
@@ -50,12 +50,11 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     let (n, size) = (equations.contacts(), equations.size());
     let higher = size - n;
     let matrix = equations.matrix();
-    let factor = matrix.submatrix(n, n, higher, higher).llt(Side::Lower).ok()?;
-    let lower = factor.L();
+    let factor = cholesky(&matrix, n)?;
 
     // columns of the first modes, and the load
-    let mut columns = Mat::<f64>::zeros(higher, n + 1);
-    columns.as_mut().subcols_mut(0, n).copy_from(matrix.submatrix(n, 0, higher, n));
+    let mut columns = DMatrix::zeros(higher, n + 1);
+    columns.columns_mut(0, n).copy_from(&matrix.view((n, 0), (higher, n)));
     let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
     let diagonal: Vec<f64> = (0..size).map(|k| matrix[(k, k)]).collect();
     // derivatives take as much memory
@@ -70,42 +69,42 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     for k in 0..higher {
         columns[(k, n)] -= corners[n + k];
     }
-    solve_lower_triangular_in_place(lower, columns.as_mut(), Par::Seq);
-    let gamma: Vec<f64> = (0..higher).map(|k| columns[(k, 0)] - columns[(k, n)]).collect();
-    let beta = columns.subcols(0, n).to_owned();
+    factor.solve_lower_triangular_mut(&mut columns);
+    let gamma = columns.column(0) - columns.column(n);
+    let beta = columns.remove_column(n);
 
-    let mut unknowns = back(&factor, &gamma, n);
+    let mut unknowns = back(&factor, gamma.as_slice(), n);
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
     let derivatives: Vec<Buffer> =
         equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
-    let mut moved = Mat::from_fn(higher, n, |k, by| derivatives[by][n + k]);
-    solve_lower_triangular_in_place(lower, moved.as_mut(), Par::Seq);
-    let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
+    let mut moved = DMatrix::from_fn(higher, n, |k, by| derivatives[by][n + k]);
+    factor.solve_lower_triangular_mut(&mut moved);
+    let jacobian = DMatrix::from_fn(n, n, |i, by| derivatives[by][i] - beta.column(i).dot(&moved.column(by)));
     // what is left as it is has neither a row nor a step
     let free: Vec<usize> = (0..n).filter(|i| !left[*i]).collect();
-    let unknown = Mat::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]).partial_piv_lu();
-    let solved = unknown.solve(Mat::<f64>::identity(free.len(), free.len()));
-    let mut inverse = Mat::<f64>::zeros(n, n);
+    let unknown = DMatrix::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]);
+    let solved = unknown.lu().try_inverse()?;
+    let mut inverse = DMatrix::zeros(n, n);
     for (by, column) in free.iter().enumerate() {
         free.iter().enumerate().for_each(|(i, row)| inverse[(*row, *column)] = solved[(i, by)]);
     }
     let lengths = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
     let residual = |i: usize| {
         let row = known[i] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
-        row - dot(beta.col_as_slice(i), &gamma)
+        row - beta.column(i).dot(&gamma)
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
     let differences = |i: usize| {
-        let mut weights = back(&factor, beta.col_as_slice(i), n);
+        let mut weights = back(&factor, beta.column(i).as_slice(), n);
         weights[i] = 1.0;
         equations.difference_rounding(&weights, &modes, &diagonal)
     };
     let sizes: Vec<f64> = (0..n)
         .map(|i| {
-            let terms = beta.col_as_slice(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs());
+            let terms: f64 = beta.column(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs()).sum();
             let differences = if equations.has_linked() { differences(i) } else { 0.0 };
-            ROUNDING * (terms.sum::<f64>() + known[i].abs() + differences)
+            ROUNDING * (terms + known[i].abs() + differences)
         })
         .collect();
     let felt = |changes: &[f64]| -> Vec<f64> {
@@ -113,7 +112,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     };
     let rounding = felt(&sizes);
     let sensitivity: Vec<Modes> =
-        (0..n).map(|by| equations.modes_of(&back(&factor, moved.col_as_slice(by), n))).collect();
+        (0..n).map(|by| equations.modes_of(&back(&factor, moved.column(by).as_slice(), n))).collect();
     let sum = |modes: &[f64]| modes.iter().enumerate().map(|(m, y)| y / order(m)).sum::<f64>();
     let peak = |i: usize, by: usize| {
         // a pressure is its modes over the half-length
@@ -128,12 +127,21 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     finite.then_some((pressures, linearised))
 }
 
+/// The Cholesky factor of all rows and columns but the first.
+fn cholesky(matrix: &DMatrix<f64>, first: usize) -> Option<DMatrix<f64>> {
+    let (size, higher) = (matrix.nrows(), matrix.nrows() - first);
+    let matrix = MatRef::from_column_major_slice(matrix.as_slice(), size, size);
+    let factor = matrix.submatrix(first, first, higher, higher).llt(Side::Lower).ok()?;
+    let lower = factor.L();
+    Some(DMatrix::from_fn(higher, higher, |i, k| lower[(i, k)]))
+}
+
 /// Unknowns: first modes 0, then −L⁻ᵀ right.
-fn back(factor: &Llt<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
-    let mut column = Mat::from_fn(right.len(), 1, |k, _| -right[k]);
-    solve_upper_triangular_in_place(factor.L().transpose(), column.as_mut(), Par::Seq);
-    let mut unknowns = vec![0.0; contacts];
-    unknowns.extend_from_slice(column.col_as_slice(0));
+fn back(factor: &DMatrix<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
+    let mut unknowns = vec![0.0; contacts + right.len()];
+    let mut higher = nalgebra::DVectorViewMut::from_slice(&mut unknowns[contacts..], right.len());
+    higher.iter_mut().zip(right).for_each(|(unknown, right)| *unknown = -right);
+    factor.tr_solve_lower_triangular_mut(&mut higher);
     unknowns
 }
 
@@ -212,11 +220,10 @@ impl Linearised {
             rows.push(own);
         }
         let rows = equations.rows_of(&rows);
-        let mut column = Mat::from_fn(rows.len() - n, 1, |k, _| rows[n + k]);
-        solve_lower_triangular_in_place(self.factor.L(), column.as_mut(), Par::Seq);
-        let residuals: Vec<f64> =
-            (0..n).map(|i| rows[i] - dot(self.beta.col_as_slice(i), column.col_as_slice(0))).collect();
-        let lower = equations.modes_of(&back(&self.factor, column.col_as_slice(0), n));
+        let mut column = DVector::from_column_slice(&rows[n..]);
+        self.factor.solve_lower_triangular_mut(&mut column);
+        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - self.beta.column(i).dot(&column)).collect();
+        let lower = equations.modes_of(&back(&self.factor, column.as_slice(), n));
         for ((modes, lower), change) in modes.iter_mut().zip(lower).zip(&mut changes) {
             for (m, (y, dy)) in modes.iter_mut().zip(lower).enumerate() {
                 *y += dy;
@@ -225,10 +232,6 @@ impl Linearised {
         }
         Round { step: self.step(&residuals), changes, responses }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Σ_m |y_m|/order over a range of modes: how much they may add to the pressure at x = 0, in units of 2/(πa).

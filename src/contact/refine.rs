@@ -6,7 +6,7 @@ use crate::solution::Interface;
 
 use super::admissible;
 use super::galerkin::Modes;
-use super::layout::{COARSE, negligible};
+use super::layout::negligible;
 use super::level::{BEST, LOST, Level};
 use super::newton::{Newton, Work, not_converged};
 use super::pressures::weight;
@@ -34,8 +34,6 @@ const FEW_DIGITS: f64 = 1e-5;
 /// Where there are too many wavenumbers, so many times more counts as negligible, up to what this tolerance allows.
 const LOOSER: f64 = 30.0;
 const LOOSEST: f64 = 1e-10;
-/// What is left of a Newton step on the coarsest level.
-const ROUGHLY: f64 = 1e-5;
 
 /// What is known to begin with.
 pub(super) enum Start {
@@ -71,7 +69,7 @@ pub(super) fn refine(
     let tolerance = options.tolerance.max(BEST);
     let mut judged = nearby.is_none();
     let (mut half_lengths, rough) = match nearby {
-        None => newton.approach(half_lengths, &coarse, COARSE, ROUGHLY)?,
+        None => newton.approach(half_lengths, &coarse, tolerance)?,
         Some(mut modes) => {
             modes.iter_mut().zip(&coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
             (half_lengths, modes)
@@ -135,7 +133,7 @@ pub(super) fn refine(
                 modes[..first].fill(1);
                 let found = newton.converge(half_lengths, &coarse, &coarse, &modes, FEW_DIGITS)?;
                 let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
-                let (rough, _) = newton.approach(found.half_lengths.clone(), &fewer, COARSE, ROUGHLY)?;
+                let (rough, _) = newton.approach(found.half_lengths.clone(), &fewer, FEW_DIGITS)?;
                 *work = newton.work.clone();
                 let mut level = Level::new(found, kernel, punch, negligible(FEW_DIGITS));
                 level.doubt(&rough);

@@ -23,6 +23,8 @@ pub(super) const MOST_UNLIKE: f64 = 3.0;
 const LONGEST: usize = 512;
 /// No admissible scene was seen to need more smooth nodes.
 const MOST_NODES: usize = 8_000;
+/// Points of what hardly varies.
+const FEW_POINTS: usize = 2;
 /// Points of the polynomial that continues a kernel into the complex plane.
 const CONTINUED: usize = 28;
 
@@ -101,6 +103,13 @@ impl Tail {
         Some(tail)
     }
 
+    /// Beyond so short waves that their phases need not be told: what does not oscillate of a kernel that falls like 1/ζ.
+    pub(super) fn beyond(from: f64) -> Self {
+        let mut tail = Self { from, ..Self::default() };
+        tail.add(rule(FEW_POINTS).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
+        tail
+    }
+
     fn add(&mut self, nodes: impl Iterator<Item = (f64, f64)>) {
         for (zeta, weight) in nodes {
             self.smooth.push(zeta);
@@ -113,6 +122,9 @@ impl Tail {
         let first = weights.plain.len();
         weights.plain.extend(self.smooth.iter().zip(&self.smooth_weights).map(|(zeta, weight)| weight * kernel(*zeta)));
         weights.plain.extend_from_within(first..);
+        if self.turned.is_empty() {
+            return;
+        }
         let continued = Series::of(0.55 * self.from, 2.2 * self.from, CONTINUED, &kernel);
         let turned = self.turned.iter().zip(&self.turned_weights);
         weights.turned.extend(turned.map(|(zeta, weight)| weight * continued.eval_complex(*zeta)));

@@ -19,6 +19,8 @@ pub(crate) struct Far {
     pub(crate) limit: f64,
     /// The kernel less its limit, in u = from/ζ; `None` if that is nothing.
     excess: Option<Series>,
+    /// The same over u, at most.
+    rate: f64,
 }
 
 impl Far {
@@ -27,7 +29,8 @@ impl Far {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
         let mut components = vec![0.0; 3 * chains.contacts() - 1];
         let mut values = Vec::with_capacity(POINTS);
-        for u in chebyshev::points(0.0, 1.0, POINTS) {
+        let points = chebyshev::points(0.0, 1.0, POINTS);
+        for u in &points {
             // the point u = 0 is a wavenumber so large that nothing but the face itself is felt
             chains.sample(from / u.max(1e-25), &wanted, &mut components, work)?;
             values.push(components[contact]);
@@ -38,13 +41,13 @@ impl Far {
         }
         let limit = series.eval(0.0);
         let spread = values.iter().map(|value| (value - limit).abs()).fold(0.0, f64::max);
-        let excess = if spread <= RESOLVED * limit {
-            None
-        } else {
-            let excess: Vec<f64> = values.iter().map(|value| value - limit).collect();
-            Some(Series::from_values_at_points(0.0, 1.0, &excess))
-        };
-        Ok(Some(Self { from, limit, excess }))
+        if spread <= RESOLVED * limit {
+            return Ok(Some(Self { from, limit, excess: None, rate: 0.0 }));
+        }
+        let excess: Vec<f64> = values.iter().map(|value| value - limit).collect();
+        let rates = points.iter().zip(&excess).skip(1).map(|(u, excess)| (excess / u).abs());
+        let rate = rates.fold(0.0, f64::max);
+        Ok(Some(Self { from, limit, excess: Some(Series::from_values_at_points(0.0, 1.0, &excess)), rate }))
     }
 
     /// Whether the kernel equals its limit.
@@ -55,6 +58,20 @@ impl Far {
     /// A constant kernel that holds for all wavenumbers.
     pub(super) fn starts_at_zero(&mut self) {
         self.from = 0.0;
+    }
+
+    /// The wavenumber ζ beyond which the kernel is its limit up to `little` (1 + ζa) of it; 0 if that is before `from`.
+    pub(super) fn vanishes(&self, half_length: f64, little: f64) -> f64 {
+        let excess = self.rate * self.from / (little * self.limit);
+        // ζ (1 + ζa) = excess, without a difference
+        let from = 2.0 * excess / (1.0 + (1.0 + 4.0 * half_length * excess).sqrt());
+        if from > self.from { from } else { 0.0 }
+    }
+
+    /// The same up to `little` (ζa)², for those parts of products of waves that oscillate.
+    pub(super) fn blurs(&self, half_length: f64, little: f64) -> f64 {
+        let excess = self.rate * self.from / (little * self.limit);
+        self.vanishes(half_length, little).min((excess / (half_length * half_length)).cbrt()).max(self.from)
     }
 
     /// The kernel less its limit at ζ ≥ `from`.

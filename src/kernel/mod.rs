@@ -262,13 +262,19 @@ impl Kernel {
     }
 
     /// The wavenumber beyond which the kernel of contact i under equal neighbouring pressures equals its limit up to
-    /// `negligible` of it, as far as a contact of this half-length feels it; infinite if it does so only in the limit.
+    /// `negligible` of it, as far as a contact of this half-length feels it.
     pub(crate) fn vanishes(&self, contact: usize, half_length: f64, negligible: f64) -> f64 {
         let far = &self.far[contact];
-        if !far.is_constant() {
-            return f64::INFINITY;
-        }
         self.last_panel(|panel| panel.excess[contact] > negligible * far.limit * felt(half_length, panel.from))
+            .max(far.vanishes(half_length, negligible))
+    }
+
+    /// The wavenumber beyond which what oscillates of an integral with the kernel of contact i is negligible, past the turning
+    /// points: no more than [`Self::vanishes`].
+    pub(crate) fn blurs(&self, contact: usize, half_length: f64, turning: f64, negligible: f64) -> f64 {
+        let far = &self.far[contact];
+        let vanishes = self.vanishes(contact, half_length, negligible);
+        if far.is_constant() { vanishes } else { far.blurs(half_length, negligible).max(turning).min(vanishes) }
     }
 
     /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of what it couples, as

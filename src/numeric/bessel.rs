@@ -12,13 +12,16 @@
 //! Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
 
 mod deficit;
+mod start;
 
 use num_complex::Complex64;
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI, LN_2};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI};
 use std::ops::{Mul, Sub};
 
 pub use deficit::{jinc_deficit, jinc_deficit_from, sinc_deficit, spherical_jinc_deficit};
+use start::start_orders;
 
+use super::trigonometry::sin_cos;
 use super::vector::vectorised;
 
 /// Arguments from here on may use Hankel's expansion: its smallest term is far below rounding.
@@ -79,29 +82,26 @@ pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f
     );
 }
 
-/// Which orders of a table are wanted: the first of them, and every so many from there on.
+/// Which orders of a table are wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
-    first: usize,
     step: usize,
 }
 
 impl Wanted {
     /// 0, 1, 2, ...
-    pub const ALL: Self = Self { first: 0, step: 1 };
-    /// 0, 2, 4, ...
-    pub const EVEN: Self = Self { first: 0, step: 2 };
-    /// 1, 3, 5, ...
-    pub const ODD: Self = Self { first: 1, step: 2 };
+    pub const ALL: Self = Self { step: 1 };
+    /// 0, 1, 3, 5, ...: all others are sums of two of these, by J_(n−1) + J_(n+1) = (2n/z) J_n.
+    pub const ZERO_AND_ODD: Self = Self { step: 2 };
 
     /// How many of them are below `orders`.
     pub fn below(self, orders: usize) -> usize {
-        orders.saturating_sub(self.first).div_ceil(self.step)
+        orders.min(1) + orders.saturating_sub(1).div_ceil(self.step)
     }
 
     /// These of all `rows`.
     pub fn of<T>(self, rows: &[T]) -> impl Iterator<Item = &T> {
-        rows.iter().skip(self.first).step_by(self.step)
+        rows.iter().take(1).chain(rows.iter().skip(1).step_by(self.step))
     }
 }
 
@@ -109,7 +109,9 @@ impl Wanted {
 fn fill(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
     let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
     let mut rows: Vec<Lanes> = Vec::new();
-    for first in (0..arguments.len()).step_by(LANES) {
+    for block in (0..arguments.len()).step_by(LANES) {
+        // the last block is a whole one as well, if there are as many arguments
+        let first = block.min(arguments.len().saturating_sub(LANES));
         let block = &arguments[first..arguments.len().min(first + LANES)];
         let mut z = [0.0; LANES];
         z[..block.len()].copy_from_slice(block);
@@ -118,18 +120,18 @@ fn fill(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: u
         match far[..block.len()].iter().filter(|&&far| far).count() {
             0 => {
                 let scale = downward(orders, &z, &mut rows).map(|scale| factor * scale);
-                window.store(&rows[..orders], &scale, |_| true);
+                window.store(&rows[..orders], &scale, [true; LANES]);
             }
             all if all == block.len() => {
                 upward(orders, &z, &mut rows);
-                window.store(&rows[..orders], &[factor; LANES], |_| true);
+                window.store(&rows[..orders], &[factor; LANES], [true; LANES]);
             }
             _ => {
                 let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
                 let scale = downward(orders, &near, &mut rows).map(|scale| factor * scale);
-                window.store(&rows[..orders], &scale, |lane| !far[lane]);
+                window.store(&rows[..orders], &scale, far.map(|far| !far));
                 upward(orders, &z, &mut rows);
-                window.store(&rows[..orders], &[factor; LANES], |lane| far[lane]);
+                window.store(&rows[..orders], &[factor; LANES], far);
             }
         }
     }
@@ -147,18 +149,20 @@ struct Window<'a> {
 impl Window<'_> {
     /// Writes `rows * scale` of the orders wanted for some lanes.
     #[inline(always)]
-    fn store(&mut self, rows: &[Lanes], scale: &Lanes, lanes: impl Fn(usize) -> bool) {
-        let whole = self.width == LANES && (0..LANES).all(&lanes);
-        for (row, column) in self.wanted.of(rows).zip(self.out.chunks_mut(self.stride)) {
-            let column = &mut column[self.first..self.first + self.width];
-            match <&mut Lanes>::try_from(&mut *column) {
-                Ok(column) if whole => *column = std::array::from_fn(|lane| row[lane] * scale[lane]),
-                _ => {
-                    for (lane, value) in column.iter_mut().enumerate().filter(|(lane, _)| lanes(*lane)) {
-                        *value = row[lane] * scale[lane];
-                    }
+    fn store(&mut self, rows: &[Lanes], scale: &Lanes, lanes: [bool; LANES]) {
+        let whole = self.width == LANES && lanes == [true; LANES];
+        let (mut n, mut place) = (0, self.first);
+        while n < rows.len() {
+            let (row, column) = (&rows[n], &mut self.out[place..place + self.width]);
+            if let (true, Ok(column)) = (whole, <&mut Lanes>::try_from(&mut *column)) {
+                *column = std::array::from_fn(|lane| row[lane] * scale[lane]);
+            } else {
+                for (lane, value) in column.iter_mut().enumerate().filter(|(lane, _)| lanes[*lane]) {
+                    *value = row[lane] * scale[lane];
                 }
             }
+            n += if n == 0 { 1 } else { self.wanted.step };
+            place += self.stride;
         }
     }
 }
@@ -237,13 +241,9 @@ fn upward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
     if rows.len() < orders {
         rows.resize(orders, [0.0; LANES]);
     }
-    let start = z.map(|z| {
-        let s = StartReal::at(z.max(ASYMPTOTIC_FROM));
-        (s.j0, s.j1)
-    });
-    let two_over_z = z.map(|z| 2.0 / z.max(ASYMPTOTIC_FROM));
-    let mut below = start.map(|s| s.0);
-    let mut here = start.map(|s| s.1);
+    let z = z.map(|z| z.max(ASYMPTOTIC_FROM));
+    let [mut below, mut here, ..] = start_upward(&z);
+    let two_over_z = z.map(|z| 2.0 / z);
     let mut order = 1.0;
     for row in &mut rows[..orders] {
         *row = below;
@@ -252,70 +252,6 @@ fn upward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
         here = above;
         order += 1.0;
     }
-}
-
-/// Where each lane may start: all with the largest argument, unless the smallest would overflow from there.
-fn start_orders(z: &Lanes, orders: usize) -> [usize; LANES] {
-    let (least, most) = z.iter().fold((f64::INFINITY, 0.0), |(least, most), &z| (z.min(least), z.max(most)));
-    let together = start_order(most, orders);
-    let m = together as f64;
-    if least >= TINY && together > 1 && depth(m, least, (m / least).acosh()) < DEEPEST {
-        [together; LANES]
-    } else {
-        z.map(|z| start_order(z, orders))
-    }
-}
-
-/// The exponent of J_m(z), about exp(−m (A − tanh A)) with cosh A = m/z, for the `angle` A.
-fn depth(m: f64, z: f64, angle: f64) -> f64 {
-    m * (angle - (1.0 - (z / m).powi(2)).sqrt())
-}
-
-/// The order m at which the downward recurrence may start so that the orders below `orders` are correct to rounding.
-fn start_order(z: f64, orders: usize) -> usize {
-    if z.is_nan() || z < TINY {
-        return 0;
-    }
-    let n = z.max(orders as f64);
-    // The order n must have forgotten the start: (J_m Y_n)/(Y_m J_n) is about exp(-2 (m - n) acosh(n/z)) above the
-    // turning point n = z, and exp(-(4/3) x^(3/2)), x = (m - z) (2/z)^(1/3), at it.
-    let mut guard = 26.0 / log2_below(cosh_to_exp(n / z));
-    let mut enough = 0.0;
-    if n < 2.0 * z + 19.0 {
-        // The sum that normalises must have converged as well: J_m, about exp(-(2/3) x^(3/2)), below 1e-17.
-        let cbrt = z.cbrt();
-        guard = guard.min(7.6 * cbrt + 3.0);
-        enough = z + 11.5 * cbrt + 3.0;
-    }
-    let mut m = (n + guard).max(enough) + 1.0;
-
-    // J_m, about exp(-m (A - tanh A)) with cosh A = m/z, must not be too small. The exponent is convex in m and has the
-    // derivative A: Newton's method from above stays above.
-    let depth = |m: f64, angle: f64| depth(m, z, angle);
-    if depth(m, LN_2 * (log2_below(cosh_to_exp(m / z)) + LOG2_GAP)) > DEEPEST {
-        loop {
-            let angle = (m / z).acosh();
-            let excess = depth(m, angle) - DEEPEST;
-            if excess <= 0.0 || m <= 1.0 {
-                break;
-            }
-            m = (m - (excess / angle).max(0.5)).max(1.0);
-        }
-    }
-    m as usize
-}
-
-/// exp(A) of cosh(A) >= 1.
-fn cosh_to_exp(cosh: f64) -> f64 {
-    cosh + (cosh * cosh - 1.0).sqrt()
-}
-
-/// How far [`log2_below`] may fall short.
-const LOG2_GAP: f64 = 0.0861;
-
-/// A lower bound of log2(y) for y >= 1: the mantissa read as a straight line.
-fn log2_below(y: f64) -> f64 {
-    (y.to_bits() as i64 - 1f64.to_bits() as i64) as f64 * f64::EPSILON
 }
 
 /// Hankel's coefficients of P (even) or Q (odd) in powers of 1/z^2, signs included, for the order `nu`.
@@ -339,25 +275,30 @@ const Q0: [f64; TERMS] = hankel_coefficients(0.0, true);
 const P1: [f64; TERMS] = hankel_coefficients(1.0, false);
 const Q1: [f64; TERMS] = hankel_coefficients(1.0, true);
 
-/// J and Y of orders 0 and 1 at a real argument of at least `ASYMPTOTIC_FROM`.
-struct StartReal {
-    j0: f64,
-    j1: f64,
-    y0: f64,
-    y1: f64,
-}
-
-impl StartReal {
-    fn at(z: f64) -> Self {
-        let w = 1.0 / z;
-        let sum = |c: &[f64; TERMS]| c.iter().rev().fold(0.0, |s, c| s * (w * w) + c);
-        let (p0, q0, p1, q1) = (sum(&P0), w * sum(&Q0), sum(&P1), w * sum(&Q1));
+/// J0, J1, Y0 and Y1 at real arguments of at least `ASYMPTOTIC_FROM`.
+#[inline(always)]
+fn start_upward(z: &Lanes) -> [Lanes; 4] {
+    let (sin, cos) = sin_cos(z);
+    let mut starts = [[0.0; LANES]; 4];
+    for lane in 0..LANES {
+        let w = 1.0 / z[lane];
+        let square = w * w;
+        let [mut p0, mut q0, mut p1, mut q1] = [0.0; 4];
+        for k in (0..TERMS).rev() {
+            p0 = p0 * square + P0[k];
+            q0 = q0 * square + Q0[k];
+            p1 = p1 * square + P1[k];
+            q1 = q1 * square + Q1[k];
+        }
         // sqrt(2/(pi z)) times cosine and sine of z - pi/4
-        let (sin, cos) = z.sin_cos();
         let amplitude = (FRAC_2_PI * w).sqrt() * FRAC_1_SQRT_2;
-        let (c, s) = (amplitude * (sin + cos), amplitude * (sin - cos));
-        Self { j0: p0 * c - q0 * s, j1: p1 * s + q1 * c, y0: p0 * s + q0 * c, y1: q1 * s - p1 * c }
+        let (c, s) = (amplitude * (sin[lane] + cos[lane]), amplitude * (sin[lane] - cos[lane]));
+        starts[0][lane] = p0 * c - w * q0 * s;
+        starts[1][lane] = p1 * s + w * q1 * c;
+        starts[2][lane] = p0 * s + w * q0 * c;
+        starts[3][lane] = w * q1 * s - p1 * c;
     }
+    starts
 }
 
 /// J_n(z) and Y_n(z) for n = 0..`orders` at real arguments z >= 25 with `orders` <= z, laid out as in [`table`].
@@ -370,17 +311,19 @@ pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) 
     let length = arguments.len();
     assert_eq!((j.len(), y.len()), (orders * length, orders * length), "one value per order and argument");
     let two_over_z: Vec<f64> = arguments.iter().map(|z| 2.0 / z).collect();
-    for (i, &z) in arguments.iter().enumerate() {
-        let s = StartReal::at(z);
-        for (table, start) in [(&mut *j, [s.j0, s.j1]), (&mut *y, [s.y0, s.y1])] {
-            for (n, start) in start.into_iter().enumerate().take(orders) {
-                table[n * length + i] = start;
-            }
-        }
-    }
     vectorised(
         #[inline(always)]
         || {
+            for (block, some) in arguments.chunks(LANES).enumerate() {
+                let mut z = [ASYMPTOTIC_FROM; LANES];
+                z[..some.len()].copy_from_slice(some);
+                let [j0, j1, y0, y1] = start_upward(&z);
+                for (table, starts) in [(&mut *j, [j0, j1]), (&mut *y, [y0, y1])] {
+                    for (column, start) in table.chunks_exact_mut(length).zip(starts) {
+                        column[block * LANES..][..some.len()].copy_from_slice(&start[..some.len()]);
+                    }
+                }
+            }
             recur_upward(&two_over_z, j);
             recur_upward(&two_over_z, y);
         },

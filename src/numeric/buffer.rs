@@ -44,11 +44,6 @@ impl Buffer {
         buffer
     }
 
-    /// So many zeros, without room to spare.
-    pub(crate) fn exactly(length: usize) -> Self {
-        Self { storage: vec![0.0; length], length }
-    }
-
     /// So many zeros.
     pub(crate) fn zeros(length: usize) -> Self {
         let mut buffer = Self::any(length);

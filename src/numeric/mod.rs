@@ -4,4 +4,5 @@ pub mod bessel;
 pub(crate) mod buffer;
 pub mod chebyshev;
 pub mod quadrature;
+pub(crate) mod trigonometry;
 pub(crate) mod vector;

@@ -17,14 +17,27 @@ pub fn jinc_deficit(z: f64) -> f64 {
 }
 
 /// 2 J_1(z)/z - 1 where `j1` = J_1(z) is known already (it is not used for small z). See [`jinc_deficit`].
+#[inline(always)]
 pub fn jinc_deficit_from(z: f64, j1: f64) -> f64 {
-    if z.abs() >= DEFICIT_SERIES_BELOW {
-        return 2.0 * j1 / z - 1.0;
-    }
     // sum over k >= 1 of (-z^2/4)^k / (k! (k+1)!), as nested products from the innermost
     let q = -0.25 * z * z;
-    q * 0.5 * (2..=12).rev().fold(1.0, |s, k| 1.0 + s * q / (k * (k + 1)) as f64)
+    let mut series = 1.0;
+    for ratio in RATIOS.iter().rev() {
+        series = 1.0 + series * q * ratio;
+    }
+    // both, so that loops compile to vector instructions
+    if z.abs() >= DEFICIT_SERIES_BELOW { 2.0 * j1 / z - 1.0 } else { 0.5 * q * series }
 }
+
+/// 1/(k (k + 1)) for k = 2, 3, ...
+const RATIOS: [f64; 11] = {
+    let (mut ratios, mut k) = ([0.0; 11], 0);
+    while k < ratios.len() {
+        ratios[k] = 1.0 / ((k + 2) * (k + 3)) as f64;
+        k += 1;
+    }
+    ratios
+};
 
 const DEFICIT_SERIES_BELOW: f64 = 2.0;
 
