@@ -75,6 +75,11 @@ impl Layer for Homogeneous {
         Some(Arc::new(*ground))
     }
 
+    fn is_like(&self, other: &dyn Layer) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref() == Some(self)
+    }
+
     fn face_states(&self, wave: &Wave) -> FaceStates {
         let depth = wave.wavenumber * self.thickness.get();
         if depth < THIN { thin(&self.isotropic(), wave, depth) } else { thick(&self.isotropic(), wave, depth) }

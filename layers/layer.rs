@@ -151,6 +151,12 @@ pub trait Layer: Debug + Send + Sync + Any {
         None
     }
 
+    /// Whether another layer is the same, wherever it lies: a stack evaluates sequences of layers that are repeated only once.
+    /// Provided: both are written the same.
+    fn is_like(&self, other: &dyn Layer) -> bool {
+        self.notation() == other.notation()
+    }
+
     /// States at the faces as functions of the layer's amplitudes; provided by [`graded::face_states`].
     fn face_states(&self, wave: &Wave) -> FaceStates {
         graded::face_states(self, wave)

@@ -200,6 +200,8 @@ pub struct Stats {
     pub wavenumbers: usize,
     /// Layers evaluated, all wavenumbers together; a half-plane does not count.
     pub layers: usize,
+    /// Layers that would have been evaluated, were they not in sequences that repeat others.
+    pub repeated: usize,
     /// Layers that would have been evaluated, had they not been too deep for the wave to be felt.
     pub unfelt: usize,
     /// Values of couplings between neighbouring contacts that vanish and were left out, all wavenumbers together.

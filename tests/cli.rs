@@ -171,6 +171,7 @@ fn counts_are_told_on_standard_error_and_always_in_json() {
         "layers_merged",
         "wavenumbers",
         "layers_evaluated",
+        "layers_repeated",
         "layers_below_decay_depth",
         "couplings_vanished",
         "wavenumbers_interpolated",
@@ -182,7 +183,7 @@ fn counts_are_told_on_standard_error_and_always_in_json() {
     // the same counts, one line for each, lists before the last
     let told: Vec<u64> = run.stderr.lines().filter_map(|line| line.split_whitespace().next()?.parse().ok()).collect();
     assert_eq!(told.len(), counts.len() + 2);
-    assert_eq!(told[..7], counts[..7]);
+    assert_eq!(told[..8], counts[..8]);
     assert_eq!(told.last(), counts.last());
     assert_eq!(recede(&["solve", PAPER], b"").stderr, "");
 }

@@ -93,10 +93,10 @@ fn no_scene_takes_more_than_it_did() {
             Effort {
                 wavenumbers: 290,
                 layers: 290,
-                interpolated: 284,
-                factorisations: 3,
-                steps: 7,
-                allocations: [111, 443],
+                interpolated: 216,
+                factorisations: 2,
+                steps: 5,
+                allocations: [114, 335],
             },
         ),
         (
@@ -105,10 +105,10 @@ fn no_scene_takes_more_than_it_did() {
             Effort {
                 wavenumbers: 258,
                 layers: 516,
-                interpolated: 628,
-                factorisations: 4,
-                steps: 9,
-                allocations: [111, 570],
+                interpolated: 488,
+                factorisations: 2,
+                steps: 8,
+                allocations: [115, 445],
             },
         ),
         (
@@ -118,9 +118,9 @@ fn no_scene_takes_more_than_it_did() {
                 wavenumbers: 355,
                 layers: 676,
                 interpolated: 304,
-                factorisations: 4,
-                steps: 8,
-                allocations: [133, 614],
+                factorisations: 3,
+                steps: 7,
+                allocations: [139, 532],
             },
         ),
         (
@@ -128,11 +128,11 @@ fn no_scene_takes_more_than_it_did() {
             of_a_hundred_layers(),
             Effort {
                 wavenumbers: 450,
-                layers: 28528,
+                layers: 11876,
                 interpolated: 3668,
                 factorisations: 4,
-                steps: 28,
-                allocations: [183, 1509],
+                steps: 27,
+                allocations: [1136, 1484],
             },
         ),
     ];

@@ -172,9 +172,18 @@ fn touching_again(kernel: &Kernel, interfaces: &[Interface], overlap: &admissibl
 
 /// What it took to evaluate the stack.
 fn stats(kernel: &Kernel) -> Stats {
-    let kernel::Work { wavenumbers, layers, unfelt } = kernel.work();
+    let kernel::Work { wavenumbers, layers, repeated, unfelt } = kernel.work();
     let (dropped, merged) = (kernel.dropped(), kernel.merged());
-    Stats { dropped, merged, wavenumbers, layers, unfelt, uncoupled: kernel.uncoupled_values(), ..Stats::default() }
+    Stats {
+        dropped,
+        merged,
+        wavenumbers,
+        layers,
+        repeated,
+        unfelt,
+        uncoupled: kernel.uncoupled_values(),
+        ..Stats::default()
+    }
 }
 
 /// The answer in the units of the scene.

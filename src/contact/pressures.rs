@@ -3,8 +3,10 @@
 //! The rows of the first modes are what is left over, one for each unknown half-length: the residual of Newton's method.
 //! With the Cholesky factor L of the other rows and β = L⁻¹ (columns of the first modes), a residual (r, r') in the first
 //! and the other rows leaves r − β · L⁻¹r' once the other modes have given way.
-use faer::{MatRef, Side};
-use nalgebra::{DMatrix, DVector};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
+use faer::{MatMut, Par, Spec};
+use nalgebra::{DMatrix, DMatrixView, DVectorViewMut};
 
 use crate::numeric::buffer::Buffer;
 
@@ -12,8 +14,7 @@ use super::galerkin::{Equations, Modes, Rows, Slopes, order};
 
 /// The equations about a set of half-lengths, factorised.
 pub(super) struct Linearised {
-    /// L.
-    factor: DMatrix<f64>,
+    factor: Factor,
     /// β, a column for each contact.
     beta: DMatrix<f64>,
     /// The inverse of the derivative of the residual with respect to the logarithms of the half-lengths.
@@ -50,15 +51,12 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     let (n, size) = (equations.contacts(), equations.size());
     let higher = size - n;
     let matrix = equations.matrix();
-    let factor = cholesky(&matrix, n)?;
-
     // columns of the first modes, and the load
     let mut columns = DMatrix::zeros(higher, n + 1);
     columns.columns_mut(0, n).copy_from(&matrix.view((n, 0), (higher, n)));
     let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
     let diagonal: Vec<f64> = (0..size).map(|k| matrix[(k, k)]).collect();
-    // derivatives take as much memory
-    drop(matrix);
+    let factor = Factor::new(matrix, n)?;
     for m in 1..equations.modes(0) {
         columns[(equations.place(0, m) - n, n)] = slopes.load(m);
     }
@@ -69,17 +67,17 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     for k in 0..higher {
         columns[(k, n)] -= corners[n + k];
     }
-    factor.solve_lower_triangular_mut(&mut columns);
+    factor.down(&mut columns);
     let gamma = columns.column(0) - columns.column(n);
     let beta = columns.remove_column(n);
 
-    let mut unknowns = back(&factor, gamma.as_slice(), n);
+    let mut unknowns = factor.back(gamma.as_slice());
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
     let derivatives: Vec<Buffer> =
         equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
     let mut moved = DMatrix::from_fn(higher, n, |k, by| derivatives[by][n + k]);
-    factor.solve_lower_triangular_mut(&mut moved);
+    factor.down(&mut moved);
     let jacobian = DMatrix::from_fn(n, n, |i, by| derivatives[by][i] - beta.column(i).dot(&moved.column(by)));
     // what is left as it is has neither a row nor a step
     let free: Vec<usize> = (0..n).filter(|i| !left[*i]).collect();
@@ -96,7 +94,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
     let differences = |i: usize| {
-        let mut weights = back(&factor, beta.column(i).as_slice(), n);
+        let mut weights = factor.back(beta.column(i).as_slice());
         weights[i] = 1.0;
         equations.difference_rounding(&weights, &modes, &diagonal)
     };
@@ -112,7 +110,7 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     };
     let rounding = felt(&sizes);
     let sensitivity: Vec<Modes> =
-        (0..n).map(|by| equations.modes_of(&back(&factor, moved.column(by).as_slice(), n))).collect();
+        (0..n).map(|by| equations.modes_of(&factor.back(moved.column(by).as_slice()))).collect();
     let sum = |modes: &[f64]| modes.iter().enumerate().map(|(m, y)| y / order(m)).sum::<f64>();
     let peak = |i: usize, by: usize| {
         // a pressure is its modes over the half-length
@@ -127,22 +125,41 @@ pub(super) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     finite.then_some((pressures, linearised))
 }
 
-/// The Cholesky factor of all rows and columns but the first.
-fn cholesky(matrix: &DMatrix<f64>, first: usize) -> Option<DMatrix<f64>> {
-    let (size, higher) = (matrix.nrows(), matrix.nrows() - first);
-    let matrix = MatRef::from_column_major_slice(matrix.as_slice(), size, size);
-    let factor = matrix.submatrix(first, first, higher, higher).llt(Side::Lower).ok()?;
-    let lower = factor.L();
-    Some(DMatrix::from_fn(higher, higher, |i, k| lower[(i, k)]))
+/// The Cholesky factor L of all rows and columns of a matrix but the first, in its place.
+struct Factor {
+    matrix: DMatrix<f64>,
+    first: usize,
 }
 
-/// Unknowns: first modes 0, then −L⁻ᵀ right.
-fn back(factor: &DMatrix<f64>, right: &[f64], contacts: usize) -> Vec<f64> {
-    let mut unknowns = vec![0.0; contacts + right.len()];
-    let mut higher = nalgebra::DVectorViewMut::from_slice(&mut unknowns[contacts..], right.len());
-    higher.iter_mut().zip(right).for_each(|(unknown, right)| *unknown = -right);
-    factor.tr_solve_lower_triangular_mut(&mut higher);
-    unknowns
+impl Factor {
+    fn new(mut matrix: DMatrix<f64>, first: usize) -> Option<Self> {
+        let (size, higher) = (matrix.nrows(), matrix.nrows() - first);
+        let all = MatMut::from_column_major_slice_mut(matrix.as_mut_slice(), size, size);
+        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(higher, Par::Seq, Spec::default()));
+        let stack = MemStack::new(&mut memory);
+        let part = all.submatrix_mut(first, first, higher, higher);
+        cholesky_in_place(part, Default::default(), Par::Seq, stack, Spec::default()).ok()?;
+        Some(Self { matrix, first })
+    }
+
+    fn lower(&self) -> DMatrixView<'_, f64> {
+        let higher = self.matrix.nrows() - self.first;
+        self.matrix.view((self.first, self.first), (higher, higher))
+    }
+
+    /// L⁻¹ right, in its place.
+    fn down(&self, right: &mut DMatrix<f64>) {
+        self.lower().solve_lower_triangular_mut(right);
+    }
+
+    /// Unknowns: first modes 0, then −L⁻ᵀ right.
+    fn back(&self, right: &[f64]) -> Vec<f64> {
+        let mut unknowns = vec![0.0; self.matrix.nrows()];
+        let mut higher = DVectorViewMut::from_slice(&mut unknowns[self.first..], right.len());
+        higher.iter_mut().zip(right).for_each(|(unknown, right)| *unknown = -right);
+        self.lower().tr_solve_lower_triangular_mut(&mut higher);
+        unknowns
+    }
 }
 
 /// How far half-lengths have moved, in the logarithm, since the tables were made, and what that does to the rows: the
@@ -220,10 +237,10 @@ impl Linearised {
             rows.push(own);
         }
         let rows = equations.rows_of(&rows);
-        let mut column = DVector::from_column_slice(&rows[n..]);
-        self.factor.solve_lower_triangular_mut(&mut column);
-        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - self.beta.column(i).dot(&column)).collect();
-        let lower = equations.modes_of(&back(&self.factor, column.as_slice(), n));
+        let mut column = DMatrix::from_column_slice(rows.len() - n, 1, &rows[n..]);
+        self.factor.down(&mut column);
+        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - self.beta.column(i).dot(&column.column(0))).collect();
+        let lower = equations.modes_of(&self.factor.back(column.as_slice()));
         for ((modes, lower), change) in modes.iter_mut().zip(lower).zip(&mut changes) {
             for (m, (y, dy)) in modes.iter_mut().zip(lower).enumerate() {
                 *y += dy;

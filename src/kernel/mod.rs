@@ -11,7 +11,7 @@ use recede_layers::{Flexibility, Isotropic, Layer, Plane, Wave};
 
 use crate::Error;
 use crate::stack::{Foundation, Stack};
-use crate::system::{BaseChain, FreeChain};
+use crate::system::{BaseChain, FreeChain, Taken};
 
 pub(crate) use far::Far;
 use panel::At;
@@ -50,14 +50,17 @@ pub(crate) struct Work {
     pub(crate) wavenumbers: usize,
     /// Layers, all wavenumbers together.
     pub(crate) layers: usize,
+    /// Layers in sequences that repeat others.
+    pub(crate) repeated: usize,
     /// Layers of the same bodies that were too deep to be felt.
     pub(crate) unfelt: usize,
 }
 
 impl Work {
-    fn add(&mut self, felt: usize, layers: usize) {
-        self.layers += felt;
-        self.unfelt += layers - felt;
+    fn add(&mut self, taken: Taken, layers: usize) {
+        self.layers += taken.evaluated;
+        self.repeated += taken.felt - taken.evaluated;
+        self.unfelt += layers - taken.felt;
     }
 }
 
@@ -107,8 +110,8 @@ impl Chains {
             if !(wanted[i] || wanted[i + 1]) {
                 continue;
             }
-            let (c, felt) = laminate.flexibility_and_felt(&wave).ok_or_else(failed)?;
-            work.add(felt, laminate.layers().len());
+            let (c, taken) = laminate.flexibility_and_taken(&wave).ok_or_else(failed)?;
+            work.add(taken, laminate.layers().len());
             components[i] += c.top;
             components[n + i] += c.equal_top;
             components[i + 1] -= c.bottom;
@@ -116,8 +119,8 @@ impl Chains {
             components[2 * n + i] = c.coupling;
         }
         if wanted[n - 1] {
-            let (c, felt) = self.base.flexibility_and_felt(&wave).ok_or_else(failed)?;
-            work.add(felt, self.base.layers().len());
+            let (c, taken) = self.base.flexibility_and_taken(&wave).ok_or_else(failed)?;
+            work.add(taken, self.base.layers().len());
             components[n - 1] += c;
             components[2 * n - 1] += c;
         }

@@ -3,6 +3,7 @@
 //! Shear-free faces uncouple the system into *chains*: free laminates, and the base with all that is bonded to it. In a
 //! chain each layer's four amplitudes follow from two conditions handed on by its neighbour and the two displacements
 //! (or stresses) of its far face. Nothing grows: every layer offers its states in amplitudes that decay from a face.
+use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, RowVector2, Vector2};
@@ -10,6 +11,7 @@ use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, State, Wave, solve_equilibrated};
 
 use super::across::allowed_above;
+use super::repeats::{self, Bodies, Repeat};
 use crate::stack::{Base, Foundation, Joint, Laminate, Placed};
 
 /// Fields decay like e^(−λd): beyond this λd nothing is felt, since even squared it is below rounding.
@@ -24,6 +26,23 @@ pub struct FreeChain {
     /// The chain is eliminated from both faces to the interface above layer `meeting`, the one nearest to the neutral
     /// axis: seen from afar, the bending of a stiff part would cancel against its stretching.
     pub(super) meeting: usize,
+    pub(super) repeats: Vec<Repeat>,
+}
+
+/// How many layers a flexibility has taken.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Taken {
+    /// Those that the wave is felt by.
+    pub(crate) felt: usize,
+    /// Those that were evaluated, others being like them.
+    pub(crate) evaluated: usize,
+}
+
+impl std::ops::AddAssign for Taken {
+    fn add_assign(&mut self, other: Self) {
+        self.felt += other.felt;
+        self.evaluated += other.evaluated;
+    }
 }
 
 /// Layers joined to each other and to a foundation, top down, with a shear-free top face.
@@ -33,6 +52,7 @@ pub struct BaseChain {
     /// What joins each layer to the next, and the last one to the foundation.
     pub(super) joints: Vec<Joint>,
     pub(super) foundation: Foundation,
+    pub(super) repeats: Vec<Repeat>,
 }
 
 impl FreeChain {
@@ -56,24 +76,26 @@ impl FreeChain {
         let neutral = moment / stiffness;
         let distance = |i: &usize| (faces[*i] - neutral).abs();
         let meeting = (0..faces.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
-        Self { layers, joints: laminate.joints().to_vec(), meeting }
+        let joints = laminate.joints().to_vec();
+        let repeats = repeats::find(&layers, &joints);
+        Self { layers, joints, meeting, repeats }
     }
 
     /// Flexibility at one wavenumber; `None` if a layer's states are not finite or do not determine its fields.
     pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        self.flexibility_and_felt(wave).map(|(flexibility, _)| flexibility)
+        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
     }
 
     /// The same, and how many layers it took.
-    pub(crate) fn flexibility_and_felt(&self, wave: &Wave) -> Option<(Flexibility, usize)> {
-        let layers = &self.layers[..];
-        let above = felt(layers.iter(), wave);
-        let below = felt(layers.iter().rev(), wave);
-        if above + below <= layers.len() && above < layers.len() {
+    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(Flexibility, Taken)> {
+        let count = self.layers.len();
+        let above = felt(self.layers.iter(), wave);
+        let below = felt(self.layers.iter().rev(), wave);
+        if above + below <= count && above < count {
             // the faces do not feel each other
-            let first = layers.len() - below;
-            let top = flexibility(&layers[..above], &self.joints, 0, wave)?;
-            let bottom = flexibility(&layers[first..], &self.joints[first.min(self.joints.len())..], below, wave)?;
+            let (top, mut taken) = self.part(0..above, 0, wave)?;
+            let (bottom, more) = self.part(count - below..count, count, wave)?;
+            taken += more;
             let apart = Flexibility {
                 top: top.top,
                 coupling: 0.0,
@@ -81,9 +103,38 @@ impl FreeChain {
                 equal_top: top.top,
                 equal_bottom: bottom.bottom,
             };
-            return Some((apart, above + below));
+            return Some((apart, taken));
         }
-        Some((flexibility(layers, &self.joints, self.meeting, wave)?, layers.len()))
+        self.part(0..count, self.meeting, wave)
+    }
+
+    /// Flexibility of some of the layers, eliminated from both faces to the interface above layer `meeting`.
+    fn part(&self, range: Range<usize>, meeting: usize, wave: &Wave) -> Option<(Flexibility, Taken)> {
+        let felt = range.len();
+        if let [layer] = &self.layers[range.clone()] {
+            let own = layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
+            return Some((own?, Taken { felt, evaluated: 1 }));
+        }
+        let [upper, lower] =
+            [range.start..meeting, meeting..range.end].map(|part| Bodies::new(&self.layers, &self.repeats, part, wave));
+        let mut above = Half::free();
+        for body in upper.iter(wave) {
+            let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = body.states else { return None };
+            above = above.through((&top, &at_top), (&bottom, &at_bottom))?;
+            if body.layers.end < range.end {
+                above = above.across(&self.joints[body.layers.end - 1], wave, true)?.0;
+            }
+        }
+        let mut below = Half::free();
+        for body in lower.iter(wave).rev() {
+            let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = body.states else { return None };
+            below = below.through((&bottom, &at_bottom), (&top, &at_top))?;
+            if body.layers.start > meeting {
+                below = below.across(&self.joints[body.layers.start - 1], wave, false)?.0;
+            }
+        }
+        let evaluated = upper.evaluated + lower.evaluated;
+        Some((joined(&above, &below)?, Taken { felt, evaluated }))
     }
 
     /// The layers, top down.
@@ -101,16 +152,18 @@ impl BaseChain {
             }
             rigid @ Foundation::Rigid { .. } => rigid.clone(),
         };
-        Self { layers: shared(base.layers()), joints: base.joints().to_vec(), foundation }
+        let (layers, joints) = (shared(base.layers()), base.joints().to_vec());
+        let repeats = repeats::find(&layers, &joints);
+        Self { layers, joints, foundation, repeats }
     }
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` as for a laminate.
     pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
-        self.flexibility_and_felt(wave).map(|(flexibility, _)| flexibility)
+        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
     }
 
     /// The same, and how many of the layers it took, the foundation not counted.
-    pub(crate) fn flexibility_and_felt(&self, wave: &Wave) -> Option<(f64, usize)> {
+    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(f64, Taken)> {
         let felt = felt(self.layers.iter(), wave);
         // what the face of the foundation allows: two columns (λμ₀U, λμ₀V, S, T)
         let mut allowed = match &self.foundation {
@@ -121,9 +174,10 @@ impl BaseChain {
             // a rigid foundation, or one too deep to be felt
             _ => with_unit_stress(&Matrix2::zeros()),
         };
-        for (layer, joint) in self.layers[..felt].iter().zip(&self.joints).rev() {
-            let FaceStates::Finite { top, bottom, .. } = layer.face_states(wave) else { return None };
-            allowed = allowed_above(allowed, joint, wave);
+        let bodies = Bodies::new(&self.layers, &self.repeats, 0..felt, wave);
+        for body in bodies.iter(wave).rev() {
+            let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
+            allowed = allowed_above(allowed, &self.joints[body.layers.end - 1], wave);
             let amplitudes: Matrix4x2<f64> = solve_equilibrated(
                 stacked(&(reciprocal(&allowed) * bottom), &stress(&top)),
                 Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
@@ -132,7 +186,7 @@ impl BaseChain {
         }
         let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
         let unit = solve_equilibrated(stress, Vector2::new(1.0, 0.0))?;
-        Some(((allowed.row(1) * unit)[0], felt))
+        Some(((allowed.row(1) * unit)[0], Taken { felt, evaluated: bodies.evaluated }))
     }
 
     /// The layers bonded to the foundation, top down.
@@ -175,30 +229,8 @@ pub(crate) fn slowest_decay(layer: &dyn Layer, thickness: f64, plane: Plane) -> 
     [0.0, 0.5, 1.0].map(|part| at(part * thickness)).into_iter().fold(1.0, f64::min)
 }
 
-fn flexibility(layers: &[Arc<dyn Layer>], joints: &[Joint], meeting: usize, wave: &Wave) -> Option<Flexibility> {
-    if let [layer] = layers {
-        return layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
-    }
-    let mut above = Half::free();
-    for (i, layer) in layers[..meeting].iter().enumerate() {
-        let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
-            return None;
-        };
-        above = above.through((&top, &at_top), (&bottom, &at_bottom))?;
-        if i + 1 < layers.len() {
-            above = above.across(&joints[i], wave, true)?.0;
-        }
-    }
-    let mut below = Half::free();
-    for (i, layer) in layers.iter().enumerate().skip(meeting).rev() {
-        let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
-            return None;
-        };
-        below = below.through((&bottom, &at_bottom), (&top, &at_top))?;
-        if i > meeting {
-            below = below.across(&joints[i - 1], wave, false)?.0;
-        }
-    }
+/// Two halves that meet.
+fn joined(above: &Half, below: &Half) -> Option<Flexibility> {
     // stresses are continuous: K_above w + ... = K_below w + ..., for a load on top, on the bottom, on both
     let zero = Vector2::zeros();
     let loads =

@@ -19,9 +19,10 @@ mod block;
 mod evaluate;
 mod inside;
 mod latex;
+mod repeats;
 mod text;
 
 pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
-pub(crate) use evaluate::slowest_decay;
 pub use evaluate::{BaseChain, FreeChain};
+pub(crate) use evaluate::{Taken, slowest_decay};
 pub(crate) use inside::Load;

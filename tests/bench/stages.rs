@@ -56,6 +56,17 @@ fn skips(criterion: &mut Criterion) {
     group.bench_function("ten slices of one material, merged", |b| b.iter(|| kernels(&merged)));
     group.bench_function("ten slices of one material, not merged", |b| b.iter(|| kernels(&apart)));
 
+    // a hundred layers in pairs; the others differ by what no answer shows
+    let pairs = |difference: f64| {
+        let layer = |i: usize| strip(0.01, [1.0, 2.0][i % 2] * (1.0 + difference * i as f64));
+        let stack =
+            (1..100).fold(Stack::builder(Plane::Strain).layer(layer(0)), |stack, i| stack.bonded().layer(layer(i)));
+        stack.bonded().layer(ground()).build().expect("a stack")
+    };
+    let [alike, unlike] = [0.0, 1e-15].map(pairs);
+    group.bench_function("fifty pairs of layers", |b| b.iter(|| kernels(&alike)));
+    group.bench_function("fifty pairs of layers, no two alike", |b| b.iter(|| kernels(&unlike)));
+
     // a wave that is felt by a tenth of a hundred layers, and one that is felt by all
     let layers = (1..100).fold(Stack::builder(Plane::Strain).layer(strip(0.1, 1.0)), |stack, i| {
         stack.bonded().layer(strip(0.1, [1.0, 2.0][i % 2]))

@@ -1,0 +1,292 @@
+//! Sequences of layers that are repeated: where a wave is long, many repetitions are one body.
+//!
+//! From the bottom of a sequence to its top the state changes by x ↦ P x + p, p what comes of equal loads. Twice the
+//! sequence is P² and P p + p, so that 2^k of them take k products. A body of 2m sequences has the state in its middle for
+//! amplitudes, like a thin layer: P^m above it and P^(−m) below. By reciprocity P^(−1) has the entries of P, some with the
+//! other sign: nothing is inverted, and entries small like powers of λh keep all their digits.
+use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use nalgebra::{Matrix4, Vector4};
+use recede_layers::{FaceStates, Layer, Plane, Wave};
+
+use crate::stack::Joint;
+
+/// Longest sequence that is looked for, in layers.
+const LONGEST: usize = 16;
+/// Fewer repetitions save nothing.
+const FEWEST: usize = 4;
+/// Solutions that grow swamp those that decay unless P^m has no larger trace than this, 4 cosh 1: that of a homogeneous layer
+/// with λh = 1. Laminates of unlike layers have solutions that grow much faster.
+const LARGEST: f64 = 6.2;
+/// Amplitudes that are states to this, relative, in the middle of a layer.
+const RECIPROCAL: f64 = 1e-13;
+
+/// A sequence of bonded layers, repeated.
+#[derive(Clone, Debug)]
+pub(super) struct Repeat {
+    /// The layers that it takes.
+    layers: Range<usize>,
+    /// Layers of the sequence.
+    period: usize,
+    /// Thickness of the sequence.
+    thickness: f64,
+}
+
+/// Layers that are evaluated together.
+pub(super) struct Body {
+    pub(super) layers: Range<usize>,
+    pub(super) states: FaceStates,
+}
+
+/// What a chain is evaluated as: which layers, and what the upper half of them is, if they are several.
+struct Piece {
+    layers: Range<usize>,
+    power: Option<usize>,
+}
+
+/// How a sequence changes the state from its bottom to its top.
+#[derive(Clone, Copy)]
+struct Transfer {
+    matrix: Matrix4<f64>,
+    uniform: Vector4<f64>,
+}
+
+/// Finds repeated sequences in a chain of layers.
+pub(super) fn find(layers: &[Arc<dyn Layer>], joints: &[Joint]) -> Vec<Repeat> {
+    let kinds = kinds(layers);
+    let bonded = |i: usize| joints[i] == Joint::BONDED;
+    let mut repeats = Vec::new();
+    let mut first = 0;
+    while first + FEWEST <= layers.len() {
+        // how far each layer is bonded to the next and is as that one period before
+        let end = |period: usize| {
+            let like = |i: &usize| kinds[*i].is_some() && kinds[*i] == kinds[*i - period] && bonded(*i - 1);
+            let inside = (first + 1..first + period).all(|i| kinds[i].is_some() && bonded(i - 1));
+            let after = (first + period..layers.len()).take_while(like).count();
+            if kinds[first].is_some() && inside { first + (period + after) / period * period } else { first }
+        };
+        let found = (1..=LONGEST.min((layers.len() - first) / FEWEST)).map(|period| (period, end(period)));
+        let enough = found.filter(|(period, end)| end - first >= FEWEST * period);
+        match enough.max_by_key(|(period, end)| (*end, std::cmp::Reverse(*period))) {
+            Some((period, end)) => {
+                let own = layers[first..first + period].iter().map(|layer| layer.thickness().unwrap_or(0.0));
+                repeats.push(Repeat { layers: first..end, period, thickness: own.sum() });
+                first = end;
+            }
+            None => first += 1,
+        }
+    }
+    repeats
+}
+
+/// Which layers are alike: the same number, none where that is not known.
+fn kinds(layers: &[Arc<dyn Layer>]) -> Vec<Option<usize>> {
+    // those that may be alike
+    let mut alike: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
+    let mut kinds: Vec<Option<usize>> = Vec::with_capacity(layers.len());
+    for (i, layer) in layers.iter().enumerate() {
+        let Some(thickness) = layer.thickness().filter(|_| layer.has_closed_form() && layer.has_material()) else {
+            kinds.push(None);
+            continue;
+        };
+        let [top, bottom] = [0.0, thickness].map(|depth| layer.material(depth, Plane::Strain).axial_stiffness);
+        let others = alike.entry([thickness, top, bottom].map(f64::to_bits)).or_default();
+        let first = others.iter().find(|k| layer.is_like(&*layers[**k])).copied();
+        if first.is_none() {
+            others.push(i);
+        }
+        kinds.push(Some(first.unwrap_or(i)));
+    }
+    kinds
+}
+
+/// Some layers of a chain as bodies, top down, for one wave.
+pub(super) struct Bodies<'a> {
+    layers: &'a [Arc<dyn Layer>],
+    pieces: Vec<Piece>,
+    /// Layers after these, each of which is a body.
+    rest: Range<usize>,
+    /// Sequences of repeats, each 1, 2, 4, ... times.
+    powers: Vec<Transfer>,
+    /// How many layers are evaluated.
+    pub(super) evaluated: usize,
+}
+
+impl<'a> Bodies<'a> {
+    pub(super) fn new(layers: &'a [Arc<dyn Layer>], repeats: &[Repeat], range: Range<usize>, wave: &Wave) -> Self {
+        let mut bodies = Self { layers, pieces: Vec::new(), rest: range, powers: Vec::new(), evaluated: 0 };
+        for repeat in repeats {
+            bodies.join(repeat, wave);
+        }
+        bodies.evaluated += bodies.rest.len();
+        bodies
+    }
+
+    /// Makes bodies of what is left of a repeat.
+    fn join(&mut self, repeat: &Repeat, wave: &Wave) {
+        // a sequence begins wherever it is cut
+        let first = repeat.layers.start.max(self.rest.start);
+        let count = repeat.layers.end.min(self.rest.end).saturating_sub(first) / repeat.period;
+        if count < FEWEST || wave.wavenumber * repeat.thickness > 1.0 {
+            return;
+        }
+        let unit = Transfer::of(&self.layers[first..first + repeat.period], wave);
+        let own = self.powers.len();
+        let doubled = std::iter::successors(unit, |power| Some(power.after(power)));
+        let most = (count / 2).ilog2() as usize + 1;
+        self.powers.extend(doubled.take(most).take_while(|power| power.matrix.trace() <= LARGEST));
+        if self.powers.len() == own {
+            return;
+        }
+        let before = self.rest.start..first;
+        self.evaluated += before.len() + repeat.period;
+        self.pieces.extend(before.map(|i| Piece { layers: i..i + 1, power: None }));
+        let (mut next, mut left) = (first, count);
+        for power in (own..self.powers.len()).rev() {
+            let together = 2 << (power - own);
+            while left >= together {
+                let layers = next..next + together * repeat.period;
+                (next, left) = (layers.end, left - together);
+                self.pieces.push(Piece { layers, power: Some(power) });
+            }
+        }
+        self.rest.start = next;
+    }
+
+    /// Top down, or the other way round.
+    pub(super) fn iter(&self, wave: &Wave) -> impl DoubleEndedIterator<Item = Body> {
+        let single = |i: usize| Body { layers: i..i + 1, states: self.layers[i].face_states(wave) };
+        let pieces = self.pieces.iter().map(move |piece| match piece.power {
+            Some(power) => Body { layers: piece.layers.clone(), states: self.powers[power].about_the_middle() },
+            None => single(piece.layers.start),
+        });
+        pieces.chain(self.rest.clone().map(single))
+    }
+}
+
+impl Transfer {
+    /// Of a few layers, top down; `None` if the amplitudes of one of them are no states inside it.
+    fn of(layers: &[Arc<dyn Layer>], wave: &Wave) -> Option<Self> {
+        let mut all: Option<Self> = None;
+        for layer in layers {
+            let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = layer.face_states(wave) else {
+                return None;
+            };
+            let form = adjoint(&bottom) * bottom;
+            let unit = form[(0, 0)];
+            if !((form - Matrix4::identity() * unit).amax() <= RECIPROCAL * unit.abs()) {
+                return None;
+            }
+            let matrix = top * adjoint(&bottom) / unit;
+            let own = Self { matrix, uniform: at_top - matrix * at_bottom };
+            all = Some(all.map_or(own, |above| above.after(&own)));
+        }
+        all
+    }
+
+    /// This above another one.
+    fn after(&self, below: &Self) -> Self {
+        Self { matrix: self.matrix * below.matrix, uniform: self.uniform + self.matrix * below.uniform }
+    }
+
+    /// A body of twice as much as functions of the state in its middle.
+    fn about_the_middle(&self) -> FaceStates {
+        let bottom = adjoint(&self.matrix);
+        FaceStates::Finite { top: self.matrix, bottom, uniform: [self.uniform, -(bottom * self.uniform)] }
+    }
+}
+
+/// −J Xᵀ J with the form xᵀ J y = U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂, the work of two fields on each other, which is the same in all
+/// depths: the inverse of what changes states from one depth to another.
+fn adjoint(matrix: &Matrix4<f64>) -> Matrix4<f64> {
+    let sign = |i: usize| if i < 2 { 1.0 } else { -1.0 };
+    Matrix4::from_fn(|i, k| sign(i) * sign(k) * matrix[(3 - k, 3 - i)])
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, Flexibility, HalfPlane, Homogeneous};
+
+    use super::super::{BaseChain, FreeChain};
+    use super::*;
+    use crate::scene::Item;
+    use crate::stack::Stack;
+
+    /// So many layers bonded to each other, of the kinds of the sequence in turn.
+    fn layers(count: usize, sequence: &[Item]) -> crate::stack::StackBuilder {
+        let layer = |i: usize| sequence[i % sequence.len()].clone();
+        (1..count).fold(Stack::builder(Plane::Strain).item(layer(0)), |stack, i| stack.bonded().item(layer(i)))
+    }
+
+    fn strip(thickness: f64, modulus: f64, poisson: f64) -> Item {
+        Item::layer(Homogeneous::new(thickness, modulus, poisson).unwrap())
+    }
+
+    fn waves() -> impl Iterator<Item = Wave> {
+        (-32..=24).map(|k| Wave { wavenumber: 10f64.powf(0.25 * f64::from(k)), modulus: 1.3, plane: Plane::Strain })
+    }
+
+    #[test]
+    fn what_is_repeated_is_found() {
+        let [a, b, c] = [strip(0.01, 1.0, 0.3), strip(0.02, 3.0, 0.2), strip(0.01, 1.0, 0.31)];
+        let found = |items: &[Item]| {
+            let stack = layers(items.len(), items).receding().rigid().build().unwrap();
+            let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
+            find(&chain.layers, &chain.joints).iter().map(|repeat| (repeat.layers.clone(), repeat.period)).collect()
+        };
+        let of = |names: &str| -> Vec<(Range<usize>, usize)> {
+            let item = |name| match name {
+                'a' => a.clone(),
+                'b' => b.clone(),
+                _ => c.clone(),
+            };
+            found(&names.chars().map(item).collect::<Vec<_>>())
+        };
+        assert_eq!(of("abababab"), [(0..8, 2)]);
+        assert_eq!(of("cababababa"), [(1..9, 2)]);
+        assert_eq!(of("abcabcabcabcacacacac"), [(0..12, 3), (12..20, 2)]);
+        assert_eq!(of("abacab"), []);
+        // a joint that gives way is no repetition
+        let spring = Item::Sliding;
+        let stack = layers(4, &[a.clone(), b.clone()]).item(spring).item(a.clone());
+        let stack = (1..4).fold(stack, |stack, i| stack.bonded().item([&a, &b][i % 2].clone()));
+        let stack = stack.receding().rigid().build().unwrap();
+        let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
+        assert!(find(&chain.layers, &chain.joints).is_empty());
+    }
+
+    #[test]
+    fn sequences_of_many_layers_are_evaluated_once_and_keep_their_digits() {
+        let graded = |beta: f64| Item::layer(Exponential::new(0.03, 1.0, 0.3, beta).unwrap());
+        for (count, sequence) in [
+            (100, vec![strip(0.01, 1.0, 0.25), strip(0.01, 2.0, 0.25)]),
+            (77, vec![strip(0.01, 1.0, 0.49), strip(0.03, 500.0, 0.1), strip(0.001, 0.02, -0.3)]),
+            (64, vec![graded(20.0), strip(0.01, 3.0, 0.3)]),
+        ] {
+            let stack = layers(count, &sequence).receding().rigid().build().unwrap();
+            let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
+            let plain = FreeChain { repeats: Vec::new(), ..chain.clone() };
+            let on_ground = layers(count, &sequence).bonded().layer(HalfPlane::new(0.7, 0.3).unwrap()).build().unwrap();
+            let base = BaseChain::new(on_ground.base());
+            let plain_base = BaseChain { repeats: Vec::new(), ..base.clone() };
+            for wave in waves() {
+                let (found, taken) = chain.flexibility_and_taken(&wave).unwrap();
+                let (expected, all) = plain.flexibility_and_taken(&wave).unwrap();
+                assert!(all.evaluated == all.felt && taken.felt == all.felt);
+                if wave.wavenumber < 1.0 {
+                    assert!(3 * taken.evaluated < all.evaluated, "{taken:?}");
+                }
+                let parts = |c: &Flexibility| [c.top, c.bottom, c.equal_top, c.equal_bottom, c.coupling];
+                for (k, (own, expected)) in parts(&found).into_iter().zip(parts(&expected)).enumerate() {
+                    // under equal loads a laminate of unlike layers bends, and keeps the digits that this leaves
+                    let bending = if k == 2 || k == 3 { 1e-14 * found.top } else { 0.0 };
+                    assert!((own - expected).abs() <= 5e-14 * expected.abs() + bending, "{count} {wave:?}: {k}");
+                }
+                let [found, expected] = [&base, &plain_base].map(|base| base.flexibility(&wave).unwrap());
+                assert!((found / expected - 1.0).abs() < 5e-14, "{count} {wave:?}: base");
+            }
+        }
+    }
+}
