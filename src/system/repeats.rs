@@ -176,7 +176,8 @@ impl Transfer {
             };
             let form = adjoint(&bottom) * bottom;
             let unit = form[(0, 0)];
-            if !((form - Matrix4::identity() * unit).amax() <= RECIPROCAL * unit.abs()) {
+            let off = (form - Matrix4::identity() * unit).amax();
+            if off > RECIPROCAL * unit.abs() || !off.is_finite() {
                 return None;
             }
             let matrix = top * adjoint(&bottom) / unit;
