@@ -157,10 +157,11 @@ impl Transforms for Chains {
     }
 }
 
-/// A punch and force on `count` bonded layers that rest on a half-plane: stiff and soft ones in turn, of thickness 1 in all.
-pub fn bonded_layers(count: usize) -> Stack {
+/// So many bonded layers that rest on a half-plane: stiff and soft ones in turn, of thickness 1 in all, each stiffer than the
+/// one before it by this part besides.
+pub fn bonded_layers(count: usize, difference: f64) -> Stack {
     let layer = |i: usize| {
-        let modulus = if i.is_multiple_of(2) { 1.0 } else { 2.0 };
+        let modulus = if i.is_multiple_of(2) { 1.0 } else { 2.0 } * (1.0 + difference * i as f64);
         Item::layer(recede::Homogeneous::new(1.0 / count as f64, modulus, 0.25).expect("a layer"))
     };
     let mut builder = Stack::builder(Plane::Strain).item(layer(0));
