@@ -381,25 +381,33 @@ impl Layout {
             let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
             let zeta = &self.zeta[first..];
             let values = panel.map(|panel| panel.values(zeta, at(part), at(part + 1)));
-            let coupling = |i: usize, k: usize| match &values {
-                Some(values) => values.coupling(i, k),
-                None => 0.0,
-            };
             for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
-                let far = kernel.far(i);
-                own.unit.plain.extend(weights.iter().enumerate().map(|(k, weight)| {
-                    let unit = match &values {
-                        Some(values) if from < far.from => values.unit(i, k) - far.limit,
-                        _ => {
-                            let above = i.checked_sub(1).map_or(0.0, |above| coupling(above, k));
-                            far.excess(zeta[k]) + above + if i + 1 < n { coupling(i, k) } else { 0.0 }
+                let (far, start) = (kernel.far(i), own.unit.plain.len());
+                match &values {
+                    Some(values) if from < far.from => {
+                        let excess =
+                            weights.iter().zip(values.unit(i)).map(|(weight, unit)| weight * (unit - far.limit));
+                        own.unit.plain.extend(excess);
+                    }
+                    _ => {
+                        let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.excess(*zeta));
+                        own.unit.plain.extend(excess);
+                        let neighbours = i.saturating_sub(1)..(i + 1).min(n - 1);
+                        for coupling in neighbours.filter_map(|i| values.as_ref().map(|values| values.coupling(i))) {
+                            let excess = own.unit.plain[start..].iter_mut().zip(weights.iter()).zip(coupling);
+                            excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
                         }
-                    };
-                    weight * unit
-                }));
+                    }
+                }
             }
             for (i, pair) in self.coupling.iter_mut().enumerate().filter(|(i, _)| to <= plan.coupled[*i]) {
-                pair.plain.extend(weights.iter().enumerate().map(|(k, weight)| -weight * coupling(i, k)));
+                match &values {
+                    Some(values) => {
+                        let both = weights.iter().zip(values.coupling(i));
+                        pair.plain.extend(both.map(|(weight, coupling)| -weight * coupling));
+                    }
+                    None => pair.plain.resize(pair.plain.len() + weights.len(), 0.0),
+                }
             }
         }
     }

@@ -236,16 +236,22 @@ impl Panel {
             if component >= 2 * n && !self.coupled[component - 2 * n] {
                 continue;
             }
+            let exponent = powers(n, component);
             vectorised(
                 #[inline(always)]
                 || {
-                    for (column, own) in columns.chunks_exact(count).zip(&self.values[component]) {
-                        values.iter_mut().zip(column).for_each(|(value, part)| *value += part * own);
+                    for (four, own) in columns.chunks_exact(4 * count).zip(self.values[component].as_chunks::<4>().0) {
+                        let (two, more) = four.split_at(2 * count);
+                        let ((a, b), (c, d)) = (two.split_at(count), more.split_at(count));
+                        for ((((value, a), b), c), d) in values.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                            *value += (a * own[0] + b * own[1]) + (c * own[2] + d * own[3]);
+                        }
+                    }
+                    if exponent > 0 {
+                        values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= power(*zeta, exponent));
                     }
                 },
             );
-            let exponent = powers(n, component);
-            values.iter_mut().zip(zeta).for_each(|(value, zeta)| *value /= power(*zeta, exponent));
         }
         Values { count, contacts: n, values }
     }
@@ -259,14 +265,14 @@ pub(crate) struct Values {
 }
 
 impl Values {
-    /// The kernel of contact `i` under equal neighbouring pressures at wavenumber number `k`.
-    pub(crate) fn unit(&self, i: usize, k: usize) -> f64 {
-        self.values[i * self.count + k]
+    /// The kernel of contact `i` under equal neighbouring pressures.
+    pub(crate) fn unit(&self, i: usize) -> &[f64] {
+        &self.values[i * self.count..(i + 1) * self.count]
     }
 
-    /// The coupling of the contacts `i` and `i + 1` at wavenumber number `k`.
-    pub(crate) fn coupling(&self, i: usize, k: usize) -> f64 {
-        self.values[(self.contacts + i) * self.count + k]
+    /// The coupling of the contacts `i` and `i + 1`.
+    pub(crate) fn coupling(&self, i: usize) -> &[f64] {
+        self.unit(self.contacts + i)
     }
 }
 
