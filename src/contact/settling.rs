@@ -32,8 +32,8 @@ const ROUNDS: usize = 12;
 const LITTLE: f64 = 0.01;
 
 impl Newton<'_> {
-    /// Goes on from half-lengths nearby, and lets pressures settle with more modes than are solved for, to `tolerance`; where they do not,
-    /// all modes are solved for. The half-lengths to begin with were found with `fewer` modes.
+    /// Goes on from half-lengths nearby, and lets pressures settle with more modes than are solved for, to `tolerance`;
+    /// where they do not, all modes are solved for. The half-lengths to begin with were found with `fewer` modes.
     pub(super) fn converge(
         &mut self,
         half_lengths: Vec<f64>,
