@@ -142,6 +142,11 @@ impl Layer for Exponential {
         true
     }
 
+    fn is_like(&self, other: &dyn Layer) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref() == Some(self)
+    }
+
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
         let below: &dyn Any = below;
         let other = below.downcast_ref::<Self>()?;

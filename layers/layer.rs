@@ -152,9 +152,10 @@ pub trait Layer: Debug + Send + Sync + Any {
     }
 
     /// Whether another layer is the same, wherever it lies: a stack evaluates sequences of layers that are repeated only once.
-    /// Provided: both are written the same.
+    /// Provided: nothing is known, `false`.
     fn is_like(&self, other: &dyn Layer) -> bool {
-        self.notation() == other.notation()
+        let _ = other;
+        false
     }
 
     /// States at the faces as functions of the layer's amplitudes; provided by [`graded::face_states`].

@@ -193,6 +193,11 @@ impl Layer for Orthotropic {
         EngineeringConstants { young, poisson, shear_modulus }.material(plane)
     }
 
+    fn is_like(&self, other: &dyn Layer) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref() == Some(self)
+    }
+
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
         let below: &dyn Any = below;
         if let Some(other) = below.downcast_ref::<Self>() {
