@@ -26,11 +26,15 @@ use crate::system::Load;
 use body::{Body, Stratum};
 use pressure::Pressure;
 use sum::Row;
+use waves::Origin;
 
 /// A depth is on an interface if it is as close to it as this, in parts of the depth.
 const ON_INTERFACE: f64 = 1e-12;
 /// Long waves change nothing below this part of 1/(thickness · ratio of the stiffnesses).
 const LONG: f64 = 0.25;
+
+/// Waves this much longer than any length see of a graded half-plane a power of λ, and three terms more of a series.
+const POWER: f64 = 1e-3;
 
 /// Stresses and displacements inside a stack pressed by a punch.
 ///
@@ -256,9 +260,18 @@ impl Field {
         layers.collect::<Vec<_>>().join(", ")
     }
 
-    /// A wavenumber below which nothing happens.
-    fn first(&self) -> f64 {
-        let thickness: f64 = self.strata.iter().filter_map(|stratum| stratum.thickness).sum();
-        LONG / (self.contrast * thickness)
+    /// How transformed fields begin at λ = 0: smooth over waves long against the layers; those of a graded half-plane
+    /// may have a power of λ there. A homogeneous half-plane by itself has no length of its own.
+    fn origin(&self) -> Origin {
+        // an empty sum would be -0
+        let thickness = self.strata.iter().filter_map(|stratum| stratum.thickness).fold(0.0, |sum, h| sum + h);
+        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        let smooth = LONG / (self.contrast * thickness);
+        let power = self.strata.last().is_some_and(|base| {
+            let at = |depth: f64| base.layer.material(depth, self.plane);
+            base.thickness.is_none() && at(0.0) != at(longest + thickness)
+        });
+        let first = if power { POWER * smooth.min(longest.recip()) } else { smooth };
+        Origin { first, power }
     }
 }

@@ -94,11 +94,12 @@ fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
         let xs = contacts.iter().flat_map(beside);
         let mut depths: Vec<f64> = THROUGH.iter().map(|part| part * deepest).collect();
         for (side, contact) in contacts.iter().enumerate() {
-            let next_to = if side == 0 { own.place == 0 } else { own.place + 1 == body.layers };
+            // counted from the loaded face, be it that of this layer or of one above or below it
+            let face = if side == 0 { body.top } else { body.bottom.unwrap_or(body.top) } - own.top;
             let lengths = [contact.half_length, contact.narrowest()];
             let distances = lengths.iter().flat_map(|length| BELOW.map(|part| part * length));
-            let distances = distances.filter(|distance| next_to && *distance < deepest);
-            depths.extend(distances.map(|distance| if side == 0 { distance } else { deepest - distance }));
+            let inside = distances.map(|distance| if side == 0 { face + distance } else { face - distance });
+            depths.extend(inside.filter(|depth| *depth > 0.0 && *depth < deepest));
         }
         rows.extend(ascending(depths).into_iter().map(|depth| Row { stratum, depth, set: sets.len() }));
         sets.push(ascending(xs.collect()));

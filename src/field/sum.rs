@@ -168,7 +168,7 @@ impl Field {
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
         let origins: Vec<f64> = self.bodies.iter().map(|body| self.origin_end(body, precision, most)).collect();
         let end = active.iter().map(|active| active.end).chain(origins.iter().copied()).fold(0.0, f64::max);
-        let panels = waves::panels(end, reach, self.first(), precision).ok_or(Error::TooFar { x: farthest })?;
+        let panels = waves::panels(end, reach, self.origin(), precision).ok_or(Error::TooFar { x: farthest })?;
         let mut sums: Vec<Sums> =
             sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
         // ∫ V at the reference points, panel by panel

@@ -36,36 +36,74 @@ const PHASE: f64 = 56.0;
 const SHORT_PHASE: f64 = 16.0;
 /// The first panel spans this phase.
 const FIRST: f64 = 0.25;
-/// More wavenumbers than this are refused.
+/// Wavenumbers times reach beyond this are refused.
 const MOST: f64 = 4e5;
+/// The first panel is no shorter than this part of the whole axis: some hundred panels grow from there, and the integral
+/// over less than that is below rounding.
+const LEAST: f64 = 1e-40;
+
+/// Next to λ = 0 a power λ^α is integrated in t, λ ~ t^STRETCH: any α > -0.95 leaves a positive power of t, and three
+/// more powers of λ are still of the degree that [`STRETCHED`] points integrate exactly.
+const STRETCH: i32 = 20;
+const STRETCHED: usize = 32;
+
+/// How fields begin at λ = 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Origin {
+    /// A wavenumber below which they are smooth, besides a power of λ; infinite if there is none.
+    pub(super) first: f64,
+    /// Whether there may be such a power.
+    pub(super) power: bool,
+}
 
 /// A panel of the wavenumber axis.
 pub(super) struct Panel {
     pub(super) lo: f64,
     pub(super) hi: f64,
     rule: &'static Rule,
+    /// Whether it begins at 0 with a power of λ.
+    power: bool,
 }
 
 impl Panel {
     /// Wavenumbers and weights.
     pub(super) fn points(&self) -> (Vec<f64>, Vec<f64>) {
-        self.rule.on(self.lo, self.hi).unzip()
+        if !self.power {
+            return self.rule.on(self.lo, self.hi).unzip();
+        }
+        let stretched = |(t, weight): (f64, f64)| {
+            let before = self.hi * t.powi(STRETCH - 1);
+            (before * t, f64::from(STRETCH) * before * weight)
+        };
+        self.rule.on(0.0, 1.0).map(stretched).unzip()
     }
 }
 
-/// Panels from 0 to `end`, growing in width up to what cos λx and p̂ allow at a reach x + a. `first` is a wavenumber
-/// below which nothing happens; `None` if there would be too many.
-pub(super) fn panels(end: f64, reach: f64, first: f64, precision: &Precision) -> Option<Vec<Panel>> {
-    if end * reach > MOST {
+/// Panels from 0 to `end`, growing in width up to what cos λx and p̂ allow at a reach x + a; `None` if there would
+/// be too many.
+///
+/// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of `end`, the next
+/// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
+pub(super) fn panels(end: f64, reach: f64, origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
+    // a product that is not a number is refused, too
+    if end.is_infinite() || !(end * reach <= MOST) {
         return None;
     }
     let widest = PHASE / reach;
+    let shortest = origin.first.min(FIRST / reach).max(LEAST * end);
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
-        let width = if lo == 0.0 { first.min(FIRST / reach) } else { (precision.growth * lo).min(widest) };
+        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(widest) };
         let width = width.min(end - lo);
-        let points = if width * reach <= SHORT_PHASE { precision.points } else { 32 };
-        panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points) });
+        let power = origin.power && lo == 0.0;
+        let points = if power {
+            STRETCHED
+        } else if width * reach <= SHORT_PHASE {
+            precision.points
+        } else {
+            32
+        };
+        panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points), power });
         lo += width;
     }
     Some(panels)
