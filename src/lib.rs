@@ -94,7 +94,8 @@ pub use scene::{
 };
 pub use solution::{Contact, Interface, Part, Solution, Stats};
 pub use stack::{
-    Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError, StackProblem,
+    Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,
+    StackProblem,
 };
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;

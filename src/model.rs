@@ -72,11 +72,15 @@ impl Model {
     /// Presses a punch with a force (per unit length out of plane) on the stack.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] or [`Error::Tolerance`] if a number is not legal; [`Error::NoSolution`] if no contact
+    /// [`Error::OutOfRange`] or [`Error::Tolerance`] if a number is not legal; [`Error::Stack`] if an elastic punch is stiffer
+    /// or softer than the layers beyond [`MAX_CONTRAST`](crate::MAX_CONTRAST); [`Error::NoSolution`] if no contact
     /// lengths were found for which all pressures push and nothing overlaps.
     pub fn press_with(&self, punch: &Punch, force: impl Into<Force>, options: &Options) -> Result<Solution, Error> {
         let force = force.into().checked()?;
         Error::check_tolerance(options)?;
+        if let Some(material) = punch.material() {
+            self.stack.check_punch(&material)?;
+        }
         let (kernel, lattice) = (&self.kernel, self.lattice.as_deref());
         match force {
             Force::Given(force) => contact::press(kernel, lattice, &self.interfaces, punch, force, options),

@@ -3,6 +3,7 @@ use std::sync::Arc;
 
 use recede_layers::Plane;
 
+use super::contrast;
 use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
 use crate::scene::Item;
 
@@ -134,7 +135,12 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
         return whole(StackProblem::TooManyReceding { found: laminates.len() });
     }
     let stack = Stack { plane, laminates, base: Base { layers, joints, foundation }, dropped };
-    if stack.total_thickness().is_finite() { Ok(stack) } else { whole(StackProblem::TooThick) }
+    if !stack.total_thickness().is_finite() {
+        return whole(StackProblem::TooThick);
+    }
+    // layers and interfaces alternate
+    contrast::check(&stack, None).map_err(|(problem, number)| at(2 * (number - 1), problem))?;
+    Ok(stack)
 }
 
 fn at(item: usize, problem: StackProblem) -> StackError {

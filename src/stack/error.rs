@@ -1,5 +1,5 @@
 //! What can be wrong with the structure of a stack.
-use super::{MAX_LAYERS, MAX_RECEDING};
+use super::{MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING};
 
 /// Items that do not make a stack.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -100,6 +100,16 @@ pub enum StackProblem {
     /// All thicknesses together are not finite.
     #[error("the layers together are thicker than the largest number, about 1.8e308")]
     TooThick,
+    /// Moduli that differ by more than those of any two materials do.
+    #[error("{stiff} is {ratio:.1e} times as stiff as {soft}; allowed is a ratio of at most {MAX_CONTRAST:e}")]
+    Contrast {
+        /// The stiffest layer or the punch.
+        stiff: String,
+        /// The softest layer or the punch.
+        soft: String,
+        /// The ratio of their moduli.
+        ratio: f64,
+    },
     /// More layers than can be solved in a reasonable time.
     #[error("the stack has {found} layers; allowed are at most {MAX_LAYERS}")]
     TooManyLayers {
@@ -127,6 +137,10 @@ impl StackProblem {
             Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
             Self::TooManyLayers { .. } => "a layer that is graded through its thickness replaces many slices",
             Self::TooManyReceding { .. } => "bond those that do not open under the load",
+            Self::Contrast { .. } => {
+                "what is so much stiffer than all else is rigid, and what is so much softer carries nothing: leave it out, or \
+                 write `Rigid` in its place; a large `beta` times the thickness has the same effect"
+            }
             Self::NotBonded { .. } => {
                 "the pressure on springs alone would be stiffness times displacement, place by place, and not end like that \
                  on an elastic body: put a thin layer between, `Bonded` to the springs"

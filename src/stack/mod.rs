@@ -1,6 +1,7 @@
 //! A stack: the checked structure of a scene's layers and interfaces.
 mod assemble;
 mod builder;
+mod contrast;
 mod drawing;
 mod error;
 mod joint;
@@ -8,7 +9,7 @@ mod merged;
 
 use std::sync::Arc;
 
-use recede_layers::{Layer, Plane};
+use recede_layers::{Isotropic, Layer, Plane};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
@@ -22,6 +23,10 @@ use crate::solution::Interface;
 pub const MAX_LAYERS: usize = 5000;
 /// Largest number of receding interfaces in a stack.
 pub const MAX_RECEDING: usize = 32;
+
+/// Largest ratio of two moduli in a stack, the punch included: diamond is some 1e12 times as stiff as the softest gels, and
+/// beyond 1/rounding one body is rigid to the other.
+pub const MAX_CONTRAST: f64 = 1e15;
 
 /// Layers in order, grouped by what is joined to what.
 ///
@@ -161,6 +166,12 @@ impl Stack {
     /// base elsewhere; if nothing in the stack can deform.
     pub fn from_items(plane: Plane, items: &[Item]) -> Result<Self, StackError> {
         assemble::assemble(plane, items)
+    }
+
+    /// Checks that an elastic punch is neither stiffer nor softer than the layers by more than [`MAX_CONTRAST`].
+    pub(crate) fn check_punch(&self, material: &Isotropic) -> Result<(), StackError> {
+        let material = material.material(self.plane);
+        contrast::check(self, Some(material)).map_err(|(problem, _)| StackError { item: None, problem })
     }
 
     /// Plane strain or plane stress.

@@ -31,6 +31,10 @@ const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.0];
 /// Sines of smaller arguments are taken from their series.
 const SMALL: f64 = 0.05;
 
+/// Entries of the matrices of all contacts at most: there are two such sets, and the elimination makes as many again, so
+/// that they stay below 500 MB together. 32 contacts may have 700 elements each; grids that are refined have some 500.
+const MOST_ENTRIES: usize = 16_000_000;
+
 /// The quadratic form of the programme.
 pub(super) struct Energy {
     /// U of each contact.
@@ -46,8 +50,12 @@ pub(super) struct Energy {
 }
 
 impl Energy {
-    pub(super) fn new(kernel: &Compliances, punch: &Indentation, grid: &Grid) -> Self {
+    /// `None` if the matrices of all contacts would have too many entries.
+    pub(super) fn new(kernel: &Compliances, punch: &Indentation, grid: &Grid) -> Option<Self> {
         let (contacts, elements) = (kernel.contacts(), grid.elements());
+        if contacts.saturating_mul(elements).saturating_mul(elements) > MOST_ENTRIES {
+            return None;
+        }
         let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let mut energy = Self {
             unit: vec![Mat::zeros(elements, elements); contacts],
@@ -64,7 +72,7 @@ impl Energy {
         if kernel.is_topmost() {
             energy.add_punch(punch, grid);
         }
-        energy
+        Some(energy)
     }
 
     pub(super) fn contacts(&self) -> usize {

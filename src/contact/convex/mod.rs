@@ -189,7 +189,7 @@ fn rounds(
     let mut grid = Grid::new(shortest, REACH * longest.max(far), edge);
     let mut longer = LONGER;
     for _ in 0..ROUNDS {
-        let mut energy = Energy::new(kernel, punch, &grid);
+        let Some(mut energy) = Energy::new(kernel, punch, &grid) else { break };
         if shorter {
             // a line load about x = 0, however small the punch
             energy.barred.fill(true);

@@ -1,0 +1,71 @@
+//! Ratios of moduli: beyond what double precision, and any two materials, can be told apart by, a stack is refused.
+use recede_layers::{Layer, Material, Plane};
+
+use super::{Foundation, MAX_CONTRAST, Placed, Stack, StackProblem};
+
+/// Parts of the thickness at which the material of a layer is looked at, besides its kinks.
+const DEPTHS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// A body with its smallest or largest modulus.
+struct Extreme {
+    modulus: f64,
+    number: usize,
+    name: String,
+}
+
+impl Extreme {
+    fn new(modulus: f64, number: usize, name: &dyn Fn() -> String) -> Self {
+        Self { modulus, number, name: name() }
+    }
+}
+
+/// Refuses moduli whose ratio is larger than [`MAX_CONTRAST`], and says which layer, by its number, has the largest one.
+/// Of a half-plane its face counts: deeper down a graded one may become as stiff as it likes. A punch comes before all
+/// layers.
+pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), (StackProblem, usize)> {
+    let (mut softest, mut stiffest): (Option<Extreme>, Option<Extreme>) = (None, None);
+    let mut look = |number: usize, moduli: [f64; 2], name: &dyn Fn() -> String| {
+        if softest.as_ref().is_none_or(|known| moduli[0] < known.modulus) {
+            softest = Some(Extreme::new(moduli[0], number, name));
+        }
+        if stiffest.as_ref().is_none_or(|known| moduli[1] > known.modulus) {
+            stiffest = Some(Extreme::new(moduli[1], number, name));
+        }
+    };
+    if let Some(material) = punch {
+        look(1, moduli(&material), &|| "the punch".to_owned());
+    }
+    let laminates = stack.laminates.iter().flat_map(|laminate| &laminate.layers);
+    let foundation = match &stack.base.foundation {
+        Foundation::HalfPlane(placed) if placed.layer.has_material() => Some(placed),
+        _ => None,
+    };
+    for placed in laminates.chain(&stack.base.layers).chain(foundation) {
+        look(placed.number, range(placed, stack.plane), &|| placed.name());
+    }
+    let (Some(soft), Some(stiff)) = (softest, stiffest) else { return Ok(()) };
+    let ratio = stiff.modulus / soft.modulus;
+    if ratio <= MAX_CONTRAST || ratio.is_nan() {
+        return Ok(());
+    }
+    let same = soft.number == stiff.number && soft.name == stiff.name;
+    let soft = if same { "elsewhere in the same layer".to_owned() } else { soft.name };
+    Err((StackProblem::Contrast { stiff: stiff.name, soft, ratio }, stiff.number))
+}
+
+/// The smallest and the largest modulus of a layer.
+fn range(placed: &Placed, plane: Plane) -> [f64; 2] {
+    let layer: &dyn Layer = &*placed.layer;
+    let Some(thickness) = layer.thickness() else { return moduli(&layer.material(0.0, plane)) };
+    let inside = layer.kinks().into_iter().filter(|depth| (0.0..=thickness).contains(depth));
+    let depths = DEPTHS.iter().map(|part| part * thickness).chain(inside);
+    depths
+        .map(|depth| moduli(&layer.material(depth, plane)))
+        .fold([f64::INFINITY, 0.0], |[least, most], own| [least.min(own[0]), most.max(own[1])])
+}
+
+/// The smaller and the larger of c66 and c11 − c12²/c22.
+fn moduli(material: &Material) -> [f64; 2] {
+    let (shear, axial) = (material.shear_compliance.recip(), material.axial_stiffness);
+    [shear.min(axial), shear.max(axial)]
+}
