@@ -142,7 +142,7 @@ proptest! {
             }
         }
         if let Ok(scene) = read(text.as_bytes()) {
-            let trial = Trial::run(&scene, &Options::default());
+            let trial = Trial::run(&scene, &Options::default(), false);
             let wrong = match &trial.outcome {
                 Outcome::Wrong(what) | Outcome::Panicked(what) => Some(what),
                 Outcome::Solved(_) | Outcome::Unsolved(_) => None,
@@ -248,7 +248,7 @@ fn punches_loads_and_interfaces_of_all_kinds_do_not_end_in_panic() {
         let scene = scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap();
         let read = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!(read.to_ron(), scene.to_ron());
-        let trial = Trial::run(&read, &recede::Options { tolerance: 1e-8, ..Default::default() });
+        let trial = Trial::run(&read, &recede::Options { tolerance: 1e-8, ..Default::default() }, false);
         assert!(!trial.outcome.is_wrong(), "{number}: {}\n{}", trial.outcome.reason(), scene.to_ron());
         solved += u64::from(matches!(trial.outcome, Outcome::Solved(_)));
     }

@@ -9,7 +9,7 @@ use recede::{Model, Options, Scene, Solution, Sweep};
 fn solved(seed: u64, count: u64) -> impl Iterator<Item = (u64, Scene, Solution)> {
     (0..count).filter_map(move |number| {
         let scene = scene_of_any_kind(&Ranges::moderate(), seed, number).unwrap();
-        match Trial::run(&scene, &Options::default()).outcome {
+        match Trial::run(&scene, &Options::default(), false).outcome {
             Outcome::Solved(solution) => Some((number, scene, *solution)),
             outcome => {
                 assert!(!outcome.is_wrong(), "{number}: {}\n{}", outcome.reason(), scene.to_ron());

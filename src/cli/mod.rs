@@ -88,11 +88,8 @@ pub enum Failure {
     /// Output that could not be written.
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
-    /// Threads that could not be started.
-    #[error("cannot start the threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
     /// Random scenes with answers that cannot be right.
-    #[error("{0} scenes ended with a panic or a wrong answer")]
+    #[error("{0} scenes ended with a panic, a wrong answer, or beyond their limits")]
     Wrong(usize),
 }
 

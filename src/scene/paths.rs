@@ -76,6 +76,23 @@ impl Scene {
         self.with_changes(&[(&slot, value)])
     }
 
+    /// The value of the quantity at `path`, in the units of the scene. Only for scenes read from a text.
+    ///
+    /// ```
+    /// let scene = recede::Scene::read("examples/scenes/hertz.ron")?;
+    /// assert_eq!(scene.with("force", 2.5)?.number("force")?, 2.5);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Scene`] if there is no such quantity.
+    pub fn number(&self, path: &str) -> Result<f64, Error> {
+        let slot = self.slot(path)?;
+        let text = self.origin.as_deref().map_or("", |origin| &origin.text[slot.range]);
+        // a slot is where a number was read
+        Ok(text.parse().unwrap_or(f64::NAN))
+    }
+
     /// Finds the quantity at `path`.
     pub(crate) fn slot(&self, path: &str) -> Result<Slot, Error> {
         let slots = self.slots();

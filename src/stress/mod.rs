@@ -8,13 +8,15 @@
 //! use recede::Options;
 //! use recede::stress::{Outcome, Ranges, Trial, scene};
 //! let scenario = scene(&Ranges::default(), 1, 17); // seed 1, number 17: always the same
-//! let trial = Trial::run(&scenario.scene()?, &Options::default());
+//! let trial = Trial::run(&scenario.scene()?, &Options::default(), false);
 //! if let Outcome::Unsolved(reason) = &trial.outcome {
 //!     println!("{reason}:\n{}", scenario.scene()?.to_ron());
 //! }
 //! assert!(!trial.outcome.is_wrong());
 //! # Ok::<(), recede::Error>(())
 //! ```
+mod commands;
+mod examples;
 mod kinds;
 mod load;
 mod scenario;
@@ -22,6 +24,7 @@ mod strategy;
 mod trial;
 mod verify;
 
+pub use examples::{EXAMPLES, variant};
 pub use kinds::scene_of_any_kind;
 pub use scenario::{Ply, Scenario};
 pub use strategy::{Ranges, scene, scenes};

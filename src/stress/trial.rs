@@ -2,6 +2,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
+use super::commands;
 use crate::error::{Error, NoSolution};
 use crate::model::Model;
 use crate::options::Options;
@@ -20,7 +21,7 @@ const RESULTANT: f64 = 1e-9;
 pub struct Trial {
     /// How it ended.
     pub outcome: Outcome,
-    /// How long it took, in seconds, kernels included.
+    /// How long the contact problem took, in seconds, kernels included.
     pub seconds: f64,
 }
 
@@ -38,16 +39,22 @@ pub enum Outcome {
 }
 
 impl Trial {
-    /// Solves a scene with a tolerance, come what may.
-    pub fn run(scene: &Scene, options: &Options) -> Self {
+    /// Solves a scene with a tolerance, and does what the commands do with the answer: reports, fields, and pictures if they
+    /// are asked for. Come what may.
+    pub fn run(scene: &Scene, options: &Options, pictures: bool) -> Self {
         let start = Instant::now();
-        let solved = catch_unwind(AssertUnwindSafe(|| solve(scene, options)));
-        let seconds = start.elapsed().as_secs_f64();
+        let mut seconds = None;
+        let solved = catch_unwind(AssertUnwindSafe(|| -> Result<_, Error> {
+            let model = Model::new(scene.stack()?)?;
+            let solution = model.press_with(&scene.punch, scene.force, options)?;
+            seconds = Some(start.elapsed().as_secs_f64());
+            let what = wrong(scene, &solution).or_else(|| commands::run(scene, &model, &solution, pictures));
+            Ok((solution, what))
+        }));
+        let seconds = seconds.unwrap_or_else(|| start.elapsed().as_secs_f64());
         let outcome = match solved {
-            Ok(Ok(solution)) => match wrong(scene, &solution) {
-                Some(what) => Outcome::Wrong(what),
-                None => Outcome::Solved(Box::new(solution)),
-            },
+            Ok(Ok((_, Some(what)))) => Outcome::Wrong(what),
+            Ok(Ok((solution, None))) => Outcome::Solved(Box::new(solution)),
             Ok(Err(error)) => Outcome::Unsolved(error),
             Err(panic) => {
                 let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
@@ -57,10 +64,6 @@ impl Trial {
         };
         Self { outcome, seconds }
     }
-}
-
-fn solve(scene: &Scene, options: &Options) -> Result<Solution, Error> {
-    Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, options)
 }
 
 impl Outcome {
@@ -209,7 +212,7 @@ mod tests {
         let text = "(plane: Strain, punch: Parabola(radius: 1), force: 1e-3,
             stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])";
         let mut scene = Scene::from_ron(text).unwrap();
-        let trial = Trial::run(&scene, &Options::default());
+        let trial = Trial::run(&scene, &Options::default(), false);
         let solution = trial.outcome.solution().unwrap();
         assert_eq!(wrong(&scene, solution), None);
         scene.force = Force::Given(1e-3 * (1.0 + 1e-6));

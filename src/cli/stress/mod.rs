@@ -1,0 +1,162 @@
+//! `recede stress`: solves random legal scenes and tells what became of them.
+mod tables;
+mod trials;
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use recede::Scene;
+use recede::stress::{Ranges, scene, scene_of_any_kind, variant};
+
+use super::Failure;
+use super::progress::bar;
+use tables::{causes, estimates, list, spread};
+use trials::{Ended, Worker};
+
+/// Solve random legal scenes and tell what became of them
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Every scene is solved, reported in all formats, and its fields are computed and checked; one in sixteen is drawn. It may
+take no more than the memory and the time that are allowed: else it counts as killed.
+
+Layers: none to 6, homogeneous and graded (beta * thickness -8 to 8), bonded and up to 3 receding, thicknesses and moduli up
+to 1 : 1000 and 1 : 10000, Poisson's ratio -0.5 to 0.5; contacts under the punch from 1e-4 to 10 times the thickness. Some
+of the punches, layers, interfaces and bases are then exchanged for others of all kinds. Every third scene is one of the
+examples that ship with the program, with numbers, layers, interfaces, base and punch changed at random.
+
+Examples:
+  recede stress --count 2000 --seed 1
+  recede stress --seed 1 --first 17 --count 1 --save hard     the scene with number 17 alone
+  recede stress --count 2000 --paper-kinds                    circles, parabolas, bonds, half-planes only
+  recede stress --count 1000 --verify                         error estimates against a stricter run
+
+Exit status: 0 unless an answer was wrong, the program panicked, or a scene was killed.")]
+pub struct Stress {
+    /// How many scenes to solve
+    #[arg(long, default_value_t = 100)]
+    count: u64,
+    /// Which sequence of scenes
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Number of the first scene in the sequence
+    #[arg(long, default_value_t = 0)]
+    first: u64,
+    /// Circles and parabolas, homogeneous and exponential layers, bonded and receding, on half-planes and rigid bases only
+    #[arg(long)]
+    paper_kinds: bool,
+    /// Relative error to aim at, from 1e-13 to 1e-2
+    #[arg(long, default_value = "1e-10")]
+    tolerance: f64,
+    /// Compare every answer with the strictest one that can be had
+    #[arg(long)]
+    verify: bool,
+    /// Write every scene that is not solved, and those of the table of the slowest, into this folder
+    #[arg(long, value_name = "DIR")]
+    save: Option<PathBuf>,
+    /// Scenes tried at the same time; as many as there are processors if not given
+    #[arg(long)]
+    threads: Option<NonZeroUsize>,
+    /// Memory that one scene may take, in MB; only where the operating system can limit it
+    #[arg(long, default_value_t = 1024)]
+    memory: u64,
+    /// Seconds that one scene may take
+    #[arg(long, default_value_t = 600)]
+    seconds: u64,
+    /// Try the scenes whose numbers come by standard input
+    #[arg(long, hide = true)]
+    worker: bool,
+}
+
+/// So many of the slowest scenes are listed.
+const SLOWEST: usize = 10;
+/// Every so many scenes one is drawn, too.
+const PICTURED: u64 = 16;
+/// Every so many scenes one is an example scene that was changed.
+const VARIED: u64 = 3;
+
+impl Stress {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        if self.worker {
+            return self.work(out);
+        }
+        let mut ended = self.ended_all()?;
+        ended.sort_by_key(|ended| ended.number);
+        let mut slowest: Vec<&Ended> = ended.iter().collect();
+        slowest.sort_by(|a, b| b.seconds.total_cmp(&a.seconds).then(a.number.cmp(&b.number)));
+        slowest.truncate(SLOWEST);
+        causes(&ended, out)?;
+        spread(&ended, out)?;
+        list(&slowest, out)?;
+        if self.verify {
+            estimates(&ended, out)?;
+        }
+        if let Some(folder) = &self.save {
+            std::fs::create_dir_all(folder)?;
+            let unsolved = ended.iter().filter(|ended| ended.answer.is_none());
+            for ended in unsolved.chain(slowest) {
+                let file = folder.join(format!("stress_{}_{}.ron", self.seed, ended.number));
+                let first = format!("// {} {}", ended.status, ended.reason);
+                std::fs::write(file, format!("{}\n{}", first.trim_end(), self.scene(ended.number)?.to_ron()))?;
+            }
+        }
+        let wrong = ended.iter().filter(|ended| ended.is_wrong).count();
+        if wrong == 0 { Ok(()) } else { Err(Failure::Wrong(wrong)) }
+    }
+
+    /// Tries all scenes, so many at a time.
+    fn ended_all(&self) -> Result<Vec<Ended>, Failure> {
+        let threads = self.threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+        let (next, end) = (AtomicU64::new(self.first), self.first.saturating_add(self.count));
+        let bar = bar(self.count, 0);
+        let one_by_one = || -> Result<Vec<Ended>, Failure> {
+            let (mut worker, mut ended) = (Worker::new(self), Vec::new());
+            loop {
+                let number = next.fetch_add(1, Ordering::Relaxed);
+                if number >= end {
+                    return Ok(ended);
+                }
+                ended.push(worker.run(number)?);
+                bar.inc(1);
+            }
+        };
+        let all = thread::scope(|scope| {
+            let threads: Vec<_> = (0..threads).map(|_| scope.spawn(one_by_one)).collect();
+            threads
+                .into_iter()
+                .map(|thread| thread.join().unwrap_or_else(|_| Err(io::Error::other("a thread panicked").into())))
+                .collect::<Result<Vec<_>, _>>()
+        })?;
+        bar.finish_and_clear();
+        Ok(all.into_iter().flatten().collect())
+    }
+
+    /// The scene with a number.
+    fn scene(&self, number: u64) -> Result<Scene, recede::Error> {
+        let ranges = Ranges::default();
+        if self.paper_kinds {
+            scene(&ranges, self.seed, number).scene()
+        } else if number % VARIED == VARIED - 1 {
+            variant(self.seed, number)
+        } else {
+            scene_of_any_kind(&ranges, self.seed, number)
+        }
+    }
+
+    /// The arguments of a process that tries scenes like this one.
+    fn arguments(&self) -> Vec<OsString> {
+        let mut arguments: Vec<OsString> = ["stress", "--worker"].map(OsString::from).to_vec();
+        let numbers = [
+            ("--seed", self.seed.to_string()),
+            ("--tolerance", self.tolerance.to_string()),
+            ("--memory", self.memory.to_string()),
+        ];
+        arguments.extend(numbers.into_iter().flat_map(|(name, value)| [name.into(), value.into()]));
+        let flags = [("--paper-kinds", self.paper_kinds), ("--verify", self.verify)];
+        arguments.extend(flags.into_iter().filter(|(_, set)| *set).map(|(name, _)| name.into()));
+        arguments
+    }
+}

@@ -1,0 +1,145 @@
+//! What became of many scenes, as tables.
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use comfy_table::{LineStyle, Table, TableStyle};
+
+use super::trials::{Answer, Compared, Ended};
+
+/// So many numbers of scenes are listed for a cause.
+const LISTED: usize = 12;
+/// A number of an answer that is wrong by more than this many times its estimate is listed.
+const EXCESS: f64 = 10.0;
+/// An estimate further above the true error than this is counted.
+const CAUTION: f64 = 1000.0;
+/// Scenes with a number that is known no better are counted.
+const ROUGH: f64 = 0.01;
+/// A stricter answer is not surer if its own estimate is larger than this part of the other.
+const UNSEEN: f64 = 0.1;
+const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
+const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
+
+/// How many scenes ended how, and why.
+pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
+    let mut causes: BTreeMap<(&str, &str, &str), Vec<u64>> = BTreeMap::new();
+    for Ended { number, status, reason, interface, .. } in ended {
+        causes.entry((status, reason, interface)).or_default().push(*number);
+    }
+    let mut table = table(["status", "reason", "contact", "scenes", "share", "numbers"]);
+    for ((status, reason, interface), numbers) in causes {
+        let share = format!("{:.2} %", 100.0 * numbers.len() as f64 / ended.len() as f64);
+        let listed: Vec<String> = match status {
+            "solved" => Vec::new(),
+            _ => numbers.iter().take(LISTED).map(u64::to_string).collect(),
+        };
+        let more = if listed.len() == LISTED && numbers.len() > LISTED { ", ..." } else { "" };
+        let listed = listed.join(", ") + more;
+        let [status, reason, interface] = [status, reason, interface].map(str::to_owned);
+        table.add_row([status, reason, interface, numbers.len().to_string(), share, listed]);
+    }
+    writeln!(out, "{table}")
+}
+
+/// From where to where the figures of the solved scenes go.
+pub(super) fn spread(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
+    let mut table = table(["solved scenes", "least", "half", "90 %", "99 %", "most"]);
+    let answers = || ended.iter().filter_map(|ended| Some((ended, ended.answer.as_ref()?)));
+    row(&mut table, "seconds", answers().map(|(ended, _)| ended.seconds).collect());
+    row(&mut table, "modes", answers().map(|(_, answer)| answer.modes as f64).collect());
+    row(&mut table, "wavenumbers", answers().map(|(_, answer)| answer.wavenumbers as f64).collect());
+    row(&mut table, "Newton steps", answers().map(|(_, answer)| answer.newton_steps as f64).collect());
+    row(&mut table, "a/H", answers().filter_map(|(_, answer)| answer.relative_half_length).collect());
+    row(&mut table, "estimated error", answers().filter_map(|(_, answer)| answer.worst).collect());
+    writeln!(out, "{table}")?;
+    let warned = answers().filter(|(_, answer)| answer.warned).count();
+    let rough = answers().filter(|(_, answer)| answer.worst.is_none_or(|worst| worst > ROUGH)).count();
+    writeln!(
+        out,
+        "{warned} of the solved scenes with a warning, {rough} with a number known to {:.0} % or worse",
+        100.0 * ROUGH
+    )
+}
+
+/// The slowest scenes.
+pub(super) fn list(slowest: &[&Ended], out: &mut dyn Write) -> io::Result<()> {
+    let mut table = table(["slowest", "seconds", "modes", "Newton steps", "status"]);
+    for ended in slowest {
+        let count = |count: fn(&Answer) -> usize| {
+            ended.answer.as_ref().map_or(String::new(), |answer| count(answer).to_string())
+        };
+        table.add_row([
+            ended.number.to_string(),
+            format!("{:.3}", ended.seconds),
+            count(|answer| answer.modes),
+            count(|answer| answer.newton_steps),
+            ended.status.clone(),
+        ]);
+    }
+    writeln!(out, "{table}")
+}
+
+/// How honest the error estimates are.
+pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
+    let all = || ended.iter().flat_map(|ended| ended.comparisons.iter().flatten().map(|one| (ended.number, one)));
+    let mut table = table(["errors", "least", "half", "95 %", "99 %", "most"]);
+    for quantity in ["half-length", "pressure"] {
+        let of = |value: fn(&Compared) -> f64| {
+            all().filter(|(_, one)| one.quantity == quantity).map(|(_, one)| value(one)).collect()
+        };
+        let mut row = |name: &str, values: Vec<f64>| row_at(&mut table, name, values, [0.0, 0.5, 0.95, 0.99, 1.0]);
+        row(&format!("{quantity}: true"), of(|one| one.error.unwrap_or(f64::INFINITY)));
+        row(&format!("{quantity}: estimated"), of(|one| one.estimate));
+        row(&format!("{quantity}: true / estimated"), of(excess));
+        row(&format!("{quantity}: estimated / true"), of(|one| one.caution));
+    }
+    writeln!(out, "{table}")?;
+    let total = all().count().max(1);
+    let cautious = all().filter(|(_, one)| one.caution > CAUTION).count();
+    let compared = ended.iter().filter(|ended| ended.comparisons.is_some()).count();
+    writeln!(out, "{compared} scenes compared, {total} numbers")?;
+    writeln!(out, "{cautious} estimates ({:.2} %) too large by > {CAUTION}", 100.0 * cautious as f64 / total as f64)?;
+    // an answer that does not meet the tolerance is no less sure than the stricter one
+    let unseen = all().filter(|(_, one)| one.caution > CAUTION && one.blur > UNSEEN * one.estimate).count();
+    writeln!(out, "{unseen} of these next to a stricter answer that is not surer of itself")?;
+    let mut bold: Vec<_> = all().filter(|(_, one)| excess(one) > EXCESS).collect();
+    bold.sort_by(|(_, a), (_, b)| excess(b).total_cmp(&excess(a)));
+    writeln!(out, "{} errors more than {EXCESS} times their estimate", bold.len())?;
+    for (number, one) in bold.iter().take(2 * LISTED) {
+        let Compared { interface, quantity, error, estimate, blur, .. } = one;
+        let error = error.unwrap_or(f64::INFINITY);
+        writeln!(
+            out,
+            "  scene {number}, {quantity} at {interface}: error {error:.1e}, estimate {estimate:.1e}, \
+             estimate of the stricter run {blur:.1e}"
+        )?;
+    }
+    Ok(())
+}
+
+/// True error over estimate; infinite where that is no number.
+fn excess(one: &Compared) -> f64 {
+    one.excess.unwrap_or(f64::INFINITY)
+}
+
+fn table<const N: usize>(header: [&str; N]) -> Table {
+    let mut table = Table::new();
+    table.load_style(RULES);
+    table.set_header(header);
+    table
+}
+
+fn row(table: &mut Table, name: &str, values: Vec<f64>) {
+    row_at(table, name, values, [0.0, 0.5, 0.9, 0.99, 1.0]);
+}
+
+/// A row of quantiles.
+fn row_at(table: &mut Table, name: &str, mut values: Vec<f64>, shares: [f64; 5]) {
+    values.sort_by(f64::total_cmp);
+    let at = |share: f64| {
+        let index = (share * values.len().saturating_sub(1) as f64).ceil() as usize;
+        values.get(index).map_or(String::new(), |value| {
+            if value.fract() == 0.0 && value.abs() < 1e9 { format!("{value}") } else { format!("{value:.2e}") }
+        })
+    };
+    table.add_row([name.to_owned()].into_iter().chain(shares.map(at)));
+}

@@ -1,0 +1,156 @@
+//! What the commands do with a solved scene: reports in every format, fields, pictures, and what must hold of them.
+use std::fmt::Write as _;
+
+use crate::field::{Field, FieldPoint, FieldQuantity};
+use crate::model::Model;
+use crate::report::{FieldFormat, Format, Report, write_field};
+use crate::scene::Scene;
+use crate::solution::Solution;
+
+/// Places along x, in half-lengths of the longest contact, and depths, in the depth that is looked at, of a coarse grid. None is at
+/// the end of a contact, where stresses may be infinite.
+const ALONG: [f64; 7] = [-1.7, -0.6, 0.0, 0.13, 0.45, 0.93, 2.1];
+const DOWN: [f64; 6] = [0.0, 0.07, 0.2, 0.45, 0.8, 1.0];
+/// The grid is as deep as this many half-lengths of the longest contact, or as the stack.
+const DEPTH: f64 = 1.6;
+/// No stress of the grid is larger than the largest by more than this part: the search for it ends with four digits.
+const LARGER: f64 = 1e-3;
+/// The stress on the loaded face is the pressure to this part of the mean pressure.
+const PRESSED: f64 = 1e-5;
+
+/// Does what `solve`, `field` and `plot` do with a solution, pictures too if asked for; what is wrong, if anything is.
+pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
+    let field = model.field(solution);
+    reports(scene, solution, &field)
+        .and_then(|()| fields(scene, solution, &field))
+        .and_then(|()| if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) })
+        .err()
+}
+
+fn said(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
+    move |error| format!("{what}: {error}")
+}
+
+/// Writes the solution in every format; numbers are numbers there.
+fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
+    let max_shear =
+        if is_singular(scene) { None } else { Some(field.max_shear().map_err(|e| said("largest shear stress")(&e))?) };
+    let report = Report { scene, solution, max_shear, seconds: 0.0 };
+    for format in [Format::Table, Format::Json, Format::Csv] {
+        let mut text = Vec::new();
+        report.write(format, &mut text).map_err(|e| said("report")(&e))?;
+        let text = String::from_utf8(text).map_err(|e| said("report")(&e))?;
+        if text.contains("NaN") {
+            return Err(format!("{format:?} report: not a number"));
+        }
+        if format == Format::Json {
+            serde_json::from_str::<serde_json::Value>(&text).map_err(|e| said("JSON report")(&e))?;
+        }
+    }
+    match max_shear {
+        Some(found) if !(found.value >= 0.0 && found.value.is_finite()) => {
+            Err(format!("the largest shear stress is {}", found.value))
+        }
+        Some(found) => nowhere_larger(solution, field, found.value),
+        None => Ok(()),
+    }
+}
+
+/// Whether stresses are infinite somewhere: under a line load, next to corners.
+fn is_singular(scene: &Scene) -> bool {
+    use crate::scene::{Load, Punch};
+    scene.punch.load().is_some_and(Load::has_lines) || matches!(scene.punch, Punch::Flat { .. })
+}
+
+/// The grid: places along x and depths.
+fn grid(solution: &Solution, field: &Field) -> [Vec<f64>; 2] {
+    let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.reach()));
+    let bottom = field.layers().last().map_or(0.0, |(_, [_, to])| to);
+    // a line load by itself has no length, nor has a half-plane: any will do
+    let length = if longest > 0.0 {
+        longest
+    } else if bottom.is_finite() {
+        bottom
+    } else {
+        1.0
+    };
+    let deepest = bottom.min(DEPTH * length);
+    [ALONG.map(|part| part * length).to_vec(), DOWN.map(|part| part * deepest).to_vec()]
+}
+
+fn nowhere_larger(solution: &Solution, field: &Field, largest: f64) -> Result<(), String> {
+    let [xs, depths] = grid(solution, field);
+    let grids = field.by_layer(&xs, &depths).map_err(|e| said("field")(&e))?;
+    for point in grids.iter().flat_map(|grid| grid.points()) {
+        let here = point.max_shear();
+        if here > largest * (1.0 + LARGER) {
+            let FieldPoint { x, depth, layer, .. } = point;
+            return Err(format!(
+                "shear stress {here:e} at x = {x:e}, depth {depth:e} in layer {layer}, largest {largest:e}"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Fields on a grid and their files; on the loaded face they carry the pressure.
+fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
+    let [xs, depths] = grid(solution, field);
+    let grid = field.grid(&xs, &depths).map_err(|e| said("field")(&e))?;
+    for point in grid.points() {
+        for quantity in FieldQuantity::ALL {
+            let value = quantity.of(point);
+            // stresses out of the plane may be unknown, and under a line load they are infinite
+            let nothing = value.is_nan() && matches!(quantity, FieldQuantity::SigmaZz | FieldQuantity::VonMises);
+            if !(value.is_finite() || nothing || is_singular(scene) && point.depth == 0.0) {
+                return Err(format!(
+                    "field: {} is {value} at x = {:e}, depth {:e}",
+                    quantity.name(),
+                    point.x,
+                    point.depth
+                ));
+            }
+        }
+    }
+    for format in [FieldFormat::Csv, FieldFormat::Json] {
+        let mut text = Vec::new();
+        write_field(grid.points(), format, &mut text).map_err(|e| said("field file")(&e))?;
+    }
+    let top = &solution.contacts()[0];
+    let mean = 0.5 * top.resultant / top.reach();
+    for point in grid.rows().next().unwrap_or_default() {
+        let missing = point.sigma_yy + top.pressure(point.x);
+        if !is_singular(scene) && !(missing.abs() <= PRESSED * mean && point.sigma_xy.abs() <= PRESSED * mean) {
+            let mut what = format!("on the loaded face at x = {:e}: ", point.x);
+            let _ = write!(
+                what,
+                "stress and pressure differ by {missing:e}, shear {:e}, mean pressure {mean:e}",
+                point.sigma_xy
+            );
+            return Err(what);
+        }
+    }
+    Ok(())
+}
+
+/// The pictures of `plot` and `field`.
+#[cfg(feature = "plot")]
+fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> Result<(), String> {
+    let [xs, depths] = grid(solution, field);
+    let stack = crate::plot::stack(scene, model.stack(), solution).map_err(|e| said("picture of the stack")(&e))?;
+    let grids = field.by_layer(&xs, &depths).map_err(|e| said("field")(&e))?;
+    let map = crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear);
+    let map = map.map_err(|e| said("map")(&e))?;
+    for (name, picture) in [("stack", stack), ("map", map)] {
+        if picture.contains("NaN") || picture.contains("inf\"") {
+            return Err(format!("the picture of the {name} has a number that is none"));
+        }
+        crate::plot::png(&picture).map_err(|e| said("PNG")(&e))?;
+    }
+    Ok(())
+}
+
+#[cfg(not(feature = "plot"))]
+fn pictures(_: &Scene, _: &Model, _: &Solution, _: &Field) -> Result<(), String> {
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! The example scenes with numbers, layers, interfaces, bases and punches changed at random.
+//!
+//! What the ranges of [`super::scenes`] do not reach: stacks of a single half-plane, layers of thickness 0, numbers far
+//! from 1. A change that makes a scene illegal is left out, so every variant is a legal scene.
+use proptest::prelude::*;
+use proptest::sample::Index;
+use recede_layers::Registry;
+
+use super::strategy::drawn;
+use crate::error::Error;
+use crate::scene::{Item, Scene};
+
+/// The scenes that ship with the program.
+pub const EXAMPLES: [&str; 26] = [
+    include_str!("../../examples/scenes/blunt_power.ron"),
+    include_str!("../../examples/scenes/bonded_coating.ron"),
+    include_str!("../../examples/scenes/bonded_to_rigid.ron"),
+    include_str!("../../examples/scenes/elastic_roller.ron"),
+    include_str!("../../examples/scenes/glued_coating.ron"),
+    include_str!("../../examples/scenes/graded_by_a_table.ron"),
+    include_str!("../../examples/scenes/hertz.ron"),
+    include_str!("../../examples/scenes/line_load.ron"),
+    include_str!("../../examples/scenes/measured_punch.ron"),
+    include_str!("../../examples/scenes/orthotropic_ply.ron"),
+    include_str!("../../examples/scenes/plate_on_springs.ron"),
+    include_str!("../../examples/scenes/polynomial_punch.ron"),
+    include_str!("../../examples/scenes/prescribed_half_length.ron"),
+    include_str!("../../examples/scenes/rounded_flat.ron"),
+    include_str!("../../examples/scenes/sharp_flat.ron"),
+    include_str!("../../examples/scenes/sliding_leaves.ron"),
+    include_str!("../../examples/scenes/soil.ron"),
+    include_str!("../../examples/scenes/stiffening_ground.ron"),
+    include_str!("../../examples/scenes/strip_fgm_half_plane.ron"),
+    include_str!("../../examples/scenes/strip_on_rigid.ron"),
+    include_str!("../../examples/scenes/table1_strip_half_plane.ron"),
+    include_str!("../../examples/scenes/table2_graded_half_plane.ron"),
+    include_str!("../../examples/scenes/two_strips.ron"),
+    include_str!("../../examples/scenes/two_wheels.ron"),
+    include_str!("../../examples/scenes/uniform_load.ron"),
+    include_str!("../../examples/scenes/wedge.ron"),
+];
+
+/// Most changes of structure and of numbers.
+const STRUCTURE: usize = 3;
+const NUMBERS: usize = 4;
+
+/// One change of what a stack is made of; the places are drawn before it is known how many there are.
+#[derive(Clone, Debug)]
+enum Structure {
+    /// A layer and the interface below it go.
+    Remove(Index),
+    /// A layer and the interface below it are there twice.
+    Double(Index),
+    /// A layer of another example comes on top, with an interface.
+    Add(Index, Index, Item),
+    Interface(Index, Item),
+    /// The base of another example, or none but a rigid one.
+    Base(Index),
+    Rigid,
+    /// Punch and force of another example.
+    Punch(Index),
+    /// Nothing but the base is left.
+    BaseAlone,
+}
+
+/// What becomes of a number of a scene.
+#[derive(Clone, Copy, Debug)]
+enum Number {
+    Times(f64),
+    Is(f64),
+}
+
+/// One of the example scenes, changed: the same seed and number give the same scene.
+///
+/// # Errors
+/// None in practice: those of the examples themselves.
+pub fn variant(seed: u64, number: u64) -> Result<Scene, Error> {
+    let structure = prop::collection::vec(structure(), 0..=STRUCTURE);
+    let numbers = prop::collection::vec((any::<Index>(), new_number()), 0..=NUMBERS);
+    let (first, structure, numbers) = drawn(&(any::<Index>(), structure, numbers), seed, number);
+    let mut scene = example(&first)?;
+    for change in &structure {
+        // what is no scene any more stays what it was
+        scene = changed(&scene, change).unwrap_or(scene);
+    }
+    for (place, change) in numbers {
+        let paths = scene.paths();
+        let path = place.get(&paths);
+        let new = match change {
+            Number::Is(value) => value,
+            Number::Times(factor) => factor * scene.number(path).unwrap_or(1.0),
+        };
+        scene = scene.with(path, new).and_then(checked).unwrap_or(scene);
+    }
+    Ok(scene)
+}
+
+fn example(index: &Index) -> Result<Scene, Error> {
+    Scene::from_ron(EXAMPLES[index.index(EXAMPLES.len())])
+}
+
+fn structure() -> impl Strategy<Value = Structure> {
+    let place = any::<Index>;
+    let interface = || prop::sample::select(vec![Item::Bonded, Item::Receding, Item::Sliding]);
+    prop_oneof![
+        3 => place().prop_map(Structure::Remove),
+        2 => place().prop_map(Structure::Double),
+        3 => (place(), place(), interface()).prop_map(|(a, b, item)| Structure::Add(a, b, item)),
+        3 => (place(), interface()).prop_map(|(place, item)| Structure::Interface(place, item)),
+        3 => place().prop_map(Structure::Base),
+        1 => Just(Structure::Rigid),
+        3 => place().prop_map(Structure::Punch),
+        2 => Just(Structure::BaseAlone),
+    ]
+}
+
+fn new_number() -> impl Strategy<Value = Number> {
+    let decades = |range: std::ops::Range<f64>| range.prop_map(|power| Number::Times(10f64.powf(power)));
+    prop_oneof![
+        8 => decades(-1.0..1.0),
+        4 => decades(-4.0..4.0),
+        1 => decades(-12.0..12.0),
+        1 => Just(Number::Is(0.0)),
+        1 => Just(Number::Is(0.5)),
+        1 => Just(Number::Times(-1.0)),
+    ]
+}
+
+/// The scene with one change; an error if it is no scene then.
+fn changed(scene: &Scene, change: &Structure) -> Result<Scene, Error> {
+    let (mut punch, mut force, mut items) = (scene.punch.clone(), scene.force, scene.stack.clone());
+    // layers and interfaces alternate, and the base is the last item
+    let layers = items.len() / 2;
+    let place = |index: &Index| 2 * index.index(layers.max(1));
+    match change {
+        Structure::Remove(index) if layers > 0 => drop(items.drain(place(index)..place(index) + 2)),
+        Structure::Double(index) if layers > 0 => {
+            let copy = items[place(index)..place(index) + 2].to_vec();
+            items.splice(place(index)..place(index), copy);
+        }
+        Structure::Add(other, index, interface) => {
+            let others = example(other)?.stack;
+            let layer = others[2 * index.index(others.len().div_ceil(2))].clone();
+            items.splice(0..0, [layer, interface.clone()]);
+        }
+        Structure::Interface(index, interface) if layers > 0 => items[place(index) + 1] = interface.clone(),
+        Structure::Base(other) => {
+            items.pop();
+            items.extend(example(other)?.stack.pop());
+        }
+        Structure::Rigid => {
+            items.pop();
+            items.push(Item::Rigid);
+        }
+        Structure::Punch(other) => {
+            let other = example(other)?;
+            (punch, force) = (other.punch, other.force);
+        }
+        Structure::BaseAlone => drop(items.drain(..items.len() - 1)),
+        Structure::Remove(_) | Structure::Double(_) | Structure::Interface(..) => {}
+    }
+    let written = Scene::new(scene.plane, punch, force, items).to_ron();
+    checked(Scene::from_reader("variant", written.as_bytes(), &Registry::default())?)
+}
+
+/// The same scene, if its items are a stack.
+fn checked(scene: Scene) -> Result<Scene, Error> {
+    scene.stack().map(|_| scene)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_examples_are_there() {
+        let mut files: Vec<String> = std::fs::read_dir("examples/scenes")
+            .unwrap()
+            .map(|entry| std::fs::read_to_string(entry.unwrap().path()).unwrap())
+            .collect();
+        let mut known = EXAMPLES.map(str::to_owned).to_vec();
+        files.sort();
+        known.sort();
+        assert_eq!(known, files);
+    }
+
+    #[test]
+    fn variants_are_legal_repeatable_and_of_all_kinds() {
+        let (mut bare, mut without_thickness, mut changed) = (0, 0, 0);
+        for number in 0..300 {
+            let scene = variant(5, number).unwrap();
+            assert_eq!(scene.to_ron(), variant(5, number).unwrap().to_ron());
+            let stack = scene.stack().unwrap();
+            bare += usize::from(stack.total_thickness() == 0.0);
+            without_thickness += usize::from(!stack.dropped().is_empty());
+            changed +=
+                usize::from(!EXAMPLES.iter().any(|text| Scene::from_ron(text).unwrap().to_ron() == scene.to_ron()));
+        }
+        assert!(bare > 30 && without_thickness > 2 && changed > 200, "{bare} {without_thickness} {changed}");
+    }
+}
