@@ -7,19 +7,20 @@ use crate::error::Error;
 
 /// Places of the coarse mesh in half-lengths of each contact next to the layer, its depths in half-lengths from a loaded
 /// face, and in thicknesses.
-const BESIDE: [f64; 6] = [0.0, 0.25, 0.5, 0.8, 1.0, 1.3];
-const BELOW: [f64; 4] = [0.25, 0.5, 0.8, 1.3];
+const BESIDE: [f64; 15] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96, 1.0, 1.05, 1.15, 1.4];
+const BELOW: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 0.8, 1.3];
 const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
 /// So many strips of one pressure are looked at one by one.
 const APART: usize = 16;
 /// A half-plane is searched down to so many half-lengths of the longest contact.
 const FAR: f64 = 3.0;
-/// Peaks of the coarse mesh are followed if they reach this part of the highest one, and so many.
+/// Peaks of the coarse mesh are followed if they reach this part of the highest one, so many of each layer and so many in
+/// all: on a plateau of one layer there may be any number of them.
 const PROMISING: f64 = 0.8;
-const FOLLOWED: usize = 3;
-/// The distance of the points of the parabolas, in parts of the shortest length, and of the peaks found with it how high
-/// those are, compared with the highest, that are followed farther.
-const STEPS: [(f64, f64); 2] = [(0.2, 0.97), (0.05, SAME)];
+const OF_LAYER: usize = 4;
+const FOLLOWED: usize = 12;
+/// The distance of the points of the parabolas, in parts of the shortest length.
+const STEPS: [f64; 2] = [0.2, 0.05];
 /// The same with all that is known of the pressures, and what is done where the peak has moved far by that.
 const LAST: f64 = 0.004;
 const AGAIN_FROM: [f64; 2] = [0.05, 0.012];
@@ -55,7 +56,31 @@ struct Peak {
 
 pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     let rough = field.with_pressures(|pressure| pressure.truncated(ROUGHLY));
-    let mut peaks = coarsely(&rough)?;
+    let mut peaks = promising(field, coarsely(&rough)?);
+    for step in STEPS {
+        climb(&rough, &mut peaks, step, &waves::ROUGH)?;
+    }
+    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+    // in thin layers next to long contacts rough values may be wrong: the next one is looked at as long as it may be larger
+    let mut found: Vec<Peak> = Vec::new();
+    for peak in peaks {
+        let highest = found.iter().fold(0.0, |highest: f64, known| highest.max(known.value));
+        if peak.value >= SAME * highest {
+            found.push(exactly(field, peak)?);
+        }
+    }
+    let highest = found.iter().fold(0.0, |highest: f64, peak| highest.max(peak.value));
+    // of several that are the same the upper one
+    let same = found.into_iter().filter(|peak| peak.value >= SAME * highest);
+    let Some(Peak { stratum, x, depth, value }) = same.min_by_key(|peak| peak.stratum) else {
+        return Err(Error::Unresolved { wavenumber: 0.0 });
+    };
+    let own = &field.strata[stratum];
+    Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
+}
+
+/// The highest peaks of the coarse mesh, those that are followed.
+fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
     // stable: of two that are the same the upper one
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
     let highest = peaks.first().map_or(0.0, |peak| peak.value);
@@ -63,25 +88,26 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     // a peak on a bond is one of both layers
     let place = |peak: &Peak| (peak.x, field.strata[peak.stratum].top + peak.depth);
     peaks.dedup_by(|next, peak| place(next) == place(peak) && next.value >= SAME * peak.value);
-    peaks.truncate(FOLLOWED);
-    for (step, followed) in STEPS {
-        for peak in &mut peaks {
-            (*peak, _) = climb(&rough, *peak, step, &waves::ROUGH)?;
+    let mut followed: Vec<Peak> = Vec::with_capacity(FOLLOWED);
+    for peak in peaks {
+        let of_layer = followed.iter().filter(|other| other.stratum == peak.stratum).count();
+        if of_layer < OF_LAYER && followed.len() < FOLLOWED {
+            followed.push(peak);
         }
-        let highest = peaks.iter().fold(0.0, |highest: f64, peak| highest.max(peak.value));
-        peaks.retain(|peak| peak.value >= followed * highest);
     }
-    // of several that are the same the upper one
-    let best = peaks.into_iter().min_by_key(|peak| peak.stratum).ok_or(Error::Unresolved { wavenumber: 0.0 })?;
-    let (mut found, settled) = climb(field, best, LAST, &waves::STRESSES)?;
-    if !settled {
+    followed
+}
+
+/// The peak next to a rough one, with all that is known of the pressures.
+fn exactly(field: &Field, rough: Peak) -> Result<Peak, Error> {
+    let mut peak = [rough];
+    if !climb(field, &mut peak, LAST, &waves::STRESSES)? {
         for step in AGAIN_FROM.into_iter().chain([LAST]) {
-            (found, _) = climb(field, found, step, &waves::STRESSES)?;
+            climb(field, &mut peak, step, &waves::STRESSES)?;
         }
     }
-    let Peak { stratum, x, depth, value } = found;
-    let own = &field.strata[stratum];
-    Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
+    let [peak] = peak;
+    Ok(peak)
 }
 
 /// The peaks of a coarse mesh.
@@ -122,23 +148,58 @@ fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
     Ok(peaks)
 }
 
-/// From a place to the peak next to it in the same layer, by parabolas through points so far from each other; and whether
-/// the last one had it inside.
-fn climb(field: &Field, mut best: Peak, step: f64, precision: &Precision) -> Result<(Peak, bool), Error> {
-    let stratum = best.stratum;
-    let body = &field.bodies[field.strata[stratum].body];
-    let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
-    let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.narrowest()));
-    let deepest = field.deepest(stratum);
-    let along = step * shortest;
-    let across = along.min(0.25 * deepest);
+/// From places to the peaks next to them in their layers, by parabolas through points so far from each other; whether each
+/// of the last ones had its peak inside.
+fn climb(field: &Field, peaks: &mut [Peak], step: f64, precision: &Precision) -> Result<bool, Error> {
+    let mut climbing: Vec<usize> = (0..peaks.len()).collect();
     for _ in 0..AGAIN {
-        // all points are in the layer
-        let (x, depth) = (best.x, best.depth.clamp(across, deepest - across));
-        let xs = [x - along, x, x + along].map(f64::abs);
-        let depths = [depth - across, depth, depth + across];
-        let rows = depths.map(|depth| Row { stratum, depth, set: 0 });
-        let values = values(field, &rows, &[xs.to_vec()], precision)?;
+        let stencils: Vec<Stencil> = climbing.iter().map(|k| Stencil::new(field, &peaks[*k], step)).collect();
+        let rows = stencils.iter().enumerate().flat_map(|(set, stencil)| {
+            let depths = [-1.0, 0.0, 1.0].map(|side| stencil.depth + side * stencil.across);
+            depths.map(|depth| Row { stratum: stencil.stratum, depth, set })
+        });
+        let places = |stencil: &Stencil| [-1.0, 0.0, 1.0].map(|side| (stencil.x + side * stencil.along).abs()).to_vec();
+        let sets: Vec<Vec<f64>> = stencils.iter().map(places).collect();
+        let values = values(field, &rows.collect::<Vec<_>>(), &sets, precision)?;
+        let mut next = Vec::new();
+        for ((k, stencil), values) in climbing.iter().zip(&stencils).zip(values.chunks(3)) {
+            let inside;
+            (peaks[*k], inside) = stencil.highest(values);
+            next.extend((!inside).then_some(*k));
+        }
+        climbing = next;
+        if climbing.is_empty() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Three by three points of a layer about a place.
+struct Stencil {
+    stratum: usize,
+    x: f64,
+    /// Below the top face of the layer; the points above and below are in the layer, too.
+    depth: f64,
+    along: f64,
+    across: f64,
+    deepest: f64,
+}
+
+impl Stencil {
+    fn new(field: &Field, peak: &Peak, step: f64) -> Self {
+        let body = &field.bodies[field.strata[peak.stratum].body];
+        let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
+        let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.narrowest()));
+        let deepest = field.deepest(peak.stratum);
+        let along = step * shortest;
+        let across = along.min(0.25 * deepest);
+        let depth = peak.depth.clamp(across, deepest - across);
+        Self { stratum: peak.stratum, x: peak.x, depth, along, across, deepest }
+    }
+
+    /// The highest place of the parabola through the values, row by row, and whether it is inside or on a face.
+    fn highest(&self, values: &[Vec<f64>]) -> (Peak, bool) {
         // the square is smooth
         let square = |i: usize, k: usize| values[i][k] * values[i][k];
         let parabola = Parabola {
@@ -148,14 +209,12 @@ fn climb(field: &Field, mut best: Peak, step: f64, precision: &Precision) -> Res
             twist: 0.25 * (square(2, 2) - square(2, 0) - square(0, 2) + square(0, 0)),
         };
         let ([right, down], top) = parabola.highest();
-        let place = depth + down * across;
-        best = Peak { stratum, x: (x + right * along).abs(), depth: place, value: top.max(0.0).sqrt() };
-        let on_face = place <= 0.0 || place >= deepest;
-        if right.abs() < 1.0 && (down.abs() < 1.0 || on_face) {
-            return Ok((best, true));
-        }
+        let depth = self.depth + down * self.across;
+        let x = (self.x + right * self.along).abs();
+        let on_face = depth <= 0.0 || depth >= self.deepest;
+        let inside = right.abs() < 1.0 && (down.abs() < 1.0 || on_face);
+        (Peak { stratum: self.stratum, x, depth, value: top.max(0.0).sqrt() }, inside)
     }
-    Ok((best, false))
 }
 
 /// value + slope·s + ½ curve·s² + twist·s₀s₁ for −1 ≤ s₀, s₁ ≤ 1.

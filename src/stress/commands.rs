@@ -119,8 +119,13 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
     let top = &solution.contacts()[0];
     let mean = 0.5 * top.resultant / top.reach();
     for point in grid.rows().next().unwrap_or_default() {
-        let missing = point.sigma_yy + top.pressure(point.x);
-        if !is_singular(scene) && !(missing.abs() <= PRESSED * mean && point.sigma_xy.abs() <= PRESSED * mean) {
+        let pressure = top.pressure(point.x);
+        let missing = point.sigma_yy + pressure;
+        // under a tip both are infinite
+        if !is_singular(scene)
+            && pressure.is_finite()
+            && !(missing.abs() <= PRESSED * mean && point.sigma_xy.abs() <= PRESSED * mean)
+        {
             let mut what = format!("on the loaded face at x = {:e}: ", point.x);
             let _ = write!(
                 what,
