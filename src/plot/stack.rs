@@ -29,8 +29,11 @@ const SMALLEST: f64 = 0.1;
 const POINTS: usize = 200;
 /// Pressures that are infinite somewhere are drawn up to so many times their mean.
 const HIGHEST_DRAWN: f64 = 6.0;
-/// Slices of a layer whose stiffness varies.
+/// Slices of a layer whose stiffness varies, at most, and how high each is at least, in points.
 const SLICES: usize = 48;
+const SLICE: f64 = 0.5;
+/// Names of layers, written below each other: of more layers the first and the last ones are named.
+const NAMES: usize = 40;
 
 /// The stack of a solved scene drawn to scale, with punch and contacts, and the contact pressures below it, as SVG.
 ///
@@ -83,7 +86,7 @@ impl Drawing<'_> {
         for placed in &layers {
             let thickness = placed.layer.thickness().unwrap_or(0.0);
             let height = self.scale * thickness;
-            let slices = if stiffness.varies(placed) { SLICES } else { 1 };
+            let slices = if stiffness.varies(placed) { ((height / SLICE) as usize).clamp(1, SLICES) } else { 1 };
             for slice in 0..slices {
                 let share = |i: usize| y + height * i as f64 / slices as f64;
                 let depth = thickness * (slice as f64 + 0.5) / slices as f64;
@@ -123,6 +126,11 @@ impl Drawing<'_> {
             Foundation::HalfPlane(support) => (y + 6.0, self.name(support)),
             Foundation::Rigid { .. } => (y + 6.0, "rigid".to_owned()),
         });
+        if let Some(more) = labels.len().checked_sub(NAMES).filter(|more| *more > 1) {
+            let left_out: Vec<(f64, String)> = labels.drain(NAMES / 2..NAMES / 2 + more).collect();
+            let middle = left_out[more / 2].0;
+            labels.insert(NAMES / 2, (middle, format!("{more} more layers")));
+        }
         let mut last = f64::NEG_INFINITY;
         let below = |(at, text): (f64, String)| {
             last = at.max(last + 1.25 * TEXT);

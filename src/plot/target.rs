@@ -11,6 +11,8 @@ const FONTS: [&[u8]; 2] = [include_bytes!("font/DejaVuSans.ttf"), include_bytes!
 pub(super) const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// Pixels of a PNG per point: 216 to the inch.
 const PIXELS: f32 = 3.0;
+/// Pixels of a PNG at most, four bytes each: larger pictures have fewer pixels per point.
+const MOST_PIXELS: f32 = 3e7;
 
 /// Why a picture could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -101,11 +103,12 @@ pub fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
     }
     let failed = |error: &dyn std::fmt::Display| PlotError::Drawing(error.to_string());
     let tree = Tree::from_str(svg, &options).map_err(|error| failed(&error))?;
-    let pixels = |points: f32| (PIXELS * points).ceil() as u32;
     let size = tree.size();
+    let scale = PIXELS.min((MOST_PIXELS / (size.width() * size.height())).sqrt());
+    let pixels = |points: f32| (scale * points).ceil() as u32;
     let mut pixmap =
         Pixmap::new(pixels(size.width()), pixels(size.height())).ok_or_else(|| failed(&"it has no size"))?;
     pixmap.fill(Color::WHITE);
-    resvg::render(&tree, Transform::from_scale(PIXELS, PIXELS), &mut pixmap.as_mut());
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
     pixmap.encode_png().map_err(|error| failed(&error))
 }
