@@ -396,3 +396,16 @@ fn stress_tells_what_became_of_random_scenes() {
     let said = succeeds(&["stress", "--seed", "1", "--first", "1", "--count", "2", "--tolerance", "1e-6"]);
     assert!(said.contains("100.00 %") && !said.contains("compared"), "{said}");
 }
+
+/// A scene that takes too much memory or time ends its own process only.
+#[cfg(unix)]
+#[test]
+fn stress_survives_what_its_scenes_take() {
+    let of = ["stress", "--seed", "1", "--count", "3", "--threads", "1"];
+    let run = recede(&[&of[..], &["--memory", "1"]].concat(), b"");
+    assert_eq!(run.status, Some(1), "{}", run.stderr);
+    assert!(run.stdout.contains("killed   aborted, or more memory than 1 MB"), "{}", run.stdout);
+    assert!(run.stdout.contains("100.00 %   0, 1, 2"), "{}", run.stdout);
+    let run = recede(&[&of[..], &["--seconds", "0"]].concat(), b"");
+    assert!(run.stdout.contains("killed   longer than 0 s"), "{}", run.stdout);
+}

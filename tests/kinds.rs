@@ -2,7 +2,7 @@
 //!
 //! Goal: whatever a scene is made of, error estimates cover the errors, fields are in equilibrium with the pressures, and a
 //! sweep gives what single scenes give.
-use recede::stress::{Outcome, Ranges, Trial, compare, scene_of_any_kind};
+use recede::stress::{Outcome, Ranges, Trial, compare, scene_of_any_kind, variant};
 use recede::{Model, Options, Scene, Solution, Sweep};
 
 /// The solved ones of so many scenes.
@@ -82,4 +82,16 @@ fn sweeps_give_what_single_scenes_give() {
         seen += 1;
     }
     assert!(seen > 8, "{seen}");
+}
+
+#[test]
+fn examples_changed_at_random_are_solved_and_reported() {
+    let mut unsolved = 0;
+    for number in 0..40 {
+        let scene = variant(14, number).unwrap();
+        let trial = Trial::run(&scene, &Options { tolerance: 1e-8, ..Options::default() }, number % 8 == 0);
+        assert!(!trial.outcome.is_wrong(), "{number}: {}\n{}", trial.outcome.reason(), scene.to_ron());
+        unsolved += usize::from(trial.outcome.solution().is_none());
+    }
+    assert!(unsolved < 8, "{unsolved}");
 }

@@ -69,3 +69,51 @@ fn moduli(material: &Material) -> [f64; 2] {
     let (shear, axial) = (material.shear_compliance.recip(), material.axial_stiffness);
     [shear.min(axial), shear.max(axial)]
 }
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, GradedHalfPlane, HalfPlane, Homogeneous};
+
+    use super::*;
+    use crate::stack::StackBuilder;
+
+    fn refused(stack: StackBuilder) -> Option<(String, Option<usize>)> {
+        stack.build().err().map(|error| (error.to_string(), error.item()))
+    }
+
+    #[test]
+    fn ratios_of_moduli_have_a_limit_whatever_the_units() {
+        for unit in [1e-200, 1.0, 1e200] {
+            let strip = |modulus: f64| Homogeneous::new(1.0, modulus * unit, 0.25).unwrap();
+            let on = |modulus: f64| Stack::builder(Plane::Strain).layer(strip(modulus)).receding();
+            let ground = || HalfPlane::new(unit, 0.25).unwrap();
+            assert_eq!(refused(on(1e14).layer(ground())), None);
+            assert_eq!(refused(on(1e-14).layer(ground())), None);
+            let (message, item) = refused(on(1e-16).layer(ground())).unwrap();
+            assert!(message.starts_with("layer 2 (HalfPlane) is 2.7e16 times as stiff as layer 1 (Homogeneous)"));
+            assert_eq!(item, Some(2));
+            let (message, item) = refused(on(1e16).layer(ground())).unwrap();
+            assert!(message.ends_with("as stiff as layer 2 (HalfPlane); allowed is a ratio of at most 1e15"), "{message}");
+            assert_eq!(item, Some(0));
+        }
+    }
+
+    #[test]
+    fn the_whole_of_a_layer_counts_but_only_the_face_of_a_half_plane() {
+        let steep = |beta: f64| Stack::builder(Plane::Strain).layer(Exponential::new(1.0, 1.0, 0.25, beta).unwrap());
+        assert_eq!(refused(steep(30.0).bonded().rigid()), None);
+        let (message, _) = refused(steep(-86.5).bonded().rigid()).unwrap();
+        assert!(message.contains("elsewhere in the same layer"), "{message}");
+        let ground = GradedHalfPlane::new(1.0, 0.25, 1e3).unwrap();
+        assert_eq!(refused(Stack::builder(Plane::Strain).layer(ground)), None);
+    }
+
+    #[test]
+    fn an_elastic_punch_counts() {
+        let stack = Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap();
+        let check = |modulus| stack.check_punch(&recede_layers::Isotropic { shear_modulus: modulus, poisson: 0.3 });
+        assert!(check(1e14).is_ok() && check(1e-14).is_ok());
+        assert!(check(1e17).unwrap_err().to_string().starts_with("the punch is"));
+        assert!(check(1e-17).unwrap_err().to_string().contains("as stiff as the punch; allowed"));
+    }
+}
