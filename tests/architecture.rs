@@ -20,7 +20,7 @@ const MAY_IMPORT: [(&str, &[&str]); 15] = [
     ("contact", &["kernel", "numeric", "scene"]),
     ("field", &["numeric", "stack", "system"]),
     ("model", &["contact", "field", "kernel", "scene", "stack"]),
-    ("stress", &["model", "numeric", "scene", "stack", "system"]),
+    ("stress", &["field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
     ("sweep", &["model", "scene", "stack"]),
     ("plot", &["field", "scene", "stack", "sweep"]),
     ("report", &["field", "scene", "sweep"]),

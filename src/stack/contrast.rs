@@ -93,7 +93,10 @@ mod tests {
             assert!(message.starts_with("layer 2 (HalfPlane) is 2.7e16 times as stiff as layer 1 (Homogeneous)"));
             assert_eq!(item, Some(2));
             let (message, item) = refused(on(1e16).layer(ground())).unwrap();
-            assert!(message.ends_with("as stiff as layer 2 (HalfPlane); allowed is a ratio of at most 1e15"), "{message}");
+            assert!(
+                message.ends_with("as stiff as layer 2 (HalfPlane); allowed is a ratio of at most 1e15"),
+                "{message}"
+            );
             assert_eq!(item, Some(0));
         }
     }

@@ -10,8 +10,8 @@ use recede::stress::{Comparison, Outcome, Trial, compare};
 use recede::{Options, Scene};
 use serde::{Deserialize, Serialize};
 
+use super::super::Failure;
 use super::Stress;
-use crate::cli::Failure;
 
 /// What is known of a scene afterwards.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
