@@ -6,11 +6,12 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use recede::files;
 use recede::plot::{self, Kind};
 use recede::report::{FieldFormat, write_field};
 use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Solution, Spot};
 
-use super::{Failure, SceneFile, replace, tell};
+use super::{Failure, SceneFile, tell};
 
 /// Places along x and depths of a grid that is not specified.
 const LIST: [usize; 2] = [201, 101];
@@ -136,7 +137,7 @@ impl Field {
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
-        let field = model.field(&solution);
+        let field = model.field(&solution)?;
         match (&self.out, format) {
             (Some(path), Output::Map) => {
                 let [xs, depths] = self.grid(&field, &solution, MAP);
@@ -145,7 +146,8 @@ impl Field {
             }
             (Some(path), Output::Points(format)) => {
                 let points = self.points(&field, &solution)?;
-                replace(path, |out| write_field(&points, format, out))
+                files::replace(path, |out| write_field(&points, format, out))
+                    .map_err(|cause| Failure::file(path, cause))
             }
             (None, Output::Points(format)) => Ok(write_field(&self.points(&field, &solution)?, format, out)?),
             // without a file there is no map
