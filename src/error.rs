@@ -74,6 +74,9 @@ pub enum Error {
         /// The farthest of the places asked for, in length.
         x: f64,
     },
+    /// A field was asked for with the solution of another stack.
+    #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
+    OtherStack,
     /// The scene is well posed, but no admissible contact was found.
     #[error(transparent)]
     NoSolution(#[from] NoSolution),
@@ -159,7 +162,7 @@ impl Error {
             }
             Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
             Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
-            Self::Outside { .. } | Self::TooFar { .. } => true,
+            Self::Outside { .. } | Self::TooFar { .. } | Self::OtherStack => true,
             Self::Unresolved { .. } => false,
             Self::NoSolution(cause) => {
                 matches!(cause, NoSolution::PunchTooSmall { .. } | NoSolution::HalfLength { .. })
@@ -193,6 +196,7 @@ impl Error {
             Self::FlatByCollocation => {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
+            Self::OtherStack => Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned()),
             Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
             _ => None,
         }

@@ -221,6 +221,8 @@ pub struct Stats {
 /// A solved scene: contacts from the top down, and what it took to find them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
+    /// Hash of the stack that it belongs to, which [`crate::Model`] sets and compares.
+    pub(crate) stack: Option<u64>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,

@@ -66,7 +66,7 @@ impl Solve {
         let seconds = start.elapsed().as_secs_f64();
         // it is infinite under a line load, and next to sharp corners
         let infinite = scene.punch.load().is_some_and(Load::has_lines) || matches!(scene.punch, Punch::Flat { .. });
-        let max_shear = if infinite { None } else { Some(model.field(&solution).max_shear()?) };
+        let max_shear = if infinite { None } else { Some(model.field(&solution)?.max_shear()?) };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }

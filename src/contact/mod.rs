@@ -238,6 +238,7 @@ fn solution(
         .collect();
     Solution {
         contacts,
+        stack: None,
         force,
         force_error: 0.0,
         min_pressure: check.min_pressure * pressure_unit,

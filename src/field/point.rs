@@ -131,7 +131,7 @@ impl FieldQuantity {
     /// # use recede::{HalfPlane, Model, Plane, Punch, FieldQuantity, Stack};
     /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
     /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let point = model.field(&solution).at(0.0, 0.5)?;
+    /// let point = model.field(&solution)?.at(0.0, 0.5)?;
     /// assert_eq!(FieldQuantity::SigmaYy.of(&point), point.sigma_yy);
     /// # Ok::<(), recede::Error>(())
     /// ```

@@ -234,6 +234,7 @@ impl Problem<'_> {
         }
         Ok(Solution {
             contacts,
+            stack: None,
             force: pressure_unit * length,
             force_error: 0.0,
             min_pressure: min_pressure * pressure_unit,

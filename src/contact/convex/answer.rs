@@ -62,6 +62,7 @@ pub(in crate::contact) fn answer(
     warnings.extend(in_parts(&contacts));
     Some(Solution {
         contacts,
+        stack: None,
         force: punch.force * kernel.modulus() * kernel.length(),
         force_error: 0.0,
         min_pressure: 0.0,

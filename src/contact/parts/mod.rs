@@ -404,6 +404,7 @@ fn solution(
     warnings.extend(in_parts(&contacts));
     Solution {
         contacts,
+        stack: None,
         force,
         force_error: 0.0,
         min_pressure: min_pressure * pressure_unit,
