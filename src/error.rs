@@ -74,6 +74,17 @@ pub enum Error {
         /// The farthest of the places asked for, in length.
         x: f64,
     },
+    /// The search for the largest shear stress would take too long.
+    #[error(
+        "the search for the largest shear stress would evaluate layers {evaluations:.1e} times at a step; allowed are \
+         {allowed:.1e}"
+    )]
+    TooLong {
+        /// Evaluations of layers in one step, all wavenumbers together.
+        evaluations: f64,
+        /// The most that are allowed.
+        allowed: f64,
+    },
     /// A field was asked for with the solution of another stack.
     #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
     OtherStack,
@@ -163,7 +174,7 @@ impl Error {
             Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
             Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
             Self::Outside { .. } | Self::TooFar { .. } | Self::OtherStack => true,
-            Self::Unresolved { .. } => false,
+            Self::Unresolved { .. } | Self::TooLong { .. } => false,
             Self::NoSolution(cause) => {
                 matches!(cause, NoSolution::PunchTooSmall { .. } | NoSolution::HalfLength { .. })
             }
@@ -196,6 +207,7 @@ impl Error {
             Self::FlatByCollocation => {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
+            Self::TooLong { .. } => Some("`recede field` gives the stress at points and on grids".to_owned()),
             Self::OtherStack => Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned()),
             Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
             _ => None,

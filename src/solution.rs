@@ -73,9 +73,9 @@ pub struct Part {
 pub(crate) struct Strip {
     /// Where its middle is, ≥ 0, in length.
     pub(crate) at: f64,
-    /// Half-length a of the strip: that of the contact, but of a line load, which is a very narrow strip.
+    /// Half-length a of the strip, 0 of a line load.
     pub(crate) extent: f64,
-    /// p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
+    /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
     /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
     pub(crate) skew: Vec<f64>,
@@ -95,7 +95,7 @@ pub(crate) struct Strip {
 pub(crate) enum Form {
     /// What the series says.
     Series,
-    /// All on a line, which the strip stands for.
+    /// All on a line.
     Line,
     /// The same everywhere.
     Uniform,
@@ -111,11 +111,17 @@ impl Strip {
 
     /// The resultant of one image.
     pub(crate) fn resultant(&self) -> f64 {
+        if self.form == Form::Line {
+            return self.coefficients.iter().sum();
+        }
         0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
     }
 
     /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
     fn image(&self, x: f64, mirror: f64) -> f64 {
+        if self.form == Form::Line {
+            return if x == 0.0 { f64::INFINITY } else { 0.0 };
+        }
         let s = x / self.extent;
         // NaN is outside, too
         if s.is_nan() || s.abs() > 1.0 {
@@ -123,12 +129,11 @@ impl Strip {
         }
         let mean = 0.5 * self.resultant() / self.extent;
         match self.form {
-            Form::Line => f64::INFINITY,
             // where it ends, the mean of both sides
             Form::Uniform if s.abs() == 1.0 => 0.5 * mean,
             Form::Uniform => mean,
             Form::Parabolic => 1.5 * mean * (1.0 - s * s),
-            Form::Series => {
+            Form::Series | Form::Line => {
                 let phi = s.acos();
                 let sum = |coefficients: &[f64], first: usize| -> f64 {
                     coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + first) as f64 * phi).sin()).sum()

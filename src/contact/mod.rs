@@ -203,7 +203,7 @@ fn solution(
         .enumerate()
         .map(|(i, interface)| {
             if let (0, Some(load)) = (i, indentation.load()) {
-                let strips = given::strips(load, force, kernel.length());
+                let strips = given::strips(load, force);
                 return given::contact(load, *interface, force, strips);
             }
             let half_length = level.half_lengths[i] * kernel.length();

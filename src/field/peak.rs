@@ -1,5 +1,6 @@
 //! The largest shear stress: a coarse mesh in every layer, then parabolas through ever closer points around its peaks.
 use super::pressure::Pressure;
+use super::strip::Singularity;
 use super::sum::Row;
 use super::waves::{self, Precision};
 use super::{Field, FieldPoint};
@@ -33,7 +34,7 @@ const ROUGHLY: f64 = 1e-4;
 /// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxShear {
-    /// The stress.
+    /// The stress; infinite under a line load and at the sharp corners of a punch.
     pub value: f64,
     /// Along the layers, x ≥ 0; by symmetry it is found at −x, too.
     pub x: f64,
@@ -54,6 +55,9 @@ struct Peak {
 }
 
 pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
+    if let Some(infinite) = infinite(field) {
+        return Ok(infinite);
+    }
     let rough = field.with_pressures(|pressure| pressure.truncated(ROUGHLY));
     let mut peaks = coarsely(&rough)?;
     // stable: of two that are the same the upper one
@@ -80,8 +84,19 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
         }
     }
     let Peak { stratum, x, depth, value } = found;
+    if !value.is_finite() {
+        return Err(Error::Unresolved { wavenumber: 0.0 });
+    }
     let own = &field.strata[stratum];
     Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
+}
+
+/// Where the shear stress is infinite: under a line load, and at sharp corners.
+fn infinite(field: &Field) -> Option<MaxShear> {
+    let layer = field.strata.first()?.number;
+    let points = field.pressures.first()?.singular_points();
+    let (x, _) = points.filter(|(_, kind)| *kind != Singularity::Tip).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(MaxShear { value: f64::INFINITY, x, depth: 0.0, layer })
 }
 
 /// The peaks of a coarse mesh.

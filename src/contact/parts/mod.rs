@@ -361,7 +361,7 @@ fn solution(
     let force = pressure_unit * length;
     let mut contacts: Vec<Contact> = Vec::new();
     if let Some(load) = punch.load() {
-        contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force, length)));
+        contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force)));
     }
     let all = level.patches.iter().zip(&level.pressures.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);
