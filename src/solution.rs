@@ -83,9 +83,6 @@ pub(crate) struct Strip {
     pub(crate) corners: f64,
     /// How strong its logarithm is under a sharp tip; 0 if there is none.
     pub(crate) tip: f64,
-    /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
-    /// where the punch is not smooth.
-    pub(crate) found: usize,
     /// What else is known of it.
     pub(crate) form: Form,
 }
@@ -105,8 +102,8 @@ pub(crate) enum Form {
 
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
-    pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
-        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, found, form: Form::Series }
+    pub(crate) fn series(extent: f64, coefficients: Vec<f64>) -> Self {
+        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, form: Form::Series }
     }
 
     /// The resultant of one image.

@@ -72,7 +72,7 @@ pub(super) fn strips(load: &Load, force: f64) -> Vec<Strip> {
 /// A pressure of a form on a strip, one image of which has a resultant.
 pub(super) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
     if form == Form::Line {
-        return Strip { at, form, ..Strip::series(extent, vec![resultant], 1) };
+        return Strip { at, form, ..Strip::series(extent, vec![resultant]) };
     }
     let unit = 2.0 * resultant / (PI * extent);
     // c_j of 1 and of 1 − s² over that of the ellipse with the same resultant
@@ -82,7 +82,7 @@ pub(super) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
         Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
     };
     let terms = if matches!(form, Form::Line | Form::Series) { 1 } else { TERMS };
-    Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect(), terms) }
+    Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect()) }
 }
 
 /// What is said of a load in place of a contact: nothing of it is unknown.

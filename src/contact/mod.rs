@@ -229,7 +229,7 @@ fn solution(
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
                 resultant,
-                strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients, level.counts[i]) }],
+                strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients) }],
                 opening: 0.0,
                 opening_error: 0.0,
                 parts: Vec::new(),

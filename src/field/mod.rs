@@ -11,6 +11,7 @@ mod roots;
 mod strip;
 mod sum;
 mod surface;
+mod transform;
 mod waves;
 
 use recede_layers::Plane;

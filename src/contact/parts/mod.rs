@@ -371,11 +371,11 @@ fn solution(
         let resultant = coefficients[0] * patch.resultant() * length;
         let (from, to) = (patch.from() * length, patch.to() * length);
         let strip = if patch.is_central() {
-            Strip::series(extent, coefficients, count)
+            Strip::series(extent, coefficients)
         } else {
             let skew = coefficients.iter().skip(1).step_by(2).copied().collect();
             coefficients = coefficients.iter().step_by(2).copied().collect();
-            Strip { at, skew, ..Strip::series(extent, coefficients, count) }
+            Strip { at, skew, ..Strip::series(extent, coefficients) }
         };
         match contacts.last_mut().filter(|contact| contact.interface == interfaces[patch.contact]) {
             None => {
