@@ -240,6 +240,13 @@ impl Solution {
         &self.contacts
     }
 
+    /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on
+    /// x = 0 is all that presses.
+    pub fn extent(&self) -> Option<f64> {
+        let extent = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
+        (extent > 0.0).then_some(extent)
+    }
+
     /// The line load P that presses, force per unit length out of plane: as given, or found for a half-length.
     pub fn force(&self) -> f64 {
         self.force

@@ -165,11 +165,11 @@ impl Field {
 
     /// Places along x and depths, so many unless it is said how many.
     fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
-        let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.reach()));
-        let last = field
-            .layers()
-            .last()
-            .map_or(0.0, |(_, [from, to])| if to.is_finite() { to } else { from + GROUND * longest });
+        let (from, to) = field.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
+        let layers = if to.is_finite() { to } else { from };
+        // under nothing but a line load: the thickness of the layers, or 1 on a half-plane, which has no length of its own
+        let longest = solution.extent().unwrap_or(if layers > 0.0 { layers } else { 1.0 });
+        let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;
         let xs = self.x.unwrap_or(Steps { start: -beside, stop: beside, count: columns });
         let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last.min(BELOW * longest), count: rows });
