@@ -311,7 +311,7 @@ impl Map<'_> {
         );
         if self.clipped {
             let (low, high) = self.colours.scale.ends();
-            text += &format!("; infinite at the load, clipped to {} … {}", short(low), short(high));
+            text += &format!("; infinite at singular points, clipped to {} … {}", short(low), short(high));
         }
         if (stretch - 1.0).abs() > 1e-6 {
             text += &format!("; depths drawn × {}", label(format!("{stretch:.1e}").parse().unwrap_or(1.0)));
