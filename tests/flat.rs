@@ -77,7 +77,7 @@ fn on_a_half_plane_the_pressure_is_that_of_sadowsky() {
         let root = (z * z + 1.0).sqrt();
         let expected = -force / (PI * a) * (root.inv() + d / a * z / (root * root * root)).re;
         close(field.at(x, d).unwrap().sigma_yy, expected, 1e-10, "stress inside");
-        assert!(field.at(a, 0.0).unwrap().sigma_yy.is_finite());
+        assert_eq!(field.at(a, 0.0).unwrap().sigma_yy, f64::NEG_INFINITY);
     }
 }
 

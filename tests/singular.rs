@@ -76,11 +76,14 @@ fn singular_points_are_infinite_and_nothing_else_is() {
         (Punch::flat(0.6).unwrap(), 0.6, true),
         (Punch::wedge(0.01).unwrap(), 0.0, false),
     ] {
-        for stack in [
+        for (i, stack) in [
             stack().layer(ground(1.0)),
             stack().layer(strip(1.0, 1.0)).receding().layer(ground(1.0)),
             stack().layer(Orthotropic::new(1.0, ply()).unwrap()).bonded().layer(ground(1.0)),
-        ] {
+        ]
+        .into_iter()
+        .enumerate()
+        {
             let (_, field) = press(stack, &punch, 0.01);
             let grid = field.grid(&[-at, 0.35, at, 1.3], &[0.0, 1e-6, 0.5]).unwrap();
             for point in grid.points() {
@@ -101,7 +104,9 @@ fn singular_points_are_infinite_and_nothing_else_is() {
             write_field(&grid.points()[..1], FieldFormat::Json, &mut text).unwrap();
             let json: serde_json::Value = serde_json::from_slice(&text).unwrap();
             assert!(json["points"][0]["sigma_yy"].is_null() && json["points"][0]["u"].is_number());
-            assert_eq!(field.max_shear().unwrap().value.is_infinite(), shear, "{punch}");
+            // on a face that is not isotropic, stresses along and across it are infinite, and different
+            let infinite = shear || i == 2;
+            assert_eq!(field.max_shear().unwrap().value.is_infinite(), infinite, "{punch}, {i}");
         }
     }
 }

@@ -91,11 +91,14 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
 }
 
-/// Where the shear stress is infinite: under a line load, and at sharp corners.
+/// Where the shear stress is infinite: under a line load, at sharp corners, and under a sharp tip where the stresses on the face
+/// are not the same along it and across, as they are where its material is isotropic.
 fn infinite(field: &Field) -> Option<MaxShear> {
     let layer = field.strata.first()?.number;
+    let isotropic = field.bodies.first()?.faces[0].as_ref().is_some_and(|face| face.surface.is_isotropic());
     let points = field.pressures.first()?.singular_points();
-    let (x, _) = points.filter(|(_, kind)| *kind != Singularity::Tip).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (x, _) =
+        points.filter(|(_, kind)| *kind != Singularity::Tip || !isotropic).min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(MaxShear { value: f64::INFINITY, x, depth: 0.0, layer })
 }
 
@@ -241,7 +244,8 @@ fn values(field: &Field, rows: &[Row], sets: &[Vec<f64>], precision: &Precision)
         xs.iter()
             .zip(components)
             .map(|(x, components)| field.point(*x, row, components))
-            .map(|p: FieldPoint| p.max_shear())
+            // under a sharp tip it is not defined; along the face it comes to 0 there
+            .map(|p: FieldPoint| if p.sigma_yy.is_infinite() { 0.0 } else { p.max_shear() })
             .collect()
     };
     Ok(rows.iter().zip(found).map(of).collect())

@@ -109,6 +109,11 @@ impl Surface {
         })
     }
 
+    /// Whether stresses along the face are those across it.
+    pub(super) fn is_isotropic(&self) -> bool {
+        matches!(self.fields, Fields::Double(_))
+    }
+
     /// The same for a face that looks downwards.
     pub(super) fn upside_down(self) -> Self {
         Self { up: -self.up, ..self }
