@@ -18,7 +18,7 @@ pub enum Plane {
 /// Roots this close to 1 are those of an isotropic material: what is rounded away there appears in them as its root.
 const DOUBLE: f64 = 1e-6;
 
-/// The four coefficients of the state equations at one depth.
+/// The four coefficients of the state equations at one depth, and what they do not tell of the stress out of the plane.
 ///
 /// For an orthotropic material with axes along x and y and stiffnesses c11, c12, c22, c66 (σ_xx = c11 ε_xx +
 /// c12 ε_yy, ...). None of them is singular for an incompressible material (ν = 1/2).
@@ -32,12 +32,21 @@ pub struct Material {
     pub coupling: f64,
     /// c11 − c12²/c22 = 8 μ/(κ + 1), the modulus of a plate stretched along x, in stress.
     pub axial_stiffness: f64,
+    /// The stress out of the plane, σ_zz = s_x σ_xx + s_y σ_yy, as [s_x, s_y], dimensionless: [ν, ν] of an isotropic
+    /// material in plane strain. The other four coefficients do not tell it; `None` where it is not known. In plane stress
+    /// nobody asks.
+    pub out_of_plane: Option<[f64; 2]>,
 }
 
 impl Material {
     /// That of a support which is no elastic body, see [`Layer::has_material`](crate::Layer::has_material): no numbers.
-    pub const NONE: Self =
-        Self { shear_compliance: f64::NAN, normal_compliance: f64::NAN, coupling: f64::NAN, axial_stiffness: f64::NAN };
+    pub const NONE: Self = Self {
+        shear_compliance: f64::NAN,
+        normal_compliance: f64::NAN,
+        coupling: f64::NAN,
+        axial_stiffness: f64::NAN,
+        out_of_plane: None,
+    };
 
     /// How fast the slowest field decays with λ·depth, dimensionless: the smaller real part of the roots of
     /// s⁴ − (em − 2c) s² + c² + ed = 0, in which the coefficients are those of this material in the order m, d, c, e. 1 for
@@ -119,12 +128,14 @@ impl Isotropic {
                 normal_compliance: (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu) * mu),
                 coupling: nu / (1.0 - nu),
                 axial_stiffness: 2.0 * mu / (1.0 - nu),
+                out_of_plane: Some([nu, nu]),
             },
             Plane::Stress => Material {
                 shear_compliance: 1.0 / mu,
                 normal_compliance: (1.0 - nu) / (2.0 * mu),
                 coupling: nu,
                 axial_stiffness: 2.0 * mu * (1.0 + nu),
+                out_of_plane: Some([0.0; 2]),
             },
         }
     }

@@ -102,6 +102,8 @@ impl EngineeringConstants {
             normal_compliance: (across - mixed * (mixed / along)).max(0.0),
             coupling: mixed / along,
             axial_stiffness: along.recip(),
+            // ε_zz = σ_zz/E_z − ν_xz σ_xx/E_x − ν_yz σ_yy/E_y is 0 in plane strain
+            out_of_plane: Some([xz * share / ex, yz * share / ey]),
         }
     }
 
@@ -301,6 +303,8 @@ mod tests {
                     (found.normal_compliance, expected.normal_compliance),
                     (found.coupling, expected.coupling),
                     (found.axial_stiffness / 9.0, expected.axial_stiffness / 9.0),
+                    (found.out_of_plane.unwrap()[0], expected.out_of_plane.unwrap()[0]),
+                    (found.out_of_plane.unwrap()[1], expected.out_of_plane.unwrap()[1]),
                 ] {
                     assert!((a - b).abs() < 2e-15 * (1.0 + b.abs()), "{poisson} {plane:?} {a} {b}");
                 }

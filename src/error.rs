@@ -74,6 +74,20 @@ pub enum Error {
         /// The farthest of the places asked for, in length.
         x: f64,
     },
+    /// The search for the largest shear stress would take too long.
+    #[error(
+        "the search for the largest shear stress would evaluate layers {evaluations:.1e} times at a step; allowed are \
+         {allowed:.1e}"
+    )]
+    TooLong {
+        /// Evaluations of layers in one step, all wavenumbers together.
+        evaluations: f64,
+        /// The most that are allowed.
+        allowed: f64,
+    },
+    /// A field was asked for with the solution of another stack.
+    #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
+    OtherStack,
     /// The scene is well posed, but no admissible contact was found.
     #[error(transparent)]
     NoSolution(#[from] NoSolution),
@@ -159,8 +173,8 @@ impl Error {
             }
             Self::OutOfRange { .. } | Self::Tolerance { .. } => true,
             Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
-            Self::Outside { .. } | Self::TooFar { .. } => true,
-            Self::Unresolved { .. } => false,
+            Self::Outside { .. } | Self::TooFar { .. } | Self::OtherStack => true,
+            Self::Unresolved { .. } | Self::TooLong { .. } => false,
             Self::NoSolution(cause) => {
                 matches!(cause, NoSolution::PunchTooSmall { .. } | NoSolution::HalfLength { .. })
             }
@@ -193,6 +207,8 @@ impl Error {
             Self::FlatByCollocation => {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
+            Self::TooLong { .. } => Some("`recede field` gives the stress at points and on grids".to_owned()),
+            Self::OtherStack => Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned()),
             Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
             _ => None,
         }

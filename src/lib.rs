@@ -61,6 +61,8 @@ mod contact;
 mod error;
 pub mod exact;
 mod field;
+#[cfg(feature = "files")]
+pub mod files;
 mod kernel;
 mod model;
 #[doc(hidden)]

@@ -1,4 +1,6 @@
 //! A stack made ready to be pressed: kernels computed once, used for any punch and load.
+use std::fmt::{self, Write};
+use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
 use crate::contact::{self, Lattice};
@@ -30,6 +32,8 @@ use crate::stack::Stack;
 #[derive(Clone, Debug)]
 pub struct Model {
     stack: Stack,
+    /// Hash of the stack, by which a solution is known to belong to it.
+    key: Option<u64>,
     interfaces: Vec<Interface>,
     kernel: Kernel,
     lattice: Option<Arc<Lattice>>,
@@ -42,7 +46,7 @@ impl Model {
     /// [`Error::Unresolved`] if a layer's fields are not finite at some wavenumber, or vary too fast with it.
     pub fn new(stack: Stack) -> Result<Self, Error> {
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { interfaces: stack.contacts(), stack, kernel, lattice: None })
+        Ok(Self { key: Some(key(&stack)), interfaces: stack.contacts(), stack, kernel, lattice: None })
     }
 
     /// The same model for many loads: answers at some of them are kept to start others from, each of them found when it is
@@ -82,18 +86,40 @@ impl Model {
             self.stack.check_punch(&material)?;
         }
         let (kernel, lattice) = (&self.kernel, self.lattice.as_deref());
-        match force {
+        let solution = match force {
             Force::Given(force) => contact::press(kernel, lattice, &self.interfaces, punch, force, options),
             Force::ForHalfLength(half_length) => {
                 contact::press_to(kernel, lattice, &self.interfaces, punch, half_length, options)
             }
-        }
+        };
+        solution.map(|solution| Solution { stack: self.key, ..solution })
     }
 
-    /// Stresses and displacements inside the stack, for a solution of this model.
-    pub fn field(&self, solution: &Solution) -> Field {
-        Field::new(&self.stack, solution)
+    /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.
+    ///
+    /// # Errors
+    /// [`Error::OtherStack`] if the solution is one of another stack.
+    pub fn field(&self, solution: &Solution) -> Result<Field, Error> {
+        if solution.stack != self.key {
+            return Err(Error::OtherStack);
+        }
+        Ok(Field::new(&self.stack, solution))
     }
+}
+
+/// A hash of all that [`fmt::Debug`] shows of a stack: equal stacks have equal keys, however often they are built.
+fn key(stack: &Stack) -> u64 {
+    struct Text(DefaultHasher);
+    impl Write for Text {
+        fn write_str(&mut self, text: &str) -> fmt::Result {
+            self.0.write(text.as_bytes());
+            Ok(())
+        }
+    }
+    let mut text = Text(DefaultHasher::new());
+    // a layer that refuses to be shown is known by what was shown before it
+    let _ = write!(text, "{stack:?}");
+    text.0.finish()
 }
 
 /// Solves a scene to ten digits.
@@ -118,6 +144,28 @@ mod tests {
     use recede_layers::{HalfPlane, Homogeneous, Plane};
 
     use super::*;
+
+    #[test]
+    fn a_field_is_that_of_a_solution_of_the_same_stack() {
+        let model = |thicknesses: &[f64], modulus: f64| {
+            let layers = thicknesses.iter().fold(Stack::builder(Plane::Strain), |stack, thickness| {
+                stack.layer(Homogeneous::new(*thickness, modulus, 0.25).unwrap()).receding()
+            });
+            Model::new(layers.layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap()).unwrap()
+        };
+        let press = |model: &Model| model.press(&Punch::parabola(500.0).unwrap(), 2e-3).unwrap();
+        let own = model(&[1.0, 1.0], 1.0);
+        for other in [model(&[], 1.0), model(&[1.0], 1.0), model(&[1.0, 1.0], 2.0), model(&[1.0, 1.5], 1.0)] {
+            for (model, solution) in [(&own, press(&other)), (&other, press(&own))] {
+                assert!(matches!(model.field(&solution), Err(Error::OtherStack)));
+            }
+        }
+        let rebuilt = model(&[1.0, 1.0], 1.0).for_many_loads();
+        assert_eq!(
+            rebuilt.field(&press(&own)).unwrap().at(0.3, 0.5).unwrap(),
+            own.field(&press(&own)).unwrap().at(0.3, 0.5).unwrap()
+        );
+    }
 
     #[test]
     fn couplings_that_vanish_do_not_matter() {

@@ -73,9 +73,9 @@ pub struct Part {
 pub(crate) struct Strip {
     /// Where its middle is, ≥ 0, in length.
     pub(crate) at: f64,
-    /// Half-length a of the strip: that of the contact, but of a line load, which is a very narrow strip.
+    /// Half-length a of the strip, 0 of a line load.
     pub(crate) extent: f64,
-    /// p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
+    /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
     /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
     pub(crate) skew: Vec<f64>,
@@ -83,9 +83,6 @@ pub(crate) struct Strip {
     pub(crate) corners: f64,
     /// How strong its logarithm is under a sharp tip; 0 if there is none.
     pub(crate) tip: f64,
-    /// How many coefficients waves that reach into the layers feel; the others are those of a half-plane, next to
-    /// where the punch is not smooth.
-    pub(crate) found: usize,
     /// What else is known of it.
     pub(crate) form: Form,
 }
@@ -95,7 +92,7 @@ pub(crate) struct Strip {
 pub(crate) enum Form {
     /// What the series says.
     Series,
-    /// All on a line, which the strip stands for.
+    /// All on a line.
     Line,
     /// The same everywhere.
     Uniform,
@@ -105,17 +102,23 @@ pub(crate) enum Form {
 
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
-    pub(crate) fn series(extent: f64, coefficients: Vec<f64>, found: usize) -> Self {
-        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, found, form: Form::Series }
+    pub(crate) fn series(extent: f64, coefficients: Vec<f64>) -> Self {
+        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, form: Form::Series }
     }
 
     /// The resultant of one image.
     pub(crate) fn resultant(&self) -> f64 {
+        if self.form == Form::Line {
+            return self.coefficients.iter().sum();
+        }
         0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
     }
 
     /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
     fn image(&self, x: f64, mirror: f64) -> f64 {
+        if self.form == Form::Line {
+            return if x == 0.0 { f64::INFINITY } else { 0.0 };
+        }
         let s = x / self.extent;
         // NaN is outside, too
         if s.is_nan() || s.abs() > 1.0 {
@@ -123,12 +126,11 @@ impl Strip {
         }
         let mean = 0.5 * self.resultant() / self.extent;
         match self.form {
-            Form::Line => f64::INFINITY,
             // where it ends, the mean of both sides
             Form::Uniform if s.abs() == 1.0 => 0.5 * mean,
             Form::Uniform => mean,
             Form::Parabolic => 1.5 * mean * (1.0 - s * s),
-            Form::Series => {
+            Form::Series | Form::Line => {
                 let phi = s.acos();
                 let sum = |coefficients: &[f64], first: usize| -> f64 {
                     coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + first) as f64 * phi).sin()).sum()
@@ -221,6 +223,8 @@ pub struct Stats {
 /// A solved scene: contacts from the top down, and what it took to find them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
+    /// Hash of the stack that it belongs to, which [`crate::Model`] sets and compares.
+    pub(crate) stack: Option<u64>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,
@@ -234,6 +238,13 @@ impl Solution {
     /// The contacts from the top down: the punch first.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on
+    /// x = 0 is all that presses.
+    pub fn extent(&self) -> Option<f64> {
+        let extent = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
+        (extent > 0.0).then_some(extent)
     }
 
     /// The line load P that presses, force per unit length out of plane: as given, or found for a half-length.

@@ -8,9 +8,10 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 15] = [
+const MAY_IMPORT: [(&str, &[&str]); 16] = [
     ("numeric", &[]),
     ("exact", &[]),
+    ("files", &[]),
     ("options", &[]),
     ("solution", &[]),
     ("scene", &[]),
@@ -22,7 +23,7 @@ const MAY_IMPORT: [(&str, &[&str]); 15] = [
     ("model", &["contact", "field", "kernel", "scene", "stack"]),
     ("stress", &["field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
     ("sweep", &["model", "scene", "stack"]),
-    ("plot", &["field", "scene", "stack", "sweep"]),
+    ("plot", &["field", "files", "scene", "stack", "sweep"]),
     ("report", &["field", "scene", "sweep"]),
 ];
 

@@ -151,10 +151,35 @@ fn json_has_the_pinned_keys_and_all_digits() {
     for key in ["min_pressure", "min_gap", "modes", "wavenumbers", "newton_steps", "seconds"] {
         assert!(json[key].is_number(), "{key}");
     }
-    for key in ["value", "x", "depth", "layer"] {
-        assert!(json["max_shear"][key].is_number(), "{key}");
-    }
     assert!(json["warnings"].is_array());
+}
+
+#[test]
+fn the_largest_shear_stress_is_searched_where_it_is_printed_or_asked_for() {
+    let json = |more: &[&str]| -> Value {
+        serde_json::from_str(&succeeds(&[&["solve", PAPER, "--format", "json"][..], more].concat())).unwrap()
+    };
+    assert!(json(&[]).get("max_shear").is_none() && json(&["--fields", "--no-fields"]).get("max_shear").is_none());
+    for key in ["value", "x", "depth", "layer"] {
+        assert!(json(&["--fields"])["max_shear"][key].is_number(), "{key}");
+    }
+    let line = "largest shear stress 6.8749e-4";
+    assert!(succeeds(&["solve", PAPER]).contains(line) && !succeeds(&["solve", PAPER, "--no-fields"]).contains(line));
+}
+
+#[test]
+fn a_scene_is_solved_even_if_its_largest_shear_stress_is_not_found() {
+    let scene = "Scene(plane: Strain, punch: Parabola(radius: 100), force: 0.05, stack: [
+        Homogeneous(thickness: 1e-5, shear_modulus: 1.0, poisson: 0.3), Bonded,
+        Homogeneous(thickness: 1, shear_modulus: 3.0, poisson: 0.3), Receding, HalfPlane(shear_modulus: 1.0, poisson: 0.3)])";
+    let run = recede(&["solve", "-"], scene.as_bytes());
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("2|3") && !run.stdout.contains("largest shear"), "{}", run.stdout);
+    assert!(
+        run.stderr.contains("note: the contacts are solved, the largest shear stress was not found"),
+        "{}",
+        run.stderr
+    );
 }
 
 #[test]

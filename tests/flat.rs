@@ -64,7 +64,7 @@ fn on_a_half_plane_the_pressure_is_that_of_sadowsky() {
         close(contact.peak_pressure, force / (PI * a), 1e-12, "p(0)");
         assert!(contact.peak_pressure_error < 1e-10 * contact.peak_pressure);
         close(contact.resultant, force, 1e-12, "resultant");
-        let field = model.field(&solution);
+        let field = model.field(&solution).unwrap();
         for x in [0.0, 0.3, 0.7, 0.799] {
             let expected = force / (PI * f64::sqrt(a * a - x * x));
             close(contact.pressure(x), expected, 1e-11, "pressure");
@@ -77,7 +77,7 @@ fn on_a_half_plane_the_pressure_is_that_of_sadowsky() {
         let root = (z * z + 1.0).sqrt();
         let expected = -force / (PI * a) * (root.inv() + d / a * z / (root * root * root)).re;
         close(field.at(x, d).unwrap().sigma_yy, expected, 1e-10, "stress inside");
-        assert!(field.at(a, 0.0).unwrap().sigma_yy.is_finite());
+        assert_eq!(field.at(a, 0.0).unwrap().sigma_yy, f64::NEG_INFINITY);
     }
 }
 
@@ -86,7 +86,7 @@ fn the_face_under_the_punch_stays_flat() {
     for (i, (error, model)) in layered().into_iter().enumerate() {
         for half_width in [0.05, 0.6, 1.7] {
             let solution = press(&model, half_width);
-            let field = model.field(&solution);
+            let field = model.field(&solution).unwrap();
             let v = |s: f64| field.at(s * half_width, 0.0).unwrap().v;
             // compared with how deep the face lies a little outside
             let dip = (v(1.5) - v(0.0)).abs();

@@ -183,7 +183,7 @@ fn inside_stresses_and_jumps_are_those_that_the_interfaces_allow() {
         .sliding()
         .layer(HalfPlane::new(0.5, 0.3).unwrap());
     let (model, solution) = solve(stack);
-    let field = model.field(&solution);
+    let field = model.field(&solution).unwrap();
     let peak = solution.contacts()[0].peak_pressure;
     for x in [0.0, 0.2, 0.9, 2.0] {
         for (depth, layers, springs) in

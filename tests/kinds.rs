@@ -41,7 +41,7 @@ fn fields_carry_the_pressures() {
     for (number, scene, solution) in solved(12, 30) {
         let stack = scene.stack().unwrap();
         let model = Model::new(stack).unwrap();
-        let field = model.field(&solution);
+        let field = model.field(&solution).unwrap();
         let top = &solution.contacts()[0];
         let size = solution.force() / top.half_length.max(1e-2);
         for s in [0.31, 0.77, 1.4] {

@@ -32,7 +32,7 @@ fn bodies_meet_where_they_touch_and_only_there() {
         let (model, solution) = solved(name, 1e-6);
         let (contact, part) = in_parts(&solution);
         let Interface::Between { above, below } = contact.interface else { panic!("{name}: {contact:?}") };
-        let field = model.field(&solution);
+        let field = model.field(&solution).unwrap();
         let depth = field.layers().find(|(layer, _)| *layer == above).unwrap().1[1];
         let [touching, open] = places(contact, part);
         // approach of the upper body to the lower one, up to a constant
@@ -67,7 +67,7 @@ fn a_sheet_that_bends_as_far_as_the_punch_is_round_touches_it_in_two_strips() {
         assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{name}: {contact:?}");
         assert!(solution.warnings().iter().any(|warning| warning.contains("open about x = 0")));
         // height of the punch above the face, up to a constant
-        let field = model.field(&solution);
+        let field = model.field(&solution).unwrap();
         let apart =
             |x: f64| (x * x / radius) / (1.0 + (1.0 - (x / radius).powi(2)).sqrt()) - field.at(x, 0.0).unwrap().v;
         let between = |from: f64, to: f64| [0.05, 0.3, 0.5, 0.7, 0.95].map(|t| from + t * (to - from));

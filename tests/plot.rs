@@ -52,6 +52,23 @@ fn a_picture_names_what_it_shows() {
 }
 
 #[test]
+fn pictures_leave_the_files_beside_them_alone() {
+    let beside = file("beside.svg.tmp");
+    fs::write(&beside, "mine").unwrap();
+    plot(SCENE, "beside.svg");
+    assert_eq!(fs::read(beside).unwrap(), b"mine");
+    // threads that draw the same picture do not take away each other's unfinished one
+    let shared = file("shared.svg");
+    let svg = recede::plot::svg(10.0, 10.0, |_| Ok(())).unwrap();
+    std::thread::scope(|scope| {
+        let draw = || (0..50).try_for_each(|_| recede::plot::save(&shared, &svg));
+        let threads = [scope.spawn(draw), scope.spawn(draw)];
+        threads.into_iter().for_each(|thread| thread.join().unwrap().unwrap());
+    });
+    assert_eq!(fs::read_to_string(&shared).unwrap(), svg);
+}
+
+#[test]
 fn every_scene_can_be_drawn() {
     for entry in fs::read_dir("examples/scenes").unwrap() {
         let scene = entry.unwrap().path();

@@ -137,7 +137,7 @@ fn what_is_merged_is_shown_as_written() {
     assert_eq!(model.stack().base().layers().len(), 2);
     assert!(model.stack().to_string().contains("2 Homogeneous(thickness: 0.25"));
     let solution = model.press(&Punch::parabola(500.0).expect("a punch"), 0.002).expect("a solution");
-    let field = model.field(&solution);
+    let field = model.field(&solution).unwrap();
     let layers: Vec<(usize, [f64; 2])> = field.layers().collect();
     assert_eq!(layers[..2], [(1, [0.0, 0.5]), (2, [0.5, 0.75])]);
     assert_eq!(field.at(0.1, 0.6).expect("inside").layer, 2);

@@ -58,7 +58,7 @@ impl Page {
     pub fn map(&self, file: &str) -> Result<(), Box<dyn Error>> {
         let model = Model::new(self.scene.stack()?)?;
         let solution = model.press(&self.scene.punch, self.scene.force)?;
-        let field = model.field(&solution);
+        let field = model.field(&solution)?;
         let steps = |from: f64, to: f64, count: i32| -> Vec<f64> {
             (0..=count).map(|k| from + (to - from) * f64::from(k) / f64::from(count)).collect()
         };

@@ -53,6 +53,7 @@ impl Points {
             normal_compliance: normal.max(),
             coupling: coupling.min(),
             axial_stiffness: axial.max(),
+            out_of_plane: None,
         };
         let fastest = worst.squared_roots().iter().fold(1.0, |s: f64, root| s.max(root.norm().sqrt()));
         let slowest = materials.iter().map(Material::slowest_decay).fold(f64::INFINITY, f64::min);

@@ -99,6 +99,7 @@ impl Layer for Fibres {
             normal_compliance: 1.0 / (c22 * scale),
             coupling: c12 / c22,
             axial_stiffness: (c11 - c12 * c12 / c22) * scale,
+            out_of_plane: None,
         }
     }
 

@@ -6,11 +6,12 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use recede::files;
 use recede::plot::{self, Kind};
 use recede::report::{FieldFormat, write_field};
 use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Solution, Spot};
 
-use super::{Failure, SceneFile, replace, tell};
+use super::{Failure, SceneFile, tell};
 
 /// Places along x and depths of a grid that is not specified.
 const LIST: [usize; 2] = [201, 101];
@@ -136,7 +137,7 @@ impl Field {
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
-        let field = model.field(&solution);
+        let field = model.field(&solution)?;
         match (&self.out, format) {
             (Some(path), Output::Map) => {
                 let [xs, depths] = self.grid(&field, &solution, MAP);
@@ -145,7 +146,8 @@ impl Field {
             }
             (Some(path), Output::Points(format)) => {
                 let points = self.points(&field, &solution)?;
-                replace(path, |out| write_field(&points, format, out))
+                files::replace(path, |out| write_field(&points, format, out))
+                    .map_err(|cause| Failure::file(path, cause))
             }
             (None, Output::Points(format)) => Ok(write_field(&self.points(&field, &solution)?, format, out)?),
             // without a file there is no map
@@ -163,11 +165,11 @@ impl Field {
 
     /// Places along x and depths, so many unless it is said how many.
     fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
-        let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.reach()));
-        let last = field
-            .layers()
-            .last()
-            .map_or(0.0, |(_, [from, to])| if to.is_finite() { to } else { from + GROUND * longest });
+        let (from, to) = field.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
+        let layers = if to.is_finite() { to } else { from };
+        // under nothing but a line load: the thickness of the layers, or 1 on a half-plane, which has no length of its own
+        let longest = solution.extent().unwrap_or(if layers > 0.0 { layers } else { 1.0 });
+        let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;
         let xs = self.x.unwrap_or(Steps { start: -beside, stop: beside, count: columns });
         let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last.min(BELOW * longest), count: rows });

@@ -12,7 +12,6 @@ mod solve;
 mod stress;
 mod sweep;
 
-use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -153,24 +152,6 @@ impl SceneFile {
             Scene::read(&self.scene)
         }
     }
-}
-
-/// Writes a file as a whole or not at all: what was there before stays until the new one is complete.
-fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(name);
-    let written = File::create(&part).and_then(|file| {
-        let mut out = io::BufWriter::new(file);
-        write(&mut out)?;
-        out.into_inner()?.sync_all()?;
-        fs::rename(&part, path)
-    });
-    written.map_err(|cause| {
-        // it may not be there
-        let _ = fs::remove_file(&part);
-        Failure::Output(io::Error::new(cause.kind(), format!("{}: {cause}", path.display())))
-    })
 }
 
 /// Tells on standard error what went wrong, where, and what to do.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use recede::report::{self, Report};
-use recede::{Load, Model, Options, Punch};
+use recede::{MaxShear, Model, Options, Solution};
 
 use super::{Failure, SceneFile, tell};
 
@@ -14,6 +14,7 @@ use super::{Failure, SceneFile, tell};
 Examples:
   recede solve scene.ron
   recede solve scene.ron --format json --tolerance 1e-12
+  recede solve scene.ron --format json --fields
   recede solve scene.ron --stats
   recede solve - --format csv < scene.ron")]
 pub struct Solve {
@@ -31,6 +32,12 @@ pub struct Solve {
     /// Tell, on standard error, what was computed and what was not needed
     #[arg(long)]
     stats: bool,
+    /// Search for the largest shear stress also for JSON; a table has it anyway
+    #[arg(long, overrides_with = "no_fields")]
+    fields: bool,
+    /// Do not search for the largest shear stress: contacts only
+    #[arg(long, overrides_with = "fields")]
+    no_fields: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -64,9 +71,7 @@ impl Solve {
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        // it is infinite under a line load, and next to sharp corners
-        let infinite = scene.punch.load().is_some_and(Load::has_lines) || matches!(scene.punch, Punch::Flat { .. });
-        let max_shear = if infinite { None } else { Some(model.field(&solution).max_shear()?) };
+        let max_shear = if self.searches() { max_shear(&model, &solution) } else { None };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
@@ -79,5 +84,25 @@ impl Solve {
             tell(&solution.stats().to_string());
         }
         Ok(Report { scene: &scene, solution: &solution, max_shear, seconds }.write(format, out)?)
+    }
+    /// Whether the largest shear stress is printed: CSV has no column for it.
+    fn searches(&self) -> bool {
+        match self.format {
+            Format::Table => !self.no_fields,
+            Format::Json => self.fields,
+            Format::Csv => false,
+        }
+    }
+}
+
+/// The largest shear stress, if it is finite and can be found: it is infinite under a line load, and next to sharp corners. The contacts are solved without it, so that a failure is only
+/// told.
+fn max_shear(model: &Model, solution: &Solution) -> Option<MaxShear> {
+    match model.field(solution).and_then(|field| field.max_shear()) {
+        Ok(found) => Some(found).filter(|found| found.value.is_finite()),
+        Err(error) => {
+            tell(&format!("note: the contacts are solved, the largest shear stress was not found: {error}\n"));
+            None
+        }
     }
 }

@@ -203,7 +203,7 @@ fn solution(
         .enumerate()
         .map(|(i, interface)| {
             if let (0, Some(load)) = (i, indentation.load()) {
-                let strips = given::strips(load, force, kernel.length());
+                let strips = given::strips(load, force);
                 return given::contact(load, *interface, force, strips);
             }
             let half_length = level.half_lengths[i] * kernel.length();
@@ -229,7 +229,7 @@ fn solution(
                 peak_pressure,
                 peak_pressure_error: if peak_pressure.is_finite() { pressure_error * peak_pressure } else { 0.0 },
                 resultant,
-                strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients, level.counts[i]) }],
+                strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients) }],
                 opening: 0.0,
                 opening_error: 0.0,
                 parts: Vec::new(),
@@ -238,6 +238,7 @@ fn solution(
         .collect();
     Solution {
         contacts,
+        stack: None,
         force,
         force_error: 0.0,
         min_pressure: check.min_pressure * pressure_unit,

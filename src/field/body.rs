@@ -1,7 +1,7 @@
 //! The bodies of a stack, free laminates and base, with the contacts that press on them.
 use std::sync::Arc;
 
-use recede_layers::{Layer, Plane, State, Wave};
+use recede_layers::{Layer, Material, Plane, State, Wave};
 
 use super::pressure::Pressure;
 use super::surface::{Components, Surface};
@@ -13,6 +13,11 @@ const NOTHING: f64 = 1e-13;
 /// Wavenumbers, in terms of the shift of a [`Surface`], from which on what is left is looked at.
 const SHORT: f64 = 36.0;
 const DOUBLINGS: i32 = 4;
+/// The depth over which a material varies is that of a relative change by this. It is a length scale only: twice as large a
+/// change makes it twice as long.
+const CHANGE: f64 = 0.1;
+/// So many doublings, or halvings, of a length are looked through for it.
+const SCALES: usize = 200;
 
 /// One layer, and where it lies.
 #[derive(Clone, Debug)]
@@ -143,7 +148,7 @@ impl Body {
             Some(thickness) if side == 1 => stratum.layer.material((thickness - distance).max(0.0), plane),
             _ => stratum.layer.material(distance, plane),
         };
-        let unit = stratum.thickness.unwrap_or(half_length);
+        let unit = stratum.thickness.unwrap_or_else(|| depth_of_change(&material, half_length));
         let mut surface = Surface::new(&material, unit, modulus)?;
         if side == 1 {
             surface = surface.upside_down();
@@ -198,6 +203,30 @@ impl Body {
             Chain::Base(chain) => chain.states(wave, depths, load.top + load.equal),
         }
     }
+}
+
+/// The depth in a half-plane over which its material changes by about a tenth, whatever the load; for a homogeneous one, which
+/// has no such depth, the half-length of the contact, or 1 under a line load.
+fn depth_of_change(material: &dyn Fn(f64) -> Material, half_length: f64) -> f64 {
+    let face = material(0.0);
+    let changes = |depth: f64| {
+        let Material { shear_compliance: m, normal_compliance: d, coupling: c, axial_stiffness: e, .. } =
+            material(depth);
+        let coefficients =
+            [(m, face.shear_compliance), (d, face.normal_compliance), (c, face.coupling), (e, face.axial_stiffness)];
+        coefficients.iter().any(|(there, here)| (there - here).abs() > CHANGE * here.abs())
+    };
+    let start = if half_length > 0.0 { half_length } else { 1.0 };
+    let (mut depth, factor) = (start, if changes(start) { 0.5 } else { 2.0 });
+    for _ in 0..SCALES {
+        let next = depth * factor;
+        match (changes(next), factor > 1.0) {
+            (true, true) => return next,
+            (false, false) => return depth,
+            _ => depth = next,
+        }
+    }
+    start
 }
 
 /// Stresses from a state, σ_xx = E λU + c S, and λμ₀U, λμ₀V.

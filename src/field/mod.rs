@@ -11,6 +11,7 @@ mod roots;
 mod strip;
 mod sum;
 mod surface;
+mod transform;
 mod waves;
 
 use recede_layers::Plane;
@@ -52,7 +53,7 @@ const POWER: f64 = 1e-3;
 /// let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
 /// let model = Model::new(stack)?;
 /// let solution = model.press(&Punch::cylinder(500.0)?, 0.002)?;
-/// let field = model.field(&solution);
+/// let field = model.field(&solution)?;
 /// let under_the_punch = field.at(0.0, 0.0)?;
 /// assert!((under_the_punch.sigma_yy + solution.contacts()[0].peak_pressure).abs() < 1e-12);
 /// // the strip bends: its lower face is stretched
@@ -141,7 +142,7 @@ impl Field {
     /// # use recede::{HalfPlane, Model, Plane, Punch, Stack};
     /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
     /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let grid = model.field(&solution).grid(&[-1.0, 0.0, 1.0], &[0.0, 0.5])?;
+    /// let grid = model.field(&solution)?.grid(&[-1.0, 0.0, 1.0], &[0.0, 0.5])?;
     /// assert_eq!(grid.points().len(), 6);
     /// assert_eq!(grid.at(1, 0).sigma_xy, -grid.at(1, 2).sigma_xy); // row 1, places 0 and 2
     /// # Ok::<(), recede::Error>(())
@@ -165,7 +166,7 @@ impl Field {
     /// # let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
     /// # let model = Model::new(stack)?;
     /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let grids = model.field(&solution).by_layer(&[0.0, 0.5], &[0.0, 0.6, 1.2, 1.8])?;
+    /// let grids = model.field(&solution)?.by_layer(&[0.0, 0.5], &[0.0, 0.6, 1.2, 1.8])?;
     /// let depths = |k: usize| grids[k].rows().map(|row| row[0].depth).collect::<Vec<_>>();
     /// assert_eq!((depths(0), depths(1)), (vec![0.0, 0.6, 1.0], vec![1.0, 1.2, 1.8]));
     /// # Ok::<(), recede::Error>(())

@@ -1,5 +1,6 @@
 //! The largest shear stress: a coarse mesh in every layer, then parabolas through ever closer points around its peaks.
 use super::pressure::Pressure;
+use super::strip::Singularity;
 use super::sum::Row;
 use super::waves::{self, Precision};
 use super::{Field, FieldPoint};
@@ -34,7 +35,7 @@ const ROUGHLY: f64 = 1e-4;
 /// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxShear {
-    /// The stress.
+    /// The stress; infinite under a line load and at the sharp corners of a punch.
     pub value: f64,
     /// Along the layers, x ≥ 0; by symmetry it is found at −x, too.
     pub x: f64,
@@ -55,6 +56,9 @@ struct Peak {
 }
 
 pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
+    if let Some(infinite) = infinite(field) {
+        return Ok(infinite);
+    }
     let rough = field.with_pressures(|pressure| pressure.truncated(ROUGHLY));
     let mut peaks = promising(field, coarsely(&rough)?);
     for step in STEPS {
@@ -75,6 +79,9 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     let Some(Peak { stratum, x, depth, value }) = same.min_by_key(|peak| peak.stratum) else {
         return Err(Error::Unresolved { wavenumber: 0.0 });
     };
+    if !value.is_finite() {
+        return Err(Error::Unresolved { wavenumber: 0.0 });
+    }
     let own = &field.strata[stratum];
     Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
 }
@@ -108,6 +115,17 @@ fn exactly(field: &Field, rough: Peak) -> Result<Peak, Error> {
     }
     let [peak] = peak;
     Ok(peak)
+}
+
+/// Where the shear stress is infinite: under a line load, at sharp corners, and under a sharp tip where the stresses on the face
+/// are not the same along it and across, as they are where its material is isotropic.
+fn infinite(field: &Field) -> Option<MaxShear> {
+    let layer = field.strata.first()?.number;
+    let isotropic = field.bodies.first()?.faces[0].as_ref().is_some_and(|face| face.surface.is_isotropic());
+    let points = field.pressures.first()?.singular_points();
+    let (x, _) =
+        points.filter(|(_, kind)| *kind != Singularity::Tip || !isotropic).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(MaxShear { value: f64::INFINITY, x, depth: 0.0, layer })
 }
 
 /// The peaks of a coarse mesh.
@@ -286,7 +304,8 @@ fn values(field: &Field, rows: &[Row], sets: &[Vec<f64>], precision: &Precision)
         xs.iter()
             .zip(components)
             .map(|(x, components)| field.point(*x, row, components))
-            .map(|p: FieldPoint| p.max_shear())
+            // under a sharp tip it is not defined; along the face it comes to 0 there
+            .map(|p: FieldPoint| if p.sigma_yy.is_infinite() { 0.0 } else { p.max_shear() })
             .collect()
     };
     Ok(rows.iter().zip(found).map(of).collect())

@@ -44,8 +44,9 @@ pub struct FieldPoint {
     pub sigma_yy: f64,
     /// Shear stress, with y upwards.
     pub sigma_xy: f64,
-    /// Normal stress out of the plane: ν(σ_xx + σ_yy) in plane strain, 0 in plane stress. Poisson's ratio is that of an
-    /// isotropic material with the same ratio c12/c22, so that for any other material this is an estimate.
+    /// Normal stress out of the plane: that for which ε_zz = 0 in plane strain, ν(σ_xx + σ_yy) of an isotropic material; 0 in
+    /// plane stress. NaN in a layer whose material does not tell it, see
+    /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane).
     pub sigma_zz: f64,
 }
 
@@ -61,7 +62,7 @@ impl FieldPoint {
         (0.5 * (self.sigma_xx - self.sigma_yy)).hypot(self.sigma_xy)
     }
 
-    /// Von Mises' equivalent stress, with the stress out of the plane.
+    /// Von Mises' equivalent stress, with the stress out of the plane; NaN where that is not known.
     pub fn von_mises(&self) -> f64 {
         let [first, second] = self.principal();
         let third = self.sigma_zz;
@@ -131,7 +132,7 @@ impl FieldQuantity {
     /// # use recede::{HalfPlane, Model, Plane, Punch, FieldQuantity, Stack};
     /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
     /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let point = model.field(&solution).at(0.0, 0.5)?;
+    /// let point = model.field(&solution)?.at(0.0, 0.5)?;
     /// assert_eq!(FieldQuantity::SigmaYy.of(&point), point.sigma_yy);
     /// # Ok::<(), recede::Error>(())
     /// ```
@@ -196,10 +197,9 @@ impl Field {
             (sigma_xy, u) = (-sigma_xy, -u);
         }
         let sigma_zz = match self.plane {
-            // c12/c22 = ν/(1 − ν)
             Plane::Strain => {
-                let ratio = stratum.layer.material(row.depth, self.plane).coupling;
-                ratio / (1.0 + ratio) * (sigma_xx + sigma_yy)
+                let shares = stratum.layer.material(row.depth, self.plane).out_of_plane;
+                shares.map_or(f64::NAN, |[along, across]| along * sigma_xx + across * sigma_yy)
             }
             Plane::Stress => 0.0,
         };

@@ -1,8 +1,12 @@
 //! A contact pressure as the bodies below and above it feel it: its transform, and potentials in closed form.
 use num_complex::Complex64;
 
-use super::strip::Image;
+use super::strip::{Image, Singularity};
 use crate::solution::{Contact, Strip};
+
+/// A place is a singular point if it is as close to it as this, in parts of its distance from x = 0: what lies between is
+/// rounding.
+const AT: f64 = 4.0 * f64::EPSILON;
 
 /// A sum of strips, each with its mirror image.
 #[derive(Clone, Debug)]
@@ -38,6 +42,31 @@ impl Pressure {
     /// Half-length of the narrowest strip.
     pub(super) fn narrowest(&self) -> f64 {
         self.strips().fold(self.half_length, |narrowest, (_, a)| narrowest.min(a))
+    }
+
+    /// Where x ≥ 0 and stresses on the face are infinite, and how.
+    pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
+        let of =
+            |(at, image): &(f64, Image)| image.singular_points().map(|(x, kind)| (at + x, kind)).collect::<Vec<_>>();
+        self.strips.iter().flat_map(of).map(|(x, kind)| (x.abs(), kind))
+    }
+
+    /// How stresses on the face are infinite at a place; the strongest way.
+    pub(super) fn singularity(&self, x: f64) -> Option<Singularity> {
+        let here = self.singular_points().filter(|(at, _)| (x.abs() - at).abs() <= AT * at);
+        here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
+    }
+
+    /// An amplitude of p̂ at a wavenumber.
+    pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
+        let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };
+        self.strips.iter().map(|(at, image)| images(*at) * image.envelope(wavenumber)).sum()
+    }
+
+    /// p̂(0).
+    pub(super) fn resultant(&self) -> f64 {
+        let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };
+        self.strips.iter().map(|(at, image)| images(*at) * image.resultant()).sum()
     }
 
     /// p̂ and p̂ − P at some wavenumbers, eq. (22); the latter is O(λ²) and keeps its digits.

@@ -57,16 +57,14 @@ impl Roots {
         sum
     }
 
-    /// The components at a point, with displacements less those at the depth `shift` farther down; if that is infinite,
-    /// less those on the face at x = 0.
+    /// The components at a point, with displacements less those at the depth `shift` farther down, if that is finite.
     pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64, shift: f64, modulus: f64) -> Components {
         let mut sum = Components::default();
         for Term { root, components } in &self.0 {
             // e^(−sλd) with a complex s moves waves along x
             let (depth, beside) = (root.re * depth, root.im * depth);
             let integral = |x: f64| {
-                let from =
-                    if shift.is_finite() { pressure.integral(x, depth + shift) } else { pressure.integral(0.0, 0.0) };
+                let from = if shift.is_finite() { pressure.integral(x, depth + shift) } else { Complex64::ZERO };
                 pressure.integral(x, depth) - from
             };
             let stress = |x: f64| {

@@ -7,6 +7,7 @@ use faer::{Accum, MatMut, MatRef, Par};
 use recede_layers::Wave;
 
 use super::body::{Body, Face, Stratum, components};
+use super::strip::Singularity;
 use super::surface::Components;
 use super::waves::{self, Decay, Panel, Precision};
 use super::{Field, Load};
@@ -65,11 +66,13 @@ impl Field {
             let distance = self.distance(stratum, row.depth, above);
             let thickness = stratum.slowest * stratum.thickness.unwrap_or(f64::INFINITY);
             let shift = face.map_or(0.0, |face| face.surface.shift);
+            let pressure = &self.pressures[body.contact + side];
             let decay = Decay {
                 distance,
                 reflected: (distance + shift).min(2.0 * thickness - distance),
                 left: face.map(|face| [face.size, face.power]),
-                half_length: self.pressures[body.contact + side].narrowest(),
+                pressure,
+                length: pressure.half_length.max(shift),
             };
             Some(decay.end(precision, most))
         });
@@ -130,8 +133,16 @@ impl Field {
         let at = |stratum: &Stratum, depth: f64, x: f64| {
             let mut sum = Components::default();
             for (face, contact, distance) in faces(body, stratum, depth) {
-                let closed = face.surface.closed(&self.pressures[contact], x, distance);
+                let pressure = &self.pressures[contact];
+                let closed = face.surface.closed(pressure, x, distance);
                 sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
+                if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
+                    // the limits along the loaded face; those of the shear stress depend on the direction
+                    [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
+                    if kind == Singularity::Line {
+                        sum[4] = f64::NEG_INFINITY;
+                    }
+                }
             }
             sum
         };
@@ -169,6 +180,10 @@ impl Field {
         let origins: Vec<f64> = self.bodies.iter().map(|body| self.origin_end(body, precision, most)).collect();
         let end = active.iter().map(|active| active.end).chain(origins.iter().copied()).fold(0.0, f64::max);
         let panels = waves::panels(end, reach, self.origin(), precision).ok_or(Error::TooFar { x: farthest })?;
+        let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.strata.len()) as f64;
+        if evaluations > precision.evaluations {
+            return Err(Error::TooLong { evaluations, allowed: precision.evaluations });
+        }
         let mut sums: Vec<Sums> =
             sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
         // ∫ V at the reference points, panel by panel

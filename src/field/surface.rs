@@ -4,6 +4,7 @@
 //! depth d are e^(−t) times polynomials in t = λd, and those of the variation have a factor 1/λ more. Each term has a
 //! closed form in x, see [`super::pressure`], and what is left is small and integrated: eq. (24).
 use nalgebra::{DMatrix, DVector, Matrix4, Vector4};
+use num_complex::Complex64;
 use recede_layers::Material;
 
 use super::pressure::{Potentials, Pressure};
@@ -99,13 +100,18 @@ impl Surface {
         })
     }
 
-    /// The components at a point, in closed form. Displacements include a constant that [`Self::transformed`] makes
-    /// finite; it is chosen to vanish at x = 0 on the face if the shift is infinite.
+    /// The components at a point, in closed form. v includes a constant that [`Self::transformed`] makes finite; if the shift is
+    /// infinite, it cancels in what is counted from another point.
     pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64) -> Components {
         self.turned(match &self.fields {
             Fields::Double(polynomials) => polynomials.closed(pressure, x, depth, self.shift, self.modulus),
             Fields::Simple(roots) => roots.closed(pressure, x, depth, self.shift, self.modulus),
         })
+    }
+
+    /// Whether stresses along the face are those across it.
+    pub(super) fn is_isotropic(&self) -> bool {
+        matches!(self.fields, Fields::Double(_))
     }
 
     /// The same for a face that looks downwards.
@@ -135,10 +141,10 @@ impl Polynomials {
 
     fn closed(&self, pressure: &Pressure, x: f64, depth: f64, shift: f64, modulus: f64) -> Components {
         let Potentials([g0, g1, g2]) = pressure.potentials(x, depth);
-        let from = if shift.is_finite() { pressure.integral(x, depth + shift) } else { pressure.integral(0.0, 0.0) };
+        let from = if shift.is_finite() { pressure.integral(x, depth + shift) } else { Complex64::ZERO };
         let integral = pressure.integral(x, depth) - from;
         std::array::from_fn(|i| {
-            let pick = |z: num_complex::Complex64| if i == 2 || i == 3 { z.im } else { z.re };
+            let pick = |z: Complex64| if i == 2 || i == 3 { z.im } else { z.re };
             // at the ends of the contact g1 and g2 are infinite
             let at_depth = |power: i32, g| if depth > 0.0 { depth.powi(power) * pick(g) } else { 0.0 };
             let (p, v) = (&self.plain, &self.varied);

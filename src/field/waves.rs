@@ -1,10 +1,13 @@
 //! Which wavenumbers a field is summed over: panels of Gauss points, and how far each depth has to go.
+use std::f64::consts::PI;
+
+use super::pressure::Pressure;
 use crate::numeric::quadrature::{self, Rule};
 
 /// How closely a field is summed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
-    /// What is left out beyond the last wavenumber, in parts of the peak pressure: inside, and on a loaded face.
+    /// What is left out beyond the last wavenumber, in parts of the mean pressure: inside, and on a loaded face.
     inside: f64,
     on_face: f64,
     /// Exponentially small terms are left out beyond this exponent.
@@ -15,21 +18,55 @@ pub(super) struct Precision {
     growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
+    /// A sum that would evaluate layers more often than this, all wavenumbers together, is refused.
+    pub(super) evaluations: f64,
 }
 
+/// Each of the some forty sums of a search for the largest shear stress may take as many evaluations of layers, at 1 to 10 µs
+/// each: all together a minute at the very worst. Three layers take some 2000; twice the limit is twice that minute.
+const SEARCHED: f64 = 2e5;
+
 /// All that there is.
-pub(super) const FULL: Precision =
-    Precision { inside: 1e-10, on_face: 1e-8, felt: 36.0, points: 16, growth: 2.0, displacements: true };
+pub(super) const FULL: Precision = Precision {
+    inside: 1e-10,
+    on_face: 1e-8,
+    felt: 36.0,
+    points: 16,
+    growth: 2.0,
+    displacements: true,
+    evaluations: f64::INFINITY,
+};
 /// Stresses to some nine digits.
-pub(super) const STRESSES: Precision =
-    Precision { inside: 1e-9, on_face: 1e-8, felt: 24.0, points: 12, growth: 3.0, displacements: false };
+pub(super) const STRESSES: Precision = Precision {
+    inside: 1e-9,
+    on_face: 1e-8,
+    felt: 24.0,
+    points: 12,
+    growth: 3.0,
+    displacements: false,
+    evaluations: SEARCHED,
+};
 /// Stresses to some four digits.
-pub(super) const ROUGH: Precision =
-    Precision { inside: 1e-5, on_face: 1e-5, felt: 14.0, points: 12, growth: 3.0, displacements: false };
+pub(super) const ROUGH: Precision = Precision {
+    inside: 1e-5,
+    on_face: 1e-5,
+    felt: 14.0,
+    points: 12,
+    growth: 3.0,
+    displacements: false,
+    evaluations: SEARCHED,
+};
 
 /// Stresses to some two digits.
-pub(super) const COARSE: Precision =
-    Precision { inside: 1e-3, on_face: 1e-3, felt: 8.0, points: 8, growth: 3.0, displacements: false };
+pub(super) const COARSE: Precision = Precision {
+    inside: 1e-3,
+    on_face: 1e-3,
+    felt: 8.0,
+    points: 8,
+    growth: 3.0,
+    displacements: false,
+    evaluations: SEARCHED,
+};
 
 /// Phase that a panel may span, and up to which it needs half as many points or fewer.
 const PHASE: f64 = 56.0;
@@ -66,6 +103,11 @@ pub(super) struct Panel {
 }
 
 impl Panel {
+    /// At how many wavenumbers.
+    pub(super) fn count(&self) -> usize {
+        self.rule.on(self.lo, self.hi).count()
+    }
+
     /// Wavenumbers and weights.
     pub(super) fn points(&self) -> (Vec<f64>, Vec<f64>) {
         if !self.power {
@@ -110,26 +152,30 @@ pub(super) fn panels(end: f64, reach: f64, origin: Origin, precision: &Precision
 }
 
 /// What decays with the wavenumber next to a loaded face, at a distance d from it.
-pub(super) struct Decay {
+pub(super) struct Decay<'a> {
     /// Everything falls like e^(−λ·distance) at least.
     pub(super) distance: f64,
     /// What does not come from the face itself falls faster, like e^(−λ·reflected).
     pub(super) reflected: f64,
     /// What the closed form leaves of the face itself, size·λ^(−power); `None` if there is no closed form.
     pub(super) left: Option<[f64; 2]>,
-    /// Half-length of the contact.
-    pub(super) half_length: f64,
+    /// The pressure on the face.
+    pub(super) pressure: &'a Pressure,
+    /// Length over which its resultant is spread to be compared with what is left out.
+    pub(super) length: f64,
 }
 
-impl Decay {
+impl Decay<'_> {
     /// The wavenumber beyond which nothing is felt; `most` if there is none below.
     pub(super) fn end(&self, precision: &Precision, most: f64) -> f64 {
         let exponential = precision.felt / self.distance;
         let Some([size, power]) = self.left else { return exponential.min(most) };
         let tolerance = if self.distance > 0.0 { precision.inside } else { precision.on_face };
+        let mean = self.pressure.resultant() / (2.0 * self.length);
+        // the integral from l on of an integrand that falls at least like 1/l, over π
         let left = |l: f64| {
             let t = l * self.distance;
-            size * l.powf(-power) * (l * self.half_length).sqrt().recip() * (1.0 + t) * (1.0 + t) * (-t).exp()
+            size * l.powf(1.0 - power) * self.pressure.envelope(l) / (PI * mean) * (1.0 + t) * (1.0 + t) * (-t).exp()
         };
         let (mut lo, mut hi) = ((precision.felt / self.reflected).min(exponential).min(most), exponential.min(most));
         if size == 0.0 || left(lo) <= tolerance {

@@ -18,7 +18,7 @@ use num_complex::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI};
 use std::ops::{Mul, Sub};
 
-pub use deficit::{jinc_deficit, jinc_deficit_from, sinc_deficit, spherical_jinc_deficit};
+pub use deficit::{INTEGRAL_FROM, integral, jinc_deficit, jinc_deficit_from, sinc_deficit, spherical_jinc_deficit};
 use start::start_orders;
 
 use super::trigonometry::sin_cos;

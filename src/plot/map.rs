@@ -29,6 +29,9 @@ const BAR: [f64; 2] = [12.0, 150.0];
 const GROUND: f64 = 12.0;
 /// Values that differ by less than this part are the same.
 const SAME: f64 = 1e-6;
+/// Where a quantity is infinite, this part of the points may lie above the colours, and as many below: half as much hides less
+/// and leaves the colours to a few points next to the singular one.
+const BEYOND: f64 = 0.01;
 /// Fewest bands of colour.
 const BANDS: usize = 10;
 
@@ -51,7 +54,10 @@ pub fn map(
     if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
         return Err(PlotError::Empty("a map needs two places along x and two depths".into()));
     }
-    let values = Scale::around(points().map(|point| quantity.of(point)));
+    let clipped = points().any(|point| is_singular(point, quantity));
+    let values = range(points().map(|point| quantity.of(point)), clipped).ok_or_else(|| {
+        PlotError::Empty(format!("{} is infinite or not known at all points of the map", quantity.name()))
+    })?;
     let along = WIDTH / (x.1 - x.0);
     let true_height = along * (depth.1 - depth.0);
     let height = true_height.clamp(HEIGHTS[0], HEIGHTS[1]);
@@ -68,6 +74,7 @@ pub fn map(
         grids,
         quantity,
         colours: Colours::new(values.rounded(), quantity),
+        clipped,
         chart: Chart {
             frame,
             x: Scale::around([x.0, x.1]),
@@ -96,6 +103,20 @@ pub fn map(
         map.largest(canvas, frame.bottom + BELOW - 12.0, height / true_height)?;
         map.bar(canvas)
     })
+}
+
+/// Whether a quantity is infinite or not defined because stresses are infinite at this point.
+fn is_singular(point: &FieldPoint, quantity: FieldQuantity) -> bool {
+    point.sigma_yy.is_infinite() && !quantity.of(point).is_finite()
+}
+
+/// From the smallest to the largest value, without some at both ends where colours are clipped; `None` if no value is finite.
+fn range(values: impl Iterator<Item = f64>, clipped: bool) -> Option<Scale> {
+    let mut finite: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+    finite.sort_by(f64::total_cmp);
+    let beyond = if clipped { (BEYOND * finite.len() as f64) as usize } else { 0 };
+    let ends = [finite.get(beyond)?, finite.get(finite.len() - 1 - beyond)?];
+    Some(Scale::around(ends.map(|end| *end)))
 }
 
 /// Bands of a quantity and their colours.
@@ -134,6 +155,8 @@ struct Map<'a> {
     grids: &'a [Grid],
     quantity: FieldQuantity,
     colours: Colours,
+    /// Whether the quantity is infinite somewhere, and the colours end before.
+    clipped: bool,
     chart: Chart,
     scale: [f64; 2],
 }
@@ -145,8 +168,13 @@ impl Map<'_> {
         let depths: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
         let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return Ok(()) };
         let [from, to] = [(xs[0], *first), (xs[xs.len() - 1], *last)].map(|corner| self.chart.place(corner));
-        canvas.rectangle(from, to, self.colours.band(0))?;
         let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of(point)).collect();
+        if values.iter().all(|value| value.is_nan()) {
+            // not known in this layer: left white
+            return Ok(());
+        }
+        let values = within(values, xs.len(), self.colours.scale.ends());
+        canvas.rectangle(from, to, self.colours.band(0))?;
         let failed = |error: contour::Error| PlotError::Drawing(error.to_string());
         let contours =
             ContourBuilder::new(xs.len(), depths.len(), true).contours(&values, &self.colours.edges).map_err(failed)?;
@@ -255,6 +283,7 @@ impl Map<'_> {
         let points = self.grids.iter().flat_map(|grid| grid.points());
         let value = |point: &FieldPoint| self.quantity.of(point);
         // of two that are the same the one on the right, and the one above
+        let points = points.filter(|point| value(point).is_finite());
         let larger = |a: &&FieldPoint, b: &&FieldPoint| {
             let (p, q) = (value(a).abs(), value(b).abs());
             let same = (p - q).abs() <= SAME * p.max(q);
@@ -280,6 +309,10 @@ impl Map<'_> {
             short(point.depth),
             point.layer
         );
+        if self.clipped {
+            let (low, high) = self.colours.scale.ends();
+            text += &format!("; infinite at singular points, clipped to {} … {}", short(low), short(high));
+        }
         if (stretch - 1.0).abs() > 1e-6 {
             text += &format!("; depths drawn × {}", label(format!("{stretch:.1e}").parse().unwrap_or(1.0)));
         }
@@ -309,6 +342,19 @@ impl Map<'_> {
         let beside = right + 12.0 + 0.62 * SMALL * widest as f64 + 0.5 * TEXT;
         canvas.text((beside, 0.5 * (top + bottom)), &title, TEXT, INK, Anchor::Upwards)
     }
+}
+
+/// The values of a grid within the ends of a scale; of those that are not defined, at singular points, the ones next to them.
+fn within(mut values: Vec<f64>, columns: usize, (low, high): (f64, f64)) -> Vec<f64> {
+    for i in 0..values.len() {
+        if values[i].is_nan() {
+            let beside = [i.checked_sub(1), Some(i + 1), Some(i + columns), i.checked_sub(columns)];
+            let known = beside.into_iter().flatten().filter_map(|k| values.get(k)).find(|value| !value.is_nan());
+            values[i] = known.copied().unwrap_or(low);
+        }
+        values[i] = values[i].clamp(low, high);
+    }
+    values
 }
 
 /// The value at a place between those of a list.

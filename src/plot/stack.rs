@@ -7,7 +7,7 @@ use super::punch::{ABOVE, Punch};
 use super::scale::{Scale, label};
 use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
 use super::target::PlotError;
-use crate::scene::Scene;
+use crate::scene::{Load, Scene};
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::{Foundation, Placed, Stack};
 
@@ -41,8 +41,8 @@ const NAMES: usize = 40;
 /// [`PlotError::Drawing`] if the drawing library fails.
 pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String, PlotError> {
     let contacts = solution.contacts();
-    let longest = contacts.iter().map(Contact::reach).fold(0.0, f64::max);
     let total = stack.total_thickness();
+    let longest = solution.extent().unwrap_or(if total > 0.0 { total } else { 1.0 });
     // points per length
     let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
     let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: ABOVE };
@@ -246,15 +246,23 @@ impl Drawing<'_> {
     fn pressures(&self, canvas: &Canvas, top: f64) -> Result<(), PlotError> {
         let longest = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
         let mut half = 0.5 * WIDTH / self.scale;
-        if longest < SMALLEST * half {
+        if longest > 0.0 && longest < SMALLEST * half {
             half = longest / FILLED;
         }
         // an infinite pressure is drawn as far as its curve goes
-        let highest = self.contacts.iter().map(|contact| highest(&pressure(self.scene, contact)));
+        let highest = self.contacts.iter().map(|contact| highest(&pressure(self.scene, contact))).fold(0.0, f64::max);
+        // where nothing but line loads presses: their mean over the width that is drawn
+        let force: f64 = self.contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
+        let y = Scale::around([0.0, if highest > 0.0 { highest } else { force / (2.0 * half) }]).rounded();
         let (left, right) = self.ends();
+        let lines = self.scene.punch.load().map_or(Vec::new(), Load::parts);
+        let lines = lines.into_iter().filter(|(_, _, load)| load.half_width() == 0.0).flat_map(|(at, _, _)| [at, -at]);
+        let stroke = |i: usize| Stroke { width: BOLD, ..curve(i, self.contacts.len()) };
+        let lines =
+            lines.map(|x| Curve { points: vec![(x, 0.0), (x, y.ends().1)], stroke: stroke(0), label: String::new() });
         let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
             points: pressure(self.scene, contact),
-            stroke: Stroke { width: BOLD, ..curve(i, self.contacts.len()) },
+            stroke: stroke(i),
             label: match contact.peak_pressure.is_finite() {
                 true => format!("{symbol}(0) = {}", short(contact.peak_pressure)),
                 false => format!("{symbol}(0) = ∞"),
@@ -263,12 +271,12 @@ impl Drawing<'_> {
         let chart = Chart {
             frame: Frame { left, top, right, bottom: top + PRESSURES },
             x: Scale::around([-half, half]),
-            y: Scale::around(highest).with(0.0).rounded(),
+            y: y.clone(),
             x_label: italic("x"),
             x_unit: unit(self.scene, Dimension::Length),
             y_label: "contact pressure".into(),
             y_unit: unit(self.scene, Dimension::Stress),
-            curves: curves.collect(),
+            curves: curves.chain(lines).collect(),
             labels: Labels::Listed,
         };
         chart.draw(canvas)

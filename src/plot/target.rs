@@ -1,9 +1,10 @@
 //! From a drawing to a file: SVG, or PNG made from the same SVG, so that both look alike.
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
+
+use crate::files;
 
 /// The letters of all pictures; the licence stands beside the files.
 const FONTS: [&[u8]; 2] = [include_bytes!("font/DejaVuSans.ttf"), include_bytes!("font/DejaVuSans-Oblique.ttf")];
@@ -80,16 +81,7 @@ pub fn save(file: &Path, svg: &str) -> Result<(), PlotError> {
         Kind::Svg => svg.as_bytes().to_vec(),
         Kind::Png => png(svg)?,
     };
-    let mut name = file.file_name().unwrap_or_default().to_owned();
-    name.push(".tmp");
-    let unfinished = file.with_file_name(name);
-    let failed = |cause| PlotError::File { file: file.to_owned(), cause };
-    fs::write(&unfinished, bytes).map_err(failed)?;
-    fs::rename(&unfinished, file).map_err(|cause| {
-        // what cannot be renamed is of no use
-        let _ = fs::remove_file(&unfinished);
-        failed(cause)
-    })
+    files::replace(file, |out| out.write_all(&bytes)).map_err(|cause| PlotError::File { file: file.to_owned(), cause })
 }
 
 /// An SVG of this crate as pixels.

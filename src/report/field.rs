@@ -3,6 +3,7 @@ use std::io;
 
 use serde::Serialize;
 
+use super::sweep::number;
 use crate::field::FieldPoint;
 
 /// How a field is written.
@@ -19,7 +20,8 @@ struct Document {
     points: Vec<Point>,
 }
 
-/// The keys, which are the columns too; they are stable, more may be added.
+/// The keys, which are the columns too; they are stable, more may be added. What is infinite or not known is `null` in JSON, as
+/// serde_json writes such numbers, and empty in CSV.
 #[derive(Serialize)]
 struct Point {
     x: f64,
@@ -54,7 +56,7 @@ impl From<&FieldPoint> for Point {
 /// use recede::{Scene, Model, report::{FieldFormat, write_field}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let model = Model::new(scene.stack()?)?;
-/// let field = model.field(&model.press(&scene.punch, scene.force)?);
+/// let field = model.field(&model.press(&scene.punch, scene.force)?)?;
 /// let mut text = Vec::new();
 /// write_field(&[field.at(0.0, 0.5)?], FieldFormat::Csv, &mut text)?;
 /// assert!(text.starts_with(b"x,depth,layer,sigma_xx,"));
@@ -75,8 +77,9 @@ pub fn write_field(points: &[FieldPoint], format: FieldFormat, out: &mut dyn io:
             for point in points.iter().map(Point::from) {
                 let Point { x, depth, layer, sigma_xx, sigma_yy, sigma_xy, sigma_zz, .. } = point;
                 let Point { sigma_1, sigma_2, max_shear, von_mises, u, v, .. } = point;
-                write!(out, "{x:?},{depth:?},{layer},{sigma_xx:?},{sigma_yy:?},{sigma_xy:?},{sigma_zz:?},")?;
-                writeln!(out, "{sigma_1:?},{sigma_2:?},{max_shear:?},{von_mises:?},{u:?},{v:?}")?;
+                let stresses = [sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_1, sigma_2, max_shear, von_mises];
+                let numbers = stresses.into_iter().chain([u, v]).map(number).collect::<Vec<_>>().join(",");
+                writeln!(out, "{x:?},{depth:?},{layer},{numbers}")?;
             }
             Ok(())
         }

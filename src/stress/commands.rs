@@ -1,6 +1,7 @@
 //! What the commands do with a solved scene: reports in every format, fields, pictures, and what must hold of them.
 use std::fmt::Write as _;
 
+use crate::error::Error;
 use crate::field::{Field, FieldPoint, FieldQuantity};
 use crate::model::Model;
 use crate::report::{FieldFormat, Format, Report, write_field};
@@ -20,11 +21,13 @@ const PRESSED: f64 = 1e-5;
 
 /// Does what `solve`, `field` and `plot` do with a solution, pictures too if asked for; what is wrong, if anything is.
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
-    let field = model.field(solution);
-    reports(scene, solution, &field)
-        .and_then(|()| fields(scene, solution, &field))
-        .and_then(|()| if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) })
-        .err()
+    let all = || -> Result<(), String> {
+        let field = model.field(solution).map_err(|e| said("field")(&e))?;
+        reports(scene, solution, &field)?;
+        fields(solution, &field)?;
+        if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
+    };
+    all().err()
 }
 
 fn said(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
@@ -33,9 +36,13 @@ fn said(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
 
 /// Writes the solution in every format; numbers are numbers there.
 fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
-    let max_shear =
-        if is_singular(scene) { None } else { Some(field.max_shear().map_err(|e| said("largest shear stress")(&e))?) };
-    let report = Report { scene, solution, max_shear, seconds: 0.0 };
+    let max_shear = match field.max_shear() {
+        // it is infinite under a line load, at corners, and under some tips
+        Ok(found) => Some(found),
+        Err(Error::TooLong { .. }) => None,
+        Err(error) => return Err(said("largest shear stress")(&error)),
+    };
+    let report = Report { scene, solution, max_shear: max_shear.filter(|found| found.value.is_finite()), seconds: 0.0 };
     for format in [Format::Table, Format::Json, Format::Csv] {
         let mut text = Vec::new();
         report.write(format, &mut text).map_err(|e| said("report")(&e))?;
@@ -48,18 +55,10 @@ fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Stri
         }
     }
     match max_shear {
-        Some(found) if !(found.value >= 0.0 && found.value.is_finite()) => {
-            Err(format!("the largest shear stress is {}", found.value))
-        }
+        Some(found) if !(found.value >= 0.0) => Err(format!("the largest shear stress is {}", found.value)),
         Some(found) => nowhere_larger(solution, field, found.value),
         None => Ok(()),
     }
-}
-
-/// Whether stresses are infinite somewhere: under a line load, next to corners.
-fn is_singular(scene: &Scene) -> bool {
-    use crate::scene::{Load, Punch};
-    scene.punch.load().is_some_and(Load::has_lines) || matches!(scene.punch, Punch::Flat { .. })
 }
 
 /// The grid: places along x and depths.
@@ -94,15 +93,19 @@ fn nowhere_larger(solution: &Solution, field: &Field, largest: f64) -> Result<()
 }
 
 /// Fields on a grid and their files; on the loaded face they carry the pressure.
-fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
+fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
     let grid = field.grid(&xs, &depths).map_err(|e| said("field")(&e))?;
+    let top = &solution.contacts()[0];
     for point in grid.points() {
         for quantity in FieldQuantity::ALL {
             let value = quantity.of(point);
-            // stresses out of the plane may be unknown, and under a line load they are infinite
-            let nothing = value.is_nan() && matches!(quantity, FieldQuantity::SigmaZz | FieldQuantity::VonMises);
-            if !(value.is_finite() || nothing || is_singular(scene) && point.depth == 0.0) {
+            // stresses out of the plane may be unknown
+            let unknown = value.is_nan() && matches!(quantity, FieldQuantity::SigmaZz | FieldQuantity::VonMises);
+            // under a line load and a tip pressures are infinite, and a half-plane sinks without end under a line load
+            let infinite = top.pressure(point.x).is_infinite() && point.depth == 0.0;
+            let sinks = quantity == FieldQuantity::V && top.pressure(0.0).is_infinite();
+            if !(value.is_finite() || unknown || infinite || sinks) {
                 return Err(format!(
                     "field: {} is {value} at x = {:e}, depth {:e}",
                     quantity.name(),
@@ -116,16 +119,12 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
         let mut text = Vec::new();
         write_field(grid.points(), format, &mut text).map_err(|e| said("field file")(&e))?;
     }
-    let top = &solution.contacts()[0];
     let mean = 0.5 * top.resultant / top.reach();
     for point in grid.rows().next().unwrap_or_default() {
         let pressure = top.pressure(point.x);
         let missing = point.sigma_yy + pressure;
         // under a tip both are infinite
-        if !is_singular(scene)
-            && pressure.is_finite()
-            && !(missing.abs() <= PRESSED * mean && point.sigma_xy.abs() <= PRESSED * mean)
-        {
+        if pressure.is_finite() && !(missing.abs() <= PRESSED * mean && point.sigma_xy.abs() <= PRESSED * mean) {
             let mut what = format!("on the loaded face at x = {:e}: ", point.x);
             let _ = write!(
                 what,

@@ -226,7 +226,7 @@ impl Problem<'_> {
                 peak_pressure,
                 peak_pressure_error,
                 resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
-                strips: vec![Strip::series(half_length, coefficients, nodes.half())],
+                strips: vec![Strip::series(half_length, coefficients)],
                 opening: 0.0,
                 opening_error: 0.0,
                 parts: Vec::new(),
@@ -234,6 +234,7 @@ impl Problem<'_> {
         }
         Ok(Solution {
             contacts,
+            stack: None,
             force: pressure_unit * length,
             force_error: 0.0,
             min_pressure: min_pressure * pressure_unit,

@@ -41,7 +41,7 @@ pub(in crate::contact) fn answer(
     let (top, known) = match (first, punch.load()) {
         (First::Given(_), load) => {
             let (load, force) = (load?, punch.force * kernel.modulus() * kernel.length());
-            (given::contact(load, interfaces[0], force, given::strips(load, force, kernel.length())), 1)
+            (given::contact(load, interfaces[0], force, given::strips(load, force)), 1)
         }
         // a contact that is a line load to the others is found by itself
         (First::Short(a), _) => {
@@ -62,6 +62,7 @@ pub(in crate::contact) fn answer(
     warnings.extend(in_parts(&contacts));
     Some(Solution {
         contacts,
+        stack: None,
         force: punch.force * kernel.modulus() * kernel.length(),
         force_error: 0.0,
         min_pressure: 0.0,

@@ -361,7 +361,7 @@ fn solution(
     let force = pressure_unit * length;
     let mut contacts: Vec<Contact> = Vec::new();
     if let Some(load) = punch.load() {
-        contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force, length)));
+        contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force)));
     }
     let all = level.patches.iter().zip(&level.pressures.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);
@@ -371,11 +371,11 @@ fn solution(
         let resultant = coefficients[0] * patch.resultant() * length;
         let (from, to) = (patch.from() * length, patch.to() * length);
         let strip = if patch.is_central() {
-            Strip::series(extent, coefficients, count)
+            Strip::series(extent, coefficients)
         } else {
             let skew = coefficients.iter().skip(1).step_by(2).copied().collect();
             coefficients = coefficients.iter().step_by(2).copied().collect();
-            Strip { at, skew, ..Strip::series(extent, coefficients, count) }
+            Strip { at, skew, ..Strip::series(extent, coefficients) }
         };
         match contacts.last_mut().filter(|contact| contact.interface == interfaces[patch.contact]) {
             None => {
@@ -404,6 +404,7 @@ fn solution(
     warnings.extend(in_parts(&contacts));
     Solution {
         contacts,
+        stack: None,
         force,
         force_error: 0.0,
         min_pressure: min_pressure * pressure_unit,
