@@ -3,6 +3,7 @@ mod assemble;
 mod builder;
 mod drawing;
 mod error;
+mod faces;
 mod joint;
 mod merged;
 
