@@ -9,7 +9,8 @@
 //!
 //! Three properties make a layer what it is, and each law looks at one of them from one side: the fields obey the state
 //! equations of its [`Layer::material`] ([`general_body`], [`inside`], [`split_in_two`], [`continues`], [`mirror`],
-//! [`long_wave`], [`short_wave`]), the material is elastic ([`reciprocity`], [`positive_energy`]), and numbers keep their digits
+//! [`long_wave`], [`short_wave`]), the material is elastic and smooth at its faces ([`reciprocity`],
+//! [`positive_energy`], [`smooth_faces`]), and numbers keep their digits
 //! ([`free_body`], [`uniform_pressure`], [`finite`]).
 //!
 //! # Tolerances
@@ -23,12 +24,14 @@
 mod beam;
 mod bonded;
 mod cut;
+mod faces;
 mod inside;
 mod laws;
 mod limits;
 mod trial;
 
 pub use self::cut::{continues, one_body};
+pub use self::faces::{RoughFace, rough_face, smooth_faces};
 pub use self::inside::inside;
 pub use self::laws::{finite, general_body, mirror, positive_energy, reciprocity, split_in_two, uniform_pressure};
 pub use self::limits::{free_body, long_wave, short_wave};
@@ -68,10 +71,11 @@ pub struct Violation {
 pub type Law = (&'static str, fn(&dyn Layer, Plane) -> Result<(), Violation>);
 
 /// All laws, in the order in which to read their violations: the first one broken is the likely cause of the others.
-pub const LAWS: [Law; 12] = [
+pub const LAWS: [Law; 13] = [
     ("finite", finite),
     ("reciprocity", reciprocity),
     ("positive_energy", positive_energy),
+    ("smooth_faces", smooth_faces),
     ("general_body", general_body),
     ("uniform_pressure", uniform_pressure),
     ("free_body", free_body),
@@ -101,7 +105,7 @@ pub fn examine(layer: &dyn Layer, plane: Plane) -> Result<(), Vec<Violation>> {
 #[macro_export]
 macro_rules! layer_laws {
     ($name:ident, $layer:expr) => {
-        $crate::layer_laws!($name, $layer => finite, reciprocity, positive_energy, general_body, uniform_pressure,
+        $crate::layer_laws!($name, $layer => finite, reciprocity, positive_energy, smooth_faces, general_body, uniform_pressure,
             free_body, long_wave, short_wave, mirror, split_in_two, inside, continues);
     };
     ($name:ident, $layer:expr => $($law:ident),*) => {

@@ -1,4 +1,5 @@
 //! An isotropic layer graded in any way, left to the general body.
+use std::any::Any;
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
@@ -35,6 +36,20 @@ pub struct Graded {
 enum Variation {
     Written { shear_modulus: Profile<Positive>, poisson: Profile<Poisson> },
     Function(Arc<dyn Fn(f64) -> Isotropic + Send + Sync>),
+}
+
+/// Two functions are known to be the same only if they are one object.
+impl PartialEq for Variation {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (
+                Self::Written { shear_modulus, poisson },
+                Self::Written { shear_modulus: other_modulus, poisson: other_poisson },
+            ) => shear_modulus == other_modulus && poisson == other_poisson,
+            (Self::Function(own), Self::Function(other)) => Arc::ptr_eq(own, other),
+            _ => false,
+        }
+    }
 }
 
 /// The fields as written in a scene, before they are checked together.
@@ -156,5 +171,10 @@ impl Layer for Graded {
             Variation::Written { shear_modulus, poisson } => [shear_modulus.kinks(), poisson.kinks()].concat(),
             Variation::Function(_) => Vec::new(),
         }
+    }
+
+    fn is_like(&self, other: &dyn Layer) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref::<Self>().is_some_and(|o| self.thickness == o.thickness && self.variation == o.variation)
     }
 }

@@ -204,6 +204,11 @@ impl Error {
             Self::NoSolution(NoSolution::HalfLength { .. }) => {
                 Some("a contact is longer than the flat part of its punch, and shorter than the punch".to_owned())
             }
+            Self::Unresolved { .. } => Some(
+                "a material may vary too fast with the depth next to a contact, like a power of it that is no whole number: \
+                 `recede::layers::conformance::examine` examines a layer of one's own"
+                    .to_owned(),
+            ),
             Self::FlatByCollocation => {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }

@@ -235,3 +235,25 @@ fn nothing_lies_loose_on_springs() {
     assert_eq!(error.to_string(), "nothing is bonded to layer 2 (Winkler)");
     assert!(error.hint().is_some());
 }
+
+/// No wavenumber is large enough for the kernels where a material has no slope next to a contact: the layer is named at once.
+#[test]
+fn a_face_without_a_slope_is_refused_and_named() {
+    let rough = |bottom: bool| {
+        let material = move |depth: f64| {
+            let distance = if bottom { 1.0 - depth } else { depth };
+            Isotropic { shear_modulus: 1.0 + distance.sqrt(), poisson: 0.3 }
+        };
+        Graded::with(1.0, material).expect("legal")
+    };
+    let strip = || Homogeneous::new(1.0, 1.0, 0.25).expect("legal");
+    let refused = |stack: StackBuilder| Model::new(stack.build().expect("a stack")).err().map(|e| e.to_string());
+    let under_punch = refused(stack().layer(rough(false)).bonded().layer(ground())).expect("a rough top");
+    assert!(under_punch.contains("material of layer 1 (Graded) varies next to its top face"), "{under_punch}");
+    assert!(under_punch.contains("power 0.50"), "{under_punch}");
+    let above = refused(stack().layer(strip()).bonded().layer(rough(true)).receding().layer(ground()));
+    assert!(above.expect("a rough bottom").contains("layer 2 (Graded) varies next to its bottom face"));
+    // inside a body it is no hindrance
+    let inside = stack().layer(strip()).bonded().layer(rough(false)).bonded().layer(ground());
+    assert_eq!(half_lengths(inside).len(), 1);
+}

@@ -13,14 +13,14 @@
 //! ```
 use recede::layers::LayerStates;
 use recede::{
-    EngineeringConstants, Exponential, FaceStates, Flexibility, FreeChain, HalfPlane, Homogeneous, Item, Layer,
-    Material, Model, Orthotropic, Plane, Punch, Solution, Stack, StackBuilder, Wave,
+    EngineeringConstants, Exponential, FaceStates, Flexibility, FreeChain, Graded, HalfPlane, Homogeneous, Item, Layer,
+    Material, Model, Orthotropic, Plane, Profile, Punch, Solution, Stack, StackBuilder, Wave,
 };
 
 /// Two ways to compute the same, each to its last digits.
 const SAME: f64 = 1e-12;
 
-/// A layer that does not tell that it continues.
+/// A layer that tells neither that it continues nor that it is like another one.
 #[derive(Debug)]
 struct Apart<L>(L);
 
@@ -31,6 +31,10 @@ impl<L: Layer> Layer for Apart<L> {
 
     fn material(&self, depth: f64, plane: Plane) -> Material {
         self.0.material(depth, plane)
+    }
+
+    fn kinks(&self) -> Vec<f64> {
+        self.0.kinks()
     }
 
     fn has_closed_form(&self) -> bool {
@@ -179,6 +183,52 @@ fn repetitions_do_not_change_the_answer() {
     for (found, expected) in alike.contacts().iter().zip(unlike.contacts()) {
         let off = (found.half_length / expected.half_length - 1.0).abs();
         assert!(off < 1e-12, "{}: {off:e}", found.interface);
+    }
+}
+
+/// The same for layers that the general body integrates: what remembers its integrals passes on which layers are alike.
+#[test]
+fn repetitions_of_layers_without_closed_forms_are_evaluated_once() {
+    #[derive(Clone)]
+    enum Kind {
+        Ply(Orthotropic),
+        Table(Graded),
+        Strip(Homogeneous),
+    }
+    let item = |kind: Kind, known: bool| match (kind, known) {
+        (Kind::Ply(layer), true) => Item::layer(layer),
+        (Kind::Ply(layer), false) => Item::layer(Apart(layer)),
+        (Kind::Table(layer), true) => Item::layer(layer),
+        (Kind::Table(layer), false) => Item::layer(Apart(layer)),
+        (Kind::Strip(layer), true) => Item::layer(layer),
+        (Kind::Strip(layer), false) => Item::layer(Apart(layer)),
+    };
+    let ply = |young, poisson| {
+        let constants = EngineeringConstants::new(young, poisson, 1.0).expect("legal");
+        Kind::Ply(Orthotropic::new(0.02, constants).expect("legal"))
+    };
+    let [along, across] = [([20.0, 2.0, 2.0], [0.3, 0.3, 0.25]), ([2.0, 2.0, 20.0], [0.25, 0.03, 0.03])]
+        .map(|(young, poisson)| ply(young, poisson));
+    let modulus = Profile::table(&[(0.0, 1.0), (0.005, 4.0), (0.02, 2.0)]).expect("legal");
+    let table = Graded::new(0.02, modulus, Profile::linear(0.3, 0.3).expect("legal")).expect("legal");
+    let same_function = Graded::with(0.02, |depth| recede::Isotropic { shear_modulus: 1.0 + depth, poisson: 0.3 });
+    let same_function = Kind::Table(same_function.expect("legal"));
+    for (name, sequence) in [
+        ("0/90", vec![along.clone(), across.clone()]),
+        ("tables", vec![Kind::Table(table.clone())]),
+        ("mixed", vec![along, Kind::Table(table), Kind::Strip(strip(0.01, 3.0)), across]),
+        ("functions", vec![same_function]),
+    ] {
+        let press = |known: bool| {
+            let sheet = |i: usize| item(sequence[i % sequence.len()].clone(), known);
+            let stack = (1..48).fold(builder().item(sheet(0)), |stack, i| stack.bonded().item(sheet(i)));
+            press(stack.receding().layer(ground()))
+        };
+        let [alike, unlike] = [true, false].map(press);
+        let [stats, all] = [&alike, &unlike].map(|solution| solution.stats());
+        assert_eq!((all.repeated, stats.layers + stats.repeated), (0, all.layers), "{name}");
+        assert!(4 * stats.repeated > stats.layers, "{name}: {stats:?}");
+        same(name, &alike, &unlike);
     }
 }
 

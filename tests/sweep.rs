@@ -214,3 +214,81 @@ fn layers_of_thickness_zero_keep_their_number() {
     assert_eq!(run.status, Some(0), "{}", run.stderr);
     assert!(run.stdout.lines().skip(1).all(|line| line.contains(",solved,")), "{}", run.stdout);
 }
+
+/// The contacts are those of all stacks, though no stack is built but for its rows.
+#[test]
+fn contacts_are_those_of_all_rows() {
+    let strip = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25)";
+    for between in ["Receding, Bonded, Receding", "Bonded, Receding, Bonded", "Receding, Sliding, Bonded"] {
+        for zeros in [&[1][..], &[2], &[3], &[1, 2], &[2, 3], &[1, 3], &[1, 2, 3]] {
+            let stack: Vec<String> = between.split(", ").map(|name| format!("{strip}, {name}, ")).collect();
+            let stack = stack.concat() + "HalfPlane(shear_modulus: 1, poisson: 0.25)";
+            let text = format!("Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [{stack}])");
+            let axis = |layer: &usize| format!("layer[{layer}].thickness=0:1:3").parse::<Axis>().unwrap();
+            // of a layer that is not there another axis changes nothing
+            let beside = "layer[2].shear_modulus=[1,2]".parse::<Axis>().unwrap();
+            let axes = zeros.iter().map(axis).chain([beside]).collect();
+            let sweep = Sweep::new(Scene::from_ron(&text).unwrap(), axes).unwrap();
+            let mut expected = std::collections::BTreeSet::new();
+            for index in 0..sweep.len() {
+                let stack = sweep.scene_at(index).unwrap().stack().unwrap();
+                expected.extend(stack.contacts().iter().map(ToString::to_string));
+            }
+            let found: std::collections::BTreeSet<String> =
+                sweep.interfaces().iter().map(ToString::to_string).collect();
+            assert_eq!(found, expected, "{between} {zeros:?}");
+            assert_eq!(found.len(), sweep.interfaces().len());
+        }
+    }
+}
+
+#[test]
+fn a_sweep_without_any_stack_is_refused() {
+    let layer = "Exponential(thickness: 1, shear_modulus: 1, poisson: 0.25, beta: 1)";
+    let text = |base: &str| {
+        format!("Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [{layer}, Bonded, {base}])")
+    };
+    let refused = |base: &str, axis: &str| {
+        Sweep::new(Scene::from_ron(&text(base)).unwrap(), vec![axis.parse().unwrap()]).err().map(|e| e.to_string())
+    };
+    let error = refused("Rigid", "layer[1].thickness=[0]").expect("nothing is there");
+    assert!(error.contains("nothing can deform between the punch and the rigid base"), "{error}");
+    assert!(refused("Rigid", "layer[1].beta=[-1000,1000]").is_some());
+    // some rows have one
+    assert_eq!(refused("Rigid", "layer[1].thickness=0:1:2"), None);
+    assert_eq!(refused("Rigid", "layer[1].beta=-1000:1000:4001"), None);
+    assert_eq!(refused("Rigid", "layer[1].beta=[-1000,1,1000]"), None);
+}
+
+/// A billion rows begin at once, alone and on several threads, and are those of small grids.
+#[test]
+fn a_large_grid_begins_at_once() {
+    let axes = ["layer[2].beta=-2:-1:100000000", "punch.radius=500:1000:10"];
+    let sweep = Arc::new(sweep(&axes));
+    assert_eq!(sweep.len(), 1_000_000_000);
+    let small = self::sweep(&["layer[2].beta=[-2]", "punch.radius=500:1000:10"]);
+    let few = |rows: &mut dyn Iterator<Item = recede::SweepRow>| {
+        rows.take(3).map(|row| row.result.unwrap().contacts()[0].half_length).collect::<Vec<_>>()
+    };
+    let expected = few(&mut small.rows());
+    assert_eq!(few(&mut sweep.rows()), expected);
+    for threads in [1, 2] {
+        assert_eq!(few(&mut sweep.parallel_rows(0, NonZeroUsize::new(threads).unwrap())), expected);
+    }
+    assert_eq!(sweep.rows_from(999_999_999).map(|row| row.values).collect::<Vec<_>>(), [[-1.0, 1000.0]]);
+    // of what is drawn there is no more than of a small grid
+    let drawn = (0..1_000_000).filter(|row| recede::plot::is_drawn(&sweep, *row)).count();
+    assert_eq!(drawn, 10);
+    assert!((0..small.len()).all(|row| recede::plot::is_drawn(&small, row)));
+}
+
+#[test]
+fn values_are_those_that_one_would_write() {
+    let sweep = sweep(&["force=0.001:0.01:10", "punch.radius=5:40:8"]);
+    let values: Vec<Vec<f64>> = (0..sweep.len()).map(|index| sweep.values(index)).collect();
+    let radii = [5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0];
+    let forces = [0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.007, 0.008, 0.009, 0.01];
+    assert!(values.iter().enumerate().all(|(i, value)| value[..] == [forces[i / 8], radii[i % 8]]), "{values:?}");
+    let decades: Axis = "force=0.003:3000:7:log".parse().unwrap();
+    assert!(decades.values().eq([0.003, 0.03, 0.3, 3.0, 30.0, 300.0, 3000.0]));
+}

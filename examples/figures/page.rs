@@ -108,7 +108,7 @@ impl Page {
         (name, values): Families,
         changes: impl Fn(f64, f64) -> Changes,
     ) -> Result<Found, Box<dyn Error>> {
-        let mut found = Found { x: along.values().to_vec(), curves: Vec::new() };
+        let mut found = Found { x: along.values().collect(), curves: Vec::new() };
         for value in values {
             let solutions: Result<_, _> = found.x.iter().map(|x| self.solve(changes(*value, *x))).collect();
             found.curves.push(solutions?);
@@ -124,8 +124,8 @@ impl Page {
                 list(values)
             );
             let y_label = format!("{}/{}₁", plot::italic(symbol), plot::italic("h"));
-            let ratio = along.values()[1] / along.values()[0];
-            let logarithmic = along.values().windows(2).all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-9);
+            let ratio = found.x[1] / found.x[0];
+            let logarithmic = found.x.windows(2).all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-9);
             self.figure(
                 number,
                 &caption,

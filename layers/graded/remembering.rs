@@ -1,4 +1,5 @@
 //! A layer that remembers what the general body has computed of it.
+use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Tree, of_layer, states_of_layer};
@@ -39,8 +40,16 @@ impl Remembering {
         }
         Arc::new(Self { layer, strain: Tree::default(), stress: Tree::default(), inside: Mutex::default() })
     }
+
+    /// The layer itself, without what is remembered of it: layer types compare themselves with others of their own type.
+    fn without_memory(layer: &dyn Layer) -> &dyn Layer {
+        let any: &dyn Any = layer;
+        any.downcast_ref::<Self>().map_or(layer, |remembering| &*remembering.layer)
+    }
 }
 
+// A provided method that is not passed on would answer for the wrapped layer with what is provided: clippy finds each one.
+#[deny(clippy::missing_trait_methods)]
 impl Layer for Remembering {
     fn thickness(&self) -> Option<f64> {
         self.layer.thickness()
@@ -64,6 +73,14 @@ impl Layer for Remembering {
 
     fn has_closed_form(&self) -> bool {
         true
+    }
+
+    fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
+        self.layer.continues(Self::without_memory(below)).map(Self::of)
+    }
+
+    fn is_like(&self, other: &dyn Layer) -> bool {
+        self.layer.is_like(Self::without_memory(other))
     }
 
     fn face_states(&self, wave: &Wave) -> FaceStates {

@@ -23,12 +23,12 @@ impl RowsFile<'_> {
         Ok(Self::File(file))
     }
 
-    /// A file that was begun, and how many rows it has, each of which is shown to `see`; a new one if there is none.
+    /// A file that was begun, and how many rows it has, each of which is shown to `see` with its number; a new one if there is none.
     pub(super) fn resume(
         path: &Path,
         csv: &SweepCsv,
         rows: usize,
-        see: impl FnMut(&str),
+        see: impl FnMut(usize, &str),
     ) -> Result<(Self, usize), Failure> {
         let mut file = match OpenOptions::new().read(true).write(true).open(path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((Self::create(path, csv)?, 0)),
@@ -67,7 +67,7 @@ struct Begun {
     bytes: u64,
 }
 
-fn begun(file: &File, csv: &SweepCsv, mut see: impl FnMut(&str)) -> io::Result<Begun> {
+fn begun(file: &File, csv: &SweepCsv, mut see: impl FnMut(usize, &str)) -> io::Result<Begun> {
     let header = csv.header()?;
     let end = format!(",{}\n", csv.fingerprint());
     let mut reader = BufReader::new(file);
@@ -85,7 +85,7 @@ fn begun(file: &File, csv: &SweepCsv, mut see: impl FnMut(&str)) -> io::Result<B
             break;
         }
         if begun.bytes > 0 {
-            see(&String::from_utf8_lossy(&line));
+            see(begun.lines.unwrap_or(0), &String::from_utf8_lossy(&line));
             begun.lines = begun.lines.map(|lines| lines + 1);
         }
         begun.bytes += line.len() as u64;

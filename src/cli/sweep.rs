@@ -59,10 +59,11 @@ impl Command {
         self.plot.as_deref().map(Kind::of).transpose()?;
         let sweep = Arc::new(self.sweep()?);
         let csv = SweepCsv::new(&sweep);
+        let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
         let (mut file, first) = match &self.out {
-            Some(path) if self.resume => RowsFile::resume(path, &csv, sweep.len(), |line| {
-                if self.plot.is_some() {
+            Some(path) if self.resume => RowsFile::resume(path, &csv, sweep.len(), |index, line| {
+                if drawn(index) {
                     rows.push(csv.numbers_of(line));
                 }
             })?,
@@ -78,7 +79,7 @@ impl Command {
         for row in sweep.parallel_rows(first, threads) {
             file.write(&csv.line(&row)?)?;
             unsolved += usize::from(row.result.is_err());
-            if self.plot.is_some() {
+            if drawn(row.index) {
                 rows.push(csv.numbers(&row));
             }
             bar.inc(1);

@@ -21,6 +21,9 @@ pub(crate) use panel::Panel;
 const UNFELT: f64 = 18.5;
 /// Panels double in width; more than 2^60 times the first is no stack that doubles can describe.
 const DOUBLINGS: u32 = 60;
+/// Most wavenumbers for each contact, so that the time is bounded for any layer: the hardest scenes known take less than half of
+/// them in all. With twice as many, what is not resolved takes twice as long to be refused.
+const MOST_WAVENUMBERS: usize = 5000;
 
 /// The kernels of one stack.
 ///
@@ -106,6 +109,9 @@ impl Chains {
         let failed = || Error::Unresolved { wavenumber: wave.wavenumber };
         components.fill(0.0);
         work.wavenumbers += 1;
+        if work.wavenumbers > n * MOST_WAVENUMBERS {
+            return Err(failed());
+        }
         for (i, laminate) in self.laminates.iter().enumerate() {
             if !(wanted[i] || wanted[i + 1]) {
                 continue;
@@ -147,6 +153,7 @@ fn felt(half_length: f64, zeta: f64) -> f64 {
 impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
     pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
+        stack.check_faces()?;
         let (stack, merged) = stack.merged();
         let chains = Chains::new(&stack);
         let n = chains.contacts();

@@ -38,5 +38,5 @@ pub use chart::{Chart, Curve, Frame, Labels, with_unit};
 pub use map::map;
 pub use scale::{Scale, Tick, label, ten_to};
 pub use stack::stack;
-pub use sweep::sweep;
+pub use sweep::{is_drawn, sweep};
 pub use target::{Kind, PlotError, png, save};

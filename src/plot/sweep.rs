@@ -23,19 +23,55 @@ struct Family {
     rows: Vec<usize>,
 }
 
+/// Most points of a curve, four to a point of the picture's width.
+const POINTS: usize = 1000;
+/// Most curves: those of more can hardly be told apart.
+const CURVES: usize = 200;
+
+/// Whether a picture of a sweep needs the row with this number: of a large grid equally spaced ones are drawn, at most a
+/// thousand along a curve and two hundred curves.
+pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
+    let (axes, along) = (sweep.axes(), along(sweep));
+    let (mut rest, mut curve, mut place) = (row, 0, 1);
+    let mut point = 0;
+    for (i, axis) in axes.iter().enumerate().rev() {
+        let value = rest % axis.count();
+        rest /= axis.count();
+        if Some(i) == along {
+            point = value;
+        } else {
+            curve += value * place;
+            place *= axis.count();
+        }
+    }
+    let points = along.map_or(1, |along| axes[along].count());
+    point % step(points, POINTS) == 0 && curve % step(place, CURVES) == 0
+}
+
+/// The least step with which so many are at most so few.
+fn step(count: usize, most: usize) -> usize {
+    count.div_ceil(most).max(1)
+}
+
+/// The axis along which curves are drawn: that with most values, if it has two.
+fn along(sweep: &Sweep) -> Option<usize> {
+    let counts = sweep.axes().iter().map(Axis::count).enumerate();
+    counts.filter(|(_, count)| *count > 1).max_by_key(|(_, count)| *count).map(|(i, _)| i)
+}
+
 /// Curves of a sweep over the axis with most values, one for each combination of the others, as SVG.
 ///
-/// `rows` are those of the sweep in order, as [`SweepCsv::numbers`](crate::report::SweepCsv::numbers) has them.
+/// `rows` are those of the sweep in order, as [`SweepCsv::numbers`](crate::report::SweepCsv::numbers) has them; those that
+/// [are not drawn](is_drawn) may be left out.
 ///
 /// # Errors
 /// [`PlotError::Empty`] if no axis has two values.
 pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<String, PlotError> {
     let axes = sweep.axes();
-    let counts = axes.iter().map(|axis| axis.values().len()).enumerate();
-    let Some((along, _)) = counts.filter(|(_, count)| *count > 1).max_by_key(|(_, count)| *count) else {
+    let Some(along) = along(sweep) else {
         return Err(PlotError::Empty("a curve needs a quantity that takes two values".into()));
     };
-    let others: Vec<usize> = (0..axes.len()).filter(|i| *i != along && axes[*i].values().len() > 1).collect();
+    let others: Vec<usize> = (0..axes.len()).filter(|i| *i != along && axes[*i].count() > 1).collect();
     let families = families(axes, along, &others, rows);
     let title = others.iter().map(|i| of_path(axes[*i].path()).0).collect::<Vec<_>>().join(", ");
     let longest = families.iter().map(|family| family.label.chars().count()).max().unwrap_or(0);
@@ -84,7 +120,7 @@ pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<String, PlotError> {
                         right: frame_left + PLANE.0,
                         bottom: frame_top + PLANE.1,
                     },
-                    x: along_x(axes[along].values()),
+                    x: along_x(&axes[along]),
                     y: Scale::around(rows.iter().map(|row| number(row, at))).rounded(),
                     x_label,
                     x_unit: unit(scene, x_dimension),
@@ -130,7 +166,8 @@ fn number(row: &[f64], column: usize) -> f64 {
 }
 
 /// The scale of values: logarithmic if their ratios are equal and span much.
-fn along_x(values: &[f64]) -> Scale {
+fn along_x(axis: &Axis) -> Scale {
+    let values: Vec<f64> = axis.values().step_by(step(axis.count(), POINTS)).collect();
     let scale = Scale::around(values.iter().copied());
     let (low, high) = scale.ends();
     let ratios = || values.windows(2).map(|pair| pair[1] / pair[0]);

@@ -31,7 +31,7 @@ pub use spring::Spring;
 pub use vocabulary::Vocabulary;
 
 pub(crate) use item::quoted_list;
-pub(crate) use paths::{Owner, Slot};
+pub(crate) use paths::{Change, Owner, Slot};
 #[cfg(feature = "files")]
 pub(crate) use read::{first_name, read_document};
 pub(crate) use shape::{Piece, Shape};

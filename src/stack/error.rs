@@ -97,6 +97,19 @@ pub enum StackProblem {
         /// Its thickness, in length.
         found: f64,
     },
+    /// A material without a slope at a face on which pressures act.
+    #[error(
+        "the material of {layer} varies next to its {face} face like the distance from it to the power {exponent:.2}; allowed \
+         next to a contact are powers >= 1, which have a slope there"
+    )]
+    RoughFace {
+        /// The layer.
+        layer: String,
+        /// `top` or `bottom`.
+        face: &'static str,
+        /// The power; 0 at a jump.
+        exponent: f64,
+    },
     /// All thicknesses together are not finite.
     #[error("the layers together are thicker than the largest number, about 1.8e308")]
     TooThick,
@@ -148,6 +161,10 @@ impl StackProblem {
             Self::LooseSprings { .. } => {
                 "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
                  face, or under the punch itself, would give way like no elastic body"
+            }
+            Self::RoughFace { .. } => {
+                "give the material a finite slope at the face, e.g. by a table of values or by a thin layer of one material \
+                 bonded to the face; inside a body, away from contacts, any variation is allowed"
             }
             Self::Thickness { .. } | Self::TooThick => return None,
         })

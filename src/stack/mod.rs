@@ -4,6 +4,7 @@ mod builder;
 mod contrast;
 mod drawing;
 mod error;
+mod faces;
 mod joint;
 mod merged;
 

@@ -1,7 +1,9 @@
 //! What varies in a sweep, and over which values.
 use std::fmt;
+use std::hash::Hasher;
 use std::str::FromStr;
 
+use super::range::{Range, Spacing};
 #[cfg(feature = "files")]
 use super::read::WrittenAxis;
 
@@ -10,14 +12,18 @@ const LONGEST: usize = 100_000_000;
 
 /// A quantity of the scene by its path, and the values that it takes.
 ///
+/// Values at equal distances are those that one would write in decimals: each is the number nearest to the exact value
+/// between the decimals `start` and `stop`.
+///
 /// ```
 /// use recede::Axis;
 /// let force: Axis = "force=0.001:0.004:4".parse()?;
 /// assert_eq!(force, Axis::linear("force", 0.001, 0.004, 4)?);
+/// assert!("force=0:1:11".parse::<Axis>()?.values().any(|value| value == 0.3));
 /// let radius: Axis = "punch.radius=1:1000:4:log".parse()?;
-/// assert_eq!(radius.values(), [1.0, 10.0, 100.0, 1000.0]);
+/// assert!(radius.values().eq([1.0, 10.0, 100.0, 1000.0]));
 /// let beta: Axis = "layer[2].beta=[-1, 0.001, 1]".parse()?;
-/// assert_eq!(beta.values().len(), 3);
+/// assert_eq!((beta.values().len(), beta.value(1)), (3, Some(0.001)));
 /// let error = "force=0:1".parse::<Axis>().unwrap_err();
 /// assert_eq!(error.to_string(), "`force=0:1`: START:STOP:COUNT is expected after `=`, found `0:1`");
 /// # Ok::<(), recede::AxisError>(())
@@ -26,7 +32,14 @@ const LONGEST: usize = 100_000_000;
 #[cfg_attr(feature = "files", derive(serde::Deserialize), serde(try_from = "WrittenAxis"))]
 pub struct Axis {
     path: String,
-    values: Vec<f64>,
+    values: Values,
+}
+
+/// A range is kept as its ends, so that it takes no more memory with more values.
+#[derive(Clone, Debug, PartialEq)]
+enum Values {
+    List(Vec<f64>),
+    Range(Range),
 }
 
 /// Why something is no axis of a sweep.
@@ -54,7 +67,7 @@ impl Axis {
         }
         match values.iter().find(|value| !value.is_finite()) {
             Some(value) => Err(failed(format!("found the value {value:?}, allowed are finite numbers"))),
-            None => Ok(Self { path: path.to_owned(), values }),
+            None => Ok(Self { path: path.to_owned(), values: Values::List(values) }),
         }
     }
 
@@ -63,7 +76,7 @@ impl Axis {
     /// # Errors
     /// [`AxisError`] if a number is not finite, or `count` is 0, or is 1 and `start` is not `stop`.
     pub fn linear(path: &str, start: f64, stop: f64, count: usize) -> Result<Self, AxisError> {
-        Self::between(path, start, stop, count, |share| start * (1.0 - share) + stop * share)
+        Self::between(path, [start, stop], count, Spacing::Linear)
     }
 
     /// `count` values from `start` to `stop`, both included, at equal ratios.
@@ -75,32 +88,24 @@ impl Axis {
             let reason = format!("found {start:?} to {stop:?}, allowed are positive numbers where ratios are equal");
             return Err(AxisError { axis: path.to_owned(), reason });
         }
-        let (low, high) = (start.log10(), stop.log10());
-        Self::between(path, start, stop, count, |share| 10f64.powf(low * (1.0 - share) + high * share))
+        Self::between(path, [start, stop], count, Spacing::Logarithmic)
     }
 
-    fn between(
-        path: &str,
-        start: f64,
-        stop: f64,
-        count: usize,
-        inside: impl Fn(f64) -> f64,
-    ) -> Result<Self, AxisError> {
+    fn between(path: &str, [start, stop]: [f64; 2], count: usize, spacing: Spacing) -> Result<Self, AxisError> {
         let failed = |reason: String| AxisError { axis: path.to_owned(), reason };
+        if path.is_empty() {
+            return Err(failed("the path of a quantity is missing".into()));
+        }
         if !start.is_finite() || !stop.is_finite() {
             return Err(failed(format!("found {start:?} to {stop:?}, allowed are finite numbers")));
         }
-        let last = match count {
-            0 | LONGEST.. => return Err(failed(format!("found {count} values, allowed are 1 to {LONGEST}"))),
-            1 if start != stop => return Err(failed(format!("found 1 value for {start:?} to {stop:?}"))),
-            count => count - 1,
-        };
-        let value = |i: usize| match i {
-            0 => start,
-            i if i == last => stop,
-            i => inside(i as f64 / last as f64),
-        };
-        Self::list(path, (0..count).map(value).collect())
+        if count == 0 || count > LONGEST {
+            return Err(failed(format!("found {count} values, allowed are 1 to {LONGEST}")));
+        }
+        if count == 1 && start != stop {
+            return Err(failed(format!("found 1 value for {start:?} to {stop:?}")));
+        }
+        Ok(Self { path: path.to_owned(), values: Values::Range(Range::new([start, stop], count, spacing)) })
     }
 
     /// The path of the quantity, e.g. `layer[2].beta`.
@@ -108,9 +113,58 @@ impl Axis {
         &self.path
     }
 
-    /// The values, in order.
-    pub fn values(&self) -> &[f64] {
-        &self.values
+    /// The values, in order, each computed when it is asked for.
+    pub fn values(&self) -> impl ExactSizeIterator<Item = f64> {
+        (0..self.count()).map(|index| self.at(index))
+    }
+
+    /// The value with this number, from 0; `None` if there are not so many.
+    pub fn value(&self, index: usize) -> Option<f64> {
+        (index < self.count()).then(|| self.at(index))
+    }
+
+    /// Number of values, 1 or more.
+    pub(crate) fn count(&self) -> usize {
+        match &self.values {
+            Values::List(values) => values.len(),
+            Values::Range(range) => range.count,
+        }
+    }
+
+    /// The value with a number below [`Self::count`].
+    pub(super) fn at(&self, index: usize) -> f64 {
+        match &self.values {
+            Values::List(values) => values[index],
+            Values::Range(range) => range.at(index),
+        }
+    }
+
+    /// The smallest value, the one nearest to zero, and the largest, each once. What is legal is an interval for every
+    /// quantity that ships, so that these tell of the others; and a thickness vanishes at the one nearest to zero or not at
+    /// all.
+    pub(super) fn extremes(&self) -> Vec<f64> {
+        let of = |candidates: &mut dyn Iterator<Item = f64>| {
+            candidates.fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY], |[least, nearest, most], value| {
+                let nearest = if value.abs() < f64::abs(nearest) { value } else { nearest };
+                [least.min(value), nearest, most.max(value)]
+            })
+        };
+        let mut extremes = match &self.values {
+            Values::List(values) => of(&mut values.iter().copied()),
+            Values::Range(range) => of(&mut range.near_extremes().map(|index| range.at(index))),
+        }
+        .to_vec();
+        extremes.dedup();
+        extremes
+    }
+
+    /// Adds to a fingerprint what tells this axis from others.
+    pub(super) fn write_to(&self, hasher: &mut impl Hasher) {
+        hasher.write(format!("{}={}", self.path, self.count()).as_bytes());
+        match &self.values {
+            Values::List(values) => values.iter().for_each(|value| hasher.write_u64(value.to_bits())),
+            Values::Range(range) => hasher.write(range.to_string().as_bytes()),
+        }
     }
 }
 
@@ -156,7 +210,10 @@ impl FromStr for Axis {
 
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={:?}", self.path, self.values)
+        match &self.values {
+            Values::List(values) => write!(f, "{}={values:?}", self.path),
+            Values::Range(range) => write!(f, "{}={range}", self.path),
+        }
     }
 }
 
@@ -165,7 +222,7 @@ mod tests {
     use super::*;
 
     fn values(text: &str) -> Vec<f64> {
-        text.parse::<Axis>().unwrap().values
+        text.parse::<Axis>().unwrap().values().collect()
     }
 
     fn refused(text: &str) -> String {
@@ -181,6 +238,25 @@ mod tests {
         assert_eq!(values("force=2:2:1"), [2.0]);
         assert_eq!(values("force=-1.7e308:1.7e308:3"), [-1.7e308, 0.0, 1.7e308]);
         assert_eq!(values(" force = [ 1, 2e-3 , ]"), [1.0, 2e-3]);
+    }
+
+    #[test]
+    fn what_an_axis_takes_does_not_grow_with_its_values() {
+        let axis: Axis = "force=1:2:100000000".parse().unwrap();
+        assert_eq!((axis.values().len(), axis.value(99_999_999), axis.value(100_000_000)), (LONGEST, Some(2.0), None));
+        assert_eq!(axis.to_string(), "force=1.0:2.0:100000000");
+        assert_eq!("force=1:1000:7:log".parse::<Axis>().unwrap().to_string(), "force=1.0:1000.0:7:log");
+    }
+
+    #[test]
+    fn extremes_are_those_of_all_values() {
+        let extremes = |text: &str| text.parse::<Axis>().unwrap().extremes();
+        assert_eq!(extremes("force=[3, -1, 2, 0.5]"), [-1.0, 0.5, 3.0]);
+        assert_eq!(extremes("force=-1:2:4"), [-1.0, 0.0, 2.0]);
+        assert_eq!(extremes("force=2:-1:1001"), [-1.0, -0.001, 2.0]);
+        assert_eq!(extremes("force=5:1:9"), [1.0, 5.0]);
+        assert_eq!(extremes("force=0.1:10:100000000:log"), [0.1, 10.0]);
+        assert_eq!(extremes("force=2:2:1"), [2.0]);
     }
 
     #[test]

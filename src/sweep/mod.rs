@@ -1,12 +1,14 @@
 //! Sweeps: one scene solved for all combinations of values of some of its quantities.
 mod axis;
-mod chunk;
+mod contacts;
+mod decimal;
+mod kept;
 #[cfg(feature = "parallel")]
 mod parallel;
+mod range;
 #[cfg(feature = "files")]
 mod read;
 
-use std::collections::BTreeSet;
 use std::error::Error as _;
 use std::hash::Hasher;
 #[cfg(feature = "parallel")]
@@ -20,7 +22,7 @@ pub use axis::{Axis, AxisError};
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
 
-use chunk::Kept;
+use kept::Kept;
 
 use crate::error::Error;
 use crate::model::Model;
@@ -34,8 +36,9 @@ const MOST_ROWS: usize = 1_000_000_000;
 
 /// A scene and the axes of a grid: every combination of values is solved, that of the last axis changing first.
 ///
-/// A stack is evaluated once, however many loads and punches press on it. Rows are computed in chunks that depend on the
-/// grid alone, so the numbers do not depend on who computes them, how many at a time, or where one begins.
+/// A stack is evaluated once, when the first row needs it, however many loads and punches press on it. The numbers of a row
+/// depend on the grid alone, not on who computes them, how many at a time, or where one begins; and of the grid
+/// nothing is stored but its axes, a range of values as its ends.
 ///
 /// ```
 /// use recede::{Scene, Sweep};
@@ -80,7 +83,9 @@ impl Sweep {
     /// # Errors
     /// [`Error::Scene`] if there is no quantity at the path of an axis; [`Error::Axis`] if a value is not legal for its
     /// quantity, a quantity has two axes, or the grid has too many points; [`Error::Stack`] if no combination of values is
-    /// a stack. A combination that is illegal where each value is legal is a row without solution.
+    /// a stack. A combination that is illegal where each value is legal is a row without solution. What is looked at of an
+    /// axis are its smallest and its largest value, and the one nearest to zero: where a layer type of one's own
+    /// refuses others only, it does so in rows without solution.
     pub fn new(scene: Scene, axes: Vec<Axis>) -> Result<Self, Error> {
         let mut slots = Vec::with_capacity(axes.len());
         for (i, axis) in axes.iter().enumerate() {
@@ -88,10 +93,10 @@ impl Sweep {
                 return Err(refused(axis, "this quantity varies already".into()));
             }
             let slot = scene.slot(axis.path())?;
-            axis.values().iter().try_for_each(|value| legal(&scene, axis, &slot, *value))?;
+            axis.extremes().into_iter().try_for_each(|value| legal(&scene, axis, &slot, value))?;
             slots.push(slot);
         }
-        let product = axes.iter().try_fold(1usize, |rows, axis| rows.checked_mul(axis.values().len()));
+        let product = axes.iter().try_fold(1usize, |rows, axis| rows.checked_mul(axis.count()));
         let rows = match (product, axes.last()) {
             (Some(rows), _) if rows <= MOST_ROWS => rows,
             (_, Some(axis)) => {
@@ -153,7 +158,7 @@ impl Sweep {
     /// The values of row `index` on each axis.
     pub fn values(&self, index: usize) -> Vec<f64> {
         let mut rest = index;
-        let mut values: Vec<f64> = self.axes.iter().rev().map(|axis| pick(axis.values(), &mut rest)).collect();
+        let mut values: Vec<f64> = self.axes.iter().rev().map(|axis| pick(axis, &mut rest)).collect();
         values.reverse();
         values
     }
@@ -175,7 +180,7 @@ impl Sweep {
 
     /// The rows from number `first` on. They are the same, bit by bit, as those of all rows.
     pub fn rows_from(&self, first: usize) -> impl Iterator<Item = Row> {
-        self.chunks_from(first).flat_map(|chunk| self.solve_chunk(chunk)).skip_while(move |row| row.index < first)
+        (first..self.rows).map(|index| self.row(index))
     }
 
     /// The rows from number `first` on in the order of the grid, solved by so many threads ahead of who asks for them.
@@ -189,33 +194,16 @@ impl Sweep {
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = fnv::FnvHasher::default();
         let Scene { plane, punch, force, stack, .. } = &self.scene;
-        let what = (plane, punch, force, stack, &self.axes, &self.options, env!("CARGO_PKG_VERSION"));
+        let what = (plane, punch, force, stack, &self.options, env!("CARGO_PKG_VERSION"));
         // numbers are written with all their digits
         hasher.write(format!("{what:?}").as_bytes());
+        self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
         hasher.finish()
-    }
-
-    /// The contacts of all stacks that occur.
-    fn all_interfaces(&self) -> Result<Vec<Interface>, Error> {
-        let mut found = BTreeSet::new();
-        let mut refused = None;
-        for key in 0..self.stacks() {
-            match self.stack(key) {
-                Ok(stack) => found.extend(stack.contacts().into_iter().map(Sorted)),
-                Err(error) => {
-                    refused.get_or_insert(error);
-                }
-            }
-        }
-        match refused {
-            Some(error) if found.is_empty() => Err(self.scene.locate(error)),
-            _ => Ok(found.into_iter().map(|Sorted(interface)| interface).collect()),
-        }
     }
 
     /// Number of different stacks.
     fn stacks(&self) -> usize {
-        self.stack_axes().map(|(axis, _)| axis.values().len()).product()
+        self.stack_axes().map(|(axis, _)| axis.count()).product()
     }
 
     /// The axes that change the stack, the last one first.
@@ -227,40 +215,15 @@ impl Sweep {
     /// The stack with this number.
     fn stack(&self, key: usize) -> Result<Stack, Error> {
         let mut rest = key;
-        let changes: Vec<_> = self.stack_axes().map(|(axis, slot)| (slot, pick(axis.values(), &mut rest))).collect();
+        let changes: Vec<_> = self.stack_axes().map(|(axis, slot)| (slot, pick(axis, &mut rest))).collect();
         Ok(Stack::from_items(self.scene.plane, &self.scene.items_with(&changes)?)?)
     }
 }
 
-/// Interfaces from the top down.
-#[derive(PartialEq, Eq)]
-struct Sorted(Interface);
-
-impl Sorted {
-    fn place(&self) -> (usize, usize) {
-        match self.0 {
-            Interface::Punch => (0, 0),
-            Interface::Between { above, below } => (above, below),
-        }
-    }
-}
-
-impl Ord for Sorted {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.place().cmp(&other.place())
-    }
-}
-
-impl PartialOrd for Sorted {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
 /// The value for the last digit of a number whose digits count values; the digit is taken off.
-fn pick(values: &[f64], rest: &mut usize) -> f64 {
-    let value = values[*rest % values.len()];
-    *rest /= values.len();
+fn pick(axis: &Axis, rest: &mut usize) -> f64 {
+    let value = axis.at(*rest % axis.count());
+    *rest /= axis.count();
     value
 }
 

@@ -1,6 +1,5 @@
-//! Chunks of rows: what is solved in one go, by whomever.
+//! One row of a sweep, and what is kept for later ones.
 use std::collections::VecDeque;
-use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::{Row, Sweep};
@@ -9,10 +8,6 @@ use crate::model::Model;
 use crate::scene::Owner;
 use crate::solution::Solution;
 
-/// Rows of a chunk, at most: more would keep one thread busy when the others have finished.
-const LONGEST: usize = 32;
-/// So many chunks there are at least, if there are as many rows.
-const FEWEST: usize = 64;
 /// Models and punches that are kept for later rows.
 const KEPT: usize = 512;
 
@@ -53,26 +48,11 @@ impl<T> Kept<T> {
 }
 
 impl Sweep {
-    /// Rows of a chunk; depends on the grid alone.
-    fn chunk(&self) -> usize {
-        (self.rows / FEWEST).clamp(1, LONGEST)
-    }
-
-    /// The chunks that have rows from `first` on.
-    pub(super) fn chunks_from(&self, first: usize) -> Range<usize> {
-        let chunk = self.chunk();
-        (first / chunk).min(self.rows.div_ceil(chunk))..self.rows.div_ceil(chunk)
-    }
-
-    /// Solves the rows of one chunk, one after the other.
-    pub(super) fn solve_chunk(&self, chunk: usize) -> Vec<Row> {
-        let rows = chunk * self.chunk()..self.rows.min((chunk + 1) * self.chunk());
-        rows.map(|index| {
-            let values = self.values(index);
-            let result = self.solve_row(index, &values);
-            Row { index, values, result }
-        })
-        .collect()
+    /// Solves one row; its numbers do not depend on what was solved before.
+    pub(super) fn row(&self, index: usize) -> Row {
+        let values = self.values(index);
+        let result = self.solve_row(index, &values);
+        Row { index, values, result }
     }
 
     fn solve_row(&self, index: usize, values: &[f64]) -> Result<Solution, Error> {
@@ -97,7 +77,7 @@ impl Sweep {
     fn key(&self, index: usize, of: impl Fn(&Owner) -> bool) -> usize {
         let (mut rest, mut key, mut place) = (index, 0, 1);
         for (axis, slot) in self.axes.iter().zip(&self.slots).rev() {
-            let count = axis.values().len();
+            let count = axis.count();
             if of(&slot.owner) {
                 key += rest % count * place;
                 place *= count;

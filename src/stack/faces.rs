@@ -1,0 +1,38 @@
+//! Faces on which pressures act: the response to short waves is a series in 1/λ only if the material has a slope there.
+use recede_layers::Plane;
+use recede_layers::conformance::rough_face;
+
+use super::{Foundation, Placed, Stack, StackError, StackProblem};
+
+impl Stack {
+    /// Looks at the material next to all loaded faces, since no wavenumber would be large enough for the kernels otherwise.
+    /// Layers with closed forms are left out: what they respond does not come from the material as a function of the depth.
+    pub(crate) fn check_faces(&self) -> Result<(), StackError> {
+        let laminates = self.laminates.iter().map(|laminate| &laminate.layers);
+        let bottoms = laminates.clone().filter_map(|layers| layers.last()).map(|layer| (layer, true));
+        let foundation = match &self.base.foundation {
+            Foundation::HalfPlane(placed) => Some(placed),
+            Foundation::Rigid { .. } => None,
+        };
+        let top_of_base = self.base.layers.first().or(foundation);
+        let tops = laminates.filter_map(|layers| layers.first()).chain(top_of_base).map(|layer| (layer, false));
+        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane, bottom, self.length()))
+    }
+
+    /// A length to compare depths of a half-plane with.
+    fn length(&self) -> f64 {
+        let total = self.total_thickness();
+        if total > 0.0 { total } else { 1.0 }
+    }
+}
+
+fn check(placed: &Placed, plane: Plane, bottom: bool, length: f64) -> Result<(), StackError> {
+    if placed.layer.has_closed_form() {
+        return Ok(());
+    }
+    rough_face(&*placed.layer, plane, bottom, length).map_or(Ok(()), |rough| {
+        let problem = StackProblem::RoughFace { layer: placed.name(), face: rough.face, exponent: rough.exponent };
+        // layers and interfaces alternate
+        Err(StackError { item: Some(2 * (placed.number - 1)), problem })
+    })
+}
