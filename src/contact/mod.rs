@@ -57,6 +57,8 @@ pub(crate) fn press(
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let lattice = lattice.filter(|_| with_punch.is_none());
     let kernel = with_punch.as_ref().unwrap_or(kernel);
+    let measured = start::length(kernel, punch, force)?.map(|length| kernel.measured_in(length));
+    let kernel = measured.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel, force);
     if punch.load().is_some() && options.method == Method::Collocation {
         return Err(Error::LoadByCollocation);

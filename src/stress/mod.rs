@@ -22,7 +22,7 @@ mod strategy;
 mod trial;
 mod verify;
 
-pub use kinds::scene_of_any_kind;
+pub use kinds::{scene_of_any_kind, scene_of_any_kind_in_units};
 pub use scenario::{Ply, Scenario};
 pub use strategy::{Ranges, scene, scenes};
 pub use trial::{Outcome, Trial};
