@@ -3,6 +3,7 @@
 //! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, or the length over which
 //! a half-plane without layers is graded, flexibilities λμ₀C with μ₀ the shear modulus at the top face. Nothing depends on
 //! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in that of its contact.
+mod cut_off;
 mod far;
 mod panel;
 mod unit;
