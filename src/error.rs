@@ -105,12 +105,37 @@ pub enum NoSolution {
         edge: f64,
     },
     /// No force makes the contact as long as wanted.
-    #[error("no force was found that makes the half-length of the contact under the punch {punch} {half_length:?}")]
+    #[error(
+        "no force makes the half-length of the contact under the punch {punch} {half_length:?}; {}",
+        reachable(*.below, *.above)
+    )]
     HalfLength {
         /// The punch as it is written in a scene.
         punch: String,
         /// The half-length wanted, in length.
         half_length: f64,
+        /// The largest half-length below it that a force brings about, or that no force exceeds, in length.
+        below: Option<f64>,
+        /// The smallest half-length above it that a force brings about, or that any force exceeds, in length.
+        above: Option<f64>,
+    },
+    /// The force was not found that makes the contact as long as wanted: forces tried were not solved for.
+    #[error(
+        "the force was not found that makes the half-length of the contact under the punch {punch} {half_length:?}; {}{}",
+        reachable(*.below, *.above),
+        .cause.as_ref().map(|cause| format!("; in between {cause}")).unwrap_or_default()
+    )]
+    ForceNotFound {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// The half-length wanted, in length.
+        half_length: f64,
+        /// The largest half-length below it that was found, in length.
+        below: Option<f64>,
+        /// The smallest half-length above it that was found, in length.
+        above: Option<f64>,
+        /// Why the solver failed at the force tried last; `None` if the search did not end.
+        cause: Option<Box<NoSolution>>,
     },
     /// The half-lengths of the contacts did not settle.
     #[error("the half-lengths of the contacts did not converge; the last were {half_lengths:?}")]
@@ -148,6 +173,21 @@ fn place(interface: &Interface) -> String {
     match interface {
         Interface::Punch => "the punch".to_owned(),
         between => format!("the interface {between}"),
+    }
+}
+
+/// Which half-lengths are reached on either side of one that is not.
+fn reachable(below: Option<f64>, above: Option<f64>) -> String {
+    match (below, above) {
+        (Some(below), Some(above)) if below == above => format!("it is {below:?} under any force"),
+        // a contact is longer than the flat part of its punch, and shorter than the punch
+        (Some(below), Some(above)) if below > above => {
+            format!("reachable are half-lengths between {above:?} and {below:?}")
+        }
+        (Some(below), Some(above)) => format!("half-lengths up to {below:?} and from {above:?} on were reached"),
+        (Some(below), None) => format!("half-lengths up to {below:?} were reached"),
+        (None, Some(above)) => format!("reachable are half-lengths above {above:?}"),
+        (None, None) => "no half-length was reached".to_owned(),
     }
 }
 
@@ -201,8 +241,13 @@ impl Error {
                  always solved, or too long for the layers next to it, which a smaller force shortens"
                     .to_owned(),
             ),
-            Self::NoSolution(NoSolution::HalfLength { .. }) => {
-                Some("a contact is longer than the flat part of its punch, and shorter than the punch".to_owned())
+            Self::NoSolution(NoSolution::HalfLength { .. }) => Some(
+                "a contact is longer than the flat part of its punch, shorter than the punch, and its half-length jumps where \
+                 intervals of it meet: prescribe one that is reached, or the force"
+                    .to_owned(),
+            ),
+            Self::NoSolution(NoSolution::ForceNotFound { .. }) => {
+                Some("prescribe the force, or a half-length next to those that were reached".to_owned())
             }
             Self::Unresolved { .. } => Some(
                 "a material may vary too fast with the depth next to a contact, like a power of it that is no whole number: \

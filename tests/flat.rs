@@ -184,5 +184,5 @@ fn the_command_solves_and_draws_it() {
     let wanted = text.replace("force: 0.002", "half_length: 0.4");
     let run = support::recede(&["solve", "-"], wanted.as_bytes());
     assert_eq!(run.status, Some(2), "{}", run.stderr);
-    assert!(run.stderr.contains("no force was found"), "{}", run.stderr);
+    assert!(run.stderr.contains("no force makes"), "{}", run.stderr);
 }

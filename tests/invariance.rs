@@ -16,8 +16,8 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
 use recede::exact::{Elastic, hertz};
-use recede::stress::{Ply, Scenario};
-use recede::{Error, Interface, NoSolution, Plane, Stack};
+use recede::stress::{Ply, Ranges, Scenario, scene_of_any_kind_in_units};
+use recede::{Error, Interface, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 
 #[path = "support/scenario.rs"]
 mod scenario;
@@ -53,14 +53,7 @@ proptest! {
         // powers of two change no digit, others do
         let factor = |exponent: f64| if binary { exponent.round().exp2() } else { (exponent / 10.0).exp() };
         let (length, modulus) = (factor(length / 5.0), factor(modulus / 5.0));
-        let mut other = scenario.clone();
-        other.radius *= length;
-        other.force *= length * modulus;
-        for layer in &mut other.layers {
-            layer.thickness *= length;
-            layer.modulus *= modulus;
-        }
-        other.base = other.base.map(|(shear_modulus, poisson)| (shear_modulus * modulus, poisson));
+        let other = scenario.clone().in_units([length, modulus]);
         scaled(&other, [length.recip(), modulus.recip()], &scenario)?;
     }
 
@@ -237,4 +230,111 @@ fn contacts_are_numbered_as_written() {
     let solution = scenario.solve().unwrap();
     let labels: Vec<String> = solution.contacts().iter().map(|contact| contact.interface.to_string()).collect();
     assert_eq!(labels, ["punch", "3|4", "4|5"]);
+}
+
+/// Powers of two next to these powers of ten change no digit of a number.
+fn binary(power: i32) -> f64 {
+    (f64::from(power) * std::f64::consts::LOG2_10).round().exp2()
+}
+
+/// Units of length and of stress.
+const UNITS: [[i32; 2]; 4] = [[60, 0], [-60, 9], [10, -60], [-7, 60]];
+
+/// The largest relative difference of two answers, of which `found` is in other units; less than the errors that both claim.
+fn in_units(found: &Solution, [length, stress]: [f64; 2], expected: &Solution) -> f64 {
+    assert_eq!(found.contacts().len(), expected.contacts().len());
+    let pairs = found.contacts().iter().zip(expected.contacts());
+    let one = pairs.map(|(found, expected)| {
+        let peak = if expected.peak_pressure.is_finite() {
+            (found.peak_pressure / stress / expected.peak_pressure - 1.0).abs()
+                - expected.peak_pressure_error / expected.peak_pressure
+        } else {
+            f64::from(found.peak_pressure != expected.peak_pressure)
+        };
+        let half_length = expected.half_length * length;
+        let ends = if half_length == found.half_length { 0.0 } else { (found.half_length / half_length - 1.0).abs() };
+        peak.max(ends - expected.half_length_error / expected.half_length)
+    });
+    one.fold((found.force() / (length * stress) / expected.force() - 1.0).abs(), f64::max)
+}
+
+#[test]
+fn scenes_of_all_kinds_are_the_same_in_all_units() {
+    let ranges = Ranges::moderate();
+    let solve = |number: u64, units: [f64; 2]| {
+        let scene = scene_of_any_kind_in_units(&ranges, 11, number, units).unwrap();
+        (Model::new(scene.stack().unwrap()).and_then(|model| model.press(&scene.punch, scene.force)), scene)
+    };
+    for number in 0..60 {
+        let (expected, _) = solve(number, [1.0, 1.0]);
+        let units = UNITS[number as usize % UNITS.len()].map(binary);
+        let (found, scene) = solve(number, units);
+        match (found, expected) {
+            (Ok(found), Ok(expected)) => {
+                let difference = in_units(&found, units, &expected);
+                assert!(difference < 1e-12, "{number}: differ by {difference:e}: {}", scene.to_ron());
+                assert_eq!(found.warnings().len(), expected.warnings().len(), "{number}: {}", scene.to_ron());
+            }
+            (Err(found), Err(expected)) => {
+                assert_eq!(
+                    std::mem::discriminant(&found),
+                    std::mem::discriminant(&expected),
+                    "{number}: {found} {expected}"
+                );
+            }
+            (found, expected) => panic!("{number}: {found:?} {expected:?}: {}", scene.to_ron()),
+        }
+    }
+}
+
+#[test]
+fn half_planes_alone_are_the_same_in_all_units() {
+    // [length] and [stress] are the units
+    let bases = [
+        "HalfPlane(shear_modulus: 2[stress], poisson: 0.25)",
+        "GradedHalfPlane(shear_modulus: 2[stress], poisson: 0.3, beta: 0.4[1/length])",
+        "PowerHalfPlane(shear_modulus: 2[stress], poisson: 0.3, length: 3[length], exponent: 0.5)",
+    ];
+    let punches = [
+        "punch: Parabola(radius: 7[length])",
+        "punch: Cylinder(radius: 7[length])",
+        "punch: Wedge(slope: 0.01)",
+        "punch: Power(exponent: 4, half_width: 1[length], height: 0.05[length])",
+        "punch: RoundedFlat(half_width: 0.5[length], radius: 9[length])",
+        "punch: Flat(half_width: 0.5[length])",
+        "punch: ElasticCylinder(radius: 20[length], shear_modulus: 3[stress], poisson: 0.2)",
+        "load: Uniform(half_width: 0.3[length])",
+    ];
+    for (base, punch) in bases.iter().flat_map(|base| punches.iter().map(move |punch| (base, punch))) {
+        let solve = |[length, stress]: [i32; 2]| {
+            let text = format!("Scene(plane: Strain, {punch}, force: 0.02[force], stack: [{base}])");
+            let text = text.replace("[length]", &format!("e{length}")).replace("[1/length]", &format!("e{}", -length));
+            let text =
+                text.replace("[stress]", &format!("e{stress}")).replace("[force]", &format!("e{}", length + stress));
+            recede::solve(&Scene::from_ron(&text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))
+        };
+        let expected = solve([0, 0]);
+        for power in UNITS.into_iter().chain([[3, 0], [-1, 0], [1, 0]]) {
+            let units = power.map(|power| 10f64.powi(power));
+            let difference = in_units(&solve(power), units, &expected);
+            assert!(difference < 1e-12, "{base} {punch} {power:?}: differ by {difference:e}");
+        }
+    }
+}
+
+#[test]
+fn a_half_plane_is_solved_however_large_or_small_the_contact() {
+    let model = |modulus: f64| {
+        let ground = recede::HalfPlane::new(modulus, 0.25).unwrap();
+        Model::new(Stack::builder(Plane::Strain).layer(ground).build().unwrap()).unwrap()
+    };
+    for (radius, force, modulus) in
+        [(1e10, 1e10, 1.0), (1e100, 1e60, 1e-30), (1e-200, 1e-190, 1.0), (1e-100, 1e140, 1e150), (1e150, 1e130, 1.0)]
+    {
+        let solution = model(modulus).press(&Punch::parabola(radius).unwrap(), force).unwrap();
+        // a² = 4 P R (1 − ν)/(2πμ), without a number beyond those of doubles
+        let expected = radius.sqrt() * (force / modulus * 1.5 / PI).sqrt();
+        let found = solution.contacts()[0].half_length;
+        assert!((found / expected - 1.0).abs() < 1e-12, "{radius:e} {force:e}: {found:e} {expected:e}");
+    }
 }

@@ -22,6 +22,7 @@ mod secants;
 mod settling;
 mod start;
 mod tail;
+mod thin;
 
 use std::f64::consts::PI;
 
@@ -39,10 +40,14 @@ use converged::Converged;
 use level::{BEST, Level, UNKNOWN, coefficients};
 use punch::Indentation;
 use refine::{Start, refine};
+use thin::Thin;
 
 /// Tolerances so many times larger are tried where errors are larger still, but not beyond what is worth it.
 const LOOSER: [f64; 2] = [10.0, 100.0];
 const WORTH_IT: f64 = 1e-3;
+
+/// Without thin layers contacts are solved for to this part of what these change.
+const THIN: f64 = 0.1;
 
 /// Presses a punch with a force on a stack: the answer in the units of the scene. It may start from what a lattice of answers
 /// for this kernel tells.
@@ -57,6 +62,8 @@ pub(crate) fn press(
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let lattice = lattice.filter(|_| with_punch.is_none());
     let kernel = with_punch.as_ref().unwrap_or(kernel);
+    let measured = start::length(kernel, punch, force)?.map(|length| kernel.measured_in(length));
+    let kernel = measured.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel, force);
     if punch.load().is_some() && options.method == Method::Collocation {
         return Err(Error::LoadByCollocation);
@@ -66,9 +73,45 @@ pub(crate) fn press(
     }
     let solution = match options.method {
         Method::Collocation => collocation::press(kernel, interfaces, &indentation, options)?,
-        Method::Galerkin => solve(kernel, lattice, interfaces, &indentation, options)?,
+        Method::Galerkin => solve_with_thin_layers(kernel, lattice, interfaces, &indentation, options)?,
     };
     Ok(Solution { force, ..solution })
+}
+
+/// Solves, without what only layers much thinner than a contact change in the kernels if that makes the smaller error.
+fn solve_with_thin_layers(
+    kernel: &Kernel,
+    lattice: Option<&Lattice>,
+    interfaces: &[Interface],
+    indentation: &Indentation,
+    options: &Options,
+) -> Result<Solution, Error> {
+    let all = || solve(kernel, lattice, interfaces, indentation, options);
+    let Some(thin) = Thin::new(kernel, indentation)? else { return all() };
+    let without = || {
+        // no more digits are of use than are left
+        let options = Options { tolerance: options.tolerance.max(THIN * thin.error), ..*options };
+        let solution = solve(&thin.kernel, None, interfaces, indentation, &options)?;
+        Ok(thin.admit(solution, interfaces))
+    };
+    if thin.error <= options.tolerance || thin.is_unresolved() {
+        return without().or_else(|_: Error| all());
+    }
+    let found = all();
+    match (&found, without()) {
+        (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found,
+        (_, Ok(without)) => Ok(without),
+        (_, Err(_)) => found,
+    }
+}
+
+/// The largest relative error of an answer.
+fn worst(solution: &Solution) -> f64 {
+    let errors = solution.contacts.iter().flat_map(|contact| {
+        let pressure = contact.peak_pressure_error / contact.peak_pressure;
+        [contact.half_length_error / contact.half_length, if pressure.is_nan() { 0.0 } else { pressure }]
+    });
+    errors.fold(0.0, f64::max)
 }
 
 /// Starts nearby or from formulas, and refines until the answer is admissible and good enough.

@@ -1,7 +1,8 @@
 //! The force under which the contact of the punch has a prescribed half-length.
 //!
 //! The half-length grows with the force: the logarithm of the one is found as a function of that of the other by the secant
-//! method, kept between forces known to be too small and too large.
+//! method, kept between forces known to be too small and too large. A force at which the solver fails says nothing of the
+//! half-length: another one is tried.
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
@@ -12,7 +13,7 @@ use super::level::BEST;
 use super::punch::Indentation;
 use super::{Lattice, press, start};
 
-/// The half-length is met to this part of the tolerance.
+/// The half-length is met to this part of the tolerance, or of its own error where that is larger.
 const MET: f64 = 0.1;
 /// Forces tried at most.
 const TRIALS: usize = 60;
@@ -33,66 +34,206 @@ pub(crate) fn press_to(
     if punch.load().is_some() {
         return Err(Error::LoadWithHalfLength);
     }
-    let unreachable = || Error::from(NoSolution::HalfLength { punch: punch.label(), half_length });
-    let flat = punch.shape().flat();
-    if half_length <= flat || punch.max_half_length().is_some_and(|edge| half_length >= edge) {
-        return Err(unreachable());
+    let unreachable = |below, above| NoSolution::HalfLength { punch: punch.label(), half_length, below, above };
+    let (flat, edge) = (punch.shape().flat(), punch.max_half_length());
+    if half_length <= flat || edge.is_some_and(|edge| half_length >= edge) {
+        return Err(unreachable(edge, Some(flat)).into());
     }
-    let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
-    let mut trial = expected(half_length);
-    // d ln P / d ln a
-    let mut slope = (expected(half_length * APART.exp()) - trial) / APART;
     let floor = if options.method == Method::Collocation { options.tolerance } else { BEST };
-    let enough = MET * options.tolerance.max(floor);
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut last: Option<(f64, f64)> = None;
+    let mut search = Search::new(kernel, punch, half_length, MET * options.tolerance.max(floor));
     let mut all = Stats::default();
     for _ in 0..TRIALS {
-        let force = trial.exp();
+        let force = search.trial.exp();
         if !force.is_normal() {
-            break;
+            return Err(unreachable(search.low.map(|known| known.half_length), search.above(edge)).into());
         }
-        let mut solution = match press(kernel, lattice, interfaces, punch, force, options) {
-            Ok(solution) => solution,
-            // so much that the punch is too small for it
-            Err(Error::NoSolution(NoSolution::PunchTooSmall { .. })) => {
-                high = trial;
-                trial = if low.is_finite() { 0.5 * (low + high) } else { high - LONGEST };
-                continue;
+        match press(kernel, lattice, interfaces, punch, force, options) {
+            Ok(mut solution) => {
+                all.newton_steps.append(&mut solution.stats.newton_steps);
+                all.factorisations += solution.stats.factorisations;
+                all.interpolated += solution.stats.interpolated;
+                if let Some(relative) = search.solved(&solution) {
+                    let Stats { newton_steps, factorisations, interpolated, .. } = all;
+                    let stats = Stats { newton_steps, factorisations, interpolated, ..solution.stats };
+                    let force_error = search.slope * relative * solution.force;
+                    return Ok(Solution { force_error, stats, ..solution });
+                }
             }
+            // so much that the punch is too small for it
+            Err(Error::NoSolution(NoSolution::PunchTooSmall { .. })) => search.too_large(),
+            Err(Error::NoSolution(failure)) => search.failed(failure),
             Err(error) => return Err(error),
-        };
-        all.newton_steps.append(&mut solution.stats.newton_steps);
-        all.factorisations += solution.stats.factorisations;
-        all.interpolated += solution.stats.interpolated;
-        let Some(found) = solution.contacts.first() else { return Err(unreachable()) };
-        let missing = (half_length / found.half_length).ln();
-        if let Some((earlier, before)) = last
-            && before != missing
-        {
-            let secant = (trial - earlier) / (before - missing);
-            slope = if secant.is_finite() && secant > 0.0 { secant } else { slope };
         }
-        if missing.abs() <= enough {
-            let relative = found.half_length_error / found.half_length + missing.abs();
-            let force_error = slope * relative * solution.force;
-            let Stats { newton_steps, factorisations, interpolated, .. } = all;
-            let stats = Stats { newton_steps, factorisations, interpolated, ..solution.stats };
-            return Ok(Solution { force_error, stats, ..solution });
-        }
-        if missing > 0.0 {
-            low = low.max(trial)
-        } else {
-            high = high.min(trial)
-        }
-        last = Some((trial, missing));
-        let next = trial + (slope * missing).clamp(-LONGEST, LONGEST);
-        trial = if low < next && next < high { next } else { 0.5 * (low + high) };
-        if trial == low || trial == high {
+        if search.is_narrow() {
             break;
         }
     }
-    Err(unreachable())
+    let (below, above) = (search.low.map(|known| known.half_length), search.above(edge));
+    match search.failure {
+        // the half-length jumps from one to the other
+        None if search.is_narrow() => Err(unreachable(below, above).into()),
+        failure => {
+            let cause = failure.map(Box::new);
+            Err(NoSolution::ForceNotFound { punch: punch.label(), half_length, below, above, cause }.into())
+        }
+    }
+}
+
+/// A force that was solved for, and the half-length found.
+#[derive(Clone, Copy)]
+struct Known {
+    /// ln P.
+    trial: f64,
+    /// ln(a/a₀), a the half-length wanted, a₀ that found.
+    missing: f64,
+    half_length: f64,
+}
+
+/// The secant method for the logarithm of the force.
+struct Search {
+    half_length: f64,
+    /// The half-length is to be met to this, relative.
+    enough: f64,
+    /// ln P of the force to be tried.
+    trial: f64,
+    /// d ln P / d ln a.
+    slope: f64,
+    last: Option<Known>,
+    /// The largest force known to be too small, and the smallest whose contact was found too long.
+    low: Option<Known>,
+    high: Option<Known>,
+    /// ln P of the smallest force known to be too large, for the contact or for the punch.
+    too_large: f64,
+    /// How long [low, too_large] was when it was last halved.
+    width: f64,
+    /// Trials since then.
+    since: usize,
+    /// Why the solver failed last, unless a force was solved for afterwards; the first such ln P, and how many there were.
+    failure: Option<NoSolution>,
+    first_failed: f64,
+    failures: usize,
+}
+
+impl Search {
+    fn new(kernel: &Kernel, punch: &Punch, half_length: f64, enough: f64) -> Self {
+        let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
+        let trial = expected(half_length);
+        let slope = (expected(half_length * APART.exp()) - trial) / APART;
+        // the compliance that is expected may fall faster than any body's; by Hertz P is like a²
+        let slope = if slope.is_finite() && slope > 0.0 { slope } else { 2.0 };
+        Self {
+            half_length,
+            enough,
+            trial,
+            slope,
+            last: None,
+            low: None,
+            high: None,
+            too_large: f64::INFINITY,
+            width: f64::INFINITY,
+            since: 0,
+            failure: None,
+            first_failed: 0.0,
+            failures: 0,
+        }
+    }
+
+    /// ln P of the largest force known to be too small.
+    fn too_small(&self) -> f64 {
+        self.low.map_or(f64::NEG_INFINITY, |known| known.trial)
+    }
+
+    /// The least half-length found that is too long; that of the punch, if it was too small for that force.
+    fn above(&self, edge: Option<f64>) -> Option<f64> {
+        self.high.map(|known| known.half_length).or(edge.filter(|_| self.too_large.is_finite()))
+    }
+
+    /// Whether forces that are too small and too large differ by no more than would be noticed.
+    fn is_narrow(&self) -> bool {
+        self.too_large - self.too_small() <= self.enough.max(f64::EPSILON * self.trial.abs())
+    }
+
+    /// Takes note of what was found at a force, and chooses the next one; the relative error of the half-length, if that is
+    /// the one wanted.
+    fn solved(&mut self, solution: &Solution) -> Option<f64> {
+        let found = solution.contacts.first()?;
+        let missing = (self.half_length / found.half_length).ln();
+        let known = Known { trial: self.trial, missing, half_length: found.half_length };
+        if let Some(last) = self.last
+            && last.missing != missing
+        {
+            let secant = (known.trial - last.trial) / (last.missing - missing);
+            self.slope = if secant.is_finite() && secant > 0.0 { secant } else { self.slope };
+        }
+        let error = found.half_length_error / found.half_length;
+        if missing.abs() <= self.enough.max(MET * error) {
+            return Some(error + missing.abs());
+        }
+        (self.failure, self.failures) = (None, 0);
+        if missing > 0.0 && known.trial > self.too_small() {
+            self.low = Some(known);
+        } else if missing < 0.0 && known.trial < self.too_large {
+            (self.high, self.too_large) = (Some(known), known.trial);
+        }
+        self.last = Some(known);
+        let next = known.trial + (self.slope * missing).clamp(-LONGEST, LONGEST);
+        let inside = self.too_small() < next && next < self.too_large;
+        self.trial = if inside && !self.is_slow() { next } else { self.between(0.5) };
+        None
+    }
+
+    /// Takes note of a force that is too large for the punch, and chooses a smaller one.
+    fn too_large(&mut self) {
+        self.too_large = self.too_large.min(self.trial);
+        self.high = None;
+        (self.failure, self.failures) = (None, 0);
+        self.trial = self.between(0.5);
+    }
+
+    /// Whether secants have not halved the interval for two trials, as next to where the half-length jumps.
+    fn is_slow(&mut self) -> bool {
+        let width = self.too_large - self.too_small();
+        if width.is_infinite() || width <= 0.5 * self.width {
+            (self.width, self.since) = (width, 0);
+        }
+        self.since += 1;
+        self.since > 2
+    }
+
+    /// A place in the interval, as far from its lower end as this part of it; a step beyond its only end if one is not known.
+    fn between(&self, part: f64) -> f64 {
+        match (self.too_small(), self.too_large) {
+            (f64::NEG_INFINITY, high) => high - LONGEST,
+            (low, f64::INFINITY) => low + LONGEST,
+            (low, high) => low + part * (high - low),
+        }
+    }
+
+    /// Takes note of a failure, and chooses another force: within the interval; on the way from what is known to what failed;
+    /// or on either side of the first guess.
+    fn failed(&mut self, failure: NoSolution) {
+        if self.failures == 0 {
+            self.first_failed = self.trial;
+        }
+        self.failure = Some(failure);
+        self.failures += 1;
+        let known = self.low.or(self.high).map(|known| known.trial);
+        self.trial = match known {
+            Some(_) if self.too_small().is_finite() && self.too_large.is_finite() => {
+                self.between(scattered(self.failures))
+            }
+            Some(known) => known + scattered(self.failures) * (self.first_failed - known),
+            None => {
+                let side = if self.failures % 2 == 0 { 1.0 } else { -1.0 };
+                self.first_failed + side * LONGEST * scattered(self.failures.div_ceil(2))
+            }
+        };
+    }
+}
+
+/// The points 1/2, 1/4, 3/4, 1/8, 5/8, ...: bits of a number from 1 on in reverse order, which fill (0, 1) evenly.
+fn scattered(number: usize) -> f64 {
+    (number as u64).reverse_bits() as f64 * (-64f64).exp2()
 }
 
 /// The force that Hertz's formula expects, on the compliance that the whole stack has for waves as long as the contact.
@@ -100,5 +241,11 @@ fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let unit = kernel.modulus() * kernel.length();
-    unit * start::force(kernel, &Indentation::new(punch, kernel, unit), half_length / kernel.length())
+    let (indentation, half_length) = (Indentation::new(punch, kernel, unit), half_length / kernel.length());
+    let force = unit * start::force(kernel, &indentation, half_length);
+    if force.is_normal() && force > 0.0 {
+        return force;
+    }
+    // where a wave as long would lift what bends: the faces alone
+    unit * indentation.first_row(half_length) * half_length / kernel.far(0).limit
 }

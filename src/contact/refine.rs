@@ -13,9 +13,9 @@ use super::pressures::weight;
 use super::punch::Indentation;
 
 /// Modes of the coarsest level.
-const COARSEST: usize = 8;
+pub(super) const COARSEST: usize = 8;
 /// Modes of the finest level.
-const FINEST: usize = 512;
+pub(super) const FINEST: usize = 512;
 /// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the first wave that feels no more
 /// than the faces.
 const PER_WAVE: f64 = 0.6;

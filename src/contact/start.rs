@@ -1,6 +1,7 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
 use crate::Error;
 use crate::kernel::Kernel;
+use crate::scene::Punch;
 
 use super::punch::Indentation;
 
@@ -14,8 +15,9 @@ const BETWEEN: f64 = 3.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
 const TYPICAL: f64 = 1.2;
 
-/// Half-lengths are looked for down to this, and found to so much in their logarithm.
-const SHORTEST: f64 = 1e-100;
+/// Half-lengths are looked for from 1e-300 to 1e300, as far as doubles reach: the natural logarithm of the latter, and to
+/// how much in that they are found.
+const LONGEST: f64 = 690.0;
 const FOUND: f64 = 1e-3;
 /// How near, in the logarithm, to the edge of the punch they may be.
 const AT_EDGE: f64 = 1e-4;
@@ -24,6 +26,19 @@ const AT_EDGE: f64 = 1e-4;
 /// indentation by P' = 1.
 pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> f64 {
     punch.first_row(half_length) * half_length / kernel.compliances(TYPICAL / half_length)[0]
+}
+
+/// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
+/// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
+pub(super) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Option<f64>, Error> {
+    if !kernel.has_no_length() {
+        return Ok(None);
+    }
+    let length = match punch.load() {
+        Some(load) => load.half_width(),
+        None => kernel.length() * half_lengths(kernel, &Indentation::new(punch, kernel, force))?[0],
+    };
+    Ok((length.is_normal() && length > 0.0).then_some(length))
 }
 
 /// Half-lengths in units of L, from the top down.
@@ -48,8 +63,7 @@ pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
 fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, Error> {
-    let longest = punch.max_half_length().unwrap_or(1e6);
-    let (mut low, mut high) = (SHORTEST.min(0.5 * longest).ln(), longest.ln());
+    let (mut low, mut high) = (-LONGEST, punch.max_half_length().map_or(LONGEST, f64::ln));
     // the logarithm of the force is nearly linear in that of the half-length
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;

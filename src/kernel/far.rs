@@ -18,9 +18,9 @@ pub(crate) struct Far {
     /// The limit g∞ for ζ → ∞, which makes the Cauchy kernel.
     pub(crate) limit: f64,
     /// The kernel less its limit, in u = from/ζ; `None` if that is nothing.
-    excess: Option<Series>,
+    pub(super) excess: Option<Series>,
     /// The same over u, at most.
-    rate: f64,
+    pub(super) rate: f64,
 }
 
 impl Far {

@@ -1,9 +1,12 @@
 //! Kernels: what the contact equations need to know of a stack, as functions of the wavenumber.
 //!
-//! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, flexibilities λμ₀C
-//! with μ₀ the shear modulus at the top face. Nothing depends on punch, load or contact lengths.
+//! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, or the length over which
+//! a half-plane without layers is graded, flexibilities λμ₀C with μ₀ the shear modulus at the top face. Nothing depends on
+//! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in that of its contact.
+mod cut_off;
 mod far;
 mod panel;
+mod unit;
 
 use std::sync::Arc;
 
@@ -89,8 +92,7 @@ impl Chains {
             Foundation::Rigid { .. } => None,
         });
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
-        let total = stack.total_thickness();
-        let length = if total > 0.0 { total } else { 1.0 };
+        let length = unit::intrinsic_length(stack).unwrap_or(1.0);
         Self { laminates, base, plane, length, modulus }
     }
 
@@ -207,6 +209,17 @@ impl Kernel {
         kernel.panels.iter_mut().for_each(|panel| panel.add_to_first(punch));
         kernel.far.iter_mut().take(1).for_each(|far| far.limit += punch);
         kernel
+    }
+
+    /// Whether no wavenumber differs from another: a homogeneous half-plane, in which no length occurs.
+    pub(crate) fn has_no_length(&self) -> bool {
+        self.panels.is_empty() && self.far.iter().all(|far| far.is_constant() && far.from == 0.0)
+    }
+
+    /// The kernel of a homogeneous half-plane in another unit of length: only the unit changes.
+    pub(crate) fn measured_in(&self, length: f64) -> Self {
+        let chains = Chains { length, ..self.chains.clone() };
+        Self { chains, ..self.clone() }
     }
 
     /// λμ₀C of the punch, 0 of a rigid one.

@@ -206,6 +206,14 @@ impl Panel {
         self.excess = far.iter().enumerate().map(excess).collect();
     }
 
+    /// A part of the panel, of the same polynomials.
+    pub(super) fn part(&self, from: f64, to: f64) -> Self {
+        let rows: Vec<[f64; POINTS]> = quadrature::rule(POINTS).on(from, to).map(|(zeta, _)| self.row(zeta)).collect();
+        let at = |values: &[f64; POINTS], k: usize| rows[k].iter().zip(values).map(|(row, value)| row * value).sum();
+        let values = self.values.iter().map(|values| std::array::from_fn(|k| at(values, k))).collect();
+        Self { from, to, values, ..self.clone() }
+    }
+
     /// What a value at each Gauss point contributes at one wavenumber.
     fn row(&self, zeta: f64) -> [f64; POINTS] {
         interpolation((zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from)))

@@ -20,6 +20,8 @@ struct Kinds {
     base: usize,
     /// A number from 0 to 1 that every kind makes something else of.
     share: f64,
+    /// The unit of stress.
+    stress: f64,
 }
 
 fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
@@ -33,6 +35,7 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
         joints,
         base,
         share,
+        stress: 1.0,
     })
 }
 
@@ -42,7 +45,16 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
 /// # Errors
 /// None in practice.
 pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
+    scene_of_any_kind_in_units(ranges, seed, number, [1.0, 1.0])
+}
+
+/// The same scene with all lengths and all stresses multiplied by the numbers `units`, in this order.
+///
+/// # Errors
+/// [`Error::OutOfRange`] or [`Error::Layer`] if a number is no longer finite.
+pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units: [f64; 2]) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
+    let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units[1], ..kinds });
     Ok(Scene::new(scenario.plane, kinds.punch(&scenario)?, scenario.force, kinds.items(&scenario)?))
 }
 
@@ -97,7 +109,7 @@ impl Kinds {
         }
         for (item, (kind, normal, tangential)) in items.iter_mut().skip(1).step_by(2).zip(&self.joints) {
             // per thickness and modulus of the whole
-            let stiffness = |power: &f64| 10f64.powf(*power) / scenario.thickness();
+            let stiffness = |power: &f64| self.stress * 10f64.powf(*power) / scenario.thickness();
             *item = match (&item, kind) {
                 (Item::Bonded, 0) => Item::Sliding,
                 (Item::Bonded, 1) => Item::Spring(Spring::new(stiffness(normal), None)?),

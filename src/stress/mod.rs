@@ -25,7 +25,7 @@ mod trial;
 mod verify;
 
 pub use examples::{EXAMPLES, variant};
-pub use kinds::scene_of_any_kind;
+pub use kinds::{scene_of_any_kind, scene_of_any_kind_in_units};
 pub use scenario::{Ply, Scenario};
 pub use strategy::{Ranges, scene, scenes};
 pub use trial::{Outcome, Trial};

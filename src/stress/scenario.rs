@@ -89,6 +89,19 @@ impl Scenario {
         Ok(Scene::new(self.plane, self.punch()?, self.force, self.items()?))
     }
 
+    /// The same with all lengths and all stresses multiplied by numbers.
+    #[must_use]
+    pub fn in_units(mut self, [length, stress]: [f64; 2]) -> Self {
+        self.radius *= length;
+        self.force *= length * stress;
+        for layer in &mut self.layers {
+            layer.thickness *= length;
+            layer.modulus *= stress;
+        }
+        self.base = self.base.map(|(modulus, poisson)| (modulus * stress, poisson));
+        self
+    }
+
     /// Thickness of all layers, in length.
     pub fn thickness(&self) -> f64 {
         self.layers.iter().map(|layer| layer.thickness).sum()

@@ -1,0 +1,89 @@
+//! Contacts next to layers that are much thinner than the contact is long.
+//!
+//! Waves that tell such a layer from what lies behind it are shorter than the modes of the pressure resolve; they change the
+//! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
+//! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
+//! solved without these waves, and that change is part of the error.
+use std::f64::consts::PI;
+
+use crate::error::Error;
+use crate::kernel::Kernel;
+use crate::solution::{Interface, Solution};
+
+use super::punch::Indentation;
+use super::refine::{COARSEST, FINEST};
+use super::start;
+
+/// An answer is taken to be wrong by so many times the change of the diagonal, since the rows of higher modes change more than the
+/// first. Under a coating ten times stiffer than the ground the half-length was off by 0.5 to 0.7 of that change.
+const SAFETY: f64 = 3.0;
+/// The kernel is cut off where more waves would not make that change smaller by more than this factor; they cost time.
+const WORSE: f64 = 2.0;
+/// Couplings smaller than this, against what they couple, have ended.
+const UNCOUPLED: f64 = 1e-12;
+
+/// A kernel without the waves that only thin layers at the faces of contacts tell apart.
+pub(super) struct Thin {
+    pub(super) kernel: Kernel,
+    /// By how much what is left out changes an answer at most, relative.
+    pub(super) error: f64,
+    /// Next to which contacts, and by how much a layer there changes the answer.
+    contacts: Vec<(usize, f64)>,
+}
+
+impl Thin {
+    /// `None` if modes resolve all that matters.
+    pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, Error> {
+        let mut thin = Self { kernel: kernel.clone(), error: 0.0, contacts: Vec::new() };
+        let half_lengths = start::half_lengths(kernel, punch)?;
+        let given = usize::from(punch.given().is_some());
+        for (contact, half_length) in half_lengths.iter().enumerate().skip(given) {
+            let Some((from, error)) = beyond_modes(kernel, contact, *half_length, &half_lengths) else { continue };
+            thin.kernel = thin.kernel.cut_off(contact, from);
+            thin.error = thin.error.max(error);
+            thin.contacts.push((contact, error));
+        }
+        Ok((!thin.contacts.is_empty()).then_some(thin))
+    }
+
+    /// Whether the boundary layer at the ends of a contact, as long as its part of the half-length, is shorter than a
+    /// wave of the highest modes there, so that these tell nothing of it.
+    pub(super) fn is_unresolved(&self) -> bool {
+        // x = a cos φ: a(1 − cos φ) is as long as the layer at φ = √(2 error)
+        (2.0 * self.error / SAFETY).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
+    }
+
+    /// The answer with what is left out in its errors, and a warning that says so.
+    pub(super) fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
+        for contact in &mut solution.contacts {
+            contact.half_length_error += self.error * contact.half_length;
+            if contact.peak_pressure.is_finite() {
+                contact.peak_pressure_error += self.error * contact.peak_pressure.abs();
+            }
+        }
+        solution.warnings.extend(self.contacts.iter().map(|(contact, error)| {
+            format!(
+                "a layer next to the contact {} is so thin that it is left out: it changes half-lengths and pressures by \
+                 about {error:.0e}, and the pressure near the ends of the contact over about as long as it is thick",
+                interfaces[*contact]
+            )
+        }));
+        solution
+    }
+}
+
+/// The wavenumber beyond which the kernel of a contact may be held constant, and what that may change in the answer; `None` if
+/// the modes resolve the layers at its faces, or waves that short still couple it to its neighbours.
+fn beyond_modes(kernel: &Kernel, contact: usize, half_length: f64, half_lengths: &[f64]) -> Option<(f64, f64)> {
+    let highest = (2 * FINEST) as f64 / half_length;
+    if kernel.far(contact).from <= highest {
+        return None;
+    }
+    let coupled = |i: usize| kernel.uncoupled(i, half_lengths[i].min(half_lengths[i + 1]), UNCOUPLED);
+    let couplings = contact.saturating_sub(1)..(contact + 1).min(half_lengths.len() - 1);
+    let lowest = couplings.map(coupled).fold((2 * COARSEST) as f64 / half_length, f64::max);
+    let error = |from: f64| SAFETY * 2.0 / (PI * half_length) * kernel.left_out(contact, from);
+    let least = error(highest);
+    let octaves = std::iter::successors(Some(lowest), |from| Some(2.0 * from)).take_while(|from| *from <= highest);
+    octaves.map(|from| (from, error(from))).find(|(_, error)| *error <= WORSE * least)
+}

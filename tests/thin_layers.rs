@@ -1,0 +1,91 @@
+//! Layers that are much thinner than the contact is long.
+//!
+//! Goal: the thinner a layer, the less it matters, without an end: the answer tends to that without the layer like the
+//! ratio of thickness to half-length, it is admissible, its error estimates cover what was left out, and a warning says so.
+//!
+//! ```text
+//!      P (_) R
+//!   ══════════════  h → 0, stiff or soft, homogeneous, graded or orthotropic
+//!   ██████████████
+//! ```
+use recede::{Scene, Solution};
+
+const GROUND: &str = "HalfPlane(shear_modulus: 1, poisson: 0.25)";
+
+fn solve(stack: &str) -> Solution {
+    let text = format!("Scene(plane: Strain, punch: Parabola(radius: 10), force: 1, stack: [{stack}])");
+    recede::solve(&Scene::from_ron(&text).unwrap()).unwrap_or_else(|error| panic!("{stack}: {error}"))
+}
+
+/// Fails unless all contacts of an answer are those expected within both error estimates and `more`, relative.
+fn near(found: &Solution, expected: &Solution, more: f64, what: &str) {
+    assert_eq!(found.contacts().len(), expected.contacts().len());
+    for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
+        let pairs = [
+            (found.half_length, expected.half_length, found.half_length_error + expected.half_length_error),
+            (found.peak_pressure, expected.peak_pressure, found.peak_pressure_error + expected.peak_pressure_error),
+        ];
+        for (found, expected, error) in pairs {
+            let difference = (found - expected).abs();
+            assert!(difference <= error + more * expected, "{what}: {found} ± {error:e} is not {expected}");
+        }
+    }
+}
+
+#[test]
+fn coatings_matter_the_less_the_thinner_they_are() {
+    let half_plane = solve(GROUND);
+    let coatings = [
+        "Homogeneous(thickness: [h], shear_modulus: 10, poisson: 0.3)",
+        "Homogeneous(thickness: [h], shear_modulus: 0.1, poisson: 0.3)",
+        "Homogeneous(thickness: [h], shear_modulus: 1.2, poisson: 0.3)",
+        "Exponential(thickness: [h], shear_modulus: 5, poisson: 0.3, beta: -1[1/h])",
+        "Orthotropic(thickness: [h], young: (x: 30, y: 3, z: 3), poisson: (xy: 0.3, xz: 0.3, yz: 0.3), shear_modulus: 1)",
+    ];
+    for coating in coatings {
+        for power in [6, 9, 12, 15] {
+            let thickness = 10f64.powi(-power);
+            let coating = coating.replace("[h]", &format!("1e-{power}")).replace("[1/h]", &format!("e{power}"));
+            let coated = solve(&format!("{coating}, Bonded, {GROUND}"));
+            // a stiff layer matters like one some times thicker
+            near(&coated, &half_plane, 30.0 * thickness, &coating);
+            let contact = &coated.contacts()[0];
+            let claimed = contact.half_length_error / contact.half_length;
+            assert!(claimed < 1e-11 + 100.0 * thickness, "{coating}: {claimed:e}");
+            assert!(
+                coated.warnings().iter().any(|warning| warning.contains("so thin that it is left out")),
+                "{coating}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_left_out_is_no_more_than_is_said() {
+    // answers that are resolved, and the same stack without what the modes would not resolve in a longer contact
+    for modulus in [0.1, 10.0] {
+        let coated = |power: i32| {
+            solve(&format!(
+                "Homogeneous(thickness: 1e-{power}, shear_modulus: {modulus:?}, poisson: 0.3), Bonded, {GROUND}"
+            ))
+        };
+        let (half_plane, resolved) = (solve(GROUND), coated(3));
+        let change =
+            |solution: &Solution| solution.contacts()[0].half_length / half_plane.contacts()[0].half_length - 1.0;
+        // proportional to the thickness but for a logarithm
+        let thinner = coated(7);
+        let ratio = thinner.contacts()[0].half_length_error / thinner.contacts()[0].half_length;
+        assert!(ratio > 1e-4 * change(&resolved).abs(), "{modulus}: {ratio:e} {:e}", change(&resolved));
+    }
+}
+
+#[test]
+fn a_thin_layer_below_a_loose_strip_is_as_good_as_none() {
+    let strip = "Homogeneous(thickness: 1, shear_modulus: 2, poisson: 0.3), Receding";
+    let bare = solve(&format!("{strip}, {GROUND}"));
+    for power in [6, 9, 12, 15] {
+        let layer = format!("Homogeneous(thickness: 1e-{power}, shear_modulus: 0.1, poisson: 0.3)");
+        let found = solve(&format!("{strip}, {layer}, Bonded, {GROUND}"));
+        near(&found, &bare, 30.0 * 10f64.powi(-power), &layer);
+    }
+}
