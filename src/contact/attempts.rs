@@ -142,7 +142,7 @@ fn decide(
     }
     let error = several(kernel, interfaces, zones.as_deref(), false).map(|(_, error)| error);
     let zones = zones.unwrap_or_default();
-    let apart = zones.iter().any(|zones| zones.hull().first().is_some_and(|first| first[0] > 0.0));
+    let apart = zones.iter().any(|zones| zones.intervals().first().is_some_and(|first| first[0] > 0.0));
     let solution =
         if error.is_some() || apart { parts::solve(kernel, interfaces, indentation, &zones, options) } else { None };
     solution.ok_or_else(|| error.unwrap_or_else(|| failure.into()))
@@ -175,6 +175,6 @@ fn several(
     let plausible = |i: usize, zones: &convex::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
     let mut all = zones?.iter().enumerate();
     let (i, zones) = all.find(|(i, zones)| open(zones) || count(zones) > 1 && plausible(*i, zones))?;
-    let parts = zones.hull().iter().map(|part| part.map(|x| x * kernel.length())).collect();
+    let parts = zones.intervals().iter().map(|part| part.map(|x| x * kernel.length())).collect();
     Some((interfaces[i], NoSolution::Parts { interface: interfaces[i], parts }.into()))
 }

@@ -82,13 +82,9 @@ impl Zones {
         self.sure.first().map_or(0.0, |part| part[1])
     }
 
-    /// The contact about the middle, and from where to where bodies touch farther out, perhaps in several places.
-    pub(super) fn hull(&self) -> Vec<[f64; 2]> {
-        let parts = if self.sure.len() > 1 { &self.sure } else { &self.apart };
-        match parts[..] {
-            [first, second, .., last] => vec![first, [second[0], last[1]]],
-            _ => parts.clone(),
-        }
+    /// All intervals: those that are sure where there are several, else that about the middle and all far from it.
+    pub(super) fn intervals(&self) -> &[[f64; 2]] {
+        if self.sure.len() > 1 { &self.sure } else { &self.apart }
     }
 }
 

@@ -137,7 +137,7 @@ pub(super) fn solve(
 fn patches(punch: &Indentation, zones: &[Zones]) -> Option<Vec<Patch>> {
     let mut patches = Vec::new();
     for (contact, zones) in zones.iter().enumerate().skip(usize::from(punch.given().is_some())) {
-        let parts = zones.hull();
+        let parts = zones.intervals();
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
