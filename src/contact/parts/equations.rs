@@ -7,7 +7,6 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
 
-use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 
 use crate::kernel::Kernel;
@@ -37,13 +36,19 @@ pub(super) struct Equations<'a> {
     pub(super) count: usize,
 }
 
-/// Pressures at given ends, and what these leave over.
-#[derive(Clone)]
-pub(super) struct Pressures {
-    /// c_j of each patch, per unit of P'.
-    pub(super) coefficients: Vec<Vec<f64>>,
-    /// One for each end.
-    pub(super) residuals: Vec<f64>,
+/// The equations at given ends, linear in the pressures: one for each pressure and one for each end.
+pub(super) struct System {
+    pub(super) matrix: Mat<f64>,
+    pub(super) right: Vec<f64>,
+}
+
+impl System {
+    /// What pressures leave of the equations.
+    pub(super) fn residuals(&self, pressures: &[f64]) -> Vec<f64> {
+        let all = Mat::from_fn(pressures.len(), 1, |row, _| pressures[row]);
+        let found = &self.matrix * &all;
+        self.right.iter().enumerate().map(|(row, right)| found[(row, 0)] - right).collect()
+    }
 }
 
 /// What all pressures do to all tests.
@@ -101,8 +106,9 @@ impl Equations<'_> {
         self.patches[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
     }
 
-    /// Pressures, and what is left over; `None` if there is none in double precision.
-    pub(super) fn solve(&self) -> Option<Pressures> {
+    /// The equations: those that fix pressures at given ends, each scaled to its largest entry, and then those that are left
+    /// over for the ends.
+    pub(super) fn system(&self) -> System {
         let size = self.patches.len() * self.count;
         let mut kept: Vec<(Vec<f64>, f64)> = Vec::with_capacity(size);
         let mut left: Vec<(Vec<f64>, f64)> = Vec::new();
@@ -136,16 +142,12 @@ impl Equations<'_> {
             }
             kept.push((entries, 1.0));
         }
-        let scales: Vec<f64> =
-            kept.iter().map(|(row, _)| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()))).collect();
-        let matrix = Mat::from_fn(size, size, |row, column| kept[row].0[column] / scales[row]);
-        let right = Mat::from_fn(size, 1, |row, _| kept[row].1 / scales[row]);
-        let solution = matrix.partial_piv_lu().solve(&right);
-        let all = solution.col_as_slice(0);
-        let residual = |(row, right): &(Vec<f64>, f64)| dot(row, all) - right;
-        let residuals: Vec<f64> = left.iter().map(residual).collect();
-        let coefficients = all.chunks_exact(self.count).map(<[f64]>::to_vec).collect();
-        residuals.iter().chain(all).all(|value| value.is_finite()).then_some(Pressures { coefficients, residuals })
+        kept.extend(left);
+        let largest = |row: &[f64]| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        let scales: Vec<f64> = kept.iter().map(|(row, _)| largest(row)).collect();
+        let matrix = Mat::from_fn(kept.len(), size, |row, column| kept[row].0[column] / scales[row]);
+        let right = kept.iter().zip(&scales).map(|((_, right), scale)| right / scale).collect();
+        System { matrix, right }
     }
 
     /// What all pressures do to all tests.

@@ -28,7 +28,7 @@ pub(super) fn check(
     level: &Level,
     coarse: &Level,
 ) -> Option<([f64; 2], Vec<f64>)> {
-    let (patches, coefficients) = (&level.patches, &level.pressures.coefficients);
+    let (patches, coefficients) = (&level.patches, &level.coefficients);
     let count = coefficients.first()?.len();
     let mut least = [0.0f64; 2];
     let mut largest = vec![0.0f64; kernel.contacts()];
@@ -57,8 +57,7 @@ pub(super) fn check(
     let span = span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
     let equations = Equations { kernel, punch, layout: &layout, patches, count };
-    let before =
-        Equations { patches: &coarse.patches, count: coarse.pressures.coefficients.first()?.len(), ..equations };
+    let before = Equations { patches: &coarse.patches, count: coarse.coefficients.first()?.len(), ..equations };
     for (i, (patch, same)) in patches.iter().zip(&coarse.patches).enumerate() {
         let next = patches.get(i + 1).filter(|next| next.contact == patch.contact);
         let end = match (next, patch.contact, punch.max_half_length()) {
@@ -71,7 +70,7 @@ pub(super) fn check(
         for [from, to, from_before, to_before] in inwards.into_iter().chain([[patch.to(), end, same.to(), end_before]])
         {
             let gaps = equations.gaps(patch.contact, coefficients, from, to, PLACES);
-            let others = before.gaps(patch.contact, &coarse.pressures.coefficients, from_before, to_before, PLACES);
+            let others = before.gaps(patch.contact, &coarse.coefficients, from_before, to_before, PLACES);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(&others).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
             if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + KNOWN * known)) {

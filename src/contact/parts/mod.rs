@@ -19,7 +19,7 @@ use super::level::UNKNOWN;
 use super::punch::Indentation;
 use super::{given, in_parts, stats};
 
-use equations::{Equations, Pressures};
+use equations::{Equations, System};
 use patch::Patch;
 
 /// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
@@ -31,6 +31,8 @@ const STEPS: usize = 30;
 const MOST_SOLVED: usize = 3000;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
+/// Derivatives are kept as long as steps, in units of those intervals, are shorter than this, and become so many times shorter.
+const KEPT: f64 = 0.1;
 /// Derivatives are differences over this part of the intervals next to an end.
 const DIFFERENCE: f64 = 1e-6;
 /// Relative steps below this are none; short steps that no longer shorten are rounding.
@@ -64,7 +66,8 @@ impl Work {
 #[derive(Clone)]
 struct Level {
     patches: Vec<Patch>,
-    pressures: Pressures,
+    /// c_j of each patch, per unit of P'.
+    coefficients: Vec<Vec<f64>>,
     /// Length of the last step, relative.
     last_step: f64,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
@@ -203,7 +206,11 @@ fn lengths(kernel: &Kernel, punch: &Indentation, patches: &[Patch]) -> [Vec<f64>
     [ends, shortest]
 }
 
-/// Newton's method for the ends, with long steps shortened all `together` or each alone; `None` if it is lost.
+/// Newton's method for the ends and the pressures together, with long steps of the ends shortened all `together` or each
+/// alone; `None` if it is lost.
+///
+/// Pressures are not eliminated at given ends: where a sheet without weight spans the gap between two intervals, there are ends
+/// nearby for which no pressures are in equilibrium, and residuals as functions of the ends alone have poles there.
 fn converge(
     kernel: &Kernel,
     punch: &Indentation,
@@ -214,11 +221,9 @@ fn converge(
     work: &mut Work,
 ) -> Option<Level> {
     let mut layout: Option<(Layout, Vec<f64>)> = None;
-    let mut jacobian: Option<Mat<f64>> = None;
+    let mut kept: Option<Mat<f64>> = None;
+    let mut pressures: Option<Vec<f64>> = None;
     let mut last = f64::INFINITY;
-    let mut limit = LONGEST_STEP;
-    let mut moved_by: Vec<f64> = Vec::new();
-    let mut left_before: Vec<f64> = Vec::new();
     work.steps.push(0);
     for _ in 0..STEPS {
         let [reach, shortest] = lengths(kernel, punch, &patches);
@@ -227,59 +232,73 @@ fn converge(
             Some(kept) => kept,
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
-        let pressures = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.solve();
+        let system = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.system();
         work.spend(count)?;
-        let here = pressures(&patches)?;
+        let here = system(&patches);
         *work.steps.last_mut()? += 1;
         let (at, rooms) = (ends(&patches), rooms(&patches));
-        let derivatives = match jacobian.take() {
-            Some(mut kept) => {
-                if !moved_by.is_empty() {
-                    broyden(&mut kept, &moved_by, &left_before, &here.residuals);
-                }
-                kept
-            }
+        // to begin with, the pressures that go with these ends
+        let mut own = match pressures.take() {
+            Some(own) => own,
+            None => first_pressures(&here)?,
+        };
+        let residuals = here.residuals(&own);
+        let derivatives = match kept.take() {
+            Some(kept) => kept,
             None => {
-                let mut derivatives = Mat::zeros(at.len(), at.len());
+                let mut derivatives = Mat::zeros(residuals.len(), at.len());
                 for by in 0..at.len() {
                     let mut moved = at.clone();
                     moved[by] += DIFFERENCE * rooms[by];
                     work.spend(count)?;
-                    let there = pressures(&with_ends(&patches, &moved)?)?;
-                    for (row, (there, here)) in there.residuals.iter().zip(&here.residuals).enumerate() {
+                    let there = system(&with_ends(&patches, &moved)?).residuals(&own);
+                    for (row, (there, here)) in there.iter().zip(&residuals).enumerate() {
                         derivatives[(row, by)] = (there - here) / DIFFERENCE;
                     }
                 }
                 derivatives
             }
         };
-        // steps in units of the intervals next to each end
-        let right = Mat::from_fn(at.len(), 1, |i, _| -here.residuals[i]);
-        let step: Vec<f64> = derivatives.partial_piv_lu().solve(&right).col_as_slice(0).to_vec();
+        // steps of the ends in units of the intervals next to each of them
+        let size = own.len();
+        let matrix = Mat::from_fn(size + at.len(), size + at.len(), |row, column| match column.checked_sub(size) {
+            None => here.matrix[(row, column)],
+            Some(by) => derivatives[(row, by)],
+        });
+        let right = Mat::from_fn(residuals.len(), 1, |row, _| -residuals[row]);
+        let found = matrix.partial_piv_lu().solve(&right);
+        let (change, step) = found.col_as_slice(0).split_at(size);
         let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-        if step.iter().any(|step| !step.is_finite()) {
+        if found.col_as_slice(0).iter().any(|value| !value.is_finite()) {
             return None;
         }
+        let shorten = if together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
+        own.iter_mut().zip(change).for_each(|(own, change)| *own += shorten * change);
         if longest < SETTLED || last < SHORT && longest > 0.5 * last {
             let left_out =
                 (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
-            return Some(Level { patches, pressures: here, last_step: longest, left_out });
+            let coefficients = own.chunks_exact(count).map(<[f64]>::to_vec).collect();
+            return Some(Level { patches, coefficients, last_step: longest, left_out });
         }
-        jacobian = (longest < 0.2 * last && longest < 0.1).then_some(derivatives);
+        kept = (longest < KEPT * last && longest < KEPT).then_some(derivatives);
         last = longest;
-        // an end where the pressure is next to nothing is known badly, and does not hold up the others; steps back and
-        // forth grow shorter
-        let back = moved_by.iter().zip(&step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
-        limit = if back && !together { 0.5 * limit } else { (1.5 * limit).min(LONGEST_STEP) };
-        let shorten = if together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
-        moved_by = step.iter().map(|step| (shorten * step).clamp(-limit, limit)).collect();
-        left_before = here.residuals;
+        let moved = at.iter().zip(step).zip(&rooms);
         let moved: Vec<f64> =
-            at.iter().zip(&moved_by).zip(&rooms).map(|((end, step), room)| end + step * room).collect();
+            moved.map(|((end, step), room)| end + (shorten * step).clamp(-LONGEST_STEP, LONGEST_STEP) * room).collect();
         patches = with_ends(&patches, &moved)?;
+        pressures = Some(own);
         layout = Some((waves, about));
     }
     None
+}
+
+/// The pressures that fulfil all equations but those for the ends; `None` if there are none in double precision.
+fn first_pressures(system: &System) -> Option<Vec<f64>> {
+    let size = system.matrix.ncols();
+    let right = Mat::from_fn(size, 1, |row, _| system.right[row]);
+    let found = system.matrix.subrows(0, size).partial_piv_lu().solve(&right);
+    let all = found.col_as_slice(0);
+    all.iter().all(|value| value.is_finite()).then(|| all.to_vec())
 }
 
 /// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.
@@ -289,18 +308,6 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
         return 0.0;
     }
     (kernel.unit_excess(i, end) / kernel.far(i).limit).abs() / end
-}
-
-/// Makes derivatives tell what a step has done (Broyden 1965).
-fn broyden(derivatives: &mut Mat<f64>, step: &[f64], before: &[f64], after: &[f64]) {
-    let square: f64 = step.iter().map(|step| step * step).sum();
-    for row in 0..before.len() {
-        let expected: f64 = step.iter().enumerate().map(|(by, step)| derivatives[(row, by)] * step).sum();
-        let wrong = (after[row] - before[row] - expected) / square;
-        for (by, step) in step.iter().enumerate() {
-            derivatives[(row, by)] += wrong * step;
-        }
-    }
 }
 
 /// By how much two levels differ.
@@ -340,7 +347,7 @@ impl Errors {
 impl Level {
     /// p(0) of each contact, per unit of P'.
     fn peaks(&self) -> impl Iterator<Item = f64> {
-        first_of_each(&self.patches).map(|i| self.patches[i].pressure(&self.pressures.coefficients[i], 0.0))
+        first_of_each(&self.patches).map(|i| self.patches[i].pressure(&self.coefficients[i], 0.0))
     }
 }
 
@@ -363,7 +370,7 @@ fn solution(
     if let Some(load) = punch.load() {
         contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force)));
     }
-    let all = level.patches.iter().zip(&level.pressures.coefficients).zip(&errors.ends);
+    let all = level.patches.iter().zip(&level.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);
     for ((patch, coefficients), [from_error, to_error]) in all {
         let mut coefficients: Vec<f64> = coefficients.iter().map(|c| c * pressure_unit).collect();
