@@ -52,9 +52,13 @@ pub fn rule(n: usize) -> &'static Rule {
 /// assert!((factorial - 120.0).abs() < 1e-11);
 /// ```
 pub fn laguerre_rule(n: usize) -> &'static Rule {
+    // Evaluated by the compiler: bisection for 24 nodes takes a million instructions, a seventh of a first solution.
+    const FEW: [[f64; 24]; 2] = laguerre_arrays();
+    const MANY: [[f64; 32]; 2] = laguerre_arrays();
     static RULES: [OnceLock<Rule>; 2] = [const { OnceLock::new() }; 2];
-    let (i, size) = if n <= 24 { (0, 24) } else { (1, 32) };
-    RULES[i].get_or_init(|| gauss_laguerre(size))
+    let (i, [nodes, weights]): (_, [&[f64]; 2]) =
+        if n <= 24 { (0, [&FEW[0], &FEW[1]]) } else { (1, [&MANY[0], &MANY[1]]) };
+    RULES[i].get_or_init(|| Rule { nodes: nodes.to_vec(), weights: weights.to_vec() })
 }
 
 /// Gauss-Legendre rule with `n` nodes on [-1, 1]: exact for polynomials of degree 2n - 1.
@@ -122,31 +126,49 @@ fn legendre(n: usize, angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
 /// The nodes are separated by the sign changes of L_0, L_1, ... (a Sturm sequence) and refined by Newton's method.
 /// Source: Szegő, Orthogonal Polynomials, (5.1.10), (5.1.14), (15.3.5).
 pub fn gauss_laguerre(n: usize) -> Rule {
-    let (mut nodes, mut weights) = (Vec::with_capacity(n), Vec::with_capacity(n));
-    for k in 0..n {
+    let mut rule = Rule { nodes: vec![0.0; n], weights: vec![0.0; n] };
+    fill_laguerre(&mut rule.nodes, &mut rule.weights);
+    rule
+}
+
+/// Nodes and weights of [`gauss_laguerre`] for a number of nodes that the compiler knows.
+const fn laguerre_arrays<const N: usize>() -> [[f64; N]; 2] {
+    let (mut nodes, mut weights) = ([0.0; N], [0.0; N]);
+    fill_laguerre(&mut nodes, &mut weights);
+    [nodes, weights]
+}
+
+/// The rule with as many nodes as there is room for. Loops are written so that the compiler, too, can run them.
+const fn fill_laguerre(nodes: &mut [f64], weights: &mut [f64]) {
+    let n = nodes.len();
+    let mut k = 0;
+    while k < n {
         let (mut lo, mut hi) = (0.0, 4.0 * n as f64 + 2.0);
-        for _ in 0..40 {
+        let mut halved = 0;
+        while halved < 40 {
             let middle = 0.5 * (lo + hi);
             if laguerre(n, middle).zeros_below > k {
                 hi = middle;
             } else {
                 lo = middle;
             }
+            halved += 1;
         }
-        let mut x = 0.5 * (lo + hi);
-        let mut slope = 0.0;
-        for _ in 0..3 {
+        let (mut x, mut slope) = (0.5 * (lo + hi), 0.0);
+        let mut steps = 0;
+        while steps < 3 {
             // x L'' = (x - 1) L' - n L gives the slope at the corrected node.
             let Laguerre { value, difference, .. } = laguerre(n, x);
             let descent = n as f64 * difference / x;
             let step = -value / descent;
             slope = descent * (1.0 + step * (x - 1.0) / x);
             x += step;
+            steps += 1;
         }
-        nodes.push(x);
-        weights.push(1.0 / (x * slope * slope));
+        nodes[k] = x;
+        weights[k] = 1.0 / (x * slope * slope);
+        k += 1;
     }
-    Rule { nodes, weights }
 }
 
 /// What the recurrence of the Laguerre polynomials tells at one point.
@@ -159,13 +181,17 @@ struct Laguerre {
     zeros_below: usize,
 }
 
-fn laguerre(n: usize, x: f64) -> Laguerre {
+const fn laguerre(n: usize, x: f64) -> Laguerre {
     let (mut value, mut difference, mut zeros_below) = (1.0f64, 0.0, 0);
-    for k in 0..n {
+    let mut k = 0;
+    while k < n {
         let before = value;
         difference = (k as f64 * difference - x * value) / (k + 1) as f64;
         value += difference;
-        zeros_below += usize::from(value.is_sign_negative() != before.is_sign_negative());
+        if value.is_sign_negative() != before.is_sign_negative() {
+            zeros_below += 1;
+        }
+        k += 1;
     }
     Laguerre { value, difference, zeros_below }
 }
@@ -217,6 +243,13 @@ mod tests {
         assert_eq!([0, 8, 9, 17, 1000, 100_000].map(|n| rule(n).nodes.len()), [8, 8, 12, 20, 1024, 1024]);
         assert!(std::ptr::eq(rule(33), rule(40)));
         assert!(std::ptr::eq(laguerre_rule(25), laguerre_rule(100)));
+    }
+
+    #[test]
+    fn what_the_compiler_makes_is_what_is_computed() {
+        for n in [24, 32] {
+            assert_eq!(*laguerre_rule(n), gauss_laguerre(n));
+        }
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! The paper's kernels: its eight boundary conditions, filled in with numbers and solved at one wavenumber.
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::Transforms;
+
 type C = Complex<f64>;
 
 const I: C = C::new(0.0, 1.0);
@@ -101,6 +103,19 @@ impl Paper {
             let above = (kappa - 1.0) * m * m - beta * (kappa - 1.0) * m - lambda * lambda * (kappa + 1.0);
             (m, above / (I * lambda * (2.0 * m - beta * (kappa - 1.0))))
         })
+    }
+}
+
+impl Transforms for Paper {
+    fn at(&self, lambda: f64) -> (Vec<f64>, Vec<[f64; 2]>) {
+        let response = self.response(lambda);
+        let half_plane = (1.0 + self.kappa) / (4.0 * self.mu3);
+        (vec![response.top_by_p, response.bottom_by_q + half_plane], vec![[response.top_by_q, response.bottom_by_p]])
+    }
+
+    fn limits(&self) -> Vec<f64> {
+        let a0 = (1.0 + self.kappa) / 4.0;
+        vec![a0, a0 * ((-self.beta * self.h2).exp() + self.mu3.recip())]
     }
 }
 

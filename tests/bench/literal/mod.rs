@@ -1,7 +1,9 @@
 //! The method of the paper on double contact, taken literally: four kernels integrated each for itself between two
 //! cut-offs, eqs. (2.20), (2.25); Chebyshev-Gauss collocation, eqs. (3.3a, b); Newton's downhill method until the
-//! resultants, eqs. (3.3c, d), are met to 1e-5. Written to be as fast as that allows: the transforms are tabulated once.
+//! resultants, eqs. (3.3c, d), are met to 1e-5. The transforms are tabulated once. The equations are assembled in two ways, as
+//! they are written ([`collocate`]) and by matrix products ([`vectorised::collocate`]), which give the same answer.
 pub mod determinants;
+pub mod vectorised;
 
 use std::f64::consts::PI;
 
@@ -42,7 +44,20 @@ pub struct Answer {
     pub converged: bool,
 }
 
-struct Table {
+/// What is solved: the punch has the slope `slope`, the force is P/μ, and Newton's method starts from `start`.
+pub struct Problem<'a> {
+    pub transforms: &'a dyn Transforms,
+    pub slope: &'a dyn Fn(f64) -> f64,
+    pub force: f64,
+    pub start: &'a [f64],
+}
+
+/// A way to assemble and solve the collocation equations at given half-lengths, with a number of nodes: P(s_k) of every
+/// contact, and the residuals of the resultants.
+pub type Collocation = fn(&Problem, &Table, &[f64], usize) -> (Vec<Vec<f64>>, Vec<f64>);
+
+/// The transforms at all wavenumbers, times the weights of the integration.
+pub struct Table {
     lambda: Vec<f64>,
     own: Vec<Vec<f64>>,
     coupling: Vec<[Vec<f64>; 2]>,
@@ -83,18 +98,35 @@ impl Table {
     }
 }
 
-/// Solves from given half-lengths. The punch has the slope `slope`, the force is P/μ.
-pub fn solve(
-    transforms: &dyn Transforms,
-    slope: &dyn Fn(f64) -> f64,
-    force: f64,
-    start: &[f64],
-    settings: &Settings,
-) -> Answer {
-    let table = Table::new(transforms, settings);
+impl Answer {
+    /// Half-length and pressure at x = 0 of one contact after the other.
+    pub fn values(&self) -> Vec<f64> {
+        self.half_lengths.iter().zip(&self.peaks).flat_map(|(a, p)| [*a, *p]).collect()
+    }
+}
+
+/// The largest difference between the pressures that the two ways of assembling find at the half-lengths of the start,
+/// relative to the largest pressure of the contact.
+pub fn difference(problem: &Problem, settings: &Settings) -> f64 {
+    let table = Table::new(problem.transforms, settings);
+    let [one, other] = [collocate, vectorised::collocate]
+        .map(|way: Collocation| way(problem, &table, problem.start, settings.nodes).0);
+    let apart = |(one, other): (&Vec<f64>, &Vec<f64>)| {
+        let largest = one.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+        let off = one.iter().zip(other).map(|(p, q)| (p - q).abs() / largest);
+        // not a number is a difference
+        off.fold(0.0, |m: f64, off| if off.is_nan() { f64::INFINITY } else { m.max(off) })
+    };
+    one.iter().zip(&other).map(apart).fold(0.0, f64::max)
+}
+
+/// Newton's downhill method in the half-lengths.
+pub fn solve(problem: &Problem, settings: &Settings, collocation: Collocation) -> Answer {
+    let table = Table::new(problem.transforms, settings);
+    let collocate = |half_lengths: &[f64]| collocation(problem, &table, half_lengths, settings.nodes);
     let norm = |e: &[f64]| e.iter().fold(0.0, |m: f64, e| m.max(e.abs()));
-    let mut half_lengths = start.to_vec();
-    let (mut unknown, mut residuals) = collocate(&table, slope, force, &half_lengths, settings.nodes);
+    let mut half_lengths = problem.start.to_vec();
+    let (mut unknown, mut residuals) = collocate(&half_lengths);
     let mut iterations = 1;
     while norm(&residuals) > settings.residual && iterations < 200 {
         let n = half_lengths.len();
@@ -102,7 +134,7 @@ pub fn solve(
         for by in 0..n {
             let mut moved = half_lengths.clone();
             moved[by] *= 1.0 + 1e-6;
-            let changed = collocate(&table, slope, force, &moved, settings.nodes).1;
+            let changed = collocate(&moved).1;
             iterations += 1;
             for i in 0..n {
                 jacobian[(i, by)] = (changed[i] - residuals[i]) / (1e-6 * half_lengths[by]);
@@ -114,7 +146,7 @@ pub fn solve(
         loop {
             let trial: Vec<f64> = half_lengths.iter().zip(step.iter()).map(|(a, d)| a - shorten * d).collect();
             if trial.iter().all(|a| *a > 0.0) {
-                let (found, left) = collocate(&table, slope, force, &trial, settings.nodes);
+                let (found, left) = collocate(&trial);
                 iterations += 1;
                 if norm(&left) < norm(&residuals) {
                     (half_lengths, unknown, residuals) = (trial, found, left);
@@ -133,13 +165,7 @@ pub fn solve(
 }
 
 /// P(s_k) of every contact from eqs. (3.3a, b), and the residuals of eqs. (3.3c, d).
-fn collocate(
-    table: &Table,
-    slope: &dyn Fn(f64) -> f64,
-    force: f64,
-    half_lengths: &[f64],
-    nodes: usize,
-) -> (Vec<Vec<f64>>, Vec<f64>) {
+pub fn collocate(problem: &Problem, table: &Table, half_lengths: &[f64], nodes: usize) -> (Vec<Vec<f64>>, Vec<f64>) {
     let n = half_lengths.len();
     let s: Vec<f64> = (1..=nodes).map(|k| (PI * k as f64 / (nodes + 1) as f64).cos()).collect();
     // j = N/2 + 1, x = 0, holds by itself
@@ -167,14 +193,15 @@ fn collocate(
                 }
             }
             if i == 0 {
-                right[row] = slope(a * r);
+                right[row] = (problem.slope)(a * r);
             }
         }
     }
     let solution = matrix.lu().solve(&right).unwrap_or_else(|| DVector::from_element(n * nodes, f64::NAN));
     let unknown: Vec<Vec<f64>> = (0..n).map(|i| solution.rows(i * nodes, nodes).iter().copied().collect()).collect();
-    let residual =
-        |i: usize| PI * half_lengths[i] / force * (0..nodes).map(|k| weight(k) * unknown[i][k]).sum::<f64>() - 1.0;
+    let residual = |i: usize| {
+        PI * half_lengths[i] / problem.force * (0..nodes).map(|k| weight(k) * unknown[i][k]).sum::<f64>() - 1.0
+    };
     let residuals = (0..n).map(residual).collect();
     (unknown, residuals)
 }

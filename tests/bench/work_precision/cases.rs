@@ -13,7 +13,10 @@ pub struct Case {
     pub scene: Scene,
     /// Half-lengths and pressures at x = 0, contact by contact.
     pub truth: Vec<f64>,
-    pub literal: Box<dyn Transforms>,
+    /// Its transforms from the paper's determinants, if it is one of the paper's scenes; else from `chains`.
+    pub literal: Option<Paper>,
+    /// The same transforms from the library's flexibilities, which take less time.
+    pub chains: Chains,
     /// Thickness that sets the cut-offs of the literal method.
     pub thinnest: f64,
 }
@@ -55,16 +58,19 @@ pub fn all() -> Vec<Case> {
         let stack = scene.stack().expect("a legal stack");
         let truth = truth(&scene, known.get(&name));
         let chains = Chains::new(&stack);
-        let literal: Box<dyn Transforms> = match paper {
-            Some(paper) => {
-                same(&paper, &chains);
-                Box::new(paper)
-            }
-            None => Box::new(chains),
-        };
-        Case { title, truth, literal, thinnest: thinnest(&stack), scene }
+        if let Some(paper) = &paper {
+            same(paper, &chains);
+        }
+        Case { title, truth, literal: paper, chains, thinnest: thinnest(&stack), scene }
     };
     CASES.into_iter().map(case).collect()
+}
+
+impl Case {
+    /// The transforms as the literal method has them.
+    pub fn literal(&self) -> &dyn Transforms {
+        self.literal.as_ref().map_or(&self.chains as &dyn Transforms, |paper| paper)
+    }
 }
 
 /// Half-lengths and pressures at x = 0 of a solution.
@@ -98,19 +104,6 @@ fn truth(scene: &Scene, known: Option<&Known>) -> Vec<f64> {
 fn thinnest(stack: &Stack) -> f64 {
     let layers = stack.laminates().iter().flat_map(|laminate| laminate.layers().iter()).chain(stack.base().layers());
     layers.filter_map(|placed| placed.layer.thickness()).fold(f64::INFINITY, f64::min)
-}
-
-impl Transforms for Paper {
-    fn at(&self, lambda: f64) -> (Vec<f64>, Vec<[f64; 2]>) {
-        let response = self.response(lambda);
-        let half_plane = (1.0 + self.kappa) / (4.0 * self.mu3);
-        (vec![response.top_by_p, response.bottom_by_q + half_plane], vec![[response.top_by_q, response.bottom_by_p]])
-    }
-
-    fn limits(&self) -> Vec<f64> {
-        let a0 = (1.0 + self.kappa) / 4.0;
-        vec![a0, a0 * ((-self.beta * self.h2).exp() + self.mu3.recip())]
-    }
 }
 
 /// The paper's determinants and the library's chains are the same functions.

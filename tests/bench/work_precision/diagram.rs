@@ -16,7 +16,7 @@ pub struct Point {
     pub error: f64,
 }
 
-const COLOURS: [&str; 3] = ["#b2182b", "#e08214", "#2166ac"];
+const COLOURS: [&str; 4] = ["#b2182b", "#762a83", "#e08214", "#2166ac"];
 const COLUMNS: usize = 3;
 const PANEL: [f64; 2] = [300.0, 230.0];
 const MARGIN: [f64; 2] = [58.0, 44.0];
