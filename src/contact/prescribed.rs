@@ -224,7 +224,7 @@ impl Search {
             }
             Some(known) => known + scattered(self.failures) * (self.first_failed - known),
             None => {
-                let side = if self.failures % 2 == 0 { 1.0 } else { -1.0 };
+                let side = if self.failures.is_multiple_of(2) { 1.0 } else { -1.0 };
                 self.first_failed + side * LONGEST * scattered(self.failures.div_ceil(2))
             }
         };
