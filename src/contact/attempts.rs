@@ -3,6 +3,7 @@ use std::cell::Cell;
 
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
+use crate::numeric::largest;
 use crate::options::Options;
 use crate::solution::{Interface, Solution};
 
@@ -53,7 +54,7 @@ pub(super) fn from_any_start(
             let answer = solve(half_lengths, finer)?;
             let contacts = &answer.solution.contacts;
             let errors = contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
-            let worst = errors.filter(|error| *error < ENDLESS).fold(0.0, f64::max);
+            let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
             // where bodies touch again, an answer has to know of it
             let all_known = in_parts.get().is_none_or(|interface| answer.again.contains(&interface));
             if all_known && (answer.solution.warnings.is_empty() || worst <= DOUBTFUL) {

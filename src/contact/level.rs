@@ -2,6 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::kernel::Kernel;
+use crate::numeric;
 
 use super::admissible::Check;
 use super::converged::Converged;
@@ -139,7 +140,7 @@ impl Level {
         }
         // contacts that are tied together feel what each of them misses as they felt what it missed before
         for run in (0..errors.len()).collect::<Vec<_>>().chunk_by(|i, k| whole[*i] && whole[*k]) {
-            let most = |k: usize| run.iter().map(|i| further[*i][k]).fold(0.0, f64::max);
+            let most = |k: usize| numeric::largest(run.iter().map(|i| further[*i][k]));
             for i in run.iter().filter(|_| run.len() > 1) {
                 errors[*i][0] = errors[*i][0].max((shift[*i].abs() * most(0)).min(most(1)));
             }
@@ -174,7 +175,7 @@ impl Level {
             PEAKS * felt.fold(rounding[i].min(ROUNDING), f64::max)
         };
         let others = |i: usize, feels: &dyn Fn(usize, usize) -> f64, lengths: &[f64]| {
-            (0..lengths.len()).filter(|k| *k != i).map(|k| feels(i, k) * lengths[k]).fold(0.0, f64::max)
+            numeric::largest((0..lengths.len()).filter(|k| *k != i).map(|k| feels(i, k) * lengths[k]))
         };
         let passed: Vec<f64> = (0..lengths.len()).map(|i| first[i].max(others(i, &by_length, &first))).collect();
         let mut own_errors = Vec::with_capacity(errors.len());
@@ -259,9 +260,10 @@ impl Level {
 
     /// The largest of the error estimates, those of half-lengths that are not known aside.
     pub(super) fn worst_error(&self) -> f64 {
-        let of_contact =
-            |[length, pressure]: &[f64; 2]| if *length > UNKNOWN { *pressure } else { length.max(*pressure) };
-        self.errors.iter().map(of_contact).fold(0.0, f64::max)
+        let of_contact = |[length, pressure]: &[f64; 2]| {
+            if *length > UNKNOWN { *pressure } else { numeric::largest([*length, *pressure]) }
+        };
+        numeric::largest(self.errors.iter().map(of_contact))
     }
 }
 
@@ -273,7 +275,7 @@ fn without(modes: &[f64], local: Option<&Local>) -> Vec<f64> {
 
 /// The largest |y_m|/order from a mode on.
 fn largest(modes: &[f64], from: usize) -> f64 {
-    (from..modes.len()).map(|m| weight(modes, m..m + 1)).fold(0.0, f64::max)
+    numeric::largest((from..modes.len()).map(|m| weight(modes, m..m + 1)))
 }
 
 /// Σ |y_m|/order of the modes that are missing, by how the last ones fall, and that fall from quarter to quarter.

@@ -28,6 +28,7 @@ use std::f64::consts::PI;
 
 use crate::error::Error;
 use crate::kernel::{self, Kernel};
+use crate::numeric;
 use crate::options::{Method, Options};
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution, Stats, Strip};
@@ -109,9 +110,11 @@ fn solve_with_thin_layers(
 fn worst(solution: &Solution) -> f64 {
     let errors = solution.contacts.iter().flat_map(|contact| {
         let pressure = contact.peak_pressure_error / contact.peak_pressure;
-        [contact.half_length_error / contact.half_length, if pressure.is_nan() { 0.0 } else { pressure }]
+        // a pressure of 0 is known, and an infinite one cannot be missed
+        let known = contact.peak_pressure == 0.0 || contact.peak_pressure.is_infinite();
+        [contact.half_length_error / contact.half_length, if known { 0.0 } else { pressure }]
     });
-    errors.fold(0.0, f64::max)
+    numeric::largest(errors)
 }
 
 /// Starts nearby or from formulas, and refines until the answer is admissible and good enough.
@@ -148,7 +151,10 @@ fn solve(
             warnings.clear();
         }
         // nobody needs a half-length that nothing depends on
-        if level.errors.iter().any(|[length, pressure]| *length > UNKNOWN && *pressure > UNKNOWN) {
+        let is_unknown = |[length, pressure]: &[f64; 2]| {
+            length.is_nan() || pressure.is_nan() || *length > UNKNOWN && *pressure > UNKNOWN
+        };
+        if level.errors.iter().any(is_unknown) {
             return Err(newton::not_converged(kernel, indentation, &level.half_lengths));
         }
         let check = admissible::check(kernel, interfaces, indentation, &level)?;

@@ -61,7 +61,7 @@ pub(super) fn refine(
     let mut newton = Newton::new(kernel, punch, work.clone());
     let mut solved = coarsest(kernel, &half_lengths, finest / 2);
     let mut coarse: Vec<usize> =
-        solved.iter().map(|modes| (modes / 2 * finer).clamp(COARSEST, MOST_COARSE.min(finest))).collect();
+        solved.iter().map(|modes| (modes / 2 * finer).min(MOST_COARSE.min(finest)).max(COARSEST)).collect();
     // all modes of a given pressure are known together
     let first = usize::from(punch.given().is_some());
     solved[..first].fill(1);
@@ -205,7 +205,7 @@ fn felt(rough: &[f64], solved: usize, tolerance: f64) -> usize {
 /// Modes to begin with: enough for waves that feel no more than the faces of a contact.
 fn coarsest(kernel: &Kernel, half_lengths: &[f64], finest: usize) -> Vec<usize> {
     let modes = |(i, a): (usize, &f64)| {
-        let wanted = (PER_WAVE * a * kernel.settles(i)).clamp(COARSEST as f64, finest as f64);
+        let wanted = (PER_WAVE * a * kernel.settles(i)).min(finest as f64).max(COARSEST as f64);
         (wanted as usize).next_multiple_of(4)
     };
     half_lengths.iter().enumerate().map(modes).collect()

@@ -13,6 +13,7 @@ use faer::linalg::solvers::Solve;
 
 use crate::error::{Error, NoSolution};
 use crate::kernel::Kernel;
+use crate::numeric::largest;
 use crate::options::Options;
 use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
@@ -95,7 +96,10 @@ impl Problem<'_> {
                     [length, error(level.peaks[i], before.peaks[i]) + length]
                 })
                 .collect();
-            let worst = errors.iter().flatten().fold(0.0, |worst: f64, error| worst.max(*error));
+            let worst = largest(errors.iter().flatten().copied());
+            if worst.is_nan() {
+                return Err(not_converged(self.kernel, self.punch, &level.half_lengths));
+            }
             // two solutions that have little in common say nothing of each other
             if worst <= options.tolerance || count >= FINEST {
                 let mut warnings = Vec::new();

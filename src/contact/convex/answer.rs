@@ -7,6 +7,7 @@ use crate::contact::level::ENDLESS;
 use crate::contact::punch::Indentation;
 use crate::contact::{in_parts, stats};
 use crate::kernel::Kernel;
+use crate::numeric::largest;
 use crate::solution::{Contact, Form, Interface, Part, Solution, Stats};
 
 use super::compliances::Compliances;
@@ -113,7 +114,7 @@ fn contact(kernel: &Kernel, punch: &Indentation, interface: Interface, rounds: &
     let lengths = [&first].into_iter().chain(&parts).map(|part| part.to_error / part.to);
     let lengths = lengths.filter(|error| *error < ENDLESS);
     // stiff sheets wrapped round a punch may press next to nothing about the middle
-    let worst = lengths.fold(change / last.largest(i), f64::max);
+    let worst = largest(lengths.chain([change / last.largest(i)]));
     let peak_pressure = match () {
         () if is_open => 0.0,
         () if is_sharp => f64::INFINITY,

@@ -4,6 +4,8 @@
 const GROWTH: f64 = 1.15;
 /// The first ends at this part of the shortest contact.
 const FIRST: f64 = 0.05;
+/// Elements at most: a factor of ten between the shortest and the longest length takes some 17 of them.
+const MOST: usize = 2000;
 /// Elements next to a contact's end that are cut in two.
 const AROUND: usize = 2;
 
@@ -15,22 +17,29 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// For contacts from a length to another; the punch may have an edge.
-    pub(super) fn new(shortest: f64, end: f64, edge: Option<f64>) -> Self {
+    /// For contacts from a length to another; the punch may have an edge. `None` if the lengths are no positive, finite
+    /// numbers, or so different that there would be too many elements.
+    pub(super) fn new(shortest: f64, end: f64, edge: Option<f64>) -> Option<Self> {
         let first = FIRST * shortest;
+        if !(first.is_normal() && first > 0.0 && end.is_finite()) {
+            return None;
+        }
         let mut edges = vec![0.0, first];
         let mut width = first;
         while edges[edges.len() - 1] < end {
             let edge = edges[edges.len() - 1];
             // as long as the first until they may be longer
             width = width.max((GROWTH - 1.0) * edge);
+            if edges.len() > MOST {
+                return None;
+            }
             edges.push(edge + width);
         }
         let mut grid = Self { edges, shortest };
         if let Some(edge) = edge {
             grid.insert(edge);
         }
-        grid
+        Some(grid)
     }
 
     /// Ends an element at x, in place of the nearest other end.
@@ -63,7 +72,7 @@ impl Grid {
     /// The same, and some more.
     pub(super) fn longer(mut self, factor: f64) -> Self {
         let end = factor * self.edges[self.edges.len() - 1];
-        while self.edges[self.edges.len() - 1] < end {
+        while self.edges[self.edges.len() - 1] < end && self.edges.len() <= MOST {
             self.edges.push(GROWTH * self.edges[self.edges.len() - 1]);
         }
         self
@@ -94,5 +103,22 @@ impl Grid {
         let parents: Vec<usize> = (0..self.elements()).map(parent).collect();
         let inherited = |own: &Vec<bool>| parents.iter().map(|e| own.get(*e).is_some_and(|touches| *touches)).collect();
         touching.iter().map(inherited).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_grid_ends_whatever_it_is_made_for() {
+        assert!(Grid::new(1e-3, 1e3, Some(2.0)).is_some());
+        for (shortest, end) in
+            [(0.0, 1.0), (1.0, f64::INFINITY), (f64::NAN, 1.0), (1.0, f64::NAN), (1e-300, 1e300), (f64::INFINITY, 1.0)]
+        {
+            assert!(Grid::new(shortest, end, None).is_none(), "{shortest} {end}");
+        }
+        let longest = Grid::new(1.0, 1e100, None).unwrap().longer(1e200);
+        assert!(longest.elements() <= MOST);
     }
 }

@@ -182,7 +182,7 @@ fn rounds(
     let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
     let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
     let edge = punch.max_half_length().filter(|_| kernel.is_topmost() && !shorter);
-    let mut grid = Grid::new(shortest, REACH * longest.max(far), edge);
+    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return rounds };
     let mut longer = LONGER;
     for _ in 0..ROUNDS {
         let Some(mut energy) = Energy::new(kernel, punch, &grid) else { break };

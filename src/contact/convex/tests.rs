@@ -107,7 +107,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         let scene = scene(&Ranges::moderate(), 8, number).scene().unwrap();
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
         let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
-        let grid = Grid::new(0.5, 20.0, None);
+        let grid = Grid::new(0.5, 20.0, None).unwrap();
         let energy = Energy::new(&Compliances::all(&kernel), &indentation, &grid).unwrap();
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact

@@ -10,6 +10,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use crate::kernel::Kernel;
+use crate::numeric::largest;
 use crate::options::Options;
 use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
 
@@ -119,7 +120,7 @@ pub(super) fn solve(
         count *= 2;
     }
     let ([level, coarse], mut errors, count) = best?;
-    if errors.ends.iter().flatten().any(|error| *error > UNKNOWN) {
+    if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
         return None;
     }
     let mut warnings = Vec::new();
@@ -335,12 +336,12 @@ impl Errors {
             if new == 0.0 { 0.0 } else { change(new, old) + rest(&level.patches[i]) }
         });
         let peaks = peaks.collect();
-        let floor = level.patches.iter().map(rest).fold(0.0, f64::max);
+        let floor = largest(level.patches.iter().map(rest));
         Self { ends: ends.collect(), peaks, floor }
     }
 
     fn worst(&self) -> f64 {
-        self.ends.iter().flatten().chain(&self.peaks).fold(0.0, |worst: f64, error| worst.max(*error))
+        largest(self.ends.iter().flatten().chain(&self.peaks).copied())
     }
 }
 
