@@ -126,3 +126,50 @@ fn estimates_cover_what_a_tighter_tolerance_changes() {
         assert!(off.abs() <= 10.0 * estimate, "{off:e} {estimate:e}");
     }
 }
+
+/// Pairs of uniform loads of equal resultant, each of half-width 1/2, on a loose strip of thickness 1.
+fn pairs_on_a_loose_strip(places: &[f64]) -> (Model, Solution) {
+    let load = |at: &f64| format!("(at: {at:?}, share: 1, load: Uniform(half_width: 0.5))");
+    let text = format!(
+        "Scene(plane: Strain, load: Several([{}]), force: {:?}, stack: [
+            Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.3), Receding, HalfPlane(shear_modulus: 1, poisson: 0.3)])",
+        places.iter().map(load).collect::<Vec<_>>().join(", "),
+        0.01 * places.len() as f64
+    );
+    let scene = Scene::from_ron(&text).unwrap();
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let solution = model.press_with(&scene.punch, scene.force, &Options::default()).unwrap();
+    (model, solution)
+}
+
+#[test]
+fn contacts_of_any_number_of_intervals_meet_the_tolerance() {
+    for places in [&[3.0, 12.0, 25.0][..], &[3.0, 12.0, 25.0, 41.0]] {
+        let (model, solution) = pairs_on_a_loose_strip(places);
+        let contact = &solution.contacts()[1];
+        assert_eq!(contact.parts.len() + 1, places.len(), "{places:?}: {contact:?}");
+        let mut errors = vec![(contact.half_length, contact.half_length_error)];
+        errors.extend(contact.parts.iter().flat_map(|part| [(part.from, part.from_error), (part.to, part.to_error)]));
+        let tolerance = Options::default().tolerance;
+        assert!(errors.iter().all(|(end, error)| error / end <= tolerance), "{places:?}: {errors:?}");
+        assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{places:?}: {contact:?}");
+        // the gap between strip and half-plane, up to a constant, from the fields inside both
+        let field = model.field(&solution).unwrap();
+        let gap = |x: f64| [1, 2].map(|layer| field.at_layer(x, 1.0, layer).unwrap().v);
+        let gap = |x: f64| gap(x).iter().zip([1.0, -1.0]).map(|(v, sign)| sign * v).sum::<f64>();
+        let mut intervals = vec![[contact.opening, contact.half_length]];
+        intervals.extend(contact.parts.iter().map(|part| [part.from, part.to]));
+        let inside = |[from, to]: [f64; 2]| [0.1, 0.5, 0.9].map(|t| from + t * (to - from));
+        let touching: Vec<f64> = intervals.iter().flat_map(|interval| inside(*interval)).collect();
+        let mut open: Vec<f64> = intervals.windows(2).flat_map(|pair| inside([pair[0][1], pair[1][0]])).collect();
+        open.extend([1.2, 1.5].map(|t| t * contact.reach()));
+        let closed = gap(touching[0]);
+        let gaps: Vec<f64> = open.iter().map(|x| gap(*x) - closed).collect();
+        let widest = gaps.iter().fold(0.0, |widest: f64, gap| widest.max(gap.abs()));
+        assert!(gaps.iter().all(|gap| gap.signum() == gaps[0].signum() && *gap != 0.0), "{places:?}: {gaps:?}");
+        for x in touching {
+            assert!((gap(x) - closed).abs() < 1e-6 * widest, "{places:?} at {x}: {:e} of {widest:e}", gap(x) - closed);
+            assert!(contact.pressure(x) > 0.0, "{places:?} at {x}");
+        }
+    }
+}
