@@ -86,6 +86,14 @@ impl Zones {
     pub(super) fn intervals(&self) -> &[[f64; 2]] {
         if self.sure.len() > 1 { &self.sure } else { &self.apart }
     }
+
+    /// The first of them, and from where to where bodies touch farther out.
+    pub(super) fn merged(&self) -> Vec<[f64; 2]> {
+        match self.intervals() {
+            [first, second, .., last] => vec![*first, [second[0], last[1]]],
+            intervals => intervals.to_vec(),
+        }
+    }
 }
 
 /// The programme on one grid: which elements of each contact touch, and the forces on them.

@@ -87,7 +87,21 @@ pub(super) fn solve(
     if punch.flat().is_some() || punch.is_sharp() {
         return None;
     }
-    let patches = patches(punch, zones)?;
+    let all = patches(punch, zones, |zones| zones.intervals().to_vec())?;
+    // the programme may see several intervals, far out, where there is one with next to no force
+    let merged = patches(punch, zones, Zones::merged)?;
+    let fewer = (merged != all).then_some(merged);
+    [Some(all), fewer].into_iter().flatten().find_map(|patches| solve_from(kernel, interfaces, punch, patches, options))
+}
+
+/// The same from given intervals.
+fn solve_from(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    patches: Vec<Patch>,
+    options: &Options,
+) -> Option<Solution> {
     let negligible = negligible(options.tolerance);
     let mut work = Work::default();
     let mut before: Option<Level> = None;
@@ -95,9 +109,8 @@ pub(super) fn solve(
     let mut count = COARSEST;
     while count <= FINEST {
         let start = before.as_ref().map_or(&patches, |before| &before.patches);
-        let level = [true, false]
-            .into_iter()
-            .find_map(|together| converge(kernel, punch, start.clone(), count, negligible, together, &mut work));
+        let level =
+            WAYS.into_iter().find_map(|way| converge(kernel, punch, start.clone(), count, negligible, way, &mut work));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -138,10 +151,10 @@ pub(super) fn solve(
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end.
-fn patches(punch: &Indentation, zones: &[Zones]) -> Option<Vec<Patch>> {
+fn patches(punch: &Indentation, zones: &[Zones], intervals: impl Fn(&Zones) -> Vec<[f64; 2]>) -> Option<Vec<Patch>> {
     let mut patches = Vec::new();
     for (contact, zones) in zones.iter().enumerate().skip(usize::from(punch.given().is_some())) {
-        let parts = zones.intervals();
+        let parts = intervals(zones);
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
@@ -207,24 +220,41 @@ fn lengths(kernel: &Kernel, punch: &Indentation, patches: &[Patch]) -> [Vec<f64>
     [ends, shortest]
 }
 
-/// Newton's method for the ends and the pressures together, with long steps of the ends shortened all `together` or each
-/// alone; `None` if it is lost.
-///
-/// Pressures are not eliminated at given ends: where a sheet without weight spans the gap between two intervals, there are ends
-/// nearby for which no pressures are in equilibrium, and residuals as functions of the ends alone have poles there.
+/// How Newton's method goes on after a step.
+#[derive(Clone, Copy)]
+struct Way {
+    /// Long steps of the ends are shortened all together, or each alone.
+    together: bool,
+    /// Pressures take their part of the step, or are solved for anew at the new ends.
+    joint: bool,
+}
+
+/// Where a layer without weight spans the gap between two intervals, there are ends nearby for which no pressures are in
+/// equilibrium: residuals as functions of the ends alone have poles there, so that pressures have to move with the ends. Where
+/// an interval carries next to nothing, pressures that go with the ends lead farther.
+const WAYS: [Way; 4] = [
+    Way { together: true, joint: true },
+    Way { together: false, joint: true },
+    Way { together: true, joint: false },
+    Way { together: false, joint: false },
+];
+
+/// Newton's method for the ends and the pressures; `None` if it is lost.
 fn converge(
     kernel: &Kernel,
     punch: &Indentation,
     mut patches: Vec<Patch>,
     count: usize,
     negligible: f64,
-    together: bool,
+    way: Way,
     work: &mut Work,
 ) -> Option<Level> {
     let mut layout: Option<(Layout, Vec<f64>)> = None;
     let mut kept: Option<Mat<f64>> = None;
     let mut pressures: Option<Vec<f64>> = None;
     let mut last = f64::INFINITY;
+    let mut limit = LONGEST_STEP;
+    let mut moved_by: Vec<f64> = Vec::new();
     work.steps.push(0);
     for _ in 0..STEPS {
         let [reach, shortest] = lengths(kernel, punch, &patches);
@@ -273,7 +303,7 @@ fn converge(
         if found.col_as_slice(0).iter().any(|value| !value.is_finite()) {
             return None;
         }
-        let shorten = if together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
+        let shorten = if way.together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
         own.iter_mut().zip(change).for_each(|(own, change)| *own += shorten * change);
         if longest < SETTLED || last < SHORT && longest > 0.5 * last {
             let left_out =
@@ -283,11 +313,15 @@ fn converge(
         }
         kept = (longest < KEPT * last && longest < KEPT).then_some(derivatives);
         last = longest;
-        let moved = at.iter().zip(step).zip(&rooms);
+        // an end where the pressure is next to nothing is known badly, and does not hold up the others; steps back and
+        // forth grow shorter
+        let back = moved_by.iter().zip(step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
+        limit = if back && !way.together { 0.5 * limit } else { (1.5 * limit).min(LONGEST_STEP) };
+        moved_by = step.iter().map(|step| (shorten * step).clamp(-limit, limit)).collect();
         let moved: Vec<f64> =
-            moved.map(|((end, step), room)| end + (shorten * step).clamp(-LONGEST_STEP, LONGEST_STEP) * room).collect();
+            at.iter().zip(&moved_by).zip(&rooms).map(|((end, step), room)| end + step * room).collect();
         patches = with_ends(&patches, &moved)?;
-        pressures = Some(own);
+        pressures = way.joint.then_some(own);
         layout = Some((waves, about));
     }
     None
