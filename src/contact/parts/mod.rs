@@ -91,7 +91,10 @@ pub(super) fn solve(
     // the programme may see several intervals, far out, where there is one with next to no force
     let merged = patches(punch, zones, Zones::merged)?;
     let fewer = (merged != all).then_some(merged);
-    [Some(all), fewer].into_iter().flatten().find_map(|patches| solve_from(kernel, interfaces, punch, patches, options))
+    let starts = [Some(all), fewer].into_iter().flatten();
+    starts
+        .flat_map(|patches| [false, true].map(|joint| (patches.clone(), joint)))
+        .find_map(|(patches, joint)| solve_from(kernel, interfaces, punch, patches, joint, options))
 }
 
 /// The same from given intervals.
@@ -100,6 +103,7 @@ fn solve_from(
     interfaces: &[Interface],
     punch: &Indentation,
     patches: Vec<Patch>,
+    joint: bool,
     options: &Options,
 ) -> Option<Solution> {
     let negligible = negligible(options.tolerance);
@@ -109,8 +113,10 @@ fn solve_from(
     let mut count = COARSEST;
     while count <= FINEST {
         let start = before.as_ref().map_or(&patches, |before| &before.patches);
-        let level =
-            WAYS.into_iter().find_map(|way| converge(kernel, punch, start.clone(), count, negligible, way, &mut work));
+        let level = [true, false]
+            .map(|together| Way { together, joint })
+            .into_iter()
+            .find_map(|way| converge(kernel, punch, start.clone(), count, negligible, way, &mut work));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -226,18 +232,12 @@ struct Way {
     /// Long steps of the ends are shortened all together, or each alone.
     together: bool,
     /// Pressures take their part of the step, or are solved for anew at the new ends.
+    ///
+    /// Where a layer without weight spans the gap between two intervals, there are ends nearby for which no pressures are in
+    /// equilibrium: residuals as functions of the ends alone have poles there, so that pressures have to move with the ends. Where
+    /// an interval carries next to nothing, that may lead to other roots, and pressures are better solved for anew.
     joint: bool,
 }
-
-/// Where a layer without weight spans the gap between two intervals, there are ends nearby for which no pressures are in
-/// equilibrium: residuals as functions of the ends alone have poles there, so that pressures have to move with the ends. Where
-/// an interval carries next to nothing, pressures that go with the ends lead farther.
-const WAYS: [Way; 4] = [
-    Way { together: true, joint: true },
-    Way { together: false, joint: true },
-    Way { together: true, joint: false },
-    Way { together: false, joint: false },
-];
 
 /// Newton's method for the ends and the pressures; `None` if it is lost.
 fn converge(
