@@ -8,9 +8,11 @@
 //!                          =    ════════════
 //!    graded                      2                 the rest of the half-plane, bonded to it
 //! ```
+use std::sync::Arc;
+
 use recede::{
-    Exponential, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Layer, Material, Model, Plane, PowerHalfPlane,
-    Punch, Solution, Stack,
+    Exponential, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Item, Layer, Material, Model, Plane,
+    PowerHalfPlane, Punch, Solution, Stack,
 };
 
 /// Parts of the pressure at x = 0 that stresses of two drawings of one body may differ by, inside and on the loaded face.
@@ -101,15 +103,17 @@ fn a_half_plane_graded_by_a_power_law_may_be_cut() {
 
 #[test]
 fn layers_of_no_thickness_change_nothing() {
-    let bases: [fn() -> Box<dyn Fn(recede::StackBuilder) -> Stack>; 3] = [
-        || Box::new(|stack| stack.layer(HalfPlane::new(1.0, 0.3).unwrap()).build().unwrap()),
-        || Box::new(|stack| stack.layer(GradedHalfPlane::new(1.0, 0.3, 0.5).unwrap()).build().unwrap()),
-        || Box::new(|stack| stack.layer(PowerHalfPlane::new(1.0, 0.3, 1.0, 0.5).unwrap()).build().unwrap()),
+    let bases: [Arc<dyn Layer>; 3] = [
+        Arc::new(HalfPlane::new(1.0, 0.3).unwrap()),
+        Arc::new(GradedHalfPlane::new(1.0, 0.3, 0.5).unwrap()),
+        Arc::new(PowerHalfPlane::new(1.0, 0.3, 1.0, 0.5).unwrap()),
     ];
     for base in bases {
-        let (bare_model, bare) = pressed(base()(Stack::builder(Plane::Strain)));
+        let base = || Item::Layer(Arc::clone(&base));
+        let (bare_model, bare) = pressed(Stack::builder(Plane::Strain).item(base()).build().unwrap());
         let nothing = Homogeneous::new(0.0, 7.0, 0.1).unwrap();
-        let (model, solution) = pressed(base()(Stack::builder(Plane::Strain).layer(nothing).receding()));
+        let with_nothing = Stack::builder(Plane::Strain).layer(nothing).receding().item(base());
+        let (model, solution) = pressed(with_nothing.build().unwrap());
         assert_eq!(solution.contacts().len(), 1);
         assert_eq!(solution.contacts()[0].half_length, bare.contacts()[0].half_length);
         let [found, expected] =

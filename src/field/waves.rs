@@ -127,8 +127,8 @@ impl Panel {
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of `end`, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
 pub(super) fn panels(end: f64, reach: f64, origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
-    // a product that is not a number is refused, too
-    if end.is_infinite() || !(end * reach <= MOST) {
+    let product = end * reach;
+    if end.is_infinite() || product.is_nan() || product > MOST {
         return None;
     }
     let widest = PHASE / reach;

@@ -55,7 +55,9 @@ fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Stri
         }
     }
     match max_shear {
-        Some(found) if !(found.value >= 0.0) => Err(format!("the largest shear stress is {}", found.value)),
+        Some(found) if found.value.is_nan() || found.value < 0.0 => {
+            Err(format!("the largest shear stress is {}", found.value))
+        }
         Some(found) => nowhere_larger(solution, field, found.value),
         None => Ok(()),
     }
