@@ -19,6 +19,8 @@ use super::start;
 const SAFETY: f64 = 3.0;
 /// The kernel is cut off where more waves would not make that change smaller by more than this factor; they cost time.
 const WORSE: f64 = 2.0;
+/// Waves as long as this over the wavenumber, or shorter, see no more than the layer at the face.
+const FELT: f64 = 18.5;
 /// Couplings smaller than this, against what they couple, have ended.
 const UNCOUPLED: f64 = 1e-12;
 
@@ -27,6 +29,8 @@ pub(super) struct Thin {
     pub(super) kernel: Kernel,
     /// By how much what is left out changes an answer at most, relative.
     pub(super) error: f64,
+    /// Thickness of the thinnest of the layers over the half-length next to it.
+    thinnest: f64,
     /// Next to which contacts, and by how much a layer there changes the answer.
     contacts: Vec<(usize, f64)>,
 }
@@ -34,11 +38,12 @@ pub(super) struct Thin {
 impl Thin {
     /// `None` if modes resolve all that matters.
     pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, Error> {
-        let mut thin = Self { kernel: kernel.clone(), error: 0.0, contacts: Vec::new() };
+        let mut thin = Self { kernel: kernel.clone(), error: 0.0, thinnest: 1.0, contacts: Vec::new() };
         let half_lengths = start::half_lengths(kernel, punch)?;
         let given = usize::from(punch.given().is_some());
         for (contact, half_length) in half_lengths.iter().enumerate().skip(given) {
             let Some((from, error)) = beyond_modes(kernel, contact, *half_length, &half_lengths) else { continue };
+            thin.thinnest = thin.thinnest.min(FELT / (kernel.far(contact).from * half_length));
             thin.kernel = thin.kernel.cut_off(contact, from);
             thin.error = thin.error.max(error);
             thin.contacts.push((contact, error));
@@ -46,11 +51,11 @@ impl Thin {
         Ok((!thin.contacts.is_empty()).then_some(thin))
     }
 
-    /// Whether the boundary layer at the ends of a contact, as long as its part of the half-length, is shorter than a
-    /// wave of the highest modes there, so that these tell nothing of it.
+    /// Whether the boundary layer at the ends of a contact, as long as a layer there is thick, is shorter than a wave of the
+    /// highest modes there, so that these tell nothing of it.
     pub(super) fn is_unresolved(&self) -> bool {
-        // x = a cos φ: a(1 − cos φ) is as long as the layer at φ = √(2 error)
-        (2.0 * self.error / SAFETY).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
+        // x = a cos φ: a(1 − cos φ) is as long as the layer at φ = √(2 h/a)
+        (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
     }
 
     /// The answer with what is left out in its errors, and a warning that says so.

@@ -7,6 +7,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
 
+use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 
 use crate::kernel::Kernel;
@@ -43,6 +44,15 @@ pub(super) struct System {
 }
 
 impl System {
+    /// The pressures that fulfil all equations but those for the ends; `None` if there are none in double precision.
+    pub(super) fn pressures(&self) -> Option<Vec<f64>> {
+        let size = self.matrix.ncols();
+        let right = Mat::from_fn(size, 1, |row, _| self.right[row]);
+        let found = self.matrix.subrows(0, size).partial_piv_lu().solve(&right);
+        let all = found.col_as_slice(0);
+        all.iter().all(|value| value.is_finite()).then(|| all.to_vec())
+    }
+
     /// What pressures leave of the equations.
     pub(super) fn residuals(&self, pressures: &[f64]) -> Vec<f64> {
         let all = Mat::from_fn(pressures.len(), 1, |row, _| pressures[row]);

@@ -20,7 +20,7 @@ use super::level::UNKNOWN;
 use super::punch::Indentation;
 use super::{given, in_parts, stats};
 
-use equations::{Equations, System};
+use equations::Equations;
 use patch::Patch;
 
 /// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
@@ -271,7 +271,7 @@ fn converge(
         // to begin with, the pressures that go with these ends
         let mut own = match pressures.take() {
             Some(own) => own,
-            None => first_pressures(&here)?,
+            None => here.pressures()?,
         };
         let residuals = here.residuals(&own);
         let derivatives = match kept.take() {
@@ -325,15 +325,6 @@ fn converge(
         layout = Some((waves, about));
     }
     None
-}
-
-/// The pressures that fulfil all equations but those for the ends; `None` if there are none in double precision.
-fn first_pressures(system: &System) -> Option<Vec<f64>> {
-    let size = system.matrix.ncols();
-    let right = Mat::from_fn(size, 1, |row, _| system.right[row]);
-    let found = system.matrix.subrows(0, size).partial_piv_lu().solve(&right);
-    let all = found.col_as_slice(0);
-    all.iter().all(|value| value.is_finite()).then(|| all.to_vec())
 }
 
 /// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.
