@@ -50,7 +50,7 @@ const IN_PARTS: [(&str, &str, f64); 2] = [("seed_1_number_42", "5|6", 12.0), ("s
 fn trial(name: &str, tolerance: f64) -> Trial {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::read(Path::new(&path)).unwrap();
-    Trial::run(&scene, &Options { tolerance, ..Options::default() }, false)
+    Trial::of_contacts(&scene, &Options { tolerance, ..Options::default() })
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn a_trial_without_an_answer_says_why_in_words_that_count() {
         )
     };
     let [one, other] = [1e-2, 2e-2]
-        .map(|radius| Trial::run(&Scene::from_ron(&text(radius)).unwrap(), &Options::default(), false).outcome);
+        .map(|radius| Trial::of_contacts(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
     assert_eq!((one.status(), one.is_wrong(), one.interface()), ("unsolved", false, None));
     assert!(one.solution().is_none() && one.reason().contains("reach its edge"), "{}", one.reason());
     // the same words for the same cause
@@ -122,7 +122,7 @@ fn a_contact_that_fades_is_one_that_cannot_open() {
         let last = receding.rfind("Receding").unwrap();
         let sliding = [&receding[..last], "Sliding", &receding[last + "Receding".len()..]].concat();
         let [receding, sliding] = [receding, sliding].map(|text| {
-            let trial = Trial::run(&Scene::from_ron(&text).unwrap(), &Options::default(), false);
+            let trial = Trial::of_contacts(&Scene::from_ron(&text).unwrap(), &Options::default());
             let Outcome::Solved(solution) = trial.outcome else { panic!("{name} is not solved") };
             solution
         });

@@ -42,13 +42,22 @@ impl Trial {
     /// Solves a scene with a tolerance, and does what the commands do with the answer: reports, fields, and pictures if they
     /// are asked for. Come what may.
     pub fn run(scene: &Scene, options: &Options, pictures: bool) -> Self {
+        Self::with(scene, options, |model, solution| commands::run(scene, model, solution, pictures))
+    }
+
+    /// Solves the contact problem of a scene and judges its answer, without what commands do with it.
+    pub fn of_contacts(scene: &Scene, options: &Options) -> Self {
+        Self::with(scene, options, |_, _| None)
+    }
+
+    fn with(scene: &Scene, options: &Options, more: impl Fn(&Model, &Solution) -> Option<String>) -> Self {
         let start = Instant::now();
         let mut seconds = None;
         let solved = catch_unwind(AssertUnwindSafe(|| -> Result<_, Error> {
             let model = Model::new(scene.stack()?)?;
             let solution = model.press_with(&scene.punch, scene.force, options)?;
             seconds = Some(start.elapsed().as_secs_f64());
-            let what = wrong(scene, &solution).or_else(|| commands::run(scene, &model, &solution, pictures));
+            let what = wrong(scene, &solution).or_else(|| more(&model, &solution));
             Ok((solution, what))
         }));
         let seconds = seconds.unwrap_or_else(|| start.elapsed().as_secs_f64());
