@@ -108,6 +108,15 @@ fn a_scene_without_solution_is_a_row() {
 }
 
 #[test]
+fn contacts_are_found_though_the_first_row_has_no_solution() {
+    let sweep = sweep(&["layer[2].beta=[-60,-1]", "layer[2].thickness=[0,1]"]);
+    let header = SweepCsv::new(&sweep).header().unwrap();
+    assert!(header.contains("1|3.half_length") && header.contains("2|3.half_length"), "{header}");
+    let solved: Vec<bool> = sweep.rows().map(|row| row.result.is_ok()).collect();
+    assert_eq!(solved, [true, false, true, true]);
+}
+
+#[test]
 fn contacts_that_only_some_rows_have_are_columns_of_all() {
     let sweep = sweep(&["layer[2].thickness=[0,1]"]);
     let header = SweepCsv::new(&sweep).header().unwrap();

@@ -4,7 +4,7 @@
 //! found whether it can be there and whether it can be missing; since axes belong to one layer each, all combinations
 //! of that occur. Two layers touch in some row if both can be there, all between can be missing, and a stack of what lies
 //! from the one to the other has a contact.
-use recede_layers::Homogeneous;
+use recede_layers::{HalfPlane, Homogeneous};
 
 use super::{Axis, Sweep};
 use crate::error::Error;
@@ -50,7 +50,7 @@ impl Sweep {
         };
         let ends = [&choices[above].there, &choices[below].there];
         let items = [ends[0].as_ref()].into_iter().chain(between).chain([ends[1].as_ref()]);
-        let items: Vec<Item> = items.flatten().chain(base).cloned().collect();
+        let items: Vec<Item> = items.flatten().chain(base).map(stand_in).collect();
         let stack = Stack::from_items(self.scene.plane, &items).ok()?;
         let number = |index: usize| choices[..=index].iter().filter(|choice| !is_interface(choice)).count();
         let contact = Interface::Between { above: number(above), below: number(below) };
@@ -67,7 +67,7 @@ impl Sweep {
             StackProblem::TooManyLayers { .. } | StackProblem::TooManyReceding { .. } => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())
             }
-            StackProblem::TooThick => self.stacks() == 1,
+            StackProblem::TooThick | StackProblem::Contrast { .. } => self.stacks() == 1,
             _ => true,
         };
         if only { Err(error.into()) } else { Ok(()) }
@@ -122,12 +122,28 @@ impl Choice {
 
     /// An item of which nothing is known: a column too many is better than one that is not there.
     fn any(item: Item) -> Self {
-        let strip = |thickness| Homogeneous::new(thickness, 1.0, 0.25).ok().map(Item::layer);
         match &item {
             Item::Layer(layer) if layer.thickness().is_some() => Self { there: strip(1.0), missing: strip(0.0) },
             _ => Self { there: Some(item), missing: None },
         }
     }
+}
+
+/// A layer of unit shear modulus in the place of any other of finite thickness.
+fn strip(thickness: f64) -> Option<Item> {
+    Homogeneous::new(thickness, 1.0, 0.25).ok().map(Item::layer)
+}
+
+/// An item with which the same layers are in contact, whatever its numbers: those of one row say nothing of the others.
+fn stand_in(item: &Item) -> Item {
+    let plain = match item {
+        Item::Layer(layer) => match layer.thickness() {
+            Some(thickness) => strip(if thickness == 0.0 { 0.0 } else { 1.0 }),
+            None => HalfPlane::new(1.0, 0.25).ok().map(Item::layer),
+        },
+        _ => None,
+    };
+    plain.unwrap_or_else(|| item.clone())
 }
 
 fn is_interface(choice: &Choice) -> bool {
