@@ -5,6 +5,8 @@
 //! agree.
 //!
 //! Source: `recede::exact::punches` and `recede::exact::hertz`.
+use std::f64::consts::PI;
+
 use recede::exact::{Elastic, hertz, punches};
 use recede::{Exponential, HalfPlane, Homogeneous, Method, Model, Options, Plane, Punch, Solution, Stack};
 
@@ -181,6 +183,58 @@ fn on_layers_a_punch_is_the_same_by_any_name() {
         let (wedge, power) = (Punch::wedge(0.05).unwrap(), Punch::power(1.0, 2.0, 0.1).unwrap());
         let found = [wedge, power].map(|punch| model.press(&punch, 0.02).unwrap());
         assert_eq!(found[0].contacts()[0].half_length, found[1].contacts()[0].half_length);
+    }
+}
+
+/// In u = x² the two intervals b < |x| < a of a half-plane are one, with the middle m and half its length w, and
+/// f'(x)/x = 2h₁ + 4h₂u + 6h₃u² is what a punch of one interval has as its slope: it must have no mean over the interval, with
+/// the weight of Chebyshev, and its first moment is the force.
+#[test]
+fn a_profile_that_falls_from_its_tip_touches_in_the_two_intervals_of_its_closed_form() {
+    let mut solved = 0;
+    let stiffness = 2.0 * MATERIAL.shear_modulus * 4.0 / (MATERIAL.kappa + 1.0);
+    for [b, a] in [[1.0, 2.0], [1.9, 2.0], [1.9999, 2.0], [0.3, 2.0], [0.1, 2.0], [30.0, 50.0]] {
+        for [h2, h3] in [[-0.002, 0.0005], [0.001, 0.0], [0.002, -1e-7]] {
+            let (m, w) = (0.5 * (a * a + b * b), 0.5 * (a * a - b * b));
+            let h1 = -2.0 * h2 * m - 3.0 * h3 * (m * m + 0.5 * w * w);
+            let force = 0.5 * stiffness * 0.5 * PI * w * w * (4.0 * h2 + 12.0 * h3 * m);
+            let punch = Punch::polynomial(1.0, &[h1, h2, h3]).unwrap();
+            // the pressure is that of one interval times a linear function of u
+            let pressures = [-w, w].map(|off| 4.0 * h2 + 12.0 * h3 * m + 6.0 * h3 * off);
+            if pressures.iter().any(|p| *p <= 0.0) || punch.max_half_length().is_some_and(|edge| edge < 1.1 * a) {
+                continue;
+            }
+            solved += 1;
+            for model in half_planes() {
+                let solution = model.press(&punch, force).unwrap();
+                let contact = &solution.contacts()[0];
+                let what = format!("{punch} from {b} to {a}: {contact:?}");
+                close(contact.opening, b, contact.opening_error / b + 1e-11, &what);
+                close(contact.half_length, a, contact.half_length_error / a + 1e-12, &what);
+                assert!(contact.half_length_error < 1e-9 * a && contact.opening_error < 1e-9 * a, "{what}");
+            }
+        }
+    }
+    assert!(solved >= 10, "{solved}");
+}
+
+#[test]
+fn a_profile_that_falls_farther_out_touches_there_as_well_or_is_refused_at_its_edge() {
+    // as low as the tip at x = 2, and lower
+    let rows = |low: f64| [(0.0, 0.0), (1.0, 0.1), (2.0, low), (3.0, 0.5), (4.0, 1.6)];
+    for model in layered() {
+        let twice = Punch::table(&rows(0.02)).unwrap();
+        let both = model.press(&twice, 0.5).unwrap();
+        assert_eq!(both.contacts()[0].parts.len(), 1, "{both:?}");
+        // next to no force: at the lowest place only, wherever that is
+        let outside = model.press(&Punch::table(&rows(-0.05)).unwrap(), 1e-4).unwrap();
+        let contact = &outside.contacts()[0];
+        assert!((1.5..2.5).contains(&contact.opening) && contact.parts.is_empty(), "{contact:?}");
+        let falling = Punch::table(&[(0.0, 0.0), (1.0, 0.5), (2.0, -1.0)]).unwrap();
+        for punch in [falling, Punch::table(&[(0.0, 1.0), (1.0, 0.0)]).unwrap()] {
+            let refused = model.press(&punch, 1e-3).unwrap_err().to_string();
+            assert!(refused.contains("the contact would reach its edge"), "{refused}");
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::solution::Interface;
 
 use super::basis::Basis;
 use super::galerkin::{Equations, alternating, order};
-use super::layout::{FIELDS, Layout, frequency_of_fields, span};
+use super::layout::{FIELDS, Layout, frequency_of_fields};
 use super::level::{Level, coefficients};
 use super::newton::not_converged;
 use super::punch::Indentation;
@@ -222,7 +222,8 @@ fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
 /// they do.
 fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<f64>]) -> Option<Waves> {
     let n = level.half_lengths.len();
-    let frequency = frequency_of_fields(&level.half_lengths);
+    let span = punch.span(&level.half_lengths);
+    let frequency = frequency_of_fields(&level.half_lengths, span);
     if let Some((layout, responses)) = &level.waves {
         // what is beyond is nothing
         let end = |i: usize| {
@@ -246,7 +247,7 @@ fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<
     if punch.given().is_some() {
         orders[0] = 0;
     }
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, FIELDS, span(&level.half_lengths))?;
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, FIELDS, span)?;
     let basis = |i: usize| match punch.given().filter(|_| i == 0) {
         Some(given) => Basis::given(&layout, given),
         None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
@@ -288,7 +289,7 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
     let mut gaps = Vec::with_capacity(modes.len());
     for (i, modes) in modes.iter().enumerate() {
         let (a, limit) = (level.half_lengths[i], waves.limits[i]);
-        let mut end = span(&level.half_lengths);
+        let mut end = punch.span(&level.half_lengths);
         if let (0, Some(edge)) = (i, punch.max_half_length()) {
             end = end.min(edge);
         }
@@ -299,7 +300,12 @@ fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(
             continue;
         }
         // next to the contact, and far from it
-        let steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+        let mut steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+        let fall = punch.last_fall() - a;
+        if i == 0 && fall > 0.0 {
+            // such steps that one of them ends where the profile is lowest
+            steps[1] = fall / (fall / steps[1]).ceil().min(GAPS as f64);
+        }
         let rest = vectorised(
             #[inline(always)]
             || deflections(&waves.zeta, &waves.slopes[i], a, steps),

@@ -66,7 +66,7 @@ pub(super) fn from_any_start(
             }
             Err(NoSolution::NotConverged { half_lengths }.into())
         });
-    match (decided, doubtful) {
+    let solution = match (decided, doubtful) {
         (Err(Error::NoSolution(_)), Some((_, Answer { solution, again })))
             if in_parts.get().is_none_or(|interface| again.contains(&interface)) =>
         {
@@ -76,7 +76,8 @@ pub(super) fn from_any_start(
             last_resort(&expected, far.get()).ok_or(failure.into())
         }
         (decided, _) => decided,
-    }
+    }?;
+    indentation.too_small(solution.contacts[0].reach() / kernel.length()).map_or(Ok(solution), Err)
 }
 
 /// Goes through all starts; `in_parts` tells which contact has several parts for certain, `far` how far out bodies would overlap.

@@ -42,8 +42,8 @@ pub(super) fn span(half_lengths: &[f64]) -> f64 {
 }
 
 /// The highest frequency of waves there, times the waves of a pressure.
-pub(super) fn frequency_of_fields(half_lengths: &[f64]) -> f64 {
-    longest(half_lengths) + span(half_lengths)
+pub(super) fn frequency_of_fields(half_lengths: &[f64], span: f64) -> f64 {
+    longest(half_lengths) + span
 }
 
 fn longest(half_lengths: &[f64]) -> f64 {
@@ -362,7 +362,7 @@ impl Layout {
         let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
         let mut needed = points(frequency * (to - from), digits);
         let stretch = Stretch { end: 0, points: 0, width: to - from, size };
-        let for_fields = stretch.for_fields(frequency.max(frequency_of_fields(half_lengths)));
+        let for_fields = stretch.for_fields(frequency.max(frequency_of_fields(half_lengths, self::span(half_lengths))));
         if plan.negligible < FIELDS && for_fields as f64 <= MORE_FOR_FIELDS * needed as f64 {
             needed = needed.max(for_fields);
         }

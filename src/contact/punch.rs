@@ -11,6 +11,7 @@ use crate::scene::{Load, Piece, Punch, Shape};
 
 use super::galerkin::{Slopes, order};
 use super::given::Given;
+use super::layout::span;
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
@@ -98,6 +99,16 @@ impl<'a> Indentation<'a> {
         self.shape.edge().map(|limit| limit / self.length)
     }
 
+    /// How far out gaps have to be looked at: several lengths of the contacts, and all of a profile that falls somewhere.
+    pub(super) fn span(&self, half_lengths: &[f64]) -> f64 {
+        span(half_lengths).max(self.last_fall())
+    }
+
+    /// The last place at which the profile falls, in units of L; 0 if it does so nowhere.
+    pub(super) fn last_fall(&self) -> f64 {
+        self.shape.last_fall() / self.length
+    }
+
     /// The error to report if a contact has grown to `half_length` and that is the edge of the punch.
     pub(super) fn too_small(&self, half_length: f64) -> Option<Error> {
         let edge = self.shape.edge().filter(|_| self.flat().is_none())?;
@@ -136,7 +147,7 @@ impl<'a> Indentation<'a> {
     pub(super) fn slopes(&self, half_length: f64, rows: usize) -> Slopes {
         let mut slopes = Slopes { value: vec![0.0; rows], slope: vec![0.0; rows], half_length };
         match &self.shape {
-            Shape::Powers { length, terms } => {
+            Shape::Powers { length, terms, .. } => {
                 for (exponent, coefficient) in terms {
                     let amplitude = self.amplitude(half_length, *length, *exponent, *coefficient);
                     power_rows(exponent - 1.0, amplitude, &mut slopes);
@@ -168,7 +179,7 @@ impl<'a> Indentation<'a> {
     /// ∫ f'(a cos θ)/cos θ dθ from 0 to π/2, over P': the sum of all rows.
     fn apex(&self, half_length: f64) -> f64 {
         match &self.shape {
-            Shape::Powers { length, terms } => {
+            Shape::Powers { length, terms, .. } => {
                 let term = |(exponent, coefficient): &(f64, f64)| {
                     let power = exponent - 1.0;
                     let amplitude = self.amplitude(half_length, *length, *exponent, *coefficient);

@@ -68,7 +68,11 @@ fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, Error> {
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
     while high - low > AT_EDGE {
-        let missing = -force(kernel, punch, x.exp()).ln();
+        let missing = match force(kernel, punch, x.exp()) {
+            // where a profile falls, the force on a contact may be negative: far too little
+            force if force <= 0.0 => f64::INFINITY,
+            force => -force.ln(),
+        };
         if missing > 0.0 {
             low = x
         } else {

@@ -7,7 +7,7 @@ use recede_layers::{Finite, Thickness};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
-use super::shape::{Piece, spline};
+use super::shape::{Piece, end_of_rise, smooth};
 
 /// Most rows of a table, and most powers of a polynomial.
 const MOST: usize = 1000;
@@ -26,6 +26,9 @@ pub enum HeightsError {
     /// Nothing rises.
     #[error("all heights are the same; allowed are heights that rise from the tip")]
     Flat,
+    /// Powers that fall everywhere.
+    #[error("the punch falls on either side of x = 0 without end; allowed are heights some of which are positive")]
+    Falling,
     /// Distances so short, or heights so large, that slopes are not finite.
     #[error("the heights rise too steeply for double precision")]
     Steep,
@@ -52,6 +55,11 @@ impl PolynomialHeights {
     pub(super) fn terms(&self) -> Vec<(f64, f64)> {
         self.0.iter().enumerate().map(|(k, height)| ((2 * k + 2) as f64, height.get())).collect()
     }
+
+    /// The s at which the polynomial begins to fall for good, if it does.
+    pub(super) fn end(&self) -> Option<f64> {
+        end_of_rise(&self.terms()).filter(|end| end.is_finite())
+    }
 }
 
 impl From<PolynomialHeights> for Vec<Finite> {
@@ -68,7 +76,8 @@ impl TryFrom<Vec<Finite>> for PolynomialHeights {
         if heights.iter().all(|height| height.get() == 0.0) {
             return Err(HeightsError::Flat);
         }
-        Ok(Self(heights))
+        let heights = Self(heights);
+        if end_of_rise(&heights.terms()).is_none() { Err(HeightsError::Falling) } else { Ok(heights) }
     }
 }
 
@@ -82,7 +91,7 @@ impl JsonSchema for PolynomialHeights {
     }
 }
 
-/// Heights at distances from the tip, with the spline through them.
+/// Heights at distances from the tip, with the smooth curve through them.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(Thickness, Finite)>", into = "Vec<(Thickness, Finite)>")]
 pub struct Heights {
@@ -131,7 +140,7 @@ impl TryFrom<Vec<(Thickness, Finite)>> for Heights {
         if plain.iter().all(|(_, height)| *height == plain[0].1) {
             return Err(HeightsError::Flat);
         }
-        let pieces = spline(&plain);
+        let pieces = smooth(&plain);
         if pieces.iter().any(|piece| piece.coefficients.iter().any(|c| !c.is_finite())) {
             return Err(HeightsError::Steep);
         }

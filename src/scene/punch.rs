@@ -49,7 +49,8 @@ pub enum Punch {
         /// Height there above the tip, in length.
         height: Positive,
     },
-    /// A polynomial in even powers: height h₁ s² + h₂ s⁴ + h₃ s⁶ + ..., s = x/half_width.
+    /// A polynomial in even powers: height h₁ s² + h₂ s⁴ + h₃ s⁶ + ..., s = x/half_width. If it falls in the end, the punch
+    /// ends where that begins.
     Polynomial {
         /// Where s is 1, in length.
         half_width: Positive,
@@ -190,21 +191,24 @@ impl Punch {
     pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
             Self::Cylinder { radius } | Self::ElasticCylinder { radius, .. } => Shape::Circle(radius.get()),
-            Self::Parabola { radius } => Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())] },
+            Self::Parabola { radius } => {
+                Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())], end: None }
+            }
             Self::Power { exponent, half_width, height } => {
-                Shape::Powers { length: half_width.get(), terms: vec![(exponent.get(), height.get())] }
+                Shape::Powers { length: half_width.get(), terms: vec![(exponent.get(), height.get())], end: None }
             }
             Self::Polynomial { half_width, heights } => {
-                Shape::Powers { length: half_width.get(), terms: heights.terms() }
+                let end = heights.end().map(|end| half_width.get() * end);
+                Shape::Powers { length: half_width.get(), terms: heights.terms(), end }
             }
-            Self::Wedge { slope } => Shape::Powers { length: 1.0, terms: vec![(1.0, slope.get())] },
+            Self::Wedge { slope } => Shape::Powers { length: 1.0, terms: vec![(1.0, slope.get())], end: None },
             Self::RoundedFlat { half_width, radius } => {
                 let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
                 let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
                 Shape::Pieces { pieces: vec![flat, corner].into(), end: None }
             }
             Self::Flat { half_width } => Shape::Flat(half_width.get()),
-            Self::Given(_) => Shape::Powers { length: 1.0, terms: Vec::new() },
+            Self::Given(_) => Shape::Powers { length: 1.0, terms: Vec::new(), end: None },
             Self::Table(heights) => Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), end: Some(heights.end()) },
         }
     }
@@ -254,8 +258,8 @@ impl Punch {
         self.shape().height(x)
     }
 
-    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, half the width of a flat punch with
-    /// sharp corners; `None` if there is no such limit.
+    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, where a polynomial begins to fall for
+    /// good, half the width of a flat punch with sharp corners; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {
         self.shape().edge()
     }

@@ -10,6 +10,8 @@ pub(crate) enum Shape<'a> {
         length: f64,
         /// The exponents n ≥ 1 and the coefficients c, in length.
         terms: Vec<(f64, f64)>,
+        /// Where it begins to fall for good, in length: the punch ends there.
+        end: Option<f64>,
     },
     /// R − √(R² − x²) up to x = R.
     Circle(f64),
@@ -37,7 +39,7 @@ impl Shape<'_> {
     /// Height above the tip, in length; infinite beyond the edge of a circle or a flat punch.
     pub(crate) fn height(&self, x: f64) -> f64 {
         match self {
-            Self::Powers { length, terms } => {
+            Self::Powers { length, terms, .. } => {
                 let s = x.abs() / length;
                 // one factor at a time: s alone may be small enough
                 terms.iter().map(|(n, coefficient)| coefficient * s * s.powf(n - 1.0)).sum()
@@ -54,7 +56,7 @@ impl Shape<'_> {
     pub(crate) fn slope(&self, x: f64) -> f64 {
         let sign = if x == 0.0 { 0.0 } else { x.signum() };
         sign * match self {
-            Self::Powers { length, terms } => {
+            Self::Powers { length, terms, .. } => {
                 let s = x.abs() / length;
                 terms.iter().map(|(n, coefficient)| coefficient * n / length * s.powf(n - 1.0)).sum()
             }
@@ -68,7 +70,7 @@ impl Shape<'_> {
     /// Derivative of the slope, in 1/length; infinite at and beyond the edge of a circle.
     pub(crate) fn curvature(&self, x: f64) -> f64 {
         match self {
-            Self::Powers { length, terms } => {
+            Self::Powers { length, terms, .. } => {
                 let s = x.abs() / length;
                 // a wedge is straight on either side
                 let curved = terms.iter().filter(|(n, _)| *n != 1.0);
@@ -84,9 +86,26 @@ impl Shape<'_> {
     /// Half-length that no contact can exceed.
     pub(crate) fn edge(&self) -> Option<f64> {
         match self {
-            Self::Powers { .. } => None,
             Self::Circle(edge) | Self::Flat(edge) => Some(*edge),
-            Self::Pieces { end, .. } => *end,
+            Self::Powers { end, .. } | Self::Pieces { end, .. } => *end,
+        }
+    }
+
+    /// The last place x > 0 at which the profile falls, in length; 0 if it falls nowhere.
+    pub(crate) fn last_fall(&self) -> f64 {
+        match self {
+            Self::Powers { length, terms, end } => {
+                let turns = turns(terms).into_iter().map(|turn| turn * length);
+                // between the last turns of a polynomial that rises in the end it falls
+                let before_end = turns.filter(|turn| end.is_none_or(|end| *turn < end));
+                before_end.last().unwrap_or(0.0)
+            }
+            Self::Circle(_) | Self::Flat(_) => 0.0,
+            Self::Pieces { pieces, end } => {
+                let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
+                let falls = pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start));
+                falls.last().unwrap_or(0.0)
+            }
         }
     }
 
@@ -119,13 +138,120 @@ impl Shape<'_> {
     }
 }
 
+impl Piece {
+    /// The last place at which the piece falls if it is this long, by more than rounding does.
+    fn last_fall(&self, length: f64) -> Option<f64> {
+        const ROUNDING: f64 = 1e-12;
+        let [_, c1, c2, c3] = self.coefficients;
+        let slope = |t: f64| c1 + t * (2.0 * c2 + t * 3.0 * c3);
+        if length.is_infinite() {
+            return None;
+        }
+        let zero = -ROUNDING * (c1.abs() + length * (c2.abs() + length * c3.abs()));
+        if slope(length) < zero {
+            return Some(self.start + length);
+        }
+        // the slope is a parabola in t: where it is least, and its root beyond
+        let least = if c3 > 0.0 { (-c2 / (3.0 * c3)).clamp(0.0, length) } else { 0.0 };
+        let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
+        let turn = if c2 > 0.0 { -c1 / (root + c2) } else { (root - c2) / (3.0 * c3) };
+        (slope(least) < zero).then(|| self.start + turn)
+    }
+}
+
+/// The last s > 0 at which Σ c s^n ceases to rise; infinite if it rises without end, `None` if it rises nowhere.
+pub(super) fn end_of_rise(terms: &[(f64, f64)]) -> Option<f64> {
+    let last = terms.iter().rev().find(|(_, c)| *c != 0.0)?;
+    if last.1 > 0.0 { Some(f64::INFINITY) } else { turns(terms).last().copied() }
+}
+
+/// All s > 0 at which the slope of Σ c s^n changes its sign, ascending; two of them that differ by less than a per cent may
+/// be missed. The exponents n ascend.
+fn turns(terms: &[(f64, f64)]) -> Vec<f64> {
+    const STEPS: usize = 64;
+    let slopes = terms.iter().filter(|(_, c)| *c != 0.0).map(|(n, c)| (n - 1.0, c.signum(), (c * n).abs().ln()));
+    let slopes: Vec<(f64, f64, f64)> = slopes.collect();
+    let [Some((lowest, _, small)), Some((highest, _, large))] = [slopes.first(), slopes.last()] else {
+        return Vec::new();
+    };
+    if slopes.iter().all(|(_, sign, _)| *sign == slopes[0].1) {
+        return Vec::new();
+    }
+    // the logarithms of s between which no single term outweighs all others together
+    let all = (slopes.len() as f64).ln();
+    let below = slopes[1..].iter().map(|(n, _, c)| (small - c - all) / (n - lowest)).fold(f64::INFINITY, f64::min);
+    let others = &slopes[..slopes.len() - 1];
+    let above = others.iter().map(|(n, _, c)| (c - large + all) / (highest - n)).fold(f64::NEG_INFINITY, f64::max);
+    let rises = |x: f64| {
+        let largest = slopes.iter().map(|(n, _, c)| n * x + c).fold(f64::NEG_INFINITY, f64::max);
+        slopes.iter().map(|(n, sign, c)| sign * (n * x + c - largest).exp()).sum::<f64>() > 0.0
+    };
+    let steps = (STEPS as f64 * (above - below).clamp(1.0, 64.0)) as usize;
+    let at = |k: usize| below + (above - below) * k as f64 / steps as f64;
+    let mut found = Vec::new();
+    for k in 0..steps {
+        let (mut from, mut to) = (at(k), at(k + 1));
+        if rises(from) == rises(to) {
+            continue;
+        }
+        while to - from > 4.0 * f64::EPSILON * from.abs().max(1.0) {
+            let middle = 0.5 * (from + to);
+            if rises(middle) == rises(from) { from = middle } else { to = middle }
+        }
+        found.push(to.exp());
+    }
+    found
+}
+
 /// √(1 − s²), accurate also near |s| = 1.
 fn cosine(s: f64) -> f64 {
     ((1.0 - s) * (1.0 + s)).sqrt()
 }
 
-/// The cubic spline through (x, height), x increasing from 0: even, and one polynomial across the last two intervals.
-pub(crate) fn spline(rows: &[(f64, f64)]) -> Vec<Piece> {
+/// A smooth curve through (x, height), x increasing from 0: the cubic spline, and where that would fall though the heights
+/// do not, cubic polynomials that do not either.
+pub(crate) fn smooth(rows: &[(f64, f64)]) -> Vec<Piece> {
+    let mut slopes = spline(rows);
+    let pieces = hermite(rows, &slopes);
+    let risen = rows.windows(2).all(|pair| pair[0].1 <= pair[1].1);
+    let ends = rows.iter().skip(1).map(|(x, _)| x);
+    if !risen || pieces.iter().zip(ends).all(|(piece, end)| piece.last_fall(end - piece.start).is_none()) {
+        return pieces;
+    }
+    limit(rows, &mut slopes);
+    hermite(rows, &slopes)
+}
+
+/// Makes slopes so small that the cubic polynomials between heights that do not fall do not fall either: (m₀, m₁) on a
+/// circle about 0 of three times the secant at most (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980).
+fn limit(rows: &[(f64, f64)], slopes: &mut [f64]) {
+    for (i, pair) in rows.windows(2).enumerate() {
+        let most = 3.0 * (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
+        for slope in &mut slopes[i..i + 2] {
+            *slope = slope.max(0.0);
+        }
+        let both = slopes[i].hypot(slopes[i + 1]);
+        if both > most {
+            slopes[i..i + 2].iter_mut().for_each(|slope| *slope *= most / both);
+        }
+    }
+}
+
+/// Cubic polynomials with these heights and slopes.
+fn hermite(rows: &[(f64, f64)], slopes: &[f64]) -> Vec<Piece> {
+    let piece = |(i, pair): (usize, &[(f64, f64)])| {
+        let step = pair[1].0 - pair[0].0;
+        let secant = (pair[1].1 - pair[0].1) / step;
+        let [m0, m1] = [slopes[i], slopes[i + 1]];
+        let second = (3.0 * secant - 2.0 * m0 - m1) / step;
+        let third = (m0 + m1 - 2.0 * secant) / (step * step);
+        Piece { start: pair[0].0, coefficients: [pair[0].1 - rows[0].1, m0, second, third] }
+    };
+    rows.windows(2).enumerate().map(piece).collect()
+}
+
+/// Slopes of the cubic spline through (x, height): even, and one polynomial across the last two intervals.
+fn spline(rows: &[(f64, f64)]) -> Vec<f64> {
     let n = rows.len();
     let steps: Vec<f64> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
     let secants: Vec<f64> = rows.windows(2).zip(&steps).map(|(pair, step)| (pair[1].1 - pair[0].1) / step).collect();
@@ -153,14 +279,8 @@ pub(crate) fn spline(rows: &[(f64, f64)]) -> Vec<Piece> {
     for (i, (_, pivot, above, known)) in system.iter().enumerate().rev() {
         slopes[i] = (known - above * slopes[i + 1]) / pivot;
     }
-    let piece = |i: usize| {
-        let ((x, height), step, secant) = (rows[i], steps[i], secants[i]);
-        let [m0, m1] = [slopes[i], slopes[i + 1]];
-        let second = (3.0 * secant - 2.0 * m0 - m1) / step;
-        let third = (m0 + m1 - 2.0 * secant) / (step * step);
-        Piece { start: x, coefficients: [height - rows[0].1, m0, second, third] }
-    };
-    (0..n.saturating_sub(1)).map(piece).collect()
+    slopes.truncate(n);
+    slopes
 }
 
 #[cfg(test)]
@@ -172,21 +292,21 @@ mod tests {
         let height = |x: f64| 0.3 + 0.5 * x * x + 0.25 * x.powi(3);
         let rows: Vec<(f64, f64)> = [0.0, 0.3, 0.5, 1.1, 1.2].iter().map(|x| (*x, height(*x))).collect();
         for rows in [&rows[..], &rows[..3]] {
-            let shape = Shape::Pieces { pieces: spline(rows).into(), end: None };
+            let shape = Shape::Pieces { pieces: smooth(rows).into(), end: None };
             for x in [0.0, 0.1, 0.42, 0.5] {
                 assert!((shape.height(x) - height(x) + 0.3).abs() < 1e-15, "{x}");
                 assert!((shape.slope(-x) + x + 0.75 * x * x).abs() < 1e-14, "{x}");
                 assert!((shape.curvature(x) - 1.0 - 1.5 * x).abs() < 1e-13, "{x}");
             }
         }
-        let two = Shape::Pieces { pieces: spline(&[(0.0, 0.0), (2.0, 3.0)]).into(), end: None };
+        let two = Shape::Pieces { pieces: smooth(&[(0.0, 0.0), (2.0, 3.0)]).into(), end: None };
         assert!((two.height(1.0) - 0.75).abs() < 1e-15);
     }
 
     #[test]
     fn between_its_points_a_spline_is_smooth() {
         let rows: Vec<(f64, f64)> = (0..12).map(|i| (0.1 * f64::from(i), (0.17 * f64::from(i * i)).sin())).collect();
-        let pieces = spline(&rows);
+        let pieces = smooth(&rows);
         for (i, (pair, row)) in pieces.windows(2).zip(&rows[1..]).enumerate() {
             let step = pair[1].start - pair[0].start;
             let [c0, c1, c2, c3] = pair[0].coefficients;
@@ -195,6 +315,56 @@ mod tests {
             assert!((c1 + step * (2.0 * c2 + step * 3.0 * c3) - d1).abs() < 1e-12, "{i}");
             assert!((c2 + 3.0 * step * c3 - d2).abs() < 1e-10, "{i}");
         }
+    }
+
+    #[test]
+    fn a_curve_through_heights_that_do_not_fall_does_not_fall() {
+        for rows in [
+            &[(0.0, 0.0), (0.5, 0.0), (1.0, 0.1), (1.5, 0.1), (2.0, 0.4)][..],
+            &[(0.0, 0.0), (1.0, 1e-9), (1.1, 1.0), (3.0, 1.0), (3.1, 50.0), (3.2, 50.1)],
+            &[(0.0, 1.0), (0.1, 1.0), (0.2, 1.0), (0.3, 4.0)],
+        ] {
+            let pieces = smooth(rows);
+            let end = rows[rows.len() - 1].0;
+            let shape = Shape::Pieces { pieces: pieces.into(), end: Some(end) };
+            assert_eq!(shape.last_fall(), 0.0);
+            for (x, height) in rows {
+                assert!((shape.height(*x) - height + rows[0].1).abs() <= 1e-14 * height);
+            }
+            let places = (0..=1000).map(|i| end * f64::from(i) / 1000.0);
+            assert!(places.clone().all(|x| shape.slope(x) >= -1e-13), "{rows:?}");
+        }
+    }
+
+    #[test]
+    fn the_last_fall_of_a_profile_is_found() {
+        let fall = |terms: &[f64]| {
+            let terms: Vec<(f64, f64)> = terms.iter().enumerate().map(|(k, c)| ((2 * k + 2) as f64, *c)).collect();
+            let end = end_of_rise(&terms).map(|end| 2.0 * end);
+            let shape = Shape::Powers { length: 2.0, terms, end: end.filter(|end| end.is_finite()) };
+            (shape.last_fall(), end)
+        };
+        let close = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-13, "{found} {exact}");
+        // s² − 2 s⁴: rises up to s = 1/2
+        close(fall(&[1.0, -2.0]).1.unwrap(), 1.0);
+        assert_eq!(fall(&[1.0, -2.0]).0, 0.0);
+        assert_eq!(fall(&[1.0, 2.0]), (0.0, Some(f64::INFINITY)));
+        assert_eq!(fall(&[-1.0, -2.0]), (0.0, None));
+        // slope 2 s (1 − t/a) (1 − t/b), t = s²
+        for (a, b) in [(0.25, 4.0), (1e-9, 1e9), (3.0, 3.1)] {
+            let heights = [1.0, -0.5 * (1.0 / a + 1.0 / b), 1.0 / (3.0 * a * b)];
+            close(fall(&heights).0, 2.0 * b.sqrt());
+            let heights = heights.map(|h| -h);
+            let (last, end) = fall(&heights);
+            close(last, 2.0 * a.sqrt());
+            close(end.unwrap(), 2.0 * b.sqrt());
+        }
+        let rows = [(0.0, 0.0), (1.0, 0.1), (2.0, 0.05), (3.0, 0.5), (4.0, 1.6)];
+        let table = Shape::Pieces { pieces: smooth(&rows).into(), end: Some(4.0) };
+        let lowest = table.last_fall();
+        assert!((1.0..3.0).contains(&lowest) && table.slope(lowest).abs() < 1e-14 && table.curvature(lowest) > 0.0);
+        let falling = Shape::Pieces { pieces: smooth(&[(0.0, 1.0), (1.0, 0.0)]).into(), end: Some(1.0) };
+        assert_eq!(falling.last_fall(), 1.0);
     }
 
     #[test]

@@ -196,7 +196,7 @@ impl Problem<'_> {
     ) -> Result<Solution, Error> {
         let (length, pressure_unit) = (self.kernel.length(), self.kernel.modulus() * self.punch.force);
         let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-        let span = 2.0 * longest + 2.0;
+        let span = self.punch.span(&level.half_lengths);
         self.spatial.cover(span + longest);
         let (mut min_pressure, mut min_gap) = (0.0f64, 0.0f64);
         let mut contacts = Vec::new();

@@ -168,9 +168,10 @@ impl Rounds {
             return Self { first: First::Given(a), rounds };
         }
         let all = Compliances::all(kernel);
-        let is_short = all
-            .thickness()
-            .is_some_and(|thickness| expected[1..].iter().chain([&thickness]).all(|a| expected[0] < SHORT * a));
+        let far = far.max(punch.last_fall());
+        let is_short = all.thickness().is_some_and(|thickness| {
+            expected[1..].iter().chain([&thickness]).all(|a| expected[0].max(punch.last_fall()) < SHORT * a)
+        });
         let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
         Self { first, rounds: rounds(&all, punch, &expected[usize::from(is_short)..], far, is_short, resolution) }
     }

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
 
-use super::super::layout::{Layout, negligible, span};
+use super::super::layout::{Layout, negligible};
 use super::super::punch::Indentation;
 use super::Level;
 use super::equations::Equations;
@@ -54,7 +54,7 @@ pub(super) fn check(
     }
     least[0] = smallest.iter().copied().fold(0.0, f64::min);
     let [ends, shortest] = super::lengths(kernel, punch, patches);
-    let span = span(&ends);
+    let span = punch.span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
     let equations = Equations { kernel, punch, layout: &layout, patches, count };
     let before = Equations { patches: &coarse.patches, count: coarse.coefficients.first()?.len(), ..equations };
