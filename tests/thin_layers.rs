@@ -89,3 +89,62 @@ fn a_thin_layer_below_a_loose_strip_is_as_good_as_none() {
         near(&found, &bare, 30.0 * 10f64.powi(-power), &layer);
     }
 }
+
+#[test]
+fn loose_sheets_matter_the_less_the_thinner_they_are() {
+    let half_plane = solve(GROUND);
+    for modulus in [0.1, 1.0, 10.0] {
+        for power in [4, 6, 9, 12] {
+            let thickness = 10f64.powi(-power);
+            let sheet = format!("Homogeneous(thickness: 1e-{power}, shear_modulus: {modulus:?}, poisson: 0.3)");
+            let found = solve(&format!("{sheet}, Receding, {GROUND}"));
+            assert_eq!(found.contacts().len(), 2);
+            for contact in found.contacts() {
+                let expected = &half_plane.contacts()[0];
+                let errors = [contact.half_length_error, contact.peak_pressure_error];
+                let claimed = errors[0] / contact.half_length;
+                assert!(power == 4 || claimed < 1e-11 + 100.0 * thickness, "{sheet}: {claimed:e}");
+                let off = (contact.half_length - expected.half_length).abs();
+                assert!(off <= errors[0] + 30.0 * thickness * expected.half_length, "{sheet}: {contact:?}");
+                let off = (contact.peak_pressure - expected.peak_pressure).abs();
+                assert!(off <= errors[1] + 30.0 * thickness * expected.peak_pressure, "{sheet}: {contact:?}");
+                assert!((contact.resultant - 1.0).abs() < 1e-9, "{sheet}: {contact:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_loose_sheet_is_one_with_the_contact_below_as_far_as_is_said() {
+    // answers that modes resolve are proportional to the thickness: what they tell of thinner sheets, these confirm
+    let half_plane = solve(GROUND).contacts()[0].half_length;
+    for modulus in [0.1, 1.0, 10.0, 100.0] {
+        let sheet = |power: i32| {
+            solve(&format!(
+                "Homogeneous(thickness: 1e-{power}, shear_modulus: {modulus:?}, poisson: 0.3), Receding, {GROUND}"
+            ))
+        };
+        let (resolved, thinner) = (sheet(3), sheet(6));
+        for (resolved, thinner) in resolved.contacts().iter().zip(thinner.contacts()) {
+            assert!(resolved.half_length_error < 1e-8 * resolved.half_length, "{modulus}: {resolved:?}");
+            let change = 1e-3 * (resolved.half_length - half_plane);
+            let off = (thinner.half_length - half_plane - change).abs();
+            assert!(off <= thinner.half_length_error, "{modulus}: {off:e} {thinner:?}");
+        }
+    }
+}
+
+#[test]
+fn several_loose_sheets_are_none() {
+    let strip = "Homogeneous(thickness: 1, shear_modulus: 2, poisson: 0.3), Receding";
+    let bare = solve(&format!("{strip}, {GROUND}"));
+    let sheet = "Homogeneous(thickness: 1e-9, shear_modulus: 1, poisson: 0.3), Receding";
+    let found = solve(&format!("{sheet}, {sheet}, {strip}, {sheet}, {GROUND}"));
+    assert_eq!(found.contacts().len(), 5);
+    for (i, contact) in found.contacts().iter().enumerate() {
+        let expected = &bare.contacts()[if i < 3 { 0 } else { 1 }];
+        let off = (contact.half_length / expected.half_length - 1.0).abs();
+        assert!(off < 1e-7, "{contact:?} {off:e}");
+        assert!((contact.peak_pressure / expected.peak_pressure - 1.0).abs() < 1e-7, "{contact:?}");
+    }
+}

@@ -92,13 +92,16 @@ fn solve_with_thin_layers(
     let without = || {
         // no more digits are of use than are left
         let options = Options { tolerance: options.tolerance.max(THIN * thin.error), ..*options };
-        let solution = solve(&thin.kernel, None, interfaces, indentation, &options)?;
+        let solution = solve(&thin.kernel, None, &thin.interfaces(interfaces), indentation, &options)?;
         Ok(thin.admit(solution, interfaces))
     };
     if thin.error <= options.tolerance || thin.is_unresolved() {
         return without().or_else(|_: Error| all());
     }
     let found = all();
+    if found.as_ref().is_ok_and(|all| worst(all) <= thin.error) {
+        return found;
+    }
     match (&found, without()) {
         (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found,
         (_, Ok(without)) => Ok(without),

@@ -13,7 +13,7 @@ const ON_SOFT_BASE: f64 = 2.804;
 /// What lies between is the sum of both in this power, to 1.5 per cent for a strip on a half-plane of any stiffness.
 const BETWEEN: f64 = 3.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
-const TYPICAL: f64 = 1.2;
+pub(super) const TYPICAL: f64 = 1.2;
 
 /// Half-lengths are looked for from 1e-300 to 1e300, as far as doubles reach: the natural logarithm of the latter, and to
 /// how much in that they are found.
@@ -48,17 +48,23 @@ pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f
         None => punch.flat().map_or_else(|| under_punch(kernel, punch), Ok)?,
     };
     let mut half_lengths = vec![first];
-    for (laminate, (thickness, rigidity)) in kernel.laminates().into_iter().enumerate() {
-        let mut local = ON_RIGID_BASE * thickness;
-        for _ in 0..4 {
-            let zeta = TYPICAL / local;
-            let below = (kernel.compliances(zeta)[laminate + 1] - kernel.squeezed(laminate, zeta)).max(0.0);
-            let soft = ON_SOFT_BASE * (0.5 * rigidity * below).cbrt();
-            local = ((ON_RIGID_BASE * thickness).powf(BETWEEN) + soft.powf(BETWEEN)).powf(BETWEEN.recip());
-        }
-        half_lengths.push(half_lengths[laminate].hypot(local));
+    for laminate in 0..kernel.contacts() - 1 {
+        half_lengths.push(half_lengths[laminate].hypot(carried(kernel, laminate)));
     }
     Ok(half_lengths)
+}
+
+/// Half-length of the contact below a laminate (in units of L) that a line load presses.
+pub(super) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
+    let (thickness, rigidity) = kernel.laminates()[laminate];
+    let mut local = ON_RIGID_BASE * thickness;
+    for _ in 0..4 {
+        let zeta = TYPICAL / local;
+        let below = (kernel.compliances(zeta)[laminate + 1] - kernel.squeezed(laminate, zeta)).max(0.0);
+        let soft = ON_SOFT_BASE * (0.5 * rigidity * below).cbrt();
+        local = ((ON_RIGID_BASE * thickness).powf(BETWEEN) + soft.powf(BETWEEN)).powf(BETWEEN.recip());
+    }
+    local
 }
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.

@@ -1,5 +1,9 @@
 //! Contacts next to layers that are much thinner than the contact is long.
 //!
+//! A loose layer of that kind has no strength to bend but in a boundary layer at the ends of its contacts, about as long as a
+//! line load on it would touch below: elsewhere both of its faces carry the same pressure, and it gives way by about its
+//! thickness. So it is left out: its two contacts are one.
+//!
 //! Waves that tell such a layer from what lies behind it are shorter than the modes of the pressure resolve; they change the
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
@@ -8,7 +12,7 @@ use std::f64::consts::PI;
 
 use crate::error::Error;
 use crate::kernel::Kernel;
-use crate::solution::{Interface, Solution};
+use crate::solution::{Contact, Interface, Solution};
 
 use super::punch::Indentation;
 use super::refine::{COARSEST, FINEST};
@@ -24,6 +28,10 @@ const FELT: f64 = 18.5;
 /// Couplings smaller than this, against what they couple, have ended.
 const UNCOUPLED: f64 = 1e-12;
 
+/// The half-lengths of a contact that is one with the next are wrong by so many times the length of the boundary layer at their
+/// ends. Under loose sheets from ten times softer to a hundred times stiffer than the ground they were off by 0.1 to 1.2 of it.
+const AT_ENDS: f64 = 3.0;
+
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 pub(super) struct Thin {
     pub(super) kernel: Kernel,
@@ -31,24 +39,58 @@ pub(super) struct Thin {
     pub(super) error: f64,
     /// Thickness of the thinnest of the layers over the half-length next to it.
     thinnest: f64,
-    /// Next to which contacts, and by how much a layer there changes the answer.
+    /// Next to which contacts of that kernel, and by how much a layer there changes the answer.
     contacts: Vec<(usize, f64)>,
+    /// Contacts of the stack that are one with the contact above them, from the bottom up, and the relative error of that.
+    joined: Vec<(usize, f64)>,
 }
 
 impl Thin {
     /// `None` if modes resolve all that matters.
     pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, Error> {
-        let mut thin = Self { kernel: kernel.clone(), error: 0.0, thinnest: 1.0, contacts: Vec::new() };
-        let half_lengths = start::half_lengths(kernel, punch)?;
+        let mut half_lengths = start::half_lengths(kernel, punch)?;
+        let (contacts, joined) = (Vec::new(), Vec::new());
+        let mut thin = Self { kernel: kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
         let given = usize::from(punch.given().is_some());
+        if !punch.is_sharp() {
+            for upper in (given..half_lengths.len() - 1).rev() {
+                thin.join_below(upper, &mut half_lengths)?;
+            }
+        }
         for (contact, half_length) in half_lengths.iter().enumerate().skip(given) {
-            let Some((from, error)) = beyond_modes(kernel, contact, *half_length, &half_lengths) else { continue };
-            thin.thinnest = thin.thinnest.min(FELT / (kernel.far(contact).from * half_length));
+            let Some((from, error)) = beyond_modes(&thin.kernel, contact, *half_length, &half_lengths) else {
+                continue;
+            };
+            thin.thinnest = thin.thinnest.min(FELT / (thin.kernel.far(contact).from * half_length));
             thin.kernel = thin.kernel.cut_off(contact, from);
             thin.error = thin.error.max(error);
             thin.contacts.push((contact, error));
         }
-        Ok((!thin.contacts.is_empty()).then_some(thin))
+        Ok((!thin.contacts.is_empty() || !thin.joined.is_empty()).then_some(thin))
+    }
+
+    /// Leaves out the laminate below a contact, which is one with the next contact then, if modes do not resolve how far the
+    /// laminate carries a line load.
+    fn join_below(&mut self, upper: usize, half_lengths: &mut Vec<f64>) -> Result<(), Error> {
+        let (a, carried) = (half_lengths[upper], start::carried(&self.kernel, upper));
+        if carried.is_nan() || carried * (2 * FINEST) as f64 > a {
+            return Ok(());
+        }
+        // a layer gives way to longer waves by the same displacement as to those as short as it is thick
+        let squeezed = self.kernel.thinned(upper, start::TYPICAL / carried) * carried / a;
+        self.kernel = self.kernel.without(upper)?;
+        let error = AT_ENDS * carried / a + SAFETY * squeezed / self.kernel.compliances(start::TYPICAL / a)[upper];
+        half_lengths.remove(upper + 1);
+        self.thinnest = self.thinnest.min(carried / a);
+        self.error = self.error.max(error);
+        self.joined.push((upper + 1, error));
+        Ok(())
+    }
+
+    /// Which of the stack's contacts are those of the kernel.
+    pub(super) fn interfaces(&self, all: &[Interface]) -> Vec<Interface> {
+        let joined = |contact: usize| self.joined.iter().any(|(lower, _)| *lower == contact);
+        all.iter().enumerate().filter(|(contact, _)| !joined(*contact)).map(|(_, interface)| *interface).collect()
     }
 
     /// Whether the boundary layer at the ends of a contact, as long as a layer there is thick, is shorter than a wave of the
@@ -58,8 +100,9 @@ impl Thin {
         (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
     }
 
-    /// The answer with what is left out in its errors, and a warning that says so.
+    /// The answer for all contacts of the stack, with what is left out in its errors, and a warning that says so.
     pub(super) fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
+        let solved = self.interfaces(interfaces);
         for contact in &mut solution.contacts {
             contact.half_length_error += self.error * contact.half_length;
             if contact.peak_pressure.is_finite() {
@@ -70,9 +113,18 @@ impl Thin {
             format!(
                 "a layer next to the contact {} is so thin that it is left out: it changes half-lengths and pressures by \
                  about {error:.0e}, and the pressure near the ends of the contact over about as long as it is thick",
-                interfaces[*contact]
+                solved[*contact]
             )
         }));
+        for (lower, error) in self.joined.iter().rev() {
+            let interface = interfaces[*lower];
+            solution.contacts.insert(*lower, Contact { interface, ..solution.contacts[*lower - 1].clone() });
+            solution.stats.modes.insert(*lower, solution.stats.modes[*lower - 1]);
+            solution.warnings.push(format!(
+                "the layer above the contact {interface} is so thin that it is left out, and both of its faces carry the same \
+                 pressure: that changes half-lengths by about {error:.0e}, and the pressure near the ends of the contact"
+            ));
+        }
         solution
     }
 }

@@ -68,6 +68,16 @@ impl Work {
         self.repeated += taken.felt - taken.evaluated;
         self.unfelt += layers - taken.felt;
     }
+
+    /// What two evaluations took.
+    fn and(self, other: Self) -> Self {
+        Self {
+            wavenumbers: self.wavenumbers + other.wavenumbers,
+            layers: self.layers + other.layers,
+            repeated: self.repeated + other.repeated,
+            unfelt: self.unfelt + other.unfelt,
+        }
+    }
 }
 
 /// The chains of the block system, and the units in which they are evaluated.
@@ -157,17 +167,23 @@ impl Kernel {
     pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let (stack, merged) = stack.merged();
-        let chains = Chains::new(&stack);
+        Ok(Self { dropped: stack.dropped().len(), merged, ..Self::sampled(Chains::new(&stack))? })
+    }
+
+    /// The kernel of the stack without one of its laminates.
+    pub(crate) fn without(&self, laminate: usize) -> Result<Self, Error> {
+        let mut chains = self.chains.clone();
+        chains.laminates.remove(laminate);
+        let kernel = Self::sampled(chains)?;
+        let kernel = Self { dropped: self.dropped, merged: self.merged, work: self.work.and(kernel.work), ..kernel };
+        Ok(if self.punch == 0.0 { kernel } else { kernel.under_punch(self.punch) })
+    }
+
+    /// Samples chains until every component is resolved to rounding.
+    fn sampled(chains: Chains) -> Result<Self, Error> {
         let n = chains.contacts();
-        let mut kernel = Self {
-            panels: Vec::new(),
-            far: Vec::new(),
-            work: Work::default(),
-            dropped: stack.dropped().len(),
-            merged,
-            punch: 0.0,
-            chains,
-        };
+        let (panels, far, work) = (Vec::new(), Vec::new(), Work::default());
+        let mut kernel = Self { panels, far, work, dropped: 0, merged: 0, punch: 0.0, chains };
         let mut far: Vec<Option<Far>> = vec![None; n];
         let mut edge = 0.0;
         // the long waves of most stacks take two panels, and so does what follows upon two
@@ -204,8 +220,14 @@ impl Kernel {
 
     /// The same with a half-plane of another material on contact 0: all wavenumbers feel the same of it.
     pub(crate) fn under_half_plane(&self, material: &Isotropic) -> Self {
-        let punch = 0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus;
-        let mut kernel = Self { punch, ..self.clone() };
+        self.clone().under_punch(
+            0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus,
+        )
+    }
+
+    /// The same with so much more flexibility of contact 0 at all wavenumbers.
+    fn under_punch(self, punch: f64) -> Self {
+        let mut kernel = Self { punch, ..self };
         kernel.panels.iter_mut().for_each(|panel| panel.add_to_first(punch));
         kernel.far.iter_mut().take(1).for_each(|far| far.limit += punch);
         kernel
@@ -383,6 +405,12 @@ impl Kernel {
     /// How much the lower face of a laminate gives way, λμ₀C, if both faces are pressed alike, at one wavenumber.
     pub(crate) fn squeezed(&self, laminate: usize, zeta: f64) -> f64 {
         self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta)).map_or(0.0, |c| -c.equal_bottom)
+    }
+
+    /// By how much a laminate becomes thinner, λμ₀C, if both faces are pressed alike, at one wavenumber.
+    pub(crate) fn thinned(&self, laminate: usize, zeta: f64) -> f64 {
+        let flexibility = self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta));
+        flexibility.map_or(0.0, |c| (c.equal_top - c.equal_bottom).abs())
     }
 
     /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.

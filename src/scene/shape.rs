@@ -97,8 +97,7 @@ impl Shape<'_> {
             Self::Powers { length, terms, end } => {
                 let turns = turns(terms).into_iter().map(|turn| turn * length);
                 // between the last turns of a polynomial that rises in the end it falls
-                let before_end = turns.filter(|turn| end.is_none_or(|end| *turn < end));
-                before_end.last().unwrap_or(0.0)
+                turns.rev().find(|turn| end.is_none_or(|end| *turn < end)).unwrap_or(0.0)
             }
             Self::Circle(_) | Self::Flat(_) => 0.0,
             Self::Pieces { pieces, end } => {
@@ -155,7 +154,7 @@ impl Piece {
         let least = if c3 > 0.0 { (-c2 / (3.0 * c3)).clamp(0.0, length) } else { 0.0 };
         let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
         let turn = if c2 > 0.0 { -c1 / (root + c2) } else { (root - c2) / (3.0 * c3) };
-        (slope(least) < zero).then(|| self.start + turn)
+        (slope(least) < zero).then_some(self.start + turn)
     }
 }
 

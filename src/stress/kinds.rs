@@ -83,6 +83,8 @@ impl Kinds {
             9 => Load::elliptic(width).map(Punch::Given),
             10 => Punch::flat(width),
             11 => self.several(width).map(Punch::Given),
+            // lowest on either side of x = 0
+            12 => Punch::polynomial(width, &[-share * height, height]),
             _ => scenario.punch(),
         }
     }
