@@ -28,7 +28,7 @@ fn numbers_out_of_range_are_told_with_what_is_allowed() {
         ("Polynomial(half_width: 1, heights: [1, inf])", 51, "found inf, allowed is a finite number"),
         ("Polynomial(half_width: 1, heights: [])", 48, "there are 0 heights; allowed are 1 to 1000"),
         ("Polynomial(half_width: 1, heights: [0, 0])", 52, "all heights are the same"),
-        ("Polynomial(half_width: 1, heights: [-1, -0.5])", 55, "the punch falls on either side of x = 0 without end"),
+        ("Polynomial(half_width: 1, heights: [-1, -0.5])", 56, "the punch falls on either side of x = 0 without end"),
         ("Wedge(slope: -0.1)", 25, "`slope` of the punch: found -0.1, allowed is a finite number > 0"),
         ("RoundedFlat(half_width: -1, radius: 1)", 36, "`half_width` of the punch: found -1.0"),
         ("RoundedFlat(half_width: 1, radius: 0)", 47, "`radius` of the punch: found 0.0"),

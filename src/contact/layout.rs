@@ -15,8 +15,9 @@ const USUAL: usize = 256;
 const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
 const MOST_WAVENUMBERS: usize = 16_000;
-/// Bessel functions of all orders at all wavenumbers: what memory and patience allow.
-const MOST_ENTRIES: usize = 5_000_000;
+/// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
+/// to ten digits need nearly as many; twice as many take twice the time before less exact answers are looked for.
+const MOST_ENTRIES: usize = 6_500_000;
 /// More of them are not kept if they can be made again when they are needed.
 const MANY_ENTRIES: usize = 1_000_000;
 /// Stretches with more such parts are left out of fields.

@@ -16,7 +16,7 @@ const RESOLVED: f64 = 1e-13;
 /// below this wavenumber, is rounding.
 const NARROWEST: f64 = 1.0 / 16.0;
 const LOWEST: f64 = 1e-9;
-/// A coupling below this part of the kernels under equal pressures that it couples is nothing.
+/// A coupling below this part of the kernels that it couples, under their own pressure or equal ones, is nothing.
 const NOTHING: f64 = 1e-17;
 
 /// Kernel values at the Gauss points of one panel.
@@ -97,9 +97,9 @@ fn resolved(contacts: usize, from: f64, size: impl Fn(usize) -> f64, values: imp
     let n = contacts;
     (0..3 * n - 1).all(|c| {
         let own = size(c);
-        // a coupling need be known only as well as the kernels under equal pressures that it couples
-        let coupled = |i: usize| from * from * size(n + i).max(size(n + i + 1));
-        let scale = if c < 2 * n { own } else { own.max(coupled(c - 2 * n)) };
+        // a coupling need be known only as well as the kernels that it couples
+        let coupled = |i: usize| size(i).min(from * from * size(n + i));
+        let scale = if c < 2 * n { own } else { own.max(coupled(c - 2 * n)).max(coupled(c - 2 * n + 1)) };
         own == 0.0 || chebyshev::legendre_tail(&values(c)) * own <= RESOLVED * scale
     })
 }
@@ -130,9 +130,9 @@ impl Panel {
         let mut panel = Self { from, to, values, coupled, excess, couplings, contacts };
         panel.coupled = (0..contacts - 1)
             .map(|i| {
-                // bending of another sheet is not what it acts on
-                let own = panel.size(contacts + i).min(panel.size(contacts + i + 1));
-                panel.size(2 * contacts + i) > NOTHING * from * from * own
+                // bending of another sheet is not what it acts on, nor what equal pressures bend
+                let own = |i: usize| panel.size(i).min(from * from * panel.size(contacts + i));
+                panel.size(2 * contacts + i) > NOTHING * own(i).min(own(i + 1))
             })
             .collect();
         Ok(panel)
