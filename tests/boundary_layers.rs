@@ -1,6 +1,6 @@
 //! Layers much thinner than the contacts on them: pressures vary near their ends on the scale of the layer, and the
 //! tolerance is met all the same.
-use recede::{Model, Options, Scene, Solution};
+use recede::{Model, Options, Scene, Solution, Spot, Stack};
 
 /// A coating of a thousandth of the strip's thickness, and layers of a fiftieth in which the modulus changes by factors
 /// of 1.8 to e^30.
@@ -38,5 +38,41 @@ fn the_tolerance_is_met() {
             let claimed = rough.peak_pressure_error + best.peak_pressure_error;
             assert!(off <= 10.0 * claimed, "{top}: pressure off by {off:e}, claimed is {claimed:e}");
         }
+    }
+}
+
+/// A short contact on a thin graded coating of a slab that touches the ground over a length ten thousand times longer: what
+/// the ground does is bending, the same at places so close to each other, and short waves are summed wherever they matter.
+#[test]
+fn a_long_contact_far_below_takes_no_waves_from_a_short_one() {
+    let coating = "Exponential(thickness: 0.03, shear_modulus: 3, poisson: 0.3, beta: -100), Bonded";
+    let solved = |base: &str| {
+        let text = format!(
+            "Scene(plane: Strain, punch: Parabola(radius: 363), force: 7e-5, stack: [{coating}, \
+             Homogeneous(thickness: 30, shear_modulus: 25, poisson: 0.3), {base}])"
+        );
+        let scene = Scene::from_ron(&text).unwrap();
+        let model = Model::new(Stack::from_items(scene.plane, &scene.stack).unwrap()).unwrap();
+        let solution = model.press(&scene.punch, 7e-5).unwrap();
+        let spots = [(0.0, 0.0), (0.03, 0.0), (0.07, 0.0), (0.2, 0.0), (0.05, 0.01), (0.0, 0.03)];
+        let spots = spots.map(|(x, depth)| Spot { x, depth, layer: Some(1) });
+        let far = Spot { x: 2000.0, depth: 0.0, layer: None };
+        let field = model.field(&solution).unwrap();
+        let alone = field.points(&spots).unwrap();
+        let together = field.points(&[&spots[..], &[far]].concat()).unwrap();
+        let peak = solution.contacts()[0].peak_pressure;
+        for (one, other) in alone.iter().zip(&together) {
+            assert!((one.sigma_xx - other.sigma_xx).abs() < 1e-7 * peak, "{one:?} {other:?}");
+        }
+        (alone, peak)
+    };
+    let (long, peak) = solved("Receding, HalfPlane(shear_modulus: 0.001, poisson: 0.3)");
+    let (none, _) = solved("Bonded, HalfPlane(shear_modulus: 25, poisson: 0.3)");
+    for (one, other) in long.iter().zip(&none).skip(1) {
+        let bent = [one.sigma_xx - long[0].sigma_xx, other.sigma_xx - none[0].sigma_xx];
+        // stresses of bending go with the modulus
+        let on_face = one.depth == 0.0;
+        assert!(!on_face || (bent[0] - bent[1]).abs() < 2e-5 * peak, "{one:?} {other:?}: {bent:?}");
+        assert!((one.sigma_yy - other.sigma_yy).abs() < 2e-5 * peak, "{one:?} {other:?}");
     }
 }

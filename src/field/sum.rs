@@ -9,9 +9,12 @@ use recede_layers::Wave;
 use super::body::{Body, Face, Stratum, components};
 use super::strip::Singularity;
 use super::surface::Components;
-use super::waves::{self, Decay, Panel, Precision};
+use super::waves::{self, Decay, Felt, Panel, Precision};
 use super::{Field, Load};
 use crate::error::Error;
+
+/// Places are near for which this part of the most wavenumbers will do.
+const SURELY: f64 = 0.9;
 
 /// Points at one depth.
 #[derive(Clone, Copy, Debug)]
@@ -50,23 +53,30 @@ fn faces<'a>(
 }
 
 impl Field {
-    /// The wavenumber beyond which a depth feels nothing of the loads, besides what closed forms tell.
-    fn end(&self, row: &Row, precision: &Precision, most: f64) -> f64 {
+    /// The wavenumbers beyond which a depth feels nothing of the contacts next to its body, besides what closed forms tell;
+    /// no farther than `most` of each contact.
+    fn ends(
+        &self,
+        row: &Row,
+        precision: &Precision,
+        most: impl Fn(usize) -> f64,
+    ) -> impl Iterator<Item = (usize, f64)> {
         let stratum = &self.strata[row.stratum];
         let body = &self.bodies[stratum.body];
-        let ends = [true, false].into_iter().enumerate().filter_map(|(side, above)| {
+        [true, false].into_iter().enumerate().filter_map(move |(side, above)| {
             if !above && body.bottom.is_none() {
                 return None;
             }
+            let contact = body.contact + side;
             let own = if above { stratum.place == 0 } else { stratum.place + 1 == body.layers };
             let face = body.faces[side].as_ref().filter(|_| own);
             if face.is_some_and(|face| face.surface.shift.is_infinite()) {
-                return Some(0.0);
+                return Some((contact, 0.0));
             }
             let distance = self.distance(stratum, row.depth, above);
             let thickness = stratum.slowest * stratum.thickness.unwrap_or(f64::INFINITY);
             let shift = face.map_or(0.0, |face| face.surface.shift);
-            let pressure = &self.pressures[body.contact + side];
+            let pressure = &self.pressures[contact];
             let decay = Decay {
                 distance,
                 reflected: (distance + shift).min(2.0 * thickness - distance),
@@ -74,9 +84,8 @@ impl Field {
                 pressure,
                 length: pressure.half_length.max(shift),
             };
-            Some(decay.end(precision, most))
-        });
-        ends.fold(0.0, f64::max)
+            Some((contact, decay.end(precision, most(contact))))
+        })
     }
 
     /// How far the loaded face above or below a depth is, in lengths over which fields decay by e at λ = 1.
@@ -164,22 +173,34 @@ impl Field {
         values: &mut [Vec<Components>],
     ) -> Result<(), Error> {
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
-        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        let reach = farthest + longest;
-        let most = waves::most(reach);
-        let mut active: Vec<Active> = rows
-            .iter()
-            .enumerate()
-            .map(|(index, row)| Active { row: *row, index, end: self.end(row, precision, most), lift: 0.0 })
+        let reach = |contact: usize| farthest + self.length(contact);
+        let most = |contact: usize| waves::most(reach(contact));
+        let mut felt: Vec<Felt> = (0..self.pressures.len()).map(|i| Felt { end: 0.0, reach: reach(i) }).collect();
+        // the last wavenumber of a row
+        let mut end_of = |row: &Row| {
+            self.ends(row, precision, most).fold(0.0, |end: f64, (contact, own)| {
+                felt[contact].end = felt[contact].end.max(own);
+                end.max(own)
+            })
+        };
+        let wanted = rows.iter().enumerate().filter(|(_, row)| !sets[row.set].is_empty());
+        let mut active: Vec<Active> = wanted
+            .map(|(index, row)| Active { row: *row, index, end: end_of(row), lift: 0.0 })
             .filter(|active| active.end > 0.0)
             .collect();
         if active.is_empty() {
             return Ok(());
         }
+        let origins: Vec<f64> =
+            self.bodies.iter().map(|body| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row))).collect();
+        let cut = |contact: usize| felt[contact].end >= most(contact);
+        let near = (0..felt.len()).filter(|i| cut(*i)).filter_map(|i| self.nearest(rows, precision, i));
+        let near = near.fold(f64::INFINITY, f64::min);
+        if farthest > near && sets.iter().flatten().any(|x| *x <= near) {
+            return self.integrate_apart(near, rows, sets, precision, values);
+        }
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
-        let origins: Vec<f64> = self.bodies.iter().map(|body| self.origin_end(body, precision, most)).collect();
-        let end = active.iter().map(|active| active.end).chain(origins.iter().copied()).fold(0.0, f64::max);
-        let panels = waves::panels(end, reach, self.origin(), precision).ok_or(Error::TooFar { x: farthest })?;
+        let panels = waves::panels(&felt, self.origin(), precision).ok_or(Error::TooFar { x: farthest })?;
         let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.strata.len()) as f64;
         if evaluations > precision.evaluations {
             return Err(Error::TooLong { evaluations, allowed: precision.evaluations });
@@ -190,7 +211,7 @@ impl Field {
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
             let (wavenumbers, weights) = panel.points();
-            let block = self.block(panel, &wavenumbers, &weights, &mut active, &origins)?;
+            let block = self.block(panel, &wavenumbers, &weights, &mut active, &origins, &felt)?;
             for (body, origin) in block.references.iter().enumerate() {
                 references[body][k] = *origin;
             }
@@ -210,11 +231,54 @@ impl Field {
         Ok(())
     }
 
-    /// The wavenumber beyond which the reference point of a body feels nothing.
-    fn origin_end(&self, body: &Body, precision: &Precision, most: f64) -> f64 {
-        let Some((place, depth)) = body.reference.filter(|_| precision.displacements) else { return 0.0 };
-        let stratum = self.strata.iter().position(|stratum| stratum.body == body.contact && stratum.place == place);
-        stratum.map_or(0.0, |stratum| self.end(&Row { stratum, depth, set: 0 }, precision, most))
+    /// Half-length of a contact, or of the longest one in the place of a line load, which has none.
+    fn length(&self, contact: usize) -> f64 {
+        let all = || self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        Some(self.pressures[contact].half_length).filter(|own| *own > 0.0).unwrap_or_else(all)
+    }
+
+    /// Up to which x all wavenumbers of a contact can be summed that some rows feel; `None` if there are too many even at x = 0.
+    fn nearest(&self, rows: &[Row], precision: &Precision, contact: usize) -> Option<f64> {
+        // without a length no wave is too short
+        let length = Some(self.length(contact)).filter(|length| *length > 0.0)?;
+        let most = waves::most(length);
+        let ends = rows.iter().flat_map(|row| self.ends(row, precision, |_| most)).filter(|(own, _)| *own == contact);
+        let end = ends.map(|(_, end)| end).fold(0.0, f64::max);
+        // ends are known to some per cent
+        (end < most).then(|| SURELY * waves::most(end) - length).filter(|near| *near > 0.0)
+    }
+
+    /// The same for the places up to `near` and for those beyond by themselves: short waves that matter next to a short contact
+    /// would need too many wavenumbers far from it, where they cancel.
+    fn integrate_apart(
+        &self,
+        near: f64,
+        rows: &[Row],
+        sets: &[Vec<f64>],
+        precision: &Precision,
+        values: &mut [Vec<Components>],
+    ) -> Result<(), Error> {
+        for is_near in [true, false] {
+            let chosen = |set: &Vec<f64>| set.iter().copied().filter(|x| (*x <= near) == is_near).collect::<Vec<_>>();
+            let own: Vec<Vec<f64>> = sets.iter().map(chosen).collect();
+            let mut sums: Vec<Vec<Components>> =
+                rows.iter().map(|row| vec![Components::default(); own[row.set].len()]).collect();
+            self.integrate(rows, &own, precision, &mut sums)?;
+            for ((row, values), sums) in rows.iter().zip(values.iter_mut()).zip(sums) {
+                let chosen = values.iter_mut().zip(&sets[row.set]).filter(|(_, x)| (**x <= near) == is_near);
+                for ((value, _), sum) in chosen.zip(sums) {
+                    value.iter_mut().zip(sum).for_each(|(value, sum)| *value += sum);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The reference point of a body, if displacements are wanted.
+    fn origin_of(&self, body: &Body, precision: &Precision) -> Option<Row> {
+        let (place, depth) = body.reference.filter(|_| precision.displacements)?;
+        let stratum = self.strata.iter().position(|stratum| stratum.body == body.contact && stratum.place == place)?;
+        Some(Row { stratum, depth, set: 0 })
     }
 
     /// The transformed components, times weights, in all rows that feel a panel.
@@ -225,6 +289,7 @@ impl Field {
         weights: &[f64],
         active: &mut [Active],
         origins: &[f64],
+        felt: &[Felt],
     ) -> Result<Block, Error> {
         let n = wavenumbers.len();
         let mut transforms: Vec<Vec<[f64; 2]>> = vec![Vec::new(); self.pressures.len()];
@@ -242,9 +307,14 @@ impl Field {
                 continue;
             }
             let contacts = 1 + usize::from(body.bottom.is_some());
-            for (transform, pressure) in transforms.iter_mut().zip(&self.pressures).skip(body.contact).take(contacts) {
+            for contact in body.contact..body.contact + contacts {
+                let (transform, pressure) = (&mut transforms[contact], &self.pressures[contact]);
                 if transform.is_empty() {
-                    *transform = pressure.transforms(wavenumbers);
+                    *transform = if felt[contact].end > panel.lo {
+                        pressure.transforms(wavenumbers)
+                    } else {
+                        vec![[0.0, -pressure.resultant()]; n]
+                    };
                 }
             }
             if let Some((place, depth)) = body.reference.filter(|_| origins[i] > 0.0) {

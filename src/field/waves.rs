@@ -75,6 +75,8 @@ const SHORT_PHASE: f64 = 16.0;
 const FIRST: f64 = 0.25;
 /// Wavenumbers times reach beyond this are refused.
 const MOST: f64 = 4e5;
+/// The whole range of doubles takes 14 halvings of its logarithm to five per cent; with more, nothing is gained.
+const HALVINGS: usize = 20;
 /// The first panel is no shorter than this part of the whole axis: some hundred panels grow from there, and the integral
 /// over less than that is below rounding.
 const LEAST: f64 = 1e-40;
@@ -121,21 +123,33 @@ impl Panel {
     }
 }
 
-/// Panels from 0 to `end`, growing in width up to what cos λx and p̂ allow at a reach x + a; `None` if there would
-/// be too many.
+/// How far a pressure is felt.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Felt {
+    /// The wavenumber beyond which it is not.
+    pub(super) end: f64,
+    /// The largest x at which a field is wanted, and the half-length of the pressure.
+    pub(super) reach: f64,
+}
+
+/// Panels from 0 to where no pressure is felt any more, growing in width up to what cos λx and p̂ of those that still are
+/// allow; `None` if there would be too many.
 ///
-/// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of `end`, the next
+/// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
-pub(super) fn panels(end: f64, reach: f64, origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
-    let product = end * reach;
-    if end.is_infinite() || product.is_nan() || product > MOST {
+pub(super) fn panels(felt: &[Felt], origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
+    let product = |felt: &Felt| felt.end * felt.reach;
+    if felt.iter().any(|felt| felt.end.is_infinite() || product(felt).is_nan() || product(felt) > MOST) {
         return None;
     }
-    let widest = PHASE / reach;
-    let shortest = origin.first.min(FIRST / reach).max(LEAST * end);
+    let end = felt.iter().fold(0.0, |end: f64, felt| end.max(felt.end));
+    let reach_at =
+        |lo: f64| felt.iter().filter(|felt| felt.end > lo).fold(0.0, |reach: f64, felt| reach.max(felt.reach));
+    let shortest = origin.first.min(FIRST / reach_at(0.0)).max(LEAST * end);
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
-        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(widest) };
+        let reach = reach_at(lo);
+        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(PHASE / reach) };
         let width = width.min(end - lo);
         let power = origin.power && lo == 0.0;
         let points = if power {
@@ -184,7 +198,10 @@ impl Decay<'_> {
         if left(hi) > tolerance {
             return hi;
         }
-        while hi > 1.05 * lo {
+        for _ in 0..HALVINGS {
+            if hi <= 1.05 * lo {
+                break;
+            }
             let middle = (lo * hi).sqrt();
             if left(middle) > tolerance { lo = middle } else { hi = middle }
         }
@@ -192,7 +209,7 @@ impl Decay<'_> {
     }
 }
 
-/// The largest wavenumber at a reach.
+/// The largest wavenumber at a reach, and the largest reach for a wavenumber.
 pub(super) fn most(reach: f64) -> f64 {
     0.5 * MOST / reach
 }
