@@ -76,3 +76,34 @@ fn a_long_contact_far_below_takes_no_waves_from_a_short_one() {
         assert!((one.sigma_yy - other.sigma_yy).abs() < 2e-5 * peak, "{one:?} {other:?}");
     }
 }
+
+/// The estimated errors of fields cover what conditions on the faces and stricter solutions tell, and are small.
+#[test]
+fn the_errors_of_stresses_are_estimated() {
+    let ground = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 1, poisson: 0.25)";
+    let coating = "Exponential(thickness: 0.02, shear_modulus: 1.0, poisson: 0.25, beta: 30.0), Bonded";
+    for (load, largest) in [("punch: Flat(half_width: 0.5)", 1e-5), ("punch: Cylinder(radius: 500)", 1e-9)] {
+        let text = format!("Scene(plane: Strain, {load}, force: 0.002, stack: [{coating}, {ground}])");
+        let scene = Scene::from_ron(&text).unwrap();
+        let model = Model::new(Stack::from_items(scene.plane, &scene.stack).unwrap()).unwrap();
+        let solved = |tolerance: f64| {
+            let options = Options { tolerance, ..Options::default() };
+            model.press_with(&scene.punch, scene.force, &options).unwrap()
+        };
+        let (best, rough) = (solved(1e-12), solved(1e-4));
+        let mean = 0.5 * 0.002 / best.contacts()[0].half_length;
+        let fields = [&best, &rough].map(|solution| model.field(solution).unwrap());
+        for (x, depth) in [(0.0, 0.0), (0.1, 0.0), (0.3, 0.0), (0.1, 0.01), (0.2, 0.5), (1.2, 0.3), (0.4, 1.3)] {
+            let spot = Spot { x, depth, layer: None };
+            let [found, other] = [&fields[0], &fields[1]].map(|field| field.at(x, depth).unwrap());
+            let [error, coarse] = [&fields[0], &fields[1]].map(|field| field.stress_error(&spot).unwrap());
+            assert!(error > 0.0 && error <= largest * mean, "{load} at {x}, {depth}: {error:e}, mean {mean:e}");
+            if depth == 0.0 {
+                let missing = (found.sigma_yy + best.contacts()[0].pressure(x)).abs().max(found.sigma_xy.abs());
+                assert!(missing <= error, "{load} at {x}: {missing:e}, estimated {error:e}");
+            }
+            let off = (found.sigma_yy - other.sigma_yy).abs().max((found.sigma_xy - other.sigma_xy).abs());
+            assert!(off <= 3.0 * (error + coarse), "{load} at {x}, {depth}: {off:e}, estimated {coarse:e}");
+        }
+    }
+}

@@ -4,6 +4,7 @@
 //! the wavenumber of the states that [`crate::system`] finds inside. Next to a loaded face these converge slowly; what a
 //! half-plane of the face's material does is subtracted there and added in closed form.
 mod body;
+mod decay;
 mod peak;
 mod point;
 mod pressure;
@@ -20,7 +21,7 @@ pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Spot};
 
 use crate::error::Error;
-use crate::solution::Solution;
+use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 use crate::system::Load;
 
@@ -29,6 +30,8 @@ use pressure::Pressure;
 use sum::Row;
 use waves::Origin;
 
+/// Rounding of stresses, in parts of the mean pressure.
+const ROUNDING: f64 = 1e-12;
 /// A depth is on an interface if it is as close to it as this, in parts of the depth.
 const ON_INTERFACE: f64 = 1e-12;
 /// Long waves change nothing below this part of 1/(thickness · ratio of the stiffnesses).
@@ -70,6 +73,8 @@ pub struct Field {
     modulus: f64,
     /// Ratio of the largest to the smallest stiffness in the stack.
     contrast: f64,
+    /// By how much pressures may be wrong, in stress.
+    pressure_error: f64,
 }
 
 impl Field {
@@ -89,7 +94,8 @@ impl Field {
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
         let modulus = strata.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let bodies = Body::all(stack, &strata, &pressures, modulus);
-        Self { plane, strata, bodies, pressures, modulus, contrast: largest / smallest }
+        let pressure_error = solution.contacts().iter().map(pressure_error).sum();
+        Self { plane, strata, bodies, pressures, modulus, contrast: largest / smallest, pressure_error }
     }
 
     /// The same with other pressures on the same contacts.
@@ -116,6 +122,30 @@ impl Field {
     fn at_spot(&self, spot: Spot) -> Result<FieldPoint, Error> {
         let points = self.points(&[spot])?;
         points.into_iter().next().ok_or(Error::Outside { place: spot.to_string(), allowed: self.allowed() })
+    }
+
+    /// The estimated error of the stresses at a point, in stress: that of the pressures, and what sums over wavenumbers
+    /// leave out. Infinite where stresses are.
+    ///
+    /// Next to the ends of contacts the pressure itself is known worse than that, like the square root of the error of the
+    /// half-length.
+    ///
+    /// ```
+    /// # use recede::{HalfPlane, Model, Plane, Punch, Spot, Stack};
+    /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+    /// let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
+    /// let error = model.field(&solution)?.stress_error(&Spot { x: 0.1, depth: 0.2, layer: None })?;
+    /// assert!(error > 0.0 && error < 1e-9 * solution.contacts()[0].peak_pressure);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Outside`] if the layer is not there, or not at this depth.
+    pub fn stress_error(&self, spot: &Spot) -> Result<f64, Error> {
+        let row = self.row(spot, 0)?;
+        let face = (row.depth == 0.0).then(|| self.bodies[self.strata[row.stratum].body].contact);
+        let singular = face.is_some_and(|contact| self.pressures[contact].singularity(spot.x).is_some());
+        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.left_out(&row, spot.x) })
     }
 
     /// Stresses and displacements at any points; cheaper than one by one.
@@ -275,4 +305,15 @@ impl Field {
         let first = if power { POWER * smooth.min(longest.recip()) } else { smooth };
         Origin { first, power }
     }
+}
+
+/// By how much the pressure of a contact may be wrong inside it, in stress; rounding at least.
+fn pressure_error(contact: &Contact) -> f64 {
+    let mean = 0.5 * contact.resultant.abs() / contact.reach();
+    // the peak is extrapolated from the series, fields are those of the series itself
+    let off = |peak: f64| contact.peak_pressure_error + (contact.pressure(0.0) - peak).abs();
+    let peak = if contact.peak_pressure.is_finite() { off(contact.peak_pressure) } else { 0.0 };
+    let ends = contact.half_length_error / contact.half_length;
+    let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
+    peak + if rounding.is_finite() { rounding } else { 0.0 }
 }

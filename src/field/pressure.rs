@@ -57,6 +57,13 @@ impl Pressure {
         here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
     }
 
+    /// How far a place is from the nearest one at which the pressure is not smooth: ends, and singular points.
+    pub(super) fn distance(&self, x: f64) -> f64 {
+        let ends = self.strips().flat_map(|(at, a)| [at - a, at + a]);
+        let points = ends.chain(self.singular_points().map(|(at, _)| at));
+        points.map(|at| (at.abs() - x.abs()).abs()).fold(f64::INFINITY, f64::min)
+    }
+
     /// An amplitude of p̂ at a wavenumber.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
         let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };

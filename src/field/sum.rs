@@ -9,12 +9,9 @@ use recede_layers::Wave;
 use super::body::{Body, Face, Stratum, components};
 use super::strip::Singularity;
 use super::surface::Components;
-use super::waves::{self, Decay, Felt, Panel, Precision};
+use super::waves::{self, Felt, Panel, Precision};
 use super::{Field, Load};
 use crate::error::Error;
-
-/// Places are near for which this part of the most wavenumbers will do.
-const SURELY: f64 = 0.9;
 
 /// Points at one depth.
 #[derive(Clone, Copy, Debug)]
@@ -53,51 +50,6 @@ fn faces<'a>(
 }
 
 impl Field {
-    /// The wavenumbers beyond which a depth feels nothing of the contacts next to its body, besides what closed forms tell;
-    /// no farther than `most` of each contact.
-    fn ends(
-        &self,
-        row: &Row,
-        precision: &Precision,
-        most: impl Fn(usize) -> f64,
-    ) -> impl Iterator<Item = (usize, f64)> {
-        let stratum = &self.strata[row.stratum];
-        let body = &self.bodies[stratum.body];
-        [true, false].into_iter().enumerate().filter_map(move |(side, above)| {
-            if !above && body.bottom.is_none() {
-                return None;
-            }
-            let contact = body.contact + side;
-            let own = if above { stratum.place == 0 } else { stratum.place + 1 == body.layers };
-            let face = body.faces[side].as_ref().filter(|_| own);
-            if face.is_some_and(|face| face.surface.shift.is_infinite()) {
-                return Some((contact, 0.0));
-            }
-            let distance = self.distance(stratum, row.depth, above);
-            let thickness = stratum.slowest * stratum.thickness.unwrap_or(f64::INFINITY);
-            let shift = face.map_or(0.0, |face| face.surface.shift);
-            let pressure = &self.pressures[contact];
-            let decay = Decay {
-                distance,
-                reflected: (distance + shift).min(2.0 * thickness - distance),
-                left: face.map(|face| [face.size, face.power]),
-                pressure,
-                length: pressure.half_length.max(shift),
-            };
-            Some((contact, decay.end(precision, most(contact))))
-        })
-    }
-
-    /// How far the loaded face above or below a depth is, in lengths over which fields decay by e at λ = 1.
-    fn distance(&self, stratum: &Stratum, depth: f64, above: bool) -> f64 {
-        let within = if above { depth } else { (stratum.thickness.unwrap_or(f64::INFINITY) - depth).max(0.0) };
-        let between = self.strata.iter().filter(|other| {
-            other.body == stratum.body && if above { other.place < stratum.place } else { other.place > stratum.place }
-        });
-        let between = between.map(|other| other.slowest * other.thickness.unwrap_or(f64::INFINITY));
-        between.sum::<f64>() + stratum.slowest * within
-    }
-
     /// σ_xx, σ_yy, σ_xy, u, v in rows of points, `sets[row.set]` each.
     pub(super) fn sum(
         &self,
@@ -229,23 +181,6 @@ impl Field {
             values[active.index].iter_mut().for_each(|value| value[4] += active.lift - beyond);
         }
         Ok(())
-    }
-
-    /// Half-length of a contact, or of the longest one in the place of a line load, which has none.
-    fn length(&self, contact: usize) -> f64 {
-        let all = || self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        Some(self.pressures[contact].half_length).filter(|own| *own > 0.0).unwrap_or_else(all)
-    }
-
-    /// Up to which x all wavenumbers of a contact can be summed that some rows feel; `None` if there are too many even at x = 0.
-    fn nearest(&self, rows: &[Row], precision: &Precision, contact: usize) -> Option<f64> {
-        // without a length no wave is too short
-        let length = Some(self.length(contact)).filter(|length| *length > 0.0)?;
-        let most = waves::most(length);
-        let ends = rows.iter().flat_map(|row| self.ends(row, precision, |_| most)).filter(|(own, _)| *own == contact);
-        let end = ends.map(|(_, end)| end).fold(0.0, f64::max);
-        // ends are known to some per cent
-        (end < most).then(|| SURELY * waves::most(end) - length).filter(|near| *near > 0.0)
     }
 
     /// The same for the places up to `near` and for those beyond by themselves: short waves that matter next to a short contact

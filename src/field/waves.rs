@@ -1,17 +1,14 @@
 //! Which wavenumbers a field is summed over: panels of Gauss points, and how far each depth has to go.
-use std::f64::consts::PI;
-
-use super::pressure::Pressure;
 use crate::numeric::quadrature::{self, Rule};
 
 /// How closely a field is summed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
     /// What is left out beyond the last wavenumber, in parts of the mean pressure: inside, and on a loaded face.
-    inside: f64,
-    on_face: f64,
+    pub(super) inside: f64,
+    pub(super) on_face: f64,
     /// Exponentially small terms are left out beyond this exponent.
-    felt: f64,
+    pub(super) felt: f64,
     /// Points of a panel that spans a short phase.
     points: usize,
     /// The next panel is wider than its distance from 0 by this factor, at most.
@@ -75,8 +72,6 @@ const SHORT_PHASE: f64 = 16.0;
 const FIRST: f64 = 0.25;
 /// Wavenumbers times reach beyond this are refused.
 const MOST: f64 = 4e5;
-/// The whole range of doubles takes 14 halvings of its logarithm to five per cent; with more, nothing is gained.
-const HALVINGS: usize = 20;
 /// The first panel is no shorter than this part of the whole axis: some hundred panels grow from there, and the integral
 /// over less than that is below rounding.
 const LEAST: f64 = 1e-40;
@@ -163,50 +158,6 @@ pub(super) fn panels(felt: &[Felt], origin: Origin, precision: &Precision) -> Op
         lo += width;
     }
     Some(panels)
-}
-
-/// What decays with the wavenumber next to a loaded face, at a distance d from it.
-pub(super) struct Decay<'a> {
-    /// Everything falls like e^(−λ·distance) at least.
-    pub(super) distance: f64,
-    /// What does not come from the face itself falls faster, like e^(−λ·reflected).
-    pub(super) reflected: f64,
-    /// What the closed form leaves of the face itself, size·λ^(−power); `None` if there is no closed form.
-    pub(super) left: Option<[f64; 2]>,
-    /// The pressure on the face.
-    pub(super) pressure: &'a Pressure,
-    /// Length over which its resultant is spread to be compared with what is left out.
-    pub(super) length: f64,
-}
-
-impl Decay<'_> {
-    /// The wavenumber beyond which nothing is felt; `most` if there is none below.
-    pub(super) fn end(&self, precision: &Precision, most: f64) -> f64 {
-        let exponential = precision.felt / self.distance;
-        let Some([size, power]) = self.left else { return exponential.min(most) };
-        let tolerance = if self.distance > 0.0 { precision.inside } else { precision.on_face };
-        let mean = self.pressure.resultant() / (2.0 * self.length);
-        // the integral from l on of an integrand that falls at least like 1/l, over π
-        let left = |l: f64| {
-            let t = l * self.distance;
-            size * l.powf(1.0 - power) * self.pressure.envelope(l) / (PI * mean) * (1.0 + t) * (1.0 + t) * (-t).exp()
-        };
-        let (mut lo, mut hi) = ((precision.felt / self.reflected).min(exponential).min(most), exponential.min(most));
-        if size == 0.0 || left(lo) <= tolerance {
-            return lo;
-        }
-        if left(hi) > tolerance {
-            return hi;
-        }
-        for _ in 0..HALVINGS {
-            if hi <= 1.05 * lo {
-                break;
-            }
-            let middle = (lo * hi).sqrt();
-            if left(middle) > tolerance { lo = middle } else { hi = middle }
-        }
-        hi
-    }
 }
 
 /// The largest wavenumber at a reach, and the largest reach for a wavenumber.
