@@ -40,6 +40,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// How many numbers the model stores, about.
+    pub(crate) fn stored_numbers(&self) -> usize {
+        self.kernel.stored_numbers() + self.lattice.as_ref().map_or(0, |lattice| lattice.stored_numbers())
+    }
+
     /// Evaluates the stack's flexibilities.
     ///
     /// # Errors

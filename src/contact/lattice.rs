@@ -72,6 +72,12 @@ impl Default for Lattice {
 }
 
 impl Lattice {
+    /// How many numbers the answers have that were found.
+    pub(crate) fn stored_numbers(&self) -> usize {
+        let answers = self.points.iter().filter_map(|point| point.get()?.as_ref());
+        answers.flat_map(|answer| &answer.modes).map(Vec::len).sum::<usize>() + self.points.len()
+    }
+
     /// Half-lengths and modes to start from; `None` where formulas have to do.
     pub(super) fn start(&self, kernel: &Kernel, interfaces: &[Interface], punch: &Indentation) -> Option<Start> {
         let flat = punch.as_parabola(0.0)?;

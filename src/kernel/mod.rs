@@ -264,6 +264,11 @@ impl Kernel {
         self.chains.modulus
     }
 
+    /// How many values are stored.
+    pub(crate) fn stored_numbers(&self) -> usize {
+        self.panels.len() * panel::POINTS * (3 * self.contacts() - 1)
+    }
+
     /// What it took to evaluate the stack.
     pub(crate) fn work(&self) -> Work {
         self.work

@@ -5,11 +5,13 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use super::{Row, Sweep};
 use crate::error::Error;
 use crate::model::Model;
-use crate::scene::Owner;
+use crate::scene::{Owner, Punch};
 use crate::solution::Solution;
 
-/// Models and punches that are kept for later rows.
+/// Models and punches that are kept for later rows, at most.
 const KEPT: usize = 512;
+/// Fewer where they have more numbers than these in all, 256 MB of them: then some are made more than once.
+const MOST_NUMBERS: usize = 1 << 25;
 
 /// From so many rows per stack on it pays to keep answers to start from.
 const MANY: usize = 100;
@@ -27,7 +29,25 @@ impl<T> Default for Kept<T> {
     }
 }
 
-impl<T> Kept<T> {
+/// How many numbers something stores, about.
+pub(super) trait Size {
+    fn numbers(&self) -> usize;
+}
+
+impl Size for Model {
+    fn numbers(&self) -> usize {
+        self.stored_numbers()
+    }
+}
+
+impl Size for Punch {
+    /// A table of the most rows, and the curve through them.
+    fn numbers(&self) -> usize {
+        10_000
+    }
+}
+
+impl<T: Size> Kept<T> {
     /// What has this number; made if it is not kept.
     fn get(&self, key: usize, make: impl FnOnce() -> Result<T, Error>) -> Result<Arc<T>, Error> {
         self.slot(key).get_or_init(|| make().map(Arc::new)).clone()
@@ -38,8 +58,11 @@ impl<T> Kept<T> {
         if let Some((_, slot)) = slots.iter().rev().find(|(found, _)| *found == key) {
             return Arc::clone(slot);
         }
-        if slots.len() == KEPT {
-            slots.pop_front();
+        let numbers = |slot: &Slot<T>| slot.get().and_then(|made| made.as_ref().ok()).map_or(0, |made| made.numbers());
+        let mut all: usize = slots.iter().map(|(_, slot)| numbers(slot)).sum();
+        while slots.len() >= KEPT || all > MOST_NUMBERS {
+            let Some((_, oldest)) = slots.pop_front() else { break };
+            all -= numbers(&oldest).min(all);
         }
         let slot = Slot::default();
         slots.push_back((key, Arc::clone(&slot)));
@@ -85,5 +108,32 @@ impl Sweep {
             rest /= count;
         }
         key
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug)]
+    struct Table(usize);
+
+    impl Size for Table {
+        fn numbers(&self) -> usize {
+            self.0
+        }
+    }
+
+    #[test]
+    fn what_is_kept_is_bounded_in_number_and_size() {
+        for (numbers, most) in [(1, KEPT), (MOST_NUMBERS / 10, 12), (2 * MOST_NUMBERS, 1)] {
+            let kept = Kept::default();
+            for key in 0..2 * KEPT {
+                assert_eq!(kept.get(key, || Ok(Table(numbers))).unwrap().0, numbers);
+                assert!(kept.0.lock().unwrap().len() <= most);
+            }
+            // the last one is there
+            assert!(kept.get(2 * KEPT - 1, || unreachable!("kept")).is_ok());
+        }
     }
 }
