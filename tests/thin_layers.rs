@@ -148,3 +148,21 @@ fn several_loose_sheets_are_none() {
         assert!((contact.peak_pressure / expected.peak_pressure - 1.0).abs() < 1e-7, "{contact:?}");
     }
 }
+
+/// Under equal loads on both faces a laminate of many unlike plies is known to rounding of how it bends only.
+#[test]
+fn a_laminate_of_many_thin_plies_is_solved() {
+    let plies = |count: usize| {
+        let ply = |i: usize| {
+            format!("Homogeneous(thickness: {:e}, shear_modulus: {}, poisson: 0.25)", 1.0 / count as f64, 1 + i % 2)
+        };
+        let all: Vec<String> = (0..count).map(ply).collect();
+        solve(&format!("{}, Receding, {GROUND}", all.join(", Bonded, ")))
+    };
+    let (few, many) = (plies(100), plies(500));
+    for (few, many) in few.contacts().iter().zip(many.contacts()) {
+        assert!(many.half_length_error < 1e-9 * many.half_length, "{many:?}");
+        // both are nearly the same material, the faces apart
+        assert!((few.half_length / many.half_length - 1.0).abs() < 1e-2, "{few:?} {many:?}");
+    }
+}

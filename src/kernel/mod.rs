@@ -145,6 +145,13 @@ impl Chains {
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
     }
 
+    /// Whether a laminate under equal loads is known to rounding of how it bends only: all but one homogeneous layer.
+    fn rounds(&self, laminate: usize) -> bool {
+        let [layer] = self.laminates[laminate].layers() else { return true };
+        let at = |depth: f64| layer.material(depth, self.plane);
+        !layer.has_closed_form() || at(0.0) != at(layer.thickness().unwrap_or(0.0))
+    }
+
     /// Thickness of the thinnest layer next to contact i, in units of L; infinite next to a half-plane only.
     fn thinnest_face(&self, contact: usize) -> f64 {
         let above = contact.checked_sub(1).and_then(|i| self.laminates[i].layers().last());

@@ -70,7 +70,7 @@ pub(super) fn resolve(
 ) -> Result<bool, Error> {
     if !expected {
         let panel = Panel::new(chains, from, to, wanted, work)?;
-        if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
+        if panel.is_resolved(chains) || to < LOWEST || to - from < NARROWEST * to {
             panels.push(panel);
             return Ok(false);
         }
@@ -79,11 +79,11 @@ pub(super) fn resolve(
     resolve(chains, [from, middle], false, wanted, panels, work)?;
     resolve(chains, [middle, to], false, wanted, panels, work)?;
     if let ([left, right], true) = (&panels[first..], expected)
-        && left.is_one_with(right)
+        && left.is_one_with(chains, right)
     {
         // what is interpolated is not as exact as what is sampled
         let whole = Panel::new(chains, from, to, wanted, work)?;
-        if whole.is_resolved() {
+        if whole.is_resolved(chains) {
             panels.truncate(first);
             panels.push(whole);
             return Ok(false);
@@ -92,14 +92,28 @@ pub(super) fn resolve(
     Ok(true)
 }
 
-/// Whether components of these sizes and with these values on a panel that begins at `from` are resolved.
-fn resolved(contacts: usize, from: f64, size: impl Fn(usize) -> f64, values: impl Fn(usize) -> [f64; POINTS]) -> bool {
-    let n = contacts;
+/// Whether components of these sizes and with these values on a panel [from, to] are resolved.
+fn resolved(
+    chains: &Chains,
+    [from, to]: [f64; 2],
+    size: impl Fn(usize) -> f64,
+    values: impl Fn(usize) -> [f64; POINTS],
+) -> bool {
+    let n = chains.contacts();
+    // equal loads on a long wave leave what bending of the laminates above and below, ζ² larger, loses to rounding
+    let lost = |i: usize| {
+        let laminates = (i.saturating_sub(1)..(i + 1).min(n - 1)).filter(|laminate| chains.rounds(*laminate));
+        laminates.map(|laminate| size(2 * n + laminate)).fold(0.0, f64::max) / (1.0 + to * to)
+    };
+    // a coupling need be known only as well as the kernels that it couples
+    let coupled = |i: usize| size(i).min(from * from * size(n + i));
     (0..3 * n - 1).all(|c| {
         let own = size(c);
-        // a coupling need be known only as well as the kernels that it couples
-        let coupled = |i: usize| size(i).min(from * from * size(n + i));
-        let scale = if c < 2 * n { own } else { own.max(coupled(c - 2 * n)).max(coupled(c - 2 * n + 1)) };
+        let scale = match c / n {
+            0 => own,
+            1 => own.max(lost(c - n)),
+            _ => own.max(coupled(c - 2 * n)).max(coupled(c - 2 * n + 1)),
+        };
         own == 0.0 || chebyshev::legendre_tail(&values(c)) * own <= RESOLVED * scale
     })
 }
@@ -139,7 +153,7 @@ impl Panel {
     }
 
     /// Whether one panel would resolve what this one and the next, of the same width, do.
-    fn is_one_with(&self, next: &Self) -> bool {
+    fn is_one_with(&self, chains: &Chains, next: &Self) -> bool {
         /// What the values at the Gauss points of a half contribute to those at the points of both that lie in it.
         static HALVES: LazyLock<Vec<[f64; POINTS]>> = LazyLock::new(|| {
             let nodes = quadrature::rule(POINTS).nodes.iter();
@@ -151,7 +165,7 @@ impl Panel {
                 HALVES[k].iter().zip(&half.values[c]).map(|(part, value)| part * value).sum()
             })
         };
-        resolved(self.contacts, self.from, |c| self.size(c).max(next.size(c)), both)
+        resolved(chains, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
     }
 
     /// Adds a flexibility that is the same for all wavenumbers to contact 0.
@@ -168,8 +182,8 @@ impl Panel {
         self.values[c].iter().fold(0.0, |size, value| size.max(value.abs()))
     }
 
-    fn is_resolved(&self) -> bool {
-        resolved(self.contacts, self.from, |c| self.size(c), |c| self.values[c])
+    fn is_resolved(&self, chains: &Chains) -> bool {
+        resolved(chains, [self.from, self.to], |c| self.size(c), |c| self.values[c])
     }
 
     /// The largest value of a component less `limit`, on the Gauss points.
