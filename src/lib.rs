@@ -58,7 +58,7 @@
 #![deny(missing_docs)]
 
 mod contact;
-mod error;
+mod errors;
 pub mod exact;
 mod field;
 #[cfg(feature = "files")]
@@ -79,10 +79,11 @@ pub mod stress;
 mod sweep;
 mod system;
 
-pub use error::{Error, NoSolution};
-pub use field::{Field, FieldPoint, FieldQuantity, Grid, MaxShear, Spot};
+pub use contact::{ContactError, NoSolution};
+pub use errors::Error;
+pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Spot};
 pub use model::{Model, solve};
-pub use options::{Method, Options};
+pub use options::{Method, Options, OptionsError};
 /// The layers' own crate: for layer types of one's own, and the laws they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{
@@ -92,7 +93,7 @@ pub use recede_layers::{
 };
 pub use scene::{
     Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,
-    Vocabulary,
+    ValueError, Vocabulary,
 };
 pub use solution::{Contact, Interface, Part, Solution, Stats};
 pub use stack::{
@@ -102,5 +103,5 @@ pub use stack::{
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;
 pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep};
-pub use system::{BaseChain, FreeChain};
+pub use system::{BaseChain, FreeChain, Unresolved};
 pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

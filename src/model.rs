@@ -4,8 +4,8 @@ use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
 use crate::contact::{self, Lattice};
-use crate::error::Error;
-use crate::field::Field;
+use crate::errors::Error;
+use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::scene::{Force, Punch, Scene};
@@ -50,6 +50,7 @@ impl Model {
     /// # Errors
     /// [`Error::Unresolved`] if a layer's fields are not finite at some wavenumber, or vary too fast with it.
     pub fn new(stack: Stack) -> Result<Self, Error> {
+        stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
         Ok(Self { key: Some(key(&stack)), interfaces: stack.contacts(), stack, kernel, lattice: None })
     }
@@ -81,12 +82,12 @@ impl Model {
     /// Presses a punch with a force (per unit length out of plane) on the stack.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] or [`Error::Tolerance`] if a number is not legal; [`Error::Stack`] if an elastic punch is stiffer
+    /// [`Error::Value`] or [`Error::Options`] if a number is not legal; [`Error::Stack`] if an elastic punch is stiffer
     /// or softer than the layers beyond [`MAX_CONTRAST`](crate::MAX_CONTRAST); [`Error::NoSolution`] if no contact
     /// lengths were found for which all pressures push and nothing overlaps.
     pub fn press_with(&self, punch: &Punch, force: impl Into<Force>, options: &Options) -> Result<Solution, Error> {
         let force = force.into().checked()?;
-        Error::check_tolerance(options)?;
+        options.check()?;
         if let Some(material) = punch.material() {
             self.stack.check_punch(&material)?;
         }
@@ -97,16 +98,16 @@ impl Model {
                 contact::press_to(kernel, lattice, &self.interfaces, punch, half_length, options)
             }
         };
-        solution.map(|solution| Solution { stack: self.key, ..solution })
+        Ok(Solution { stack: self.key, ..solution? })
     }
 
     /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.
     ///
     /// # Errors
-    /// [`Error::OtherStack`] if the solution is one of another stack.
-    pub fn field(&self, solution: &Solution) -> Result<Field, Error> {
+    /// [`FieldError::OtherStack`] if the solution is one of another stack.
+    pub fn field(&self, solution: &Solution) -> Result<Field, FieldError> {
         if solution.stack != self.key {
-            return Err(Error::OtherStack);
+            return Err(FieldError::OtherStack);
         }
         Ok(Field::new(&self.stack, solution))
     }
@@ -125,6 +126,16 @@ fn key(stack: &Stack) -> u64 {
     // a layer that refuses to be shown is known by what was shown before it
     let _ = write!(text, "{stack:?}");
     text.0.finish()
+}
+
+impl Scene {
+    /// The checked structure of the scene's stack.
+    ///
+    /// # Errors
+    /// As [`Stack::from_items`], with line and column if the scene was read from a text.
+    pub fn stack(&self) -> Result<Stack, Error> {
+        Stack::from_items(self.plane, &self.stack).map_err(|error| self.locate(error.into()))
+    }
 }
 
 /// Solves a scene to ten digits.
@@ -162,7 +173,7 @@ mod tests {
         let own = model(&[1.0, 1.0], 1.0);
         for other in [model(&[], 1.0), model(&[1.0], 1.0), model(&[1.0, 1.0], 2.0), model(&[1.0, 1.5], 1.0)] {
             for (model, solution) in [(&own, press(&other)), (&other, press(&own))] {
-                assert!(matches!(model.field(&solution), Err(Error::OtherStack)));
+                assert!(matches!(model.field(&solution), Err(FieldError::OtherStack)));
             }
         }
         let rebuilt = model(&[1.0, 1.0], 1.0).for_many_loads();

@@ -27,3 +27,22 @@ impl Default for Options {
         Self { tolerance: 1e-10, method: Method::default() }
     }
 }
+
+/// Why options say nothing that can be fulfilled.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum OptionsError {
+    /// A relative tolerance that double precision cannot reach, or that says nothing.
+    #[error("tolerance: found {found:?}, allowed is 1e-13 <= tolerance <= 1e-2")]
+    Tolerance {
+        /// The tolerance asked for.
+        found: f64,
+    },
+}
+
+impl Options {
+    /// Checks what a solution has to fulfil.
+    pub(crate) fn check(&self) -> Result<(), OptionsError> {
+        let found = self.tolerance;
+        if (1e-13..=1e-2).contains(&found) { Ok(()) } else { Err(OptionsError::Tolerance { found }) }
+    }
+}

@@ -9,7 +9,8 @@ mod support;
 use std::f64::consts::PI;
 
 use recede::{
-    Error, Exponential, HalfPlane, Homogeneous, Load, Method, Model, Options, Plane, Punch, Scene, Solution, Stack,
+    ContactError, Error, Exponential, HalfPlane, Homogeneous, Load, Method, Model, Options, Plane, Punch, Scene,
+    Solution, Stack,
 };
 
 fn model(stack: recede::StackBuilder) -> Model {
@@ -164,7 +165,10 @@ fn where_it_cannot_be_it_is_said() {
     let (_, model) = layered().remove(0);
     let options = Options { method: Method::Collocation, ..Options::default() };
     let refused = model.press_with(&Punch::flat(0.5).unwrap(), 0.01, &options).unwrap_err();
-    assert!(matches!(refused, Error::FlatByCollocation) && refused.hint().unwrap().contains("RoundedFlat"));
+    assert!(
+        matches!(refused, Error::Contact(ContactError::FlatByCollocation))
+            && refused.hint().unwrap().contains("RoundedFlat")
+    );
     assert!(Punch::flat(0.0).is_err());
 }
 

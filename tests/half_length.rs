@@ -9,8 +9,8 @@
 mod support;
 
 use recede::{
-    Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane, Punch, Scene, Stack, Sweep,
-    report::SweepCsv,
+    ContactError, Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane, Punch, Scene,
+    Stack, Sweep, report::SweepCsv,
 };
 
 fn half_plane() -> Model {
@@ -101,7 +101,7 @@ fn what_no_force_brings_about_is_refused() {
         assert!(matches!(error, Error::NoSolution(NoSolution::HalfLength { .. })) && error.is_input(), "{error}");
     }
     let load = refused(Punch::Given(Load::Line), 1.0);
-    assert!(matches!(load, Error::LoadWithHalfLength) && load.is_input());
+    assert!(matches!(load, Error::Contact(ContactError::LoadWithHalfLength)) && load.is_input());
     assert!(refused(Punch::parabola(1.0).unwrap(), -1.0).to_string().starts_with("half_length: found -1.0"));
 }
 

@@ -75,7 +75,7 @@ const PIECES: [&str; 24] = [
 fn read(bytes: &[u8]) -> Result<Scene, Error> {
     let start = Instant::now();
     let scene = Scene::from_reader("hostile", bytes, &Registry::default());
-    let read = scene.and_then(|scene| scene.stack().map(|_| scene));
+    let read = scene.map_err(Error::from).and_then(|scene| scene.stack().map(|_| scene));
     if let Err(error) = &read {
         assert!(error.is_input(), "{error}");
         assert!(!error.to_string().is_empty());

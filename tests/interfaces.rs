@@ -253,7 +253,7 @@ fn scenes_name_them_draw_them_and_print_them() {
 fn springs_that_are_none_are_refused_where_they_stand() {
     let said = |from: &str, to: &str| {
         let scene = Scene::from_ron(&SCENE.replace(from, to));
-        scene.and_then(|scene| scene.stack()).unwrap_err().to_string()
+        scene.map_err(recede::Error::from).and_then(|scene| scene.stack()).unwrap_err().to_string()
     };
     assert_eq!(
         said("normal: 2", "normal: 0"),

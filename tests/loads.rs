@@ -9,8 +9,8 @@ mod support;
 
 use recede::exact::line_load;
 use recede::{
-    Error, Exponential, HalfPlane, Homogeneous, Load, Method, Model, Options, Plane, Punch, Scene, Solution, Stack,
-    StackBuilder,
+    ContactError, Error, Exponential, HalfPlane, Homogeneous, Load, Method, Model, Options, Plane, Punch, Scene,
+    Solution, Stack, StackBuilder,
 };
 
 fn strip() -> StackBuilder {
@@ -343,5 +343,5 @@ fn the_command_solves_them() {
     let model = Model::new(strip().rigid().build().unwrap()).unwrap();
     let options = Options { method: Method::Collocation, ..Options::default() };
     let refused = model.press_with(&Punch::Given(Load::Line), 1.0, &options);
-    assert!(matches!(refused, Err(Error::LoadByCollocation)));
+    assert!(matches!(refused, Err(Error::Contact(ContactError::LoadByCollocation))));
 }

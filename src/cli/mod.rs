@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use recede::plot::PlotError;
-use recede::{Error, Registry, Scene};
+use recede::{Error, FieldError, Registry, Scene, SceneError};
 
 /// Receding and advancing contact of layered elastic stacks.
 #[derive(Debug, Parser)]
@@ -92,6 +92,18 @@ pub enum Failure {
     Wrong(usize),
 }
 
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        Self::Scene(error.into())
+    }
+}
+
+impl From<FieldError> for Failure {
+    fn from(error: FieldError) -> Self {
+        Self::Scene(error.into())
+    }
+}
+
 impl Failure {
     fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self::Usage { message: message.into(), hint: hint.into() }
@@ -145,7 +157,7 @@ struct SceneFile {
 }
 
 impl SceneFile {
-    fn read(&self) -> Result<Scene, Error> {
+    fn read(&self) -> Result<Scene, SceneError> {
         if self.scene == Path::new("-") {
             Scene::from_reader("stdin", io::stdin().lock(), &Registry::default())
         } else {

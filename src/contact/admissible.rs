@@ -4,8 +4,8 @@
 //! programme, has one solution only, and these two signs tell it.
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::Error;
-use crate::error::NoSolution;
+use crate::contact::error::ContactError;
+use crate::contact::error::NoSolution;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
@@ -52,6 +52,12 @@ const CANTILEVER: f64 = 3.0;
 /// A pressure that grows like the root of the distance from its end holds a moment like this power of the distance.
 const POWER: f64 = 0.4;
 
+/// Smaller pulls, against the largest pressure, are of the sums over modes.
+const FEIGNED: f64 = 1e-7;
+
+/// A pressure that pulls is wrong by so many times as much.
+const PULLED: f64 = 2.0;
+
 /// What the check found, in units of the kernel per unit of P'.
 pub(super) struct Check {
     pub(super) min_pressure: f64,
@@ -80,13 +86,29 @@ impl Overlap {
     }
 }
 
+impl Level {
+    /// Errors cover what an answer is seen to be wrong by: pressures that pull, and bodies that touch again with next to no
+    /// force, which is left out.
+    pub(super) fn admit(&mut self, check: &Check) {
+        for (error, pull) in self.errors.iter_mut().zip(&check.pulls).filter(|(_, pull)| **pull > FEIGNED) {
+            error[1] = error[1].max(PULLED * pull);
+        }
+        for overlap in &check.overlaps {
+            for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
+                error[0] += overlap.moves();
+            }
+            self.errors.iter_mut().for_each(|error| error[1] += overlap.moment);
+        }
+    }
+}
+
 /// Smallest pressure inside and smallest gap outside the contacts.
 pub(super) fn check(
     kernel: &Kernel,
     interfaces: &[Interface],
     punch: &Indentation,
     level: &Level,
-) -> Result<Check, Error> {
+) -> Result<Check, ContactError> {
     let most = MOST_FEIGNED.max(level.worst_error());
     let (min_pressure, pulls) = pushes(kernel, interfaces, punch, level, most)?;
     let mut check = Check { min_pressure, pulls, min_gap: 0.0, overlaps: Vec::new() };
@@ -139,7 +161,7 @@ pub(super) fn pushes(
     punch: &Indentation,
     level: &Level,
     most: f64,
-) -> Result<(f64, Vec<f64>), Error> {
+) -> Result<(f64, Vec<f64>), ContactError> {
     let (mut min_pressure, mut pulls) = (0.0f64, Vec::with_capacity(level.modes.len()));
     for (i, modes) in level.modes.iter().enumerate() {
         let mut pressures = pressures(modes, modes.len());
@@ -272,7 +294,7 @@ struct Waves {
 }
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
-fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Error> {
+fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, ContactError> {
     let felt = |most: usize| -> Vec<Vec<f64>> {
         let own = |modes: &Vec<f64>| {
             let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);

@@ -1,7 +1,7 @@
 //! Which starts are tried, one after the other, until an answer is found that can be believed.
 use std::cell::Cell;
 
-use crate::error::{Error, NoSolution};
+use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
@@ -42,9 +42,9 @@ pub(super) fn from_any_start(
     interfaces: &[Interface],
     indentation: &Indentation,
     options: &Options,
-    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Answer, Error>,
+    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Answer, ContactError>,
     last_resort: impl FnOnce(&[f64], f64) -> Option<Solution>,
-) -> Result<Solution, Error> {
+) -> Result<Solution, ContactError> {
     let expected = start::half_lengths(kernel, indentation)?;
     // an answer of few digits may be that of a false root: another one is looked for
     let mut doubtful: Option<(f64, Answer)> = None;
@@ -67,12 +67,12 @@ pub(super) fn from_any_start(
             Err(NoSolution::NotConverged { half_lengths }.into())
         });
     let solution = match (decided, doubtful) {
-        (Err(Error::NoSolution(_)), Some((_, Answer { solution, again })))
+        (Err(ContactError::NoSolution(_)), Some((_, Answer { solution, again })))
             if in_parts.get().is_none_or(|interface| again.contains(&interface)) =>
         {
             Ok(solution)
         }
-        (Err(Error::NoSolution(failure)), _) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => {
+        (Err(ContactError::NoSolution(failure)), _) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => {
             last_resort(&expected, far.get()).ok_or(failure.into())
         }
         (decided, _) => decided,
@@ -90,10 +90,10 @@ fn decide(
     expected: &[f64],
     in_parts: &Cell<Option<Interface>>,
     far: &Cell<f64>,
-    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, Error>,
-) -> Result<Solution, Error> {
+    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, ContactError>,
+) -> Result<Solution, ContactError> {
     let mut failure = match solve(expected.to_vec(), 1) {
-        Err(Error::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
+        Err(ContactError::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
         decided => return decided,
     };
     let (mut zones, mut for_certain) = (None, None);
@@ -127,7 +127,7 @@ fn decide(
             let mut half_lengths = ends.clone();
             for so_far in 0..SHORTER {
                 match solve(half_lengths.clone(), finer) {
-                    Err(Error::NoSolution(found)) => failure = found,
+                    Err(ContactError::NoSolution(found)) => failure = found,
                     decided => return decided,
                 }
                 // there are roots whose contacts reach past where they should end
@@ -164,7 +164,7 @@ fn several(
     interfaces: &[Interface],
     zones: Option<&[convex::Zones]>,
     certain: bool,
-) -> Option<(Interface, Error)> {
+) -> Option<(Interface, ContactError)> {
     let finite = |zones: &convex::Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
     // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
     let count = |zones: &convex::Zones| if certain { finite(zones) } else { zones.apart.len() };

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 use crate::kernel::Kernel;
 use crate::numeric;
 
-use super::admissible::Check;
 use super::converged::Converged;
 use super::galerkin::{Modes, Rows, alternating, order};
 use super::layout::Layout;
@@ -32,12 +31,6 @@ pub(super) const ENDLESS: f64 = 1.0;
 
 /// An iteration that leaves more than this was not done.
 pub(super) const LOST: f64 = 1e-6;
-
-/// Smaller pulls, against the largest pressure, are of the sums over modes.
-const PULL: f64 = 1e-7;
-
-/// A pressure that pulls is wrong by so many times as much.
-const PULLED: f64 = 2.0;
 
 /// Half-lengths feel at least this part of what is missing of pressures, whatever the last modes say.
 const FELT: f64 = 1e-3;
@@ -227,20 +220,6 @@ impl Level {
             tails,
             waves,
             rest,
-        }
-    }
-
-    /// Errors cover what an answer is seen to be wrong by: pressures that pull, and bodies that touch again with next to no
-    /// force, which is left out.
-    pub(super) fn admit(&mut self, check: &Check) {
-        for (error, pull) in self.errors.iter_mut().zip(&check.pulls).filter(|(_, pull)| **pull > PULL) {
-            error[1] = error[1].max(PULLED * pull);
-        }
-        for overlap in &check.overlaps {
-            for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
-                error[0] += overlap.moves();
-            }
-            self.errors.iter_mut().for_each(|error| error[1] += overlap.moment);
         }
     }
 

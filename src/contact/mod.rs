@@ -6,6 +6,7 @@ mod collocation;
 mod columns;
 mod converged;
 mod convex;
+mod error;
 mod fading;
 mod galerkin;
 mod given;
@@ -26,13 +27,13 @@ mod thin;
 
 use std::f64::consts::PI;
 
-use crate::error::Error;
 use crate::kernel::{self, Kernel};
 use crate::numeric;
 use crate::options::{Method, Options};
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
+pub use error::{ContactError, NoSolution};
 pub(crate) use lattice::Lattice;
 pub(crate) use prescribed::press_to;
 
@@ -59,7 +60,7 @@ pub(crate) fn press(
     punch: &Punch,
     force: f64,
     options: &Options,
-) -> Result<Solution, Error> {
+) -> Result<Solution, ContactError> {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let lattice = lattice.filter(|_| with_punch.is_none());
     let kernel = with_punch.as_ref().unwrap_or(kernel);
@@ -67,10 +68,10 @@ pub(crate) fn press(
     let kernel = measured.as_ref().unwrap_or(kernel);
     let indentation = Indentation::new(punch, kernel, force);
     if punch.load().is_some() && options.method == Method::Collocation {
-        return Err(Error::LoadByCollocation);
+        return Err(ContactError::LoadByCollocation);
     }
     if indentation.flat().is_some() && options.method == Method::Collocation {
-        return Err(Error::FlatByCollocation);
+        return Err(ContactError::FlatByCollocation);
     }
     let solution = match options.method {
         Method::Collocation => collocation::press(kernel, interfaces, &indentation, options)?,
@@ -86,7 +87,7 @@ fn solve_with_thin_layers(
     interfaces: &[Interface],
     indentation: &Indentation,
     options: &Options,
-) -> Result<Solution, Error> {
+) -> Result<Solution, ContactError> {
     let all = || solve(kernel, lattice, interfaces, indentation, options);
     let Some(thin) = Thin::new(kernel, indentation)? else { return all() };
     let without = || {
@@ -96,7 +97,7 @@ fn solve_with_thin_layers(
         Ok(thin.admit(solution, interfaces))
     };
     if thin.error <= options.tolerance || thin.is_unresolved() {
-        return without().or_else(|_: Error| all());
+        return without().or_else(|_: ContactError| all());
     }
     let found = all();
     if found.as_ref().is_ok_and(|all| worst(all) <= thin.error) {
@@ -127,7 +128,7 @@ fn solve(
     interfaces: &[Interface],
     indentation: &Indentation,
     options: &Options,
-) -> Result<Solution, Error> {
+) -> Result<Solution, ContactError> {
     let mut work = newton::Work::default();
     if indentation.given().is_some() && kernel.contacts() == 1 {
         // nothing is unknown

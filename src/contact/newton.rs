@@ -1,5 +1,5 @@
 //! Newton's method for the logarithms of the half-lengths, with given numbers of modes.
-use crate::error::{Error, NoSolution};
+use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
 
 use super::basis::Basis;
@@ -74,7 +74,7 @@ impl<'a> Newton<'a> {
         half_lengths: Vec<f64>,
         counts: &[usize],
         tolerance: f64,
-    ) -> Result<(Vec<f64>, Modes), Error> {
+    ) -> Result<(Vec<f64>, Modes), ContactError> {
         // contacts that are tied together feel small changes of derivatives, and what their modes miss is judged by how far
         // these half-lengths are off
         let tied = ties(self.kernel, &half_lengths).contains(&true);
@@ -121,7 +121,7 @@ impl<'a> Newton<'a> {
         modes: &[usize],
         negligible: f64,
         [enough, little]: [f64; 2],
-    ) -> Result<Point, Error> {
+    ) -> Result<Point, ContactError> {
         let (kernel, punch) = (self.kernel, self.punch);
         let start = half_lengths.clone();
         let mut corners = punch.flat().map(|_| 1.0);
@@ -241,7 +241,7 @@ pub(super) fn ties(kernel: &Kernel, half_lengths: &[f64]) -> Vec<bool> {
 }
 
 /// The error of a lost Newton iteration: at the edge of the punch, the punch is to blame.
-pub(super) fn not_converged(kernel: &Kernel, punch: &Indentation, half_lengths: &[f64]) -> Error {
+pub(super) fn not_converged(kernel: &Kernel, punch: &Indentation, half_lengths: &[f64]) -> ContactError {
     if let Some(error) = punch.too_small(half_lengths[0]) {
         return error;
     }

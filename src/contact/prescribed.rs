@@ -3,7 +3,7 @@
 //! The half-length grows with the force: the logarithm of the one is found as a function of that of the other by the secant
 //! method, kept between forces known to be too small and too large. A force at which the solver fails says nothing of the
 //! half-length: another one is tried.
-use crate::error::{Error, NoSolution};
+use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
 use crate::scene::Punch;
@@ -30,9 +30,9 @@ pub(crate) fn press_to(
     punch: &Punch,
     half_length: f64,
     options: &Options,
-) -> Result<Solution, Error> {
+) -> Result<Solution, ContactError> {
     if punch.load().is_some() {
-        return Err(Error::LoadWithHalfLength);
+        return Err(ContactError::LoadWithHalfLength);
     }
     let unreachable = |below, above| NoSolution::HalfLength { punch: punch.label(), half_length, below, above };
     let (flat, edge) = (punch.shape().flat(), punch.max_half_length());
@@ -60,8 +60,8 @@ pub(crate) fn press_to(
                 }
             }
             // so much that the punch is too small for it
-            Err(Error::NoSolution(NoSolution::PunchTooSmall { .. })) => search.too_large(),
-            Err(Error::NoSolution(failure)) => search.failed(failure),
+            Err(ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => search.too_large(),
+            Err(ContactError::NoSolution(failure)) => search.failed(failure),
             Err(error) => return Err(error),
         }
         if search.is_narrow() {

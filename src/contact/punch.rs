@@ -4,7 +4,7 @@
 //! its half-length. Powers of |x| have closed forms, a circle is analytic, and pieces are integrated one by one.
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::error::{Error, NoSolution};
+use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
 use crate::scene::{Load, Piece, Punch, Shape};
@@ -110,7 +110,7 @@ impl<'a> Indentation<'a> {
     }
 
     /// The error to report if a contact has grown to `half_length` and that is the edge of the punch.
-    pub(super) fn too_small(&self, half_length: f64) -> Option<Error> {
+    pub(super) fn too_small(&self, half_length: f64) -> Option<ContactError> {
         let edge = self.shape.edge().filter(|_| self.flat().is_none())?;
         (half_length * self.length > NEARLY * edge)
             .then(|| NoSolution::PunchTooSmall { punch: self.punch.label(), edge }.into())

@@ -1,5 +1,5 @@
 //! More and more modes, until the tolerance is met.
-use crate::error::Error;
+use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::solution::Interface;
@@ -51,7 +51,7 @@ pub(super) fn refine(
     start: Start,
     options: &Options,
     work: &mut Work,
-) -> Result<(Level, Vec<String>), Error> {
+) -> Result<(Level, Vec<String>), ContactError> {
     let (half_lengths, finer, nearby) = match start {
         Start::Formulas { half_lengths, finer } => (half_lengths, finer, None),
         Start::Nearby { half_lengths, modes } => (half_lengths, 1, Some(modes)),

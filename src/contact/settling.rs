@@ -1,5 +1,5 @@
 //! Rounds of iteration: more modes than are solved for, and the last digits of half-lengths and pressures.
-use crate::error::Error;
+use crate::contact::error::ContactError;
 
 use super::converged::Converged;
 use super::galerkin::Equations;
@@ -41,7 +41,7 @@ impl Newton<'_> {
         solved: &[usize],
         modes: &[usize],
         tolerance: f64,
-    ) -> Result<Converged, Error> {
+    ) -> Result<Converged, ContactError> {
         let tied = self.tied(&half_lengths, solved, modes);
         let (mut found, settled) = self.settle(half_lengths.clone(), &tied.0, &tied.1, tolerance)?;
         if !settled
@@ -87,7 +87,7 @@ impl Newton<'_> {
         solved: &[usize],
         modes: &[usize],
         tolerance: f64,
-    ) -> Result<(Converged, bool), Error> {
+    ) -> Result<(Converged, bool), ContactError> {
         let start = half_lengths.clone();
         let linear = linear(tolerance, solved);
         let Point { mut half_lengths, mut corners, pressures, linearised, layout } =

@@ -1,5 +1,5 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
-use crate::Error;
+use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::scene::Punch;
 
@@ -30,7 +30,7 @@ pub(super) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> f
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
 /// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
-pub(super) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Option<f64>, Error> {
+pub(super) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Option<f64>, ContactError> {
     if !kernel.has_no_length() {
         return Ok(None);
     }
@@ -42,7 +42,7 @@ pub(super) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Optio
 }
 
 /// Half-lengths in units of L, from the top down.
-pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, Error> {
+pub(super) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, ContactError> {
     let first = match punch.given() {
         Some(given) => given.half_length,
         None => punch.flat().map_or_else(|| under_punch(kernel, punch), Ok)?,
@@ -68,7 +68,7 @@ pub(super) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
 }
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
-fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, Error> {
+fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, ContactError> {
     let (mut low, mut high) = (-LONGEST, punch.max_half_length().map_or(LONGEST, f64::ln));
     // the logarithm of the force is nearly linear in that of the half-length
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);

@@ -10,7 +10,7 @@
 //! solved without these waves, and that change is part of the error.
 use std::f64::consts::PI;
 
-use crate::error::Error;
+use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::solution::{Contact, Interface, Solution};
 
@@ -47,7 +47,7 @@ pub(super) struct Thin {
 
 impl Thin {
     /// `None` if modes resolve all that matters.
-    pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, Error> {
+    pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, ContactError> {
         let mut half_lengths = start::half_lengths(kernel, punch)?;
         let (contacts, joined) = (Vec::new(), Vec::new());
         let mut thin = Self { kernel: kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
@@ -71,7 +71,7 @@ impl Thin {
 
     /// Leaves out the laminate below a contact, which is one with the next contact then, if modes do not resolve how far the
     /// laminate carries a line load.
-    fn join_below(&mut self, upper: usize, half_lengths: &mut Vec<f64>) -> Result<(), Error> {
+    fn join_below(&mut self, upper: usize, half_lengths: &mut Vec<f64>) -> Result<(), ContactError> {
         let (a, carried) = (half_lengths[upper], start::carried(&self.kernel, upper));
         if carried.is_nan() || carried * (2 * FINEST) as f64 > a {
             return Ok(());

@@ -3,8 +3,9 @@ use std::sync::Arc;
 
 use recede_layers::{Layer, Material, Plane, State, Wave};
 
+use super::potentials::Components;
 use super::pressure::Pressure;
-use super::surface::{Components, Surface};
+use super::surface::Surface;
 use crate::stack::{Foundation, Placed, Stack};
 use crate::system::{BaseChain, FreeChain, Load, slowest_decay};
 

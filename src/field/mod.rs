@@ -5,8 +5,10 @@
 //! half-plane of the face's material does is subtracted there and added in closed form.
 mod body;
 mod decay;
+mod error;
 mod peak;
 mod point;
+mod potentials;
 mod pressure;
 mod roots;
 mod strip;
@@ -20,10 +22,10 @@ use recede_layers::Plane;
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Spot};
 
-use crate::error::Error;
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 use crate::system::Load;
+pub use error::FieldError;
 
 use body::{Body, Stratum};
 use pressure::Pressure;
@@ -106,22 +108,22 @@ impl Field {
     /// Stresses and displacements at a point; on an interface, those of the layer below.
     ///
     /// # Errors
-    /// [`Error::Outside`] if there is nothing at this depth.
-    pub fn at(&self, x: f64, depth: f64) -> Result<FieldPoint, Error> {
+    /// [`FieldError::Outside`] if there is nothing at this depth.
+    pub fn at(&self, x: f64, depth: f64) -> Result<FieldPoint, FieldError> {
         self.at_spot(Spot { x, depth, layer: None })
     }
 
     /// Stresses and displacements at a point of a layer, numbered from the top as written in the scene, starting at 1.
     ///
     /// # Errors
-    /// [`Error::Outside`] if the layer is not there, or not at this depth.
-    pub fn at_layer(&self, x: f64, depth: f64, layer: usize) -> Result<FieldPoint, Error> {
+    /// [`FieldError::Outside`] if the layer is not there, or not at this depth.
+    pub fn at_layer(&self, x: f64, depth: f64, layer: usize) -> Result<FieldPoint, FieldError> {
         self.at_spot(Spot { x, depth, layer: Some(layer) })
     }
 
-    fn at_spot(&self, spot: Spot) -> Result<FieldPoint, Error> {
+    fn at_spot(&self, spot: Spot) -> Result<FieldPoint, FieldError> {
         let points = self.points(&[spot])?;
-        points.into_iter().next().ok_or(Error::Outside { place: spot.to_string(), allowed: self.allowed() })
+        points.into_iter().next().ok_or(FieldError::Outside { place: spot.to_string(), allowed: self.allowed() })
     }
 
     /// The estimated error of the stresses at a point, in stress: that of the pressures, and what sums over wavenumbers
@@ -140,8 +142,8 @@ impl Field {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Outside`] if the layer is not there, or not at this depth.
-    pub fn stress_error(&self, spot: &Spot) -> Result<f64, Error> {
+    /// [`FieldError::Outside`] if the layer is not there, or not at this depth.
+    pub fn stress_error(&self, spot: &Spot) -> Result<f64, FieldError> {
         let row = self.row(spot, 0)?;
         let face = (row.depth == 0.0).then(|| self.bodies[self.strata[row.stratum].body].contact);
         let singular = face.is_some_and(|contact| self.pressures[contact].singularity(spot.x).is_some());
@@ -152,7 +154,7 @@ impl Field {
     ///
     /// # Errors
     /// As [`Self::at`] and [`Self::at_layer`].
-    pub fn points(&self, spots: &[Spot]) -> Result<Vec<FieldPoint>, Error> {
+    pub fn points(&self, spots: &[Spot]) -> Result<Vec<FieldPoint>, FieldError> {
         let mut rows = Vec::with_capacity(spots.len());
         let mut sets = Vec::with_capacity(spots.len());
         for spot in spots {
@@ -180,7 +182,7 @@ impl Field {
     ///
     /// # Errors
     /// As [`Self::at`].
-    pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, Error> {
+    pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, FieldError> {
         let spot =
             |depth: &f64| self.row(&Spot { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
         let rows: Vec<Row> = depths.iter().map(spot).collect::<Result<_, _>>()?;
@@ -204,7 +206,7 @@ impl Field {
     ///
     /// # Errors
     /// As [`Self::at`].
-    pub fn by_layer(&self, xs: &[f64], depths: &[f64]) -> Result<Vec<Grid>, Error> {
+    pub fn by_layer(&self, xs: &[f64], depths: &[f64]) -> Result<Vec<Grid>, FieldError> {
         let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return Ok(Vec::new()) };
         for depth in [first, last] {
             self.row(&Spot { x: 0.0, depth: *depth, layer: None }, 0)?;
@@ -232,7 +234,7 @@ impl Field {
     }
 
     /// Points in rows at the same places along x.
-    fn in_rows(&self, xs: &[f64], rows: &[Row]) -> Result<Vec<FieldPoint>, Error> {
+    fn in_rows(&self, xs: &[f64], rows: &[Row]) -> Result<Vec<FieldPoint>, FieldError> {
         if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
             return Err(self.outside(&Spot { x: *x, depth: 0.0, layer: None }));
         }
@@ -251,8 +253,8 @@ impl Field {
     /// The largest shear stress in the plane anywhere in the stack, (σ₁ − σ₂)/2, and where it is.
     ///
     /// # Errors
-    /// [`Error::Unresolved`] if the fields cannot be computed.
-    pub fn max_shear(&self) -> Result<MaxShear, Error> {
+    /// [`FieldError::Unresolved`] if the fields cannot be computed.
+    pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
         peak::max_shear(self)
     }
 
@@ -262,7 +264,7 @@ impl Field {
     }
 
     /// Which layer a point is in, and how deep.
-    fn row(&self, spot: &Spot, set: usize) -> Result<Row, Error> {
+    fn row(&self, spot: &Spot, set: usize) -> Result<Row, FieldError> {
         let Spot { x, depth, layer } = *spot;
         let near = |face: f64| face.is_finite() && (depth - face).abs() <= ON_INTERFACE * face;
         let here = |stratum: &Stratum| {
@@ -278,8 +280,8 @@ impl Field {
         Ok(Row { stratum, depth: if near(own.top) { 0.0 } else { within }, set })
     }
 
-    fn outside(&self, spot: &Spot) -> Error {
-        Error::Outside { place: spot.to_string(), allowed: self.allowed() }
+    fn outside(&self, spot: &Spot) -> FieldError {
+        FieldError::Outside { place: spot.to_string(), allowed: self.allowed() }
     }
 
     /// The depths at which there is something.

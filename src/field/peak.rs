@@ -1,10 +1,11 @@
 //! The largest shear stress: a coarse mesh in every layer, then parabolas through ever closer points around its peaks.
+use super::error::FieldError;
 use super::pressure::Pressure;
 use super::strip::Singularity;
 use super::sum::Row;
 use super::waves::{self, Precision};
 use super::{Field, FieldPoint};
-use crate::error::Error;
+use crate::system::Unresolved;
 
 /// Places of the coarse mesh in half-lengths of each contact next to the layer, its depths in half-lengths from a loaded
 /// face, and in thicknesses.
@@ -55,7 +56,7 @@ struct Peak {
     value: f64,
 }
 
-pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
+pub(super) fn max_shear(field: &Field) -> Result<MaxShear, FieldError> {
     if let Some(infinite) = infinite(field) {
         return Ok(infinite);
     }
@@ -77,10 +78,10 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, Error> {
     // of several that are the same the upper one
     let same = found.into_iter().filter(|peak| peak.value >= SAME * highest);
     let Some(Peak { stratum, x, depth, value }) = same.min_by_key(|peak| peak.stratum) else {
-        return Err(Error::Unresolved { wavenumber: 0.0 });
+        return Err(Unresolved { wavenumber: 0.0 }.into());
     };
     if !value.is_finite() {
-        return Err(Error::Unresolved { wavenumber: 0.0 });
+        return Err(Unresolved { wavenumber: 0.0 }.into());
     }
     let own = &field.strata[stratum];
     Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
@@ -106,7 +107,7 @@ fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
 }
 
 /// The peak next to a rough one, with all that is known of the pressures.
-fn exactly(field: &Field, rough: Peak) -> Result<Peak, Error> {
+fn exactly(field: &Field, rough: Peak) -> Result<Peak, FieldError> {
     let mut peak = [rough];
     if !climb(field, &mut peak, LAST, &waves::STRESSES)? {
         for step in AGAIN_FROM.into_iter().chain([LAST]) {
@@ -129,7 +130,7 @@ fn infinite(field: &Field) -> Option<MaxShear> {
 }
 
 /// The peaks of a coarse mesh.
-fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
+fn coarsely(field: &Field) -> Result<Vec<Peak>, FieldError> {
     let (mut rows, mut sets) = (Vec::new(), Vec::new());
     for (stratum, own) in field.strata.iter().enumerate() {
         let body = &field.bodies[own.body];
@@ -168,7 +169,7 @@ fn coarsely(field: &Field) -> Result<Vec<Peak>, Error> {
 
 /// From places to the peaks next to them in their layers, by parabolas through points so far from each other; whether each
 /// of the last ones had its peak inside.
-fn climb(field: &Field, peaks: &mut [Peak], step: f64, precision: &Precision) -> Result<bool, Error> {
+fn climb(field: &Field, peaks: &mut [Peak], step: f64, precision: &Precision) -> Result<bool, FieldError> {
     let mut climbing: Vec<usize> = (0..peaks.len()).collect();
     for _ in 0..AGAIN {
         let stencils: Vec<Stencil> = climbing.iter().map(|k| Stencil::new(field, &peaks[*k], step)).collect();
@@ -297,7 +298,7 @@ fn ascending(mut list: Vec<f64>) -> Vec<f64> {
 }
 
 /// The largest shear stress in the plane, row by row.
-fn values(field: &Field, rows: &[Row], sets: &[Vec<f64>], precision: &Precision) -> Result<Vec<Vec<f64>>, Error> {
+fn values(field: &Field, rows: &[Row], sets: &[Vec<f64>], precision: &Precision) -> Result<Vec<Vec<f64>>, FieldError> {
     let found = field.sum(rows, sets, precision)?;
     let of = |(row, components): (&Row, Vec<_>)| {
         let xs = &sets[row.set];

@@ -4,8 +4,8 @@ use std::fmt;
 use recede_layers::Plane;
 
 use super::Field;
+use super::potentials::Components;
 use super::sum::Row;
-use super::surface::Components;
 
 /// Where a field is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! A contact pressure as the bodies below and above it feel it: its transform, and potentials in closed form.
 use num_complex::Complex64;
 
+use super::potentials::Potentials;
 use super::strip::{Image, Singularity};
 use crate::solution::{Contact, Strip};
 
@@ -15,10 +16,6 @@ pub(super) struct Pressure {
     pub(super) half_length: f64,
     strips: Vec<(f64, Image)>,
 }
-
-/// G_n = (1/π) ∫ p̂ λⁿ e^(−λd + iλx) dλ at one point, n = 0, 1, 2: real parts belong to cos λx, imaginary ones to sin λx.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Potentials(pub(super) [Complex64; 3]);
 
 impl Pressure {
     pub(super) fn new(contact: &Contact) -> Self {

@@ -4,8 +4,8 @@
 use num_complex::Complex64;
 use recede_layers::Material;
 
-use super::pressure::{Potentials, Pressure};
-use super::surface::Components;
+use super::potentials::{Components, Potentials};
+use super::pressure::Pressure;
 
 /// Roots closer than this, in parts of their size, are taken to be so far apart: what that misses is integrated.
 const APART: f64 = 1e-5;

@@ -3,7 +3,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
 use num_complex::Complex64;
 
-use super::pressure::Potentials;
+use super::potentials::Potentials;
 use crate::solution::{Form, Strip};
 
 /// Terms of the potentials below this part of the largest one are left out.

@@ -7,11 +7,12 @@ use faer::{Accum, MatMut, MatRef, Par};
 use recede_layers::Wave;
 
 use super::body::{Body, Face, Stratum, components};
+use super::error::FieldError;
+use super::potentials::Components;
 use super::strip::Singularity;
-use super::surface::Components;
 use super::waves::{self, Felt, Panel, Precision};
 use super::{Field, Load};
-use crate::error::Error;
+use crate::system::Unresolved;
 
 /// Points at one depth.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +57,7 @@ impl Field {
         rows: &[Row],
         sets: &[Vec<f64>],
         precision: &Precision,
-    ) -> Result<Vec<Vec<Components>>, Error> {
+    ) -> Result<Vec<Vec<Components>>, FieldError> {
         if !precision.displacements {
             let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
             self.integrate(rows, sets, precision, &mut values)?;
@@ -123,7 +124,7 @@ impl Field {
         sets: &[Vec<f64>],
         precision: &Precision,
         values: &mut [Vec<Components>],
-    ) -> Result<(), Error> {
+    ) -> Result<(), FieldError> {
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
         let reach = |contact: usize| farthest + self.length(contact);
         let most = |contact: usize| waves::most(reach(contact));
@@ -152,10 +153,10 @@ impl Field {
             return self.integrate_apart(near, rows, sets, precision, values);
         }
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
-        let panels = waves::panels(&felt, self.origin(), precision).ok_or(Error::TooFar { x: farthest })?;
+        let panels = waves::panels(&felt, self.origin(), precision).ok_or(FieldError::TooFar { x: farthest })?;
         let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.strata.len()) as f64;
         if evaluations > precision.evaluations {
-            return Err(Error::TooLong { evaluations, allowed: precision.evaluations });
+            return Err(FieldError::TooLong { evaluations, allowed: precision.evaluations });
         }
         let mut sums: Vec<Sums> =
             sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
@@ -192,7 +193,7 @@ impl Field {
         sets: &[Vec<f64>],
         precision: &Precision,
         values: &mut [Vec<Components>],
-    ) -> Result<(), Error> {
+    ) -> Result<(), FieldError> {
         for is_near in [true, false] {
             let chosen = |set: &Vec<f64>| set.iter().copied().filter(|x| (*x <= near) == is_near).collect::<Vec<_>>();
             let own: Vec<Vec<f64>> = sets.iter().map(chosen).collect();
@@ -225,7 +226,7 @@ impl Field {
         active: &mut [Active],
         origins: &[f64],
         felt: &[Felt],
-    ) -> Result<Block, Error> {
+    ) -> Result<Block, FieldError> {
         let n = wavenumbers.len();
         let mut transforms: Vec<Vec<[f64; 2]>> = vec![Vec::new(); self.pressures.len()];
         let mut block = Block { values: vec![0.0; 5 * n * active.len()], references: vec![0.0; self.bodies.len()] };
@@ -262,7 +263,7 @@ impl Field {
             for (q, (wavenumber, weight)) in wavenumbers.iter().zip(weights).enumerate() {
                 let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
                 let load = self.load(body, *wavenumber, |contact| transforms[contact][q]);
-                let states = body.states(&wave, &depths, &load).ok_or(Error::Unresolved { wavenumber: *wavenumber })?;
+                let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
                 let displacement = 1.0 / (wavenumber * self.modulus);
                 let mut reference = 0.0;
                 let mut lifts: Vec<(usize, f64)> = Vec::new();

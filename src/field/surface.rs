@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector, Matrix4, Vector4};
 use num_complex::Complex64;
 use recede_layers::Material;
 
-use super::pressure::{Potentials, Pressure};
+use super::potentials::{Components, Potentials};
+use super::pressure::Pressure;
 use super::roots::Roots;
 
 /// Terms of the polynomials in t: of the half-plane, and of the variation of its material.
@@ -17,9 +18,6 @@ const VARIED: usize = 4;
 const SOLVED: f64 = 1e-9;
 /// The slope of the material is taken from differences over this part of a length.
 const STEP: f64 = 1e-3;
-
-/// σ_xx, σ_yy, σ_xy and the displacements u, v at a point or, transformed, λμ₀U and λμ₀V.
-pub(super) type Components = [f64; 5];
 
 /// One face, per unit of p̂ on it; the depth is measured from it into the body.
 #[derive(Clone, Debug)]

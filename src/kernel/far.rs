@@ -1,6 +1,6 @@
 //! Large wavenumbers: a contact feels nothing but the grading at its own faces.
-use crate::Error;
 use crate::numeric::chebyshev::{self, Series};
+use crate::system::Unresolved;
 
 use super::{Chains, Work};
 
@@ -25,7 +25,7 @@ pub(crate) struct Far {
 
 impl Far {
     /// Fits the kernel of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
-    pub(super) fn fit(chains: &Chains, contact: usize, from: f64, work: &mut Work) -> Result<Option<Self>, Error> {
+    pub(super) fn fit(chains: &Chains, contact: usize, from: f64, work: &mut Work) -> Result<Option<Self>, Unresolved> {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
         let mut components = vec![0.0; 3 * chains.contacts() - 1];
         let mut values = Vec::with_capacity(POINTS);

@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use recede_layers::{Flexibility, Isotropic, Layer, Plane, Wave};
 
-use crate::Error;
 use crate::stack::{Foundation, Stack};
+use crate::system::Unresolved;
 use crate::system::{BaseChain, FreeChain, Taken};
 
 pub(crate) use far::Far;
@@ -115,10 +115,10 @@ impl Chains {
     }
 
     /// All components at one wavenumber, `unit` and `coupling` behind `diagonal`, for the contacts that are `wanted`.
-    fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64], work: &mut Work) -> Result<(), Error> {
+    fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64], work: &mut Work) -> Result<(), Unresolved> {
         let wave = self.wave(zeta);
         let n = self.contacts();
-        let failed = || Error::Unresolved { wavenumber: wave.wavenumber };
+        let failed = || Unresolved { wavenumber: wave.wavenumber };
         components.fill(0.0);
         work.wavenumbers += 1;
         if work.wavenumbers > n * MOST_WAVENUMBERS {
@@ -171,14 +171,13 @@ fn felt(half_length: f64, zeta: f64) -> f64 {
 
 impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
-    pub(crate) fn new(stack: &Stack) -> Result<Self, Error> {
-        stack.check_faces()?;
+    pub(crate) fn new(stack: &Stack) -> Result<Self, Unresolved> {
         let (stack, merged) = stack.merged();
         Ok(Self { dropped: stack.dropped().len(), merged, ..Self::sampled(Chains::new(&stack))? })
     }
 
     /// The kernel of the stack without one of its laminates.
-    pub(crate) fn without(&self, laminate: usize) -> Result<Self, Error> {
+    pub(crate) fn without(&self, laminate: usize) -> Result<Self, Unresolved> {
         let mut chains = self.chains.clone();
         chains.laminates.remove(laminate);
         let kernel = Self::sampled(chains)?;
@@ -187,7 +186,7 @@ impl Kernel {
     }
 
     /// Samples chains until every component is resolved to rounding.
-    fn sampled(chains: Chains) -> Result<Self, Error> {
+    fn sampled(chains: Chains) -> Result<Self, Unresolved> {
         let n = chains.contacts();
         let (panels, far, work) = (Vec::new(), Vec::new(), Work::default());
         let mut kernel = Self { panels, far, work, dropped: 0, merged: 0, punch: 0.0, chains };
@@ -222,7 +221,7 @@ impl Kernel {
             halved = panel::resolve(&kernel.chains, [edge, next], halved, &wanted, panels, work)?;
             edge = next;
         }
-        Err(Error::Unresolved { wavenumber: edge / kernel.chains.length })
+        Err(Unresolved { wavenumber: edge / kernel.chains.length })
     }
 
     /// The same with a half-plane of another material on contact 0: all wavenumbers feel the same of it.
@@ -426,9 +425,9 @@ impl Kernel {
     }
 
     /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.
-    pub(crate) fn flexibilities(&self, zeta: f64) -> Result<(Vec<Flexibility>, f64), Error> {
+    pub(crate) fn flexibilities(&self, zeta: f64) -> Result<(Vec<Flexibility>, f64), Unresolved> {
         let wave = self.chains.wave(zeta);
-        let failed = || Error::Unresolved { wavenumber: wave.wavenumber };
+        let failed = || Unresolved { wavenumber: wave.wavenumber };
         let laminates: Option<Vec<Flexibility>> =
             self.chains.laminates.iter().map(|laminate| laminate.flexibility(&wave)).collect();
         Ok((laminates.ok_or_else(failed)?, self.chains.base.flexibility(&wave).ok_or_else(failed)?))

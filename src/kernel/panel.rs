@@ -1,10 +1,10 @@
 //! A stretch of the wavenumber axis on which all kernels are polynomials to rounding.
 use std::sync::LazyLock;
 
-use crate::Error;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
+use crate::system::Unresolved;
 
 use super::{Chains, Far, Work};
 
@@ -67,7 +67,7 @@ pub(super) fn resolve(
     wanted: &[bool],
     panels: &mut Vec<Panel>,
     work: &mut Work,
-) -> Result<bool, Error> {
+) -> Result<bool, Unresolved> {
     if !expected {
         let panel = Panel::new(chains, from, to, wanted, work)?;
         if panel.is_resolved(chains) || to < LOWEST || to - from < NARROWEST * to {
@@ -128,7 +128,7 @@ fn interpolation(x: f64) -> [f64; POINTS] {
 }
 
 impl Panel {
-    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Work) -> Result<Self, Error> {
+    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Work) -> Result<Self, Unresolved> {
         let contacts = chains.contacts();
         let components = 3 * contacts - 1;
         let mut values = vec![[0.0; POINTS]; components];

@@ -26,6 +26,7 @@ mod chart;
 mod ground;
 mod map;
 mod names;
+mod pressure;
 mod punch;
 mod scale;
 mod stack;

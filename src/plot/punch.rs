@@ -1,8 +1,8 @@
 //! The punch above a stack, and the force on it; or the load in its place.
 use super::canvas::{Anchor, Canvas, Stroke, italic};
 use super::names::{Dimension, unit};
+use super::pressure::{highest, pressure};
 use super::scale::label;
-use super::stack::{highest, pressure};
 use super::style::{FAINT, INK, SMALL, TEXT};
 use super::target::PlotError;
 use crate::scene::{Force, Load, Scene};

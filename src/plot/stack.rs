@@ -3,6 +3,7 @@ use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
 use super::chart::{Chart, Curve, Frame, Labels, apart};
 use super::ground::hatching;
 use super::names::{Dimension, index, symbols, unit};
+use super::pressure::{highest, pressure};
 use super::punch::{ABOVE, Punch};
 use super::scale::{Scale, label};
 use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
@@ -25,10 +26,6 @@ const BASE: f64 = 44.0;
 const FILLED: f64 = 0.72;
 /// A longest contact below this share of the width would not be seen in the pressures.
 const SMALLEST: f64 = 0.1;
-/// Points of a curve.
-const POINTS: usize = 200;
-/// Pressures that are infinite somewhere are drawn up to so many times their mean.
-const HIGHEST_DRAWN: f64 = 6.0;
 /// Slices of a layer whose stiffness varies, at most, and how high each is at least, in points.
 const SLICES: usize = 48;
 const SLICE: f64 = 0.5;
@@ -281,24 +278,6 @@ impl Drawing<'_> {
         };
         chart.draw(canvas)
     }
-}
-
-/// The pressure of a contact, denser towards its ends, where it falls like a root; where it rises without bound, under a
-/// sharp tip and at sharp corners, as far as a multiple of the mean.
-pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<(f64, f64)> {
-    let rises = contact.interface == Interface::Punch && scene.punch.is_singular();
-    let most = if rises { HIGHEST_DRAWN * 0.5 * contact.resultant / contact.half_length } else { f64::INFINITY };
-    let at = |[from, to]: [f64; 2], i: usize| {
-        let x = 0.5 * (from + to) - 0.5 * (to - from) * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
-        let pressure = contact.pressure(x);
-        (x, if pressure > most { f64::INFINITY } else { pressure })
-    };
-    contact.intervals().flat_map(|interval| (0..=POINTS).map(move |i| at(interval, i))).collect()
-}
-
-/// The highest point of a curve, where it is finite.
-pub(super) fn highest(curve: &[(f64, f64)]) -> f64 {
-    curve.iter().map(|(_, p)| *p).filter(|p| p.is_finite()).fold(0.0, f64::max)
 }
 
 /// Four digits.

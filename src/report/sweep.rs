@@ -1,7 +1,7 @@
 //! Rows of a sweep as comma-separated values.
 use std::io;
 
-use crate::error::Error;
+use crate::errors::Error;
 use crate::scene::Force;
 use crate::solution::{Contact, Interface};
 use crate::sweep::{Row, Sweep};

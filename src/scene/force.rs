@@ -1,9 +1,8 @@
 //! The force that presses, as it is written.
 use std::fmt;
 
+use super::value::ValueError;
 use recede_layers::Positive;
-
-use crate::error::Error;
 
 /// The line load P that presses: force per unit length out of plane, or what it is to bring about.
 ///
@@ -63,8 +62,8 @@ impl Force {
     }
 
     /// The same, if its number is legal.
-    pub(crate) fn checked(self) -> Result<Self, Error> {
-        Error::checked(self.field(), self.number()).map(|number| self.with(number))
+    pub(crate) fn checked(self) -> Result<Self, ValueError> {
+        ValueError::checked(self.field(), self.number()).map(|number| self.with(number))
     }
 }
 

@@ -1,13 +1,14 @@
 //! Given pressures on the top face, as they are written.
+use std::borrow::Cow;
 use std::fmt;
 
-use recede_layers::Positive;
-use schemars::JsonSchema;
+use recede_layers::description::Value;
+use recede_layers::{Positive, Thickness};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
-use super::loads::{Loads, Part};
+use super::value::{LoadsError, MOST_LOADS, ValueError};
 use super::write::written;
-use crate::error::Error;
 
 /// A pressure on the top face that is given, symmetric about x = 0, with the force as its resultant.
 ///
@@ -60,38 +61,42 @@ impl Load {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a number is not legal, [`Error::Loads`] if there are none or too many, or if one of them is
+    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Loads`] if there are none or too many, or if one of them is
     /// itself several.
-    pub fn several(loads: &[(f64, f64, Self)]) -> Result<Self, Error> {
+    pub fn several(loads: &[(f64, f64, Self)]) -> Result<Self, ValueError> {
         let part = |(at, share, load): &(f64, f64, Self)| {
-            Ok(Part { at: Error::checked("at", *at)?, share: Error::checked("share", *share)?, load: load.clone() })
+            Ok(Part {
+                at: ValueError::checked("at", *at)?,
+                share: ValueError::checked("share", *share)?,
+                load: load.clone(),
+            })
         };
-        let parts: Vec<Part> = loads.iter().map(part).collect::<Result<_, Error>>()?;
+        let parts: Vec<Part> = loads.iter().map(part).collect::<Result<_, ValueError>>()?;
         Ok(Self::Several(parts.try_into()?))
     }
 
     /// The same pressure everywhere on |x| < half_width, > 0, in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the half-width is not positive and finite.
-    pub fn uniform(half_width: f64) -> Result<Self, Error> {
-        Ok(Self::Uniform { half_width: Error::checked("half_width", half_width)? })
+    /// [`ValueError::OutOfRange`] if the half-width is not positive and finite.
+    pub fn uniform(half_width: f64) -> Result<Self, ValueError> {
+        Ok(Self::Uniform { half_width: ValueError::checked("half_width", half_width)? })
     }
 
     /// A pressure like 1 − (x/half_width)², half_width > 0, in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the half-width is not positive and finite.
-    pub fn parabolic(half_width: f64) -> Result<Self, Error> {
-        Ok(Self::Parabolic { half_width: Error::checked("half_width", half_width)? })
+    /// [`ValueError::OutOfRange`] if the half-width is not positive and finite.
+    pub fn parabolic(half_width: f64) -> Result<Self, ValueError> {
+        Ok(Self::Parabolic { half_width: ValueError::checked("half_width", half_width)? })
     }
 
     /// A pressure like √(1 − (x/half_width)²), half_width > 0, in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the half-width is not positive and finite.
-    pub fn elliptic(half_width: f64) -> Result<Self, Error> {
-        Ok(Self::Elliptic { half_width: Error::checked("half_width", half_width)? })
+    /// [`ValueError::OutOfRange`] if the half-width is not positive and finite.
+    pub fn elliptic(half_width: f64) -> Result<Self, ValueError> {
+        Ok(Self::Elliptic { half_width: ValueError::checked("half_width", half_width)? })
     }
 
     /// Half-width of what is loaded, in length; 0 of a line. Of several loads, as far as the farthest of them reaches.
@@ -156,5 +161,64 @@ impl fmt::Display for Load {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         written(self, f)
+    }
+}
+
+/// One of several loads, and its mirror image if it is not in the middle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// Distance of its middle from x = 0, in length.
+    at: Thickness,
+    /// Its part of the force, mirror image included, in relation to the other parts.
+    share: Positive,
+    /// What presses there.
+    load: Load,
+}
+
+/// Loads that press at once.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<Part>", into = "Vec<Part>")]
+pub struct Loads(Vec<Part>);
+
+impl Loads {
+    /// Distance of each from x = 0, its part of the force, of which all are 1 together, and what it is.
+    fn parts(&self) -> Vec<(f64, f64, &Load)> {
+        // shares may be so large that their sum is not finite
+        let largest = self.0.iter().fold(0.0, |largest: f64, part| largest.max(part.share.get()));
+        let sum: f64 = self.0.iter().map(|part| part.share.get() / largest).sum();
+        self.0.iter().map(|part| (part.at.get(), part.share.get() / largest / sum, &part.load)).collect()
+    }
+}
+
+impl From<Loads> for Vec<Part> {
+    fn from(loads: Loads) -> Self {
+        loads.0
+    }
+}
+
+impl TryFrom<Vec<Part>> for Loads {
+    type Error = LoadsError;
+
+    fn try_from(parts: Vec<Part>) -> Result<Self, LoadsError> {
+        if parts.is_empty() || parts.len() > MOST_LOADS {
+            return Err(LoadsError::Count(parts.len()));
+        }
+        if parts.iter().any(|part| matches!(part.load, Load::Several(_))) {
+            return Err(LoadsError::Nested);
+        }
+        Ok(Self(parts))
+    }
+}
+
+impl JsonSchema for Loads {
+    fn schema_name() -> Cow<'static, str> {
+        "Loads".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        Value::plain_schema(
+            "[(at: x, share: s, load: ...), ...], one or more loads with their distances x >= 0 and shares s > 0",
+        )
     }
 }

@@ -4,13 +4,14 @@ mod force;
 mod heights;
 mod item;
 mod load;
-mod loads;
 mod origin;
 mod paths;
 mod punch;
 mod read;
 mod shape;
 mod spring;
+mod text;
+mod value;
 mod vocabulary;
 mod write;
 
@@ -24,21 +25,21 @@ pub use force::Force;
 pub use heights::HeightsError;
 pub use item::Item;
 pub use load::Load;
-pub use loads::LoadsError;
 pub use origin::SceneError;
 pub use punch::Punch;
 pub use spring::Spring;
+pub use value::{LoadsError, ValueError};
 pub use vocabulary::Vocabulary;
 
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Change, Owner, Slot};
 #[cfg(feature = "files")]
-pub(crate) use read::{first_name, read_document};
+pub(crate) use read::read_document;
 pub(crate) use shape::{Piece, Shape};
+#[cfg(feature = "files")]
+pub(crate) use text::first_name;
 
 use origin::Origin;
-
-use crate::error::{Error, NoSolution};
 
 /// Largest scene text that is read, in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -110,28 +111,39 @@ impl Scene {
         }
     }
 
-    /// Adds to an error the place in the scene's text that it is about: the stack's offending item, or the punch
-    /// where it cannot carry the force. Other errors, and those of a scene not read from a text, are left as they are.
-    pub fn locate(&self, error: Error) -> Error {
-        let Some(origin) = &self.origin else { return error };
-        match error {
-            Error::Stack(cause) => {
-                // items may have been added or taken away since the text was read
-                let known = self.stack.len() == origin.places.items.len();
-                let item = cause.item().filter(|_| known).and_then(|item| origin.places.items.get(item));
-                let (message, hint) = (cause.to_string(), cause.hint());
-                let place = item.unwrap_or(&origin.places.stack).start;
-                origin.error(Some(place), message, hint).because(cause).into()
-            }
-            Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
-                let hint = Some("a larger punch or a smaller force keeps the contact within the punch".into());
-                origin.error(Some(origin.places.punch.start), cause.to_string(), hint).because(cause).into()
-            }
-            Error::NoSolution(cause @ NoSolution::HalfLength { .. }) => {
-                let hint = Error::from(cause.clone()).hint();
-                origin.error(self.place_of_force(), cause.to_string(), hint).because(cause).into()
-            }
-            other => other,
-        }
+    /// An error about an item of the stack, counted from 0, or about the stack as a whole; `None` if the scene was not
+    /// read from a text.
+    pub(crate) fn error_at_item<E: Cause>(
+        &self,
+        item: Option<usize>,
+        hint: Option<String>,
+        cause: &E,
+    ) -> Option<SceneError> {
+        let places = &self.origin.as_deref()?.places;
+        // items may have been added or taken away since the text was read
+        let known = self.stack.len() == places.items.len();
+        let item = item.filter(|_| known).and_then(|item| places.items.get(item));
+        self.error_at(Some(item.unwrap_or(&places.stack).start), hint, cause)
+    }
+
+    /// An error about the punch, or the load in its place.
+    pub(crate) fn error_at_punch<E: Cause>(&self, hint: String, cause: &E) -> Option<SceneError> {
+        let place = self.origin.as_deref()?.places.punch.start;
+        self.error_at(Some(place), Some(hint), cause)
+    }
+
+    /// An error about the number that says the force.
+    pub(crate) fn error_at_force<E: Cause>(&self, hint: Option<String>, cause: &E) -> Option<SceneError> {
+        self.error_at(self.place_of_force(), hint, cause)
+    }
+
+    fn error_at<E: Cause>(&self, place: Option<usize>, hint: Option<String>, cause: &E) -> Option<SceneError> {
+        let origin = self.origin.as_deref()?;
+        Some(origin.error(place, cause.to_string(), hint).because(cause.clone()))
     }
 }
+
+/// What an error of a scene may have been caused by.
+pub(crate) trait Cause: std::error::Error + Clone + Send + Sync + 'static {}
+
+impl<E: std::error::Error + Clone + Send + Sync + 'static> Cause for E {}

@@ -40,7 +40,7 @@ impl Origin {
     pub(super) fn error(&self, at: Option<usize>, message: String, hint: Option<String>) -> SceneError {
         SceneError {
             file: self.file.clone(),
-            place: at.map(|offset| Place::new(&self.text, offset)),
+            place: at.map(|offset| Box::new(Place::new(&self.text, offset))),
             message: abridged(message),
             hint: hint.map(abridged),
             cause: None,
@@ -92,8 +92,8 @@ impl Place {
 /// What is wrong with a scene, and where in its text: prints as `file:line:column: message`.
 ///
 /// ```
-/// use recede::{Error, Scene};
-/// let Err(Error::Scene(error)) = Scene::from_ron("Scene(\n    plane: Strian,\n)") else { panic!("no such plane") };
+/// use recede::Scene;
+/// let error = Scene::from_ron("Scene(\n    plane: Strian,\n)").unwrap_err();
 /// assert_eq!((error.line(), error.column()), (Some(2), Some(12)));
 /// assert_eq!(error.message(), "`plane` of the scene is `Strian`; allowed are `Strain`, `Stress`");
 /// assert_eq!(error.hint(), Some("did you mean `Strain`?"));
@@ -101,7 +101,7 @@ impl Place {
 #[derive(Clone, Debug)]
 pub struct SceneError {
     file: String,
-    place: Option<Place>,
+    place: Option<Box<Place>>,
     message: String,
     hint: Option<String>,
     cause: Option<Cause>,
@@ -140,7 +140,7 @@ impl SceneError {
 
     /// The line in question with a caret below the column; long lines are cut.
     pub fn excerpt(&self) -> Option<String> {
-        let Place { line, excerpt, caret, .. } = self.place.as_ref()?;
+        let Place { line, excerpt, caret, .. } = self.place.as_deref()?;
         let number = line.to_string();
         let margin = " ".repeat(number.len());
         Some(format!("{number} | {excerpt}\n{margin} | {}^", " ".repeat(*caret)))

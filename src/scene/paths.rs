@@ -2,20 +2,16 @@
 //!
 //! Values are replaced in the text, and what they belong to is read again: so a new value is checked as one in a file
 //! is, and a mistake has a line and a column.
-use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-use recede_layers::{Positive, read_ron};
-use ron::value::RawValue;
-use serde::de::{MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use recede_layers::Positive;
 
 use super::explain::{bare_token, did_you_mean};
-use super::origin::{Origin, Places};
-use super::read::{Part, name_and_rest, parse, part, read_item, read_top, without_comments};
+use super::origin::{Origin, Places, SceneError};
+use super::read::{parse, read_item, read_top};
+use super::text::{Part, elements, field, fields, part, without_comments};
 use super::{Force, Item, Punch, Scene, quoted_list};
-use crate::error::Error;
 
 /// Most paths that a message lists.
 const LISTED: usize = 24;
@@ -70,8 +66,8 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Scene`] if there is no such quantity, or the value is not legal there.
-    pub fn with(&self, path: &str, value: f64) -> Result<Self, Error> {
+    /// [`SceneError`] if there is no such quantity, or the value is not legal there.
+    pub fn with(&self, path: &str, value: f64) -> Result<Self, SceneError> {
         let slot = self.slot(path)?;
         self.with_changes(&[(&slot, value)])
     }
@@ -85,8 +81,8 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Scene`] if there is no such quantity.
-    pub fn number(&self, path: &str) -> Result<f64, Error> {
+    /// [`SceneError`] if there is no such quantity.
+    pub fn number(&self, path: &str) -> Result<f64, SceneError> {
         let slot = self.slot(path)?;
         let text = self.origin.as_deref().map_or("", |origin| &origin.text[slot.range]);
         // a slot is where a number was read
@@ -94,7 +90,7 @@ impl Scene {
     }
 
     /// Finds the quantity at `path`.
-    pub(crate) fn slot(&self, path: &str) -> Result<Slot, Error> {
+    pub(crate) fn slot(&self, path: &str) -> Result<Slot, SceneError> {
         let slots = self.slots();
         if let Some((_, slot)) = slots.iter().find(|(found, _)| found == path) {
             return Ok(slot.clone());
@@ -104,16 +100,16 @@ impl Scene {
         let names: Vec<&str> = slots.iter().map(|(path, _)| &path[..]).collect();
         if names.is_empty() {
             let message = format!("there is no `{path}` in a scene that was not read from a text");
-            return Err(origin.error(None, message, None).into());
+            return Err(origin.error(None, message, None));
         }
         let more = if names.len() > LISTED { ", ..." } else { "" };
         let allowed = quoted_list(&names[..names.len().min(LISTED)]);
         let message = format!("the scene has no quantity `{path}`; those that can vary are {allowed}{more}");
-        Err(origin.error(None, message, did_you_mean(path, &names)).into())
+        Err(origin.error(None, message, did_you_mean(path, &names)))
     }
 
     /// The same scene with other values.
-    pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, Error> {
+    pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, SceneError> {
         let Some(origin) = &self.origin else { return Ok(self.clone()) };
         let text = changed(&origin.text, 0..origin.text.len(), changes);
         let mut origin = Origin { text, places: Places::default(), ..(**origin).clone() };
@@ -123,7 +119,7 @@ impl Scene {
     }
 
     /// The force with other values; nothing but the force is read again.
-    pub(crate) fn force_with(&self, changes: &[Change]) -> Result<Force, Error> {
+    pub(crate) fn force_with(&self, changes: &[Change]) -> Result<Force, SceneError> {
         match changes.iter().find(|(slot, _)| slot.owner == Owner::Force) {
             Some((_, value)) => match Positive::try_from(*value) {
                 Ok(number) => Ok(self.force.with(number)),
@@ -134,7 +130,7 @@ impl Scene {
     }
 
     /// The punch with other values; nothing but the punch is read again.
-    pub(crate) fn punch_with(&self, changes: &[Change]) -> Result<Punch, Error> {
+    pub(crate) fn punch_with(&self, changes: &[Change]) -> Result<Punch, SceneError> {
         let own = of(Owner::Punch, changes);
         let Some(origin) = self.origin.as_deref().filter(|_| !own.is_empty()) else {
             return Ok(self.punch.clone());
@@ -148,7 +144,7 @@ impl Scene {
     }
 
     /// The items of the stack with other values; nothing but the items that change is read again.
-    pub(crate) fn items_with(&self, changes: &[Change]) -> Result<Vec<Item>, Error> {
+    pub(crate) fn items_with(&self, changes: &[Change]) -> Result<Vec<Item>, SceneError> {
         let mut items = self.stack.clone();
         let Some(origin) = self.origin.as_deref() else { return Ok(items) };
         for (slot, _) in changes {
@@ -205,51 +201,6 @@ fn add(path: &str, owner: Owner, text: &str, value: &str, slots: &mut Vec<(Strin
     }
     for (index, inner) in elements(value).into_iter().enumerate() {
         add(&format!("{path}[{}]", index + 1), owner, text, inner, slots);
-    }
-}
-
-/// The text of one field of a structure.
-pub(super) fn field<'a>(text: &'a str, name: &str) -> Option<&'a str> {
-    fields(text).into_iter().find(|(found, _)| found == name).map(|(_, value)| value)
-}
-
-/// The fields of a structure as written, with or without its name before it.
-fn fields(text: &str) -> Vec<(String, &str)> {
-    let rest = name_and_rest(text).map_or(text, |(_, rest)| rest);
-    read_ron::<Fields>(rest).map_or_else(|_| Vec::new(), |Fields(fields)| fields)
-}
-
-/// The elements of a list as written, with or without a name and parentheses about it.
-fn elements(text: &str) -> Vec<&str> {
-    let list = match name_and_rest(text) {
-        Some((_, rest)) => read_ron::<(Vec<&RawValue>,)>(rest).map(|(list,)| list),
-        None => read_ron::<Vec<&RawValue>>(text),
-    };
-    list.map_or_else(|_| Vec::new(), |list| list.into_iter().map(RawValue::get_ron).collect())
-}
-
-/// Fields with the text of their values.
-struct Fields<'a>(Vec<(String, &'a str)>);
-
-impl<'de> Deserialize<'de> for Fields<'de> {
-    fn deserialize<D: Deserializer<'de>>(reader: D) -> Result<Self, D::Error> {
-        struct Collect;
-        impl<'de> Visitor<'de> for Collect {
-            type Value = Fields<'de>;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("fields")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Fields<'de>, A::Error> {
-                let mut fields = Vec::new();
-                while let Some((name, value)) = map.next_entry::<String, &RawValue>()? {
-                    fields.push((name, value.get_ron()));
-                }
-                Ok(Fields(fields))
-            }
-        }
-        reader.deserialize_struct("", &[], Collect)
     }
 }
 

@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 use super::heights::{Heights, PolynomialHeights};
 use super::load::Load;
 use super::shape::{Piece, Shape};
+use super::value::ValueError;
 use super::write::written;
-use crate::error::Error;
 
 /// A frictionless punch with its tip at x = 0, rigid unless it says otherwise.
 ///
@@ -96,86 +96,91 @@ impl Punch {
     /// A circular cylinder of radius R > 0, in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the radius is not positive and finite.
-    pub fn cylinder(radius: f64) -> Result<Self, Error> {
-        Ok(Self::Cylinder { radius: Error::checked("radius", radius)? })
+    /// [`ValueError::OutOfRange`] if the radius is not positive and finite.
+    pub fn cylinder(radius: f64) -> Result<Self, ValueError> {
+        Ok(Self::Cylinder { radius: ValueError::checked("radius", radius)? })
     }
 
     /// A parabola of radius of curvature R > 0, in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the radius is not positive and finite.
-    pub fn parabola(radius: f64) -> Result<Self, Error> {
-        Ok(Self::Parabola { radius: Error::checked("radius", radius)? })
+    /// [`ValueError::OutOfRange`] if the radius is not positive and finite.
+    pub fn parabola(radius: f64) -> Result<Self, ValueError> {
+        Ok(Self::Parabola { radius: ValueError::checked("radius", radius)? })
     }
 
     /// The height (|x|/half_width)^exponent · height, lengths > 0, exponent from 1 to 100.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a number is not legal.
-    pub fn power(exponent: f64, half_width: f64, height: f64) -> Result<Self, Error> {
+    /// [`ValueError::OutOfRange`] if a number is not legal.
+    pub fn power(exponent: f64, half_width: f64, height: f64) -> Result<Self, ValueError> {
         Ok(Self::Power {
-            exponent: Error::checked("exponent", exponent)?,
-            half_width: Error::checked("half_width", half_width)?,
-            height: Error::checked("height", height)?,
+            exponent: ValueError::checked("exponent", exponent)?,
+            half_width: ValueError::checked("half_width", half_width)?,
+            height: ValueError::checked("height", height)?,
         })
     }
 
     /// The height Σ h_k (x/half_width)^(2k), k = 1, 2, ..., all in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a number is not legal, [`Error::Heights`] if all heights are zero or there are none.
-    pub fn polynomial(half_width: f64, heights: &[f64]) -> Result<Self, Error> {
-        let heights: Vec<Finite> = heights.iter().map(|h| Error::checked("heights", *h)).collect::<Result<_, _>>()?;
-        Ok(Self::Polynomial { half_width: Error::checked("half_width", half_width)?, heights: heights.try_into()? })
+    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Heights`] if all heights are zero or there are none.
+    pub fn polynomial(half_width: f64, heights: &[f64]) -> Result<Self, ValueError> {
+        let heights: Vec<Finite> =
+            heights.iter().map(|h| ValueError::checked("heights", *h)).collect::<Result<_, _>>()?;
+        Ok(Self::Polynomial {
+            half_width: ValueError::checked("half_width", half_width)?,
+            heights: heights.try_into()?,
+        })
     }
 
     /// A wedge with faces of this slope > 0, dimensionless.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the slope is not positive and finite.
-    pub fn wedge(slope: f64) -> Result<Self, Error> {
-        Ok(Self::Wedge { slope: Error::checked("slope", slope)? })
+    /// [`ValueError::OutOfRange`] if the slope is not positive and finite.
+    pub fn wedge(slope: f64) -> Result<Self, ValueError> {
+        Ok(Self::Wedge { slope: ValueError::checked("slope", slope)? })
     }
 
     /// A flat punch of half-width ≥ 0 with corners of radius > 0, in length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a number is not legal.
-    pub fn rounded_flat(half_width: f64, radius: f64) -> Result<Self, Error> {
+    /// [`ValueError::OutOfRange`] if a number is not legal.
+    pub fn rounded_flat(half_width: f64, radius: f64) -> Result<Self, ValueError> {
         Ok(Self::RoundedFlat {
-            half_width: Error::checked("half_width", half_width)?,
-            radius: Error::checked("radius", radius)?,
+            half_width: ValueError::checked("half_width", half_width)?,
+            radius: ValueError::checked("radius", radius)?,
         })
     }
 
     /// A flat punch of half-width > 0, in length, with sharp corners.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the half-width is not positive and finite.
-    pub fn flat(half_width: f64) -> Result<Self, Error> {
-        Ok(Self::Flat { half_width: Error::checked("half_width", half_width)? })
+    /// [`ValueError::OutOfRange`] if the half-width is not positive and finite.
+    pub fn flat(half_width: f64) -> Result<Self, ValueError> {
+        Ok(Self::Flat { half_width: ValueError::checked("half_width", half_width)? })
     }
 
     /// A smooth curve through (x, height), in length, from x = 0 to the edge of the punch.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a number is not legal, [`Error::Heights`] if the distances do not increase from 0.
-    pub fn table(rows: &[(f64, f64)]) -> Result<Self, Error> {
-        let checked = |(x, height): &(f64, f64)| Ok((Error::checked("x", *x)?, Error::checked("height", *height)?));
-        let rows: Vec<(Thickness, Finite)> = rows.iter().map(checked).collect::<Result<_, Error>>()?;
+    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Heights`] if the distances do not increase from 0.
+    pub fn table(rows: &[(f64, f64)]) -> Result<Self, ValueError> {
+        let checked =
+            |(x, height): &(f64, f64)| Ok((ValueError::checked("x", *x)?, ValueError::checked("height", *height)?));
+        let rows: Vec<(Thickness, Finite)> = rows.iter().map(checked).collect::<Result<_, ValueError>>()?;
         Ok(Self::Table(rows.try_into()?))
     }
 
     /// A circular cylinder of radius R > 0, in length, of an elastic material.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a number is not legal.
-    pub fn elastic_cylinder(radius: f64, shear_modulus: f64, poisson: f64) -> Result<Self, Error> {
+    /// [`ValueError::OutOfRange`] if a number is not legal.
+    pub fn elastic_cylinder(radius: f64, shear_modulus: f64, poisson: f64) -> Result<Self, ValueError> {
         Ok(Self::ElasticCylinder {
-            radius: Error::checked("radius", radius)?,
-            shear_modulus: Error::checked("shear_modulus", shear_modulus)?,
-            poisson: Error::checked("poisson", poisson)?,
+            radius: ValueError::checked("radius", radius)?,
+            shear_modulus: ValueError::checked("shear_modulus", shear_modulus)?,
+            poisson: ValueError::checked("poisson", poisson)?,
         })
     }
 

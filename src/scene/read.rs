@@ -3,7 +3,6 @@
 //! The scene is read in two steps. The first finds the text of the punch and of every item of the stack; the second
 //! reads each of them on its own, a layer through the [`Registry`]. So each has a place in the text from the start.
 use std::borrow::Cow;
-use std::fmt;
 use std::io::{self, Read};
 use std::ops::Range;
 #[cfg(feature = "files")]
@@ -15,15 +14,13 @@ use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::Visitor;
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 
 use super::explain::{At, Subject, did_you_mean, explain, place, token};
 use super::item::SPRING;
-use super::origin::{Origin, Places};
-use super::paths::field;
+use super::origin::{Origin, Places, SceneError};
+use super::text::{Part, field, name_and_rest, part, without_comments};
 use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
-use crate::error::Error;
 
 /// The scene with punch and stack still unread.
 #[derive(Deserialize, JsonSchema)]
@@ -85,9 +82,9 @@ impl Scene {
     /// Reads a scene from RON with the layer types that ship.
     ///
     /// # Errors
-    /// [`Error::Scene`] with line and column: unknown, missing or repeated fields, wrong types, numbers out of range,
+    /// [`SceneError`] with line and column: unknown, missing or repeated fields, wrong types, numbers out of range,
     /// unknown layers. Whether the items of the stack fit together is checked by [`Scene::stack`].
-    pub fn from_ron(text: &str) -> Result<Self, Error> {
+    pub fn from_ron(text: &str) -> Result<Self, SceneError> {
         Self::from_ron_with(text, &Registry::default())
     }
 
@@ -95,7 +92,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::from_ron`].
-    pub fn from_ron_with(text: &str, registry: &Registry) -> Result<Self, Error> {
+    pub fn from_ron_with(text: &str, registry: &Registry) -> Result<Self, SceneError> {
         Self::from_reader("scene", text.as_bytes(), registry)
     }
 
@@ -104,7 +101,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::from_ron`], and if the file cannot be read or is larger than [`MAX_BYTES`].
     #[cfg(feature = "files")]
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, SceneError> {
         Self::read_with(path, &Registry::default())
     }
 
@@ -113,9 +110,9 @@ impl Scene {
     /// # Errors
     /// As [`Scene::read`].
     #[cfg(feature = "files")]
-    pub fn read_with(path: impl AsRef<Path>, registry: &Registry) -> Result<Self, Error> {
+    pub fn read_with(path: impl AsRef<Path>, registry: &Registry) -> Result<Self, SceneError> {
         let path = path.as_ref();
-        let reader = std::fs::File::open(path).map_err(|cause| Error::unreadable(path, cause))?;
+        let reader = std::fs::File::open(path).map_err(|cause| SceneError::unreadable(path, cause))?;
         Self::from_reader(&path.display().to_string(), reader, registry)
     }
 
@@ -123,7 +120,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::from_ron`], and if it cannot be read or is longer than [`MAX_BYTES`].
-    pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, Error> {
+    pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, SceneError> {
         let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? };
         let (scene, places) = parse(&origin)?;
         origin.places = places;
@@ -137,7 +134,7 @@ pub(crate) fn read_document<T: serde::de::DeserializeOwned>(
     file: &str,
     reader: impl Read,
     owner: &str,
-) -> Result<T, Error> {
+) -> Result<T, SceneError> {
     let origin = read_text(file, reader)?;
     let text = &origin.text[..];
     let name_at = text.len() - without_comments(text).len();
@@ -146,7 +143,7 @@ pub(crate) fn read_document<T: serde::de::DeserializeOwned>(
 }
 
 #[cfg(feature = "files")]
-impl Error {
+impl SceneError {
     /// A file could not be opened.
     pub(crate) fn unreadable(path: &Path, cause: io::Error) -> Self {
         unreadable(&Origin { file: path.display().to_string(), ..Origin::default() }, cause)
@@ -154,14 +151,14 @@ impl Error {
 }
 
 /// The text of a file, and nothing else of it.
-fn read_text(file: &str, reader: impl Read) -> Result<Origin, Error> {
+fn read_text(file: &str, reader: impl Read) -> Result<Origin, SceneError> {
     let mut bytes = Vec::new();
     let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
     match reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes) {
         Err(cause) => return Err(unreadable(&origin, cause)),
         Ok(length) if length > MAX_BYTES => {
             let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
-            return Err(origin.error(None, message, Some("is this a scene file?".into())).into());
+            return Err(origin.error(None, message, Some("is this a scene file?".into())));
         }
         Ok(_) => {}
     }
@@ -169,12 +166,12 @@ fn read_text(file: &str, reader: impl Read) -> Result<Origin, Error> {
     Ok(origin)
 }
 
-fn unreadable(origin: &Origin, cause: io::Error) -> Error {
-    origin.error(None, format!("cannot be read: {cause}"), None).because(cause).into()
+fn unreadable(origin: &Origin, cause: io::Error) -> SceneError {
+    origin.error(None, format!("cannot be read: {cause}"), None).because(cause)
 }
 
 /// The bytes as text, without the mark that some editors put first.
-fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, Error> {
+fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, SceneError> {
     let text = String::from_utf8(bytes).map_err(|cause| {
         let valid = cause.utf8_error().valid_up_to();
         let found = cause.as_bytes().get(valid).copied().unwrap_or_default();
@@ -186,23 +183,13 @@ fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, Error> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-/// A part of the scene's text that is read on its own, and what it is called.
-pub(super) struct Part<'a> {
-    pub(super) text: &'a str,
-    /// Where it begins in the scene's text.
-    pub(super) offset: usize,
-    /// Where its name stands in the scene's text.
-    pub(super) name_at: usize,
-    pub(super) owner: String,
-}
-
 impl Part<'_> {
     /// Its bytes in the scene's text, from its name on.
     fn place(&self) -> Range<usize> {
         self.name_at..self.offset + self.text.len()
     }
 
-    fn error(&self, origin: &Origin, error: ReadError) -> Error {
+    fn error(&self, origin: &Origin, error: ReadError) -> SceneError {
         let subject = Subject { owner: &self.owner, field: error.field.as_deref() };
         let span = &error.cause.span;
         let at = match place(&error.cause.code, &subject) {
@@ -211,7 +198,7 @@ impl Part<'_> {
             At::Owner => self.name_at,
         };
         let (message, hint) = explain(&error.cause.code, &subject, &origin.text[at..]);
-        origin.error(Some(at), message, hint).because(error).into()
+        origin.error(Some(at), message, hint).because(error)
     }
 }
 
@@ -223,11 +210,11 @@ fn offset_of(text: &str, position: Position) -> usize {
 }
 
 /// Reads the text of `origin`, whose places are not yet known.
-pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
+pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     let text = &origin.text[..];
     if text.trim().is_empty() {
         let hint = "a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`";
-        return Err(origin.error(None, "the text is empty".into(), Some(hint.into())).into());
+        return Err(origin.error(None, "the text is empty".into(), Some(hint.into())));
     }
     let start = text.len() - without_comments(text).len();
     let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
@@ -242,12 +229,12 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
         (Some(_), Some(load)) => {
             let at = part(text, load.get_ron()).name_at;
             let hint = "a load takes the place of a punch: remove one of them";
-            return Err(origin.error(Some(at), "the scene has `punch` and `load`".into(), Some(hint.into())).into());
+            return Err(origin.error(Some(at), "the scene has `punch` and `load`".into(), Some(hint.into())));
         }
         (None, None) => {
             let hint = "add `punch: ...` or, for a given pressure, `load: ...` between its parentheses";
             let message = "`punch` is missing in the scene".into();
-            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())).into());
+            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())));
         }
     };
     let force = match (draft.force, draft.half_length) {
@@ -256,7 +243,7 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
         (None, None) => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` between its parentheses";
             let message = "`force` is missing in the scene".into();
-            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())).into());
+            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())));
         }
         (given, _) => {
             let (other, hint) = match given {
@@ -265,7 +252,7 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
             };
             let at = field(text, "half_length").map_or(whole.name_at, |value| part(text, value).name_at);
             let message = format!("the scene has `{other}` and `half_length`");
-            return Err(origin.error(Some(at), message, Some(hint.into())).into());
+            return Err(origin.error(Some(at), message, Some(hint.into())));
         }
     };
     let punch = Part { owner: owner.into(), ..part(text, top.get_ron()) };
@@ -273,7 +260,7 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), Error> {
     let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
     if items.len() > MAX_ITEMS {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
-        return Err(origin.error(Some(list.name_at), message, None).into());
+        return Err(origin.error(Some(list.name_at), message, None));
     }
     let items: Vec<Part> = items.into_iter().map(|item| part(text, item.get_ron())).collect();
     let places = Places { punch: punch.place(), stack: list.place(), items: items.iter().map(Part::place).collect() };
@@ -296,52 +283,13 @@ pub(super) fn read_top(text: &str, given: bool) -> Result<Punch, ReadError> {
     if given { read_ron(text).map(Punch::Given) } else { read_ron(text) }
 }
 
-/// A part of the scene's text; `within` must be a slice of `text`.
-pub(super) fn part<'a>(text: &'a str, within: &'a str) -> Part<'a> {
-    let offset = (within.as_ptr() as usize).saturating_sub(text.as_ptr() as usize);
-    // comments before the name belong to the part as it was cut out
-    let name_at = offset + within.len() - without_comments(within).len();
-    Part { text: within, offset, name_at, owner: String::new() }
-}
-
-/// The name with which a text begins.
-#[cfg(feature = "files")]
-pub(crate) fn first_name(text: &str) -> Option<&str> {
-    name_and_rest(text).map(|(name, _)| name)
-}
-
-/// The name with which a text begins, if it does, and what follows it.
-pub(super) fn name_and_rest(text: &str) -> Option<(&str, &str)> {
-    struct Name;
-    impl<'de> Visitor<'de> for Name {
-        type Value = &'de str;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("a name")
-        }
-
-        fn visit_borrowed_str<E>(self, name: &'de str) -> Result<&'de str, E> {
-            Ok(name)
-        }
-    }
-    let mut reader = ron::Deserializer::from_str(text).ok()?;
-    let name = reader.deserialize_identifier(Name).ok()?;
-    Some((name, reader.remainder()))
-}
-
-/// A text without the white space and comments with which it begins.
-pub(super) fn without_comments(text: &str) -> &str {
-    ron::Deserializer::from_str(text).map_or(text, |reader| reader.remainder())
-}
-
 /// Reads the item that is, or would be, layer `number`.
-pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, Error> {
+pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, SceneError> {
     let names = || Item::names(registry);
     let Some((name, fields)) = name_and_rest(item.text) else {
         let message = format!("a layer or an interface is expected, found {}", token(&origin.text[item.name_at..]));
-        return Err(origin
-            .error(Some(item.name_at), message, Some(format!("allowed are {}", quoted_list(&names()))))
-            .into());
+        let hint = format!("allowed are {}", quoted_list(&names()));
+        return Err(origin.error(Some(item.name_at), message, Some(hint)));
     };
     if let Some(plain) = Item::plain(name) {
         let fields = without_comments(fields);
@@ -350,7 +298,7 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
         }
         let at = item.offset + item.text.len() - fields.len();
         let message = format!("`{name}` has no fields, found {}", token(fields));
-        return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))).into());
+        return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))));
     }
     let fields = |owner: String| {
         let offset = item.offset + item.text.len() - fields.len();
@@ -362,7 +310,7 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
     }
     let Some(entry) = registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
-        return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())).into());
+        return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())));
     };
     let fields = fields(format!("layer {number} ({name})"));
     match (entry.read)(fields.text) {

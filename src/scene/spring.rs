@@ -1,9 +1,8 @@
 //! Springs between layers, as they are written.
+use super::value::ValueError;
 use recede_layers::Positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use crate::error::Error;
 
 /// Springs that join two layers, in both directions: they neither open nor slide freely.
 ///
@@ -29,10 +28,10 @@ impl Spring {
     /// Springs of this normal and, if there is one, tangential stiffness, both > 0, in stress per length.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if a stiffness is not positive and finite.
-    pub fn new(normal: f64, tangential: Option<f64>) -> Result<Self, Error> {
-        let tangential = tangential.map(|stiffness| Error::checked("tangential", stiffness)).transpose()?;
-        Ok(Self { normal: Error::checked("normal", normal)?, tangential })
+    /// [`ValueError::OutOfRange`] if a stiffness is not positive and finite.
+    pub fn new(normal: f64, tangential: Option<f64>) -> Result<Self, ValueError> {
+        let tangential = tangential.map(|stiffness| ValueError::checked("tangential", stiffness)).transpose()?;
+        Ok(Self { normal: ValueError::checked("normal", normal)?, tangential })
     }
 
     /// Normal stiffness, in stress per length.

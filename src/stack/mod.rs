@@ -16,8 +16,7 @@ pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
 pub use joint::Joint;
 
-use crate::error::Error;
-use crate::scene::{Item, Scene};
+use crate::scene::Item;
 use crate::solution::Interface;
 
 /// Largest number of layers in a stack, the half-plane and layers of thickness zero left out.
@@ -208,15 +207,5 @@ impl Stack {
     pub fn total_thickness(&self) -> f64 {
         let base: f64 = self.base.layers.iter().map(Placed::thickness).sum();
         base + self.laminates.iter().map(Laminate::thickness).sum::<f64>()
-    }
-}
-
-impl Scene {
-    /// The checked structure of the scene's stack.
-    ///
-    /// # Errors
-    /// As [`Stack::from_items`], with line and column if the scene was read from a text.
-    pub fn stack(&self) -> Result<Stack, Error> {
-        Stack::from_items(self.plane, &self.stack).map_err(|error| self.locate(error.into()))
     }
 }

@@ -1,8 +1,7 @@
 //! What the commands do with a solved scene: reports in every format, fields, pictures, and what must hold of them.
 use std::fmt::Write as _;
 
-use crate::error::Error;
-use crate::field::{Field, FieldPoint, FieldQuantity};
+use crate::field::{Field, FieldError, FieldPoint, FieldQuantity};
 use crate::model::Model;
 use crate::report::{FieldFormat, Format, Report, write_field};
 use crate::scene::Scene;
@@ -39,7 +38,7 @@ fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Stri
     let max_shear = match field.max_shear() {
         // it is infinite under a line load, at corners, and under some tips
         Ok(found) => Some(found),
-        Err(Error::TooLong { .. }) => None,
+        Err(FieldError::TooLong { .. }) => None,
         Err(error) => return Err(said("largest shear stress")(&error)),
     };
     let report = Report { scene, solution, max_shear: max_shear.filter(|found| found.value.is_finite()), seconds: 0.0 };

@@ -7,7 +7,7 @@ use proptest::sample::Index;
 use recede_layers::Registry;
 
 use super::strategy::drawn;
-use crate::error::Error;
+use crate::errors::Error;
 use crate::scene::{Item, Scene};
 
 /// The scenes that ship with the program.
@@ -90,13 +90,13 @@ pub fn variant(seed: u64, number: u64) -> Result<Scene, Error> {
             Number::Is(value) => value,
             Number::Times(factor) => factor * scene.number(path).unwrap_or(1.0),
         };
-        scene = scene.with(path, new).and_then(checked).unwrap_or(scene);
+        scene = scene.with(path, new).map_err(Error::from).and_then(checked).unwrap_or(scene);
     }
     Ok(scene)
 }
 
 fn example(index: &Index) -> Result<Scene, Error> {
-    Scene::from_ron(EXAMPLES[index.index(EXAMPLES.len())])
+    Ok(Scene::from_ron(EXAMPLES[index.index(EXAMPLES.len())])?)
 }
 
 fn structure() -> impl Strategy<Value = Structure> {

@@ -4,8 +4,8 @@ use recede_layers::{EngineeringConstants, Graded, GradedHalfPlane, Orthotropic, 
 
 use super::scenario::{Ply, Scenario};
 use super::strategy::{Ranges, drawn, scenes};
-use crate::error::Error;
-use crate::scene::{Item, Load, Punch, Scene, Spring};
+use crate::errors::Error;
+use crate::scene::{Item, Load, Punch, Scene, Spring, ValueError};
 
 /// In a table the punch ends at this many times the half-length that is aimed at.
 const TABLE_ENDS: f64 = 6.0;
@@ -51,7 +51,7 @@ pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scen
 /// The same scene with all lengths and all stresses multiplied by the numbers `units`, in this order.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] or [`Error::Layer`] if a number is no longer finite.
+/// [`Error::Value`] or [`Error::Layer`] if a number is no longer finite.
 pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units: [f64; 2]) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
     let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units[1], ..kinds });
@@ -60,7 +60,7 @@ pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units
 
 impl Kinds {
     /// As blunt as that of the scenario over about the contact that this has on a half-plane.
-    fn punch(&self, scenario: &Scenario) -> Result<Punch, Error> {
+    fn punch(&self, scenario: &Scenario) -> Result<Punch, ValueError> {
         let (radius, share) = (scenario.radius, self.share);
         let width = (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius);
         let height = 0.5 * width * width / radius;
@@ -90,7 +90,7 @@ impl Kinds {
     }
 
     /// Two strips and a line between them, or the like.
-    fn several(&self, width: f64) -> Result<Load, Error> {
+    fn several(&self, width: f64) -> Result<Load, ValueError> {
         let part = 0.5 * width;
         Load::several(&[
             (self.share * width, 1.0, Load::uniform(part)?),

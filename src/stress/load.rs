@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 use recede_layers::Wave;
 
 use super::scenario::Scenario;
-use crate::error::Error;
+use crate::errors::Error;
 use crate::numeric::{bessel, quadrature};
 use crate::stack::Stack;
 use crate::system::{BaseChain, FreeChain};

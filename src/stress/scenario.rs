@@ -1,8 +1,8 @@
 //! A scene as plain numbers, which a test may change before it is solved.
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
-use crate::error::Error;
-use crate::scene::{Item, Punch, Scene};
+use crate::errors::Error;
+use crate::scene::{Item, Punch, Scene, ValueError};
 
 /// A layer, and the interface below it.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,15 +76,15 @@ impl Scenario {
     /// The punch.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the radius is not legal.
-    pub fn punch(&self) -> Result<Punch, Error> {
+    /// [`ValueError::OutOfRange`] if the radius is not legal.
+    pub fn punch(&self) -> Result<Punch, ValueError> {
         if self.cylinder { Punch::cylinder(self.radius) } else { Punch::parabola(self.radius) }
     }
 
     /// The scene.
     ///
     /// # Errors
-    /// [`Error::Layer`] or [`Error::OutOfRange`] if a number is not legal.
+    /// [`Error::Layer`] or [`Error::Value`] if a number is not legal.
     pub fn scene(&self) -> Result<Scene, Error> {
         Ok(Scene::new(self.plane, self.punch()?, self.force, self.items()?))
     }

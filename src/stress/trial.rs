@@ -3,7 +3,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use super::commands;
-use crate::error::{Error, NoSolution};
+use crate::contact::NoSolution;
+use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::{Force, Punch, Scene};

@@ -1,5 +1,5 @@
 //! Whether error estimates are honest: an answer against a stricter one.
-use crate::error::Error;
+use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::Scene;

@@ -3,6 +3,7 @@ use std::fmt;
 use std::hash::Hasher;
 use std::str::FromStr;
 
+use super::error::AxisError;
 use super::range::{Range, Spacing};
 #[cfg(feature = "files")]
 use super::read::WrittenAxis;
@@ -40,16 +41,6 @@ pub struct Axis {
 enum Values {
     List(Vec<f64>),
     Range(Range),
-}
-
-/// Why something is no axis of a sweep.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{axis}`: {reason}")]
-pub struct AxisError {
-    /// The axis as written.
-    pub axis: String,
-    /// What was found, and what is expected.
-    pub reason: String,
 }
 
 impl Axis {

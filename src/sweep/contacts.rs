@@ -7,7 +7,7 @@
 use recede_layers::{HalfPlane, Homogeneous};
 
 use super::{Axis, Sweep};
-use crate::error::Error;
+use crate::errors::Error;
 use crate::scene::{Change, Item, Owner, Slot};
 use crate::solution::Interface;
 use crate::stack::{Stack, StackProblem};
@@ -102,7 +102,7 @@ impl Sweep {
             Some(error) if choice.is_unknown() => {
                 let known =
                     own.len() <= 2 && own.iter().zip(&extremes).all(|((axis, _), own)| axis.count() == own.len());
-                if known { Err(error) } else { Ok(Choice::any(self.scene.stack[index].clone())) }
+                if known { Err(error.into()) } else { Ok(Choice::any(self.scene.stack[index].clone())) }
             }
             _ => Ok(choice),
         }

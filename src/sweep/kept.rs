@@ -3,7 +3,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::{Row, Sweep};
-use crate::error::Error;
+use crate::errors::Error;
 use crate::model::Model;
 use crate::scene::{Owner, Punch};
 use crate::solution::Solution;
@@ -90,7 +90,7 @@ impl Sweep {
         let punch = self.punches.get(punch, || {
             // what is kept, or why it is none, must not depend on the row that came first
             let own: Vec<_> = changes.iter().copied().filter(|(slot, _)| slot.owner == Owner::Punch).collect();
-            self.scene.punch_with(&own)
+            Ok(self.scene.punch_with(&own)?)
         })?;
         let force = self.scene.force_with(&changes)?;
         model.press_with(&punch, force, &self.options)

@@ -2,6 +2,7 @@
 mod axis;
 mod contacts;
 mod decimal;
+mod error;
 mod kept;
 #[cfg(feature = "parallel")]
 mod parallel;
@@ -18,13 +19,14 @@ use std::sync::Arc;
 
 use recede_layers::ReadError;
 
-pub use axis::{Axis, AxisError};
+pub use axis::Axis;
+pub use error::AxisError;
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
 
 use kept::Kept;
 
-use crate::error::Error;
+use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::{Owner, Punch, Scene, Slot};
@@ -113,9 +115,9 @@ impl Sweep {
     /// The same sweep with other demands on the solutions.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] if the tolerance is not legal.
+    /// [`Error::Options`] if the tolerance is not legal.
     pub fn with_options(self, options: Options) -> Result<Self, Error> {
-        Error::check_tolerance(&options)?;
+        options.check()?;
         Ok(Self { options, ..self })
     }
 
@@ -170,7 +172,7 @@ impl Sweep {
     pub fn scene_at(&self, index: usize) -> Result<Scene, Error> {
         let values = self.values(index);
         let changes: Vec<_> = self.slots.iter().zip(values).collect();
-        self.scene.with_changes(&changes)
+        Ok(self.scene.with_changes(&changes)?)
     }
 
     /// The rows in the order of the grid, each solved when it is asked for.
@@ -235,7 +237,7 @@ fn legal(scene: &Scene, axis: &Axis, slot: &Slot, value: f64) -> Result<(), Erro
         Owner::Punch => scene.punch_with(&changes).map(drop),
         Owner::Item(_) => scene.items_with(&changes).map(drop),
     };
-    let Err(Error::Scene(error)) = read else { return read };
+    let Err(error) = read else { return Ok(()) };
     // a mistake of one field, rather than of a layer as a whole
     let of_field =
         error.source().and_then(|cause| cause.downcast_ref::<ReadError>()).is_some_and(|e| e.field.is_some());

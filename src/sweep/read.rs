@@ -7,9 +7,9 @@ use recede_layers::Registry;
 use serde::Deserialize;
 
 use super::{Axis, AxisError, Sweep};
-use crate::error::Error;
+use crate::errors::Error;
 use crate::options::Options;
-use crate::scene::{Scene, first_name, read_document};
+use crate::scene::{Scene, SceneError, first_name, read_document};
 
 /// The whole of it.
 #[derive(Deserialize)]
@@ -60,7 +60,7 @@ impl Sweep {
     /// [`Error::Scene`] with line and column if the text is no sweep, and those of [`Scene::read`] and [`Sweep::new`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        let reader = File::open(path).map_err(|cause| Error::unreadable(path, cause))?;
+        let reader = File::open(path).map_err(|cause| SceneError::unreadable(path, cause))?;
         Self::from_reader(path, reader, &Registry::default())
     }
 

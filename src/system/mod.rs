@@ -16,6 +16,7 @@
 //! Any legal stack gives as many conditions as amplitudes.
 mod across;
 mod block;
+mod error;
 mod evaluate;
 mod inside;
 mod latex;
@@ -23,6 +24,7 @@ mod repeats;
 mod text;
 
 pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+pub use error::Unresolved;
 pub use evaluate::{BaseChain, FreeChain};
 pub(crate) use evaluate::{Taken, slowest_decay};
 pub(crate) use inside::Load;

@@ -11,7 +11,7 @@ mod spectrum;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-use crate::error::{Error, NoSolution};
+use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
@@ -60,7 +60,7 @@ pub(super) fn press(
     interfaces: &[Interface],
     punch: &Indentation,
     options: &Options,
-) -> Result<Solution, Error> {
+) -> Result<Solution, ContactError> {
     let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
     let solve = |half_lengths: Vec<f64>, finer: usize| {
         problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options).map(Into::into)
@@ -79,7 +79,7 @@ struct Problem<'a> {
 
 impl Problem<'_> {
     /// More and more nodes until the answers of two numbers of them agree.
-    fn refine(&mut self, half_lengths: Vec<f64>, coarsest: usize, options: &Options) -> Result<Solution, Error> {
+    fn refine(&mut self, half_lengths: Vec<f64>, coarsest: usize, options: &Options) -> Result<Solution, ContactError> {
         let singular = self.spatial.own.iter().any(|own| own.jump.is_some());
         let mut count = coarsest;
         let mut jacobian = None;
@@ -122,7 +122,7 @@ impl Problem<'_> {
         nodes: &Nodes,
         mut half_lengths: Vec<f64>,
         jacobian: &mut Option<Mat<f64>>,
-    ) -> Result<Level, Error> {
+    ) -> Result<Level, ContactError> {
         let mut last = f64::INFINITY;
         self.steps.push(0);
         for _ in 0..STEPS {
@@ -193,7 +193,7 @@ impl Problem<'_> {
         level: &Level,
         errors: &[[f64; 2]],
         warnings: Vec<String>,
-    ) -> Result<Solution, Error> {
+    ) -> Result<Solution, ContactError> {
         let (length, pressure_unit) = (self.kernel.length(), self.kernel.modulus() * self.punch.force);
         let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
         let span = self.punch.span(&level.half_lengths);

@@ -10,7 +10,7 @@
 //! graded face M has a jump and a logarithm at u = 0, which are split off: M = sign(u) E(u) + ln|u| O(u) + R(u).
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::Error;
+use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::chebyshev::Series;
 
@@ -80,16 +80,16 @@ impl Jump {
 
 impl Spatial {
     /// Samples the kernels.
-    pub(super) fn new(kernel: &Kernel) -> Result<Self, Error> {
+    pub(super) fn new(kernel: &Kernel) -> Result<Self, ContactError> {
         let n = kernel.contacts();
-        let own = |i: usize| -> Result<Own, Error> {
+        let own = |i: usize| -> Result<Own, ContactError> {
             let (spectrum, far) = Spectrum::own(kernel, i)?;
             Ok(Own { limit: far.limit, jump: Jump::new(far.powers()), spectrum, far, rest: Table::default() })
         };
         let coupling = |i: usize| Ok((Spectrum::coupling(kernel, i)?, Table::default()));
         Ok(Self {
-            own: (0..n).map(own).collect::<Result<_, Error>>()?,
-            coupling: (0..n - 1).map(coupling).collect::<Result<_, Error>>()?,
+            own: (0..n).map(own).collect::<Result<_, ContactError>>()?,
+            coupling: (0..n - 1).map(coupling).collect::<Result<_, ContactError>>()?,
         })
     }
 

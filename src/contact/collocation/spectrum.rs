@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
-use crate::Error;
 use crate::kernel::Kernel;
 use crate::numeric::chebyshev::Series;
 use crate::numeric::quadrature::{laguerre_rule, rule};
+use crate::system::Unresolved;
 
 /// Points of a panel, and of the polynomial for large wavenumbers.
 const POINTS: usize = 17;
@@ -35,7 +35,7 @@ pub(super) struct Spectrum {
 
 impl Spectrum {
     /// The coupling of contacts i and i + 1, times ζ³.
-    pub(super) fn coupling(kernel: &Kernel, i: usize) -> Result<Self, Error> {
+    pub(super) fn coupling(kernel: &Kernel, i: usize) -> Result<Self, Unresolved> {
         let coupling = |zeta: f64| kernel.flexibilities(zeta).map_or(f64::NAN, |(c, _)| c[i].coupling);
         let mut spectrum = Self { panels: Vec::new(), samples: 0 };
         let mut edge = 0.0;
@@ -51,7 +51,7 @@ impl Spectrum {
     }
 
     /// The response of contact i to equal pressures on itself and its neighbours, times ζ, and what follows the panels.
-    pub(super) fn own(kernel: &Kernel, i: usize) -> Result<(Self, Far), Error> {
+    pub(super) fn own(kernel: &Kernel, i: usize) -> Result<(Self, Far), Unresolved> {
         let own = |zeta: f64| {
             kernel.flexibilities(zeta).map_or(f64::NAN, |(laminates, base)| {
                 let below = laminates.get(i).map_or(base, |laminate| laminate.equal_top);
@@ -72,7 +72,13 @@ impl Spectrum {
         Err(unresolved(kernel, edge))
     }
 
-    fn resolve(&mut self, kernel: &Kernel, from: f64, to: f64, function: &dyn Fn(f64) -> f64) -> Result<(), Error> {
+    fn resolve(
+        &mut self,
+        kernel: &Kernel,
+        from: f64,
+        to: f64,
+        function: &dyn Fn(f64) -> f64,
+    ) -> Result<(), Unresolved> {
         let panel = Series::of(from, to, POINTS, |zeta| function(zeta.max(LOWEST)));
         self.samples += POINTS;
         if panel.coefficients().iter().any(|c| !c.is_finite()) {
@@ -108,8 +114,8 @@ fn wave_nodes(from: f64, to: f64, frequency: f64) -> impl Iterator<Item = (f64, 
     (0..parts).flat_map(move |part| rule(needed.div_ceil(parts)).on(at(part), at(part + 1)))
 }
 
-fn unresolved(kernel: &Kernel, zeta: f64) -> Error {
-    Error::Unresolved { wavenumber: zeta / kernel.length() }
+fn unresolved(kernel: &Kernel, zeta: f64) -> Unresolved {
+    Unresolved { wavenumber: zeta / kernel.length() }
 }
 
 /// A kernel beyond the panels, ζ ≥ `from`: a limit, which makes the Cauchy kernel, and next to a graded face

@@ -11,7 +11,9 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatRef, Par, Side};
 
 use super::energy::Energy;
-use super::programme::Elements;
+
+/// A value for each element of each contact.
+pub(super) type Elements<T> = Vec<Vec<T>>;
 
 /// What follows if given elements of each contact touch.
 pub(super) struct Equilibrium<'a> {

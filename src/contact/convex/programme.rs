@@ -4,7 +4,7 @@
 //! in circles, elements are let touch one by one, and freed again as soon as they would pull, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
 use super::energy::Energy;
-use super::equilibrium::{Equilibrium, State};
+use super::equilibrium::{Elements, Equilibrium, State};
 
 /// Steps without fewer violations that are allowed.
 const PATIENCE: usize = 8;
@@ -19,9 +19,6 @@ const CANCELLED: f64 = 1e-11;
 pub(super) struct Programme<'a> {
     energy: &'a Energy,
 }
-
-/// A value for each element of each contact.
-pub(super) type Elements<T> = Vec<Vec<T>>;
 
 impl<'a> Programme<'a> {
     pub(super) fn new(energy: &'a Energy) -> Self {

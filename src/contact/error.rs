@@ -1,0 +1,186 @@
+//! Why a contact problem has no solution that could be found.
+use crate::solution::Interface;
+use crate::system::Unresolved;
+
+/// Why a contact problem was not solved.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ContactError {
+    /// A given pressure, and a method that wants a punch.
+    #[error("a given pressure in place of a punch is solved for by the Galerkin method only")]
+    LoadByCollocation,
+    /// A flat punch with sharp corners, and a method that wants pressures that end at 0.
+    #[error("a flat punch with sharp corners is solved for by the Galerkin method only")]
+    FlatByCollocation,
+    /// A given pressure, and a half-length of the contact under a punch.
+    #[error("half_length: a given pressure has no contact whose half-length a force could be found for")]
+    LoadWithHalfLength,
+    /// The layers' fields cannot be computed.
+    #[error(transparent)]
+    Unresolved(#[from] Unresolved),
+    /// The scene is well posed, but no admissible contact was found.
+    #[error(transparent)]
+    NoSolution(#[from] NoSolution),
+}
+
+impl ContactError {
+    /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
+            Self::Unresolved(_) => false,
+            Self::NoSolution(cause) => cause.is_input(),
+        }
+    }
+
+    /// What to do about it, if that can be said.
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::LoadByCollocation => None,
+            Self::FlatByCollocation => {
+                Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
+            }
+            Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
+            Self::Unresolved(cause) => Some(cause.hint()),
+            Self::NoSolution(cause) => cause.hint(),
+        }
+    }
+}
+
+/// Why no admissible contact was found.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoSolution {
+    /// The contact would reach past the edge of the punch.
+    #[error("the punch {punch} cannot carry the force: the contact would reach its edge at x = {edge:?}")]
+    PunchTooSmall {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// Half-width of the punch, in length.
+        edge: f64,
+    },
+    /// No force makes the contact as long as wanted.
+    #[error(
+        "no force makes the half-length of the contact under the punch {punch} {half_length:?}; {}",
+        reachable(*.below, *.above)
+    )]
+    HalfLength {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// The half-length wanted, in length.
+        half_length: f64,
+        /// The largest half-length below it that a force brings about, or that no force exceeds, in length.
+        below: Option<f64>,
+        /// The smallest half-length above it that a force brings about, or that any force exceeds, in length.
+        above: Option<f64>,
+    },
+    /// The force was not found that makes the contact as long as wanted: forces tried were not solved for.
+    #[error(
+        "the force was not found that makes the half-length of the contact under the punch {punch} {half_length:?}; {}{}",
+        reachable(*.below, *.above),
+        .cause.as_ref().map(|cause| format!("; in between {cause}")).unwrap_or_default()
+    )]
+    ForceNotFound {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// The half-length wanted, in length.
+        half_length: f64,
+        /// The largest half-length below it that was found, in length.
+        below: Option<f64>,
+        /// The smallest half-length above it that was found, in length.
+        above: Option<f64>,
+        /// Why the solver failed at the force tried last; `None` if the search did not end.
+        cause: Option<Box<NoSolution>>,
+    },
+    /// The half-lengths of the contacts did not settle.
+    #[error("the half-lengths of the contacts did not converge; the last were {half_lengths:?}")]
+    NotConverged {
+        /// The last half-lengths tried, from the top down, in length.
+        half_lengths: Vec<f64>,
+    },
+    /// A contact would have to pull.
+    #[error("the contact at {} would have to pull at x = {x:e}: no pressure there may be negative", place(.interface))]
+    Tension {
+        /// The contact.
+        interface: Interface,
+        /// Where, in length.
+        x: f64,
+    },
+    /// Bodies touch in more than one interval, and where exactly was not found.
+    #[error("the contact at {} is not one interval: the bodies touch where {}", place(.interface), intervals(.parts))]
+    Parts {
+        /// The contact.
+        interface: Interface,
+        /// Intervals of |x| in which they touch, right to some per cent, ascending, in length; the last may be infinite.
+        parts: Vec<[f64; 2]>,
+    },
+    /// Two bodies would overlap.
+    #[error("the bodies at {} would overlap at x = {x:e}: no gap outside the contact may be negative", place(.interface))]
+    Overlap {
+        /// The contact outside which they overlap.
+        interface: Interface,
+        /// Where, in length.
+        x: f64,
+    },
+}
+
+fn place(interface: &Interface) -> String {
+    match interface {
+        Interface::Punch => "the punch".to_owned(),
+        between => format!("the interface {between}"),
+    }
+}
+
+/// Which half-lengths are reached on either side of one that is not.
+fn reachable(below: Option<f64>, above: Option<f64>) -> String {
+    match (below, above) {
+        (Some(below), Some(above)) if below == above => format!("it is {below:?} under any force"),
+        // a contact is longer than the flat part of its punch, and shorter than the punch
+        (Some(below), Some(above)) if below > above => {
+            format!("reachable are half-lengths between {above:?} and {below:?}")
+        }
+        (Some(below), Some(above)) => format!("half-lengths up to {below:?} and from {above:?} on were reached"),
+        (Some(below), None) => format!("half-lengths up to {below:?} were reached"),
+        (None, Some(above)) => format!("reachable are half-lengths above {above:?}"),
+        (None, None) => "no half-length was reached".to_owned(),
+    }
+}
+
+fn intervals(parts: &[[f64; 2]]) -> String {
+    let interval = |[from, to]: &[f64; 2]| match *from {
+        0.0 => format!("|x| < {to:.3e}"),
+        _ if to.is_infinite() => format!("|x| > {from:.3e}"),
+        _ => format!("{from:.3e} < |x| < {to:.3e}"),
+    };
+    parts.iter().map(interval).collect::<Vec<_>>().join(" and ")
+}
+
+impl NoSolution {
+    /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
+    pub fn is_input(&self) -> bool {
+        matches!(self, Self::PunchTooSmall { .. } | Self::HalfLength { .. })
+    }
+
+    /// What to do about it, if that can be said.
+    pub fn hint(&self) -> Option<String> {
+        let hint = match self {
+            Self::PunchTooSmall { .. } => return None,
+            Self::NotConverged { .. } => {
+                "contacts hundreds of times longer than a layer next to them is thick need more modes than there are: \
+                 try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"
+            }
+            Self::Parts { .. } => {
+                "its parts could not be found more exactly than that: other stiffnesses, thicknesses or another force \
+                 may make it one interval, or easier to solve"
+            }
+            Self::Tension { .. } | Self::Overlap { .. } => {
+                "the contact may be more than one interval (open in the middle, touching again farther out), which is \
+                 not always solved, or too long for the layers next to it, which a smaller force shortens"
+            }
+            Self::HalfLength { .. } => {
+                "a contact is longer than the flat part of its punch, shorter than the punch, and its half-length jumps \
+                 where intervals of it meet: prescribe one that is reached, or the force"
+            }
+            Self::ForceNotFound { .. } => "prescribe the force, or a half-length next to those that were reached",
+        };
+        Some(hint.to_owned())
+    }
+}

@@ -1,0 +1,57 @@
+//! Why stresses and displacements are not known somewhere.
+use crate::system::Unresolved;
+
+/// Why stresses and displacements cannot be told.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FieldError {
+    /// The layers' fields cannot be computed.
+    #[error(transparent)]
+    Unresolved(#[from] Unresolved),
+    /// A field was asked for where there is nothing.
+    #[error("{place}: there is no layer; allowed is {allowed}")]
+    Outside {
+        /// Where.
+        place: String,
+        /// Where there is something.
+        allowed: String,
+    },
+    /// A field was asked for so far away that it would take too many wavenumbers.
+    #[error("x = {x:?} is too far from the contacts for the field to be computed there")]
+    TooFar {
+        /// The farthest of the places asked for, in length.
+        x: f64,
+    },
+    /// The search for the largest shear stress would take too long.
+    #[error(
+        "the search for the largest shear stress would evaluate layers {evaluations:.1e} times at a step; allowed are \
+         {allowed:.1e}"
+    )]
+    TooLong {
+        /// Evaluations of layers in one step, all wavenumbers together.
+        evaluations: f64,
+        /// The most that are allowed.
+        allowed: f64,
+    },
+    /// A field was asked for with the solution of another stack.
+    #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
+    OtherStack,
+}
+
+impl FieldError {
+    /// Whether the input is at fault.
+    pub fn is_input(&self) -> bool {
+        matches!(self, Self::Outside { .. } | Self::TooFar { .. } | Self::OtherStack)
+    }
+
+    /// What to do about it, if that can be said.
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::Unresolved(cause) => Some(cause.hint()),
+            Self::TooLong { .. } => Some("`recede field` gives the stress at points and on grids".to_owned()),
+            Self::OtherStack => {
+                Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned())
+            }
+            Self::Outside { .. } | Self::TooFar { .. } => None,
+        }
+    }
+}
