@@ -57,6 +57,7 @@
 //! length out of plane.
 #![deny(missing_docs)]
 
+mod collocation;
 mod contact;
 mod errors;
 pub mod exact;

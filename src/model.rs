@@ -3,11 +3,12 @@ use std::fmt::{self, Write};
 use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
+use crate::collocation;
 use crate::contact::{self, Lattice};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
-use crate::options::Options;
+use crate::options::{Method, Options};
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Interface, Solution};
 use crate::stack::Stack;
@@ -92,11 +93,13 @@ impl Model {
             self.stack.check_punch(&material)?;
         }
         let (kernel, lattice) = (&self.kernel, self.lattice.as_deref());
+        let press = |force: f64| match options.method {
+            Method::Galerkin => contact::press(kernel, lattice, &self.interfaces, punch, force, options),
+            Method::Collocation => collocation::press(kernel, &self.interfaces, punch, force, options),
+        };
         let solution = match force {
-            Force::Given(force) => contact::press(kernel, lattice, &self.interfaces, punch, force, options),
-            Force::ForHalfLength(half_length) => {
-                contact::press_to(kernel, lattice, &self.interfaces, punch, half_length, options)
-            }
+            Force::Given(force) => press(force),
+            Force::ForHalfLength(half_length) => contact::press_to(kernel, punch, half_length, options, press),
         };
         Ok(Solution { stack: self.key, ..solution? })
     }

@@ -1,47 +1,40 @@
 //! The contact problem: half-lengths and pressures of all contacts, for one punch and force on prepared kernels.
-mod admissible;
-mod attempts;
-mod basis;
-mod collocation;
-mod columns;
-mod converged;
-mod convex;
+mod ends;
+mod equations;
 mod error;
-mod fading;
-mod galerkin;
-mod given;
-mod lattice;
-mod layout;
-mod level;
-mod newton;
+mod integrals;
 mod parts;
 mod prescribed;
-mod pressures;
-mod punch;
-mod refine;
-mod secants;
-mod settling;
-mod start;
-mod tail;
+pub(crate) mod problem;
+mod programme;
+mod quality;
+pub(crate) mod starts;
 mod thin;
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use crate::kernel::{self, Kernel};
 use crate::numeric;
-use crate::options::{Method, Options};
+use crate::options::Options;
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution, Stats, Strip};
 
+pub(crate) use ends::newton::not_converged;
 pub use error::{ContactError, NoSolution};
-pub(crate) use lattice::Lattice;
 pub(crate) use prescribed::press_to;
+pub(crate) use starts::table::Lattice;
 
-use attempts::{Answer, from_any_start};
-use converged::Converged;
-use level::{BEST, Level, UNKNOWN, coefficients};
-use punch::Indentation;
-use refine::{Start, refine};
+use ends::converged::Converged;
+use ends::newton;
+use problem::load as given;
+use problem::modes::{alternating, coefficients, order};
+use problem::profile::Indentation;
+use quality::admissible;
+use quality::estimate::{BEST, Level, UNKNOWN};
+use quality::levels::{Start, refine};
+use starts::formulas;
+use starts::order::{Answer, from_any_start};
 use thin::Thin;
 
 /// Tolerances so many times larger are tried where errors are larger still, but not beyond what is worth it.
@@ -61,23 +54,24 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
-    let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
-    let lattice = lattice.filter(|_| with_punch.is_none());
-    let kernel = with_punch.as_ref().unwrap_or(kernel);
-    let measured = start::length(kernel, punch, force)?.map(|length| kernel.measured_in(length));
-    let kernel = measured.as_ref().unwrap_or(kernel);
-    let indentation = Indentation::new(punch, kernel, force);
-    if punch.load().is_some() && options.method == Method::Collocation {
-        return Err(ContactError::LoadByCollocation);
-    }
-    if indentation.flat().is_some() && options.method == Method::Collocation {
-        return Err(ContactError::FlatByCollocation);
-    }
-    let solution = match options.method {
-        Method::Collocation => collocation::press(kernel, interfaces, &indentation, options)?,
-        Method::Galerkin => solve_with_thin_layers(kernel, lattice, interfaces, &indentation, options)?,
-    };
+    let lattice = lattice.filter(|_| punch.material().is_none());
+    let kernel = &*kernel_under(kernel, punch, force)?;
+    let solution =
+        solve_with_thin_layers(kernel, lattice, interfaces, &Indentation::new(punch, kernel, force), options)?;
     Ok(Solution { force, ..solution })
+}
+
+/// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
+pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, punch: &Punch, force: f64) -> Result<Cow<'a, Kernel>, ContactError> {
+    let kernel = match punch.material() {
+        Some(material) => Cow::Owned(kernel.under_half_plane(&material)),
+        None => Cow::Borrowed(kernel),
+    };
+    let length = formulas::length(&kernel, punch, force)?;
+    Ok(match length {
+        Some(length) => Cow::Owned(kernel.measured_in(length)),
+        None => kernel,
+    })
 }
 
 /// Solves, without what only layers much thinner than a contact change in the kernels if that makes the smaller error.
@@ -132,7 +126,7 @@ fn solve(
     let mut work = newton::Work::default();
     if indentation.given().is_some() && kernel.contacts() == 1 {
         // nothing is unknown
-        let starts = start::half_lengths(kernel, indentation)?;
+        let starts = formulas::half_lengths(kernel, indentation)?;
         let level = Level::new(Converged::known(starts), kernel, indentation, 0.0);
         let check = admissible::Check { min_pressure: 0.0, pulls: Vec::new(), min_gap: 0.0, overlaps: Vec::new() };
         return Ok(solution(kernel, interfaces, indentation, level, check, work, Vec::new()));
@@ -181,7 +175,7 @@ fn solve(
         indentation,
         options,
         |half_lengths, finer| from(Start::Formulas { half_lengths, finer }),
-        |expected, far| convex::answer(kernel, interfaces, indentation, expected, far),
+        |expected, far| programme::answer(kernel, interfaces, indentation, expected, far),
     )
 }
 
@@ -224,7 +218,7 @@ fn touching_again(kernel: &Kernel, interfaces: &[Interface], overlap: &admissibl
 }
 
 /// What it took to evaluate the stack.
-fn stats(kernel: &Kernel) -> Stats {
+pub(crate) fn stats(kernel: &Kernel) -> Stats {
     let kernel::Work { wavenumbers, layers, repeated, unfelt } = kernel.work();
     let (dropped, merged) = (kernel.dropped(), kernel.merged());
     Stats {
@@ -272,7 +266,7 @@ fn solution(
                 // arcosh(1/|cos φ|) is known as a whole
                 coefficients.truncate(level.counts[i]);
                 let terms = coefficients.iter_mut().enumerate();
-                terms.for_each(|(m, c)| *c -= 2.0 * galerkin::alternating(m) * tip / galerkin::order(m));
+                terms.for_each(|(m, c)| *c -= 2.0 * alternating(m) * tip / order(m));
             }
             let [length_error, pressure_error] = level.errors[i];
             Contact {
@@ -311,8 +305,8 @@ fn solution(
 mod tests {
     use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
-    use super::given::Given;
     use super::*;
+    use crate::contact::problem::load::Given;
     use crate::stack::Stack;
 
     #[test]

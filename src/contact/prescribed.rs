@@ -4,14 +4,13 @@
 //! method, kept between forces known to be too small and too large. A force at which the solver fails says nothing of the
 //! half-length: another one is tried.
 use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::problem::profile::Indentation;
+use crate::contact::quality::estimate::BEST;
+use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
 use crate::scene::Punch;
-use crate::solution::{Interface, Solution, Stats};
-
-use super::level::BEST;
-use super::punch::Indentation;
-use super::{Lattice, press, start};
+use crate::solution::{Solution, Stats};
 
 /// The half-length is met to this part of the tolerance, or of its own error where that is larger.
 const MET: f64 = 0.1;
@@ -22,14 +21,13 @@ const LONGEST: f64 = 3.0;
 /// Half-lengths by which the slope of the first guess is found differ by this, in the logarithm.
 const APART: f64 = -1e-3;
 
-/// Presses a punch on a stack until its contact is as long as wanted.
+/// Presses a punch on a stack until its contact is as long as wanted; `press` presses with a force.
 pub(crate) fn press_to(
     kernel: &Kernel,
-    lattice: Option<&Lattice>,
-    interfaces: &[Interface],
     punch: &Punch,
     half_length: f64,
     options: &Options,
+    press: impl Fn(f64) -> Result<Solution, ContactError>,
 ) -> Result<Solution, ContactError> {
     if punch.load().is_some() {
         return Err(ContactError::LoadWithHalfLength);
@@ -47,7 +45,7 @@ pub(crate) fn press_to(
         if !force.is_normal() {
             return Err(unreachable(search.low.map(|known| known.half_length), search.above(edge)).into());
         }
-        match press(kernel, lattice, interfaces, punch, force, options) {
+        match press(force) {
             Ok(mut solution) => {
                 all.newton_steps.append(&mut solution.stats.newton_steps);
                 all.factorisations += solution.stats.factorisations;
@@ -242,7 +240,7 @@ fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let unit = kernel.modulus() * kernel.length();
     let (indentation, half_length) = (Indentation::new(punch, kernel, unit), half_length / kernel.length());
-    let force = unit * start::force(kernel, &indentation, half_length);
+    let force = unit * formulas::force(kernel, &indentation, half_length);
     if force.is_normal() && force > 0.0 {
         return force;
     }

@@ -11,12 +11,11 @@
 use std::f64::consts::PI;
 
 use crate::contact::error::ContactError;
+use crate::contact::problem::profile::Indentation;
+use crate::contact::quality::levels::{COARSEST, FINEST};
+use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::solution::{Contact, Interface, Solution};
-
-use super::punch::Indentation;
-use super::refine::{COARSEST, FINEST};
-use super::start;
 
 /// An answer is taken to be wrong by so many times the change of the diagonal, since the rows of higher modes change more than the
 /// first. Under a coating ten times stiffer than the ground the half-length was off by 0.5 to 0.7 of that change.
@@ -48,7 +47,7 @@ pub(super) struct Thin {
 impl Thin {
     /// `None` if modes resolve all that matters.
     pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, ContactError> {
-        let mut half_lengths = start::half_lengths(kernel, punch)?;
+        let mut half_lengths = formulas::half_lengths(kernel, punch)?;
         let (contacts, joined) = (Vec::new(), Vec::new());
         let mut thin = Self { kernel: kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
         let given = usize::from(punch.given().is_some());
@@ -72,14 +71,14 @@ impl Thin {
     /// Leaves out the laminate below a contact, which is one with the next contact then, if modes do not resolve how far the
     /// laminate carries a line load.
     fn join_below(&mut self, upper: usize, half_lengths: &mut Vec<f64>) -> Result<(), ContactError> {
-        let (a, carried) = (half_lengths[upper], start::carried(&self.kernel, upper));
+        let (a, carried) = (half_lengths[upper], formulas::carried(&self.kernel, upper));
         if carried.is_nan() || carried * (2 * FINEST) as f64 > a {
             return Ok(());
         }
         // a layer gives way to longer waves by the same displacement as to those as short as it is thick
-        let squeezed = self.kernel.thinned(upper, start::TYPICAL / carried) * carried / a;
+        let squeezed = self.kernel.thinned(upper, formulas::TYPICAL / carried) * carried / a;
         self.kernel = self.kernel.without(upper)?;
-        let error = AT_ENDS * carried / a + SAFETY * squeezed / self.kernel.compliances(start::TYPICAL / a)[upper];
+        let error = AT_ENDS * carried / a + SAFETY * squeezed / self.kernel.compliances(formulas::TYPICAL / a)[upper];
         half_lengths.remove(upper + 1);
         self.thinnest = self.thinnest.min(carried / a);
         self.error = self.error.max(error);

@@ -10,13 +10,12 @@ use std::ops::Range;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 
+use crate::contact::integrals::layout::Layout;
+use crate::contact::integrals::tail::Weights;
+use crate::contact::parts::patch::Patch;
+use crate::contact::problem::profile::Indentation;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
-
-use super::super::layout::Layout;
-use super::super::punch::Indentation;
-use super::super::tail::Weights;
-use super::patch::Patch;
 
 /// Points of integrals over an interval, per pressure, and more.
 const PER_PRESSURE: usize = 3;

@@ -1,13 +1,12 @@
 //! No pressure may pull, and no gap be overlapped, between the parts of a contact and beyond them.
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::contact::integrals::layout::{Layout, negligible};
+use crate::contact::parts::Level;
+use crate::contact::parts::equations::Equations;
+use crate::contact::problem::profile::Indentation;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
-
-use super::super::layout::{Layout, negligible};
-use super::super::punch::Indentation;
-use super::Level;
-use super::equations::Equations;
 
 /// Pressures are looked at in so many places per term.
 const PER_TERM: usize = 3;

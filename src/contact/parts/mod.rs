@@ -9,17 +9,16 @@ mod patch;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
+use crate::contact::integrals::layout::{Layout, negligible};
+use crate::contact::problem::load;
+use crate::contact::problem::profile::Indentation;
+use crate::contact::programme::Zones;
+use crate::contact::quality::estimate::UNKNOWN;
+use crate::contact::{in_parts, stats};
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
 use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
-
-use super::convex::Zones;
-use super::layout::{Layout, negligible};
-use super::level::UNKNOWN;
-use super::punch::Indentation;
-use super::{given, in_parts, stats};
-
 use equations::Equations;
 use patch::Patch;
 
@@ -394,7 +393,7 @@ fn solution(
     let force = pressure_unit * length;
     let mut contacts: Vec<Contact> = Vec::new();
     if let Some(load) = punch.load() {
-        contacts.push(given::contact(load, interfaces[0], force, given::strips(load, force)));
+        contacts.push(load::contact(load, interfaces[0], force, load::strips(load, force)));
     }
     let all = level.patches.iter().zip(&level.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);

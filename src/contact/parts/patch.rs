@@ -7,9 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use faer::MatMut;
 
+use crate::contact::problem::modes::alternating;
 use crate::numeric::bessel;
-
-use super::super::galerkin::alternating;
 
 /// One interval of |x| in which the bodies of a contact touch.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,0 +1,65 @@
+//! Gaps outside the contacts, by quadrature of their slopes.
+use std::f64::consts::PI;
+
+use crate::numeric::quadrature::rule;
+
+use crate::collocation::equations::Pressures;
+use crate::collocation::nodes::Nodes;
+use crate::collocation::spatial::Spatial;
+use crate::collocation::spatial::cauchy_outside;
+use crate::contact::problem::profile::Indentation;
+
+/// Gaps are looked at in this many places per contact.
+const PLACES: usize = 24;
+
+/// Places x > a of contact i up to `span` (in units of L), dense next to its end, and the gap there per unit of P'.
+pub(super) fn gaps(
+    spatial: &Spatial,
+    nodes: &Nodes,
+    punch: &Indentation,
+    half_lengths: &[f64],
+    pressures: &Pressures,
+    i: usize,
+    span: f64,
+) -> Vec<(f64, f64)> {
+    let a = half_lengths[i];
+    let coefficients = nodes.coefficients(&pressures.phi[i]);
+    let end = if i == 0 { punch.max_half_length().map_or(span, |edge| span.min(edge)) } else { span };
+    let farthest = (end / a).max(1.0).acosh();
+    let tau = |k: usize| farthest * (k as f64 / PLACES as f64).powi(2);
+    let mut deflection = 0.0;
+    (1..=PLACES)
+        .map(|k| {
+            for (tau, weight) in rule(8).on(tau(k - 1), tau(k)) {
+                let slope = spatial.own[i].limit / a * cauchy_outside(&coefficients, tau)
+                    + smooth_slope(spatial, nodes, half_lengths, pressures, i, a * tau.cosh());
+                deflection += weight * a * tau.sinh() * slope / PI;
+            }
+            let x = a * tau(k).cosh();
+            let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
+            (x, opened - deflection)
+        })
+        .collect()
+}
+
+/// π times the slope at x in contact i, the Cauchy kernel left out.
+fn smooth_slope(
+    spatial: &Spatial,
+    nodes: &Nodes,
+    half_lengths: &[f64],
+    pressures: &Pressures,
+    i: usize,
+    x: f64,
+) -> f64 {
+    let mut slope = 0.0;
+    for (k, (s, weight)) in nodes.s.iter().zip(&nodes.weights).enumerate() {
+        let (t, own) = (half_lengths[i] * s, weight * pressures.phi[i][k]);
+        slope += own * (spatial.own[i].whole(x - t) + spatial.own[i].whole(x + t));
+        for l in spatial.neighbours(i) {
+            let other = weight * pressures.phi[l][k];
+            slope += 2.0 * other * spatial.difference(i, l, x, half_lengths[l] * s);
+            slope -= 2.0 * own * spatial.difference(i, l, x, t);
+        }
+    }
+    slope
+}

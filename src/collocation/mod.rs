@@ -1,0 +1,279 @@
+//! A second, independent discretisation of the contact equations: pressures at nodes, slopes compared at places between
+//! them, kernels as functions of the distance. Slower than the Galerkin solver, and there to check it.
+//!
+//! In common the two have the flexibilities at single wavenumbers, the punch, and the half-lengths to start from.
+mod equations;
+mod gaps;
+mod nodes;
+mod spatial;
+mod spectrum;
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+use crate::kernel::Kernel;
+use crate::numeric::largest;
+use crate::options::Options;
+use crate::scene::Punch;
+use crate::solution::{Contact, Interface, Solution, Stats, Strip};
+
+use crate::contact::problem::modes::alternating;
+use crate::contact::problem::profile::Indentation;
+use crate::contact::starts::order::from_any_start;
+use crate::contact::{ContactError, NoSolution, kernel_under, not_converged, stats};
+
+use equations::Pressures;
+use nodes::Nodes;
+use spatial::Spatial;
+
+/// Numbers of nodes: the first, doubled until the tolerance is met, and the last.
+const COARSEST: usize = 16;
+const FINEST: usize = 512;
+/// Longest step in the logarithm of a half-length.
+const LONGEST_STEP: f64 = 0.5;
+/// Steps for one number of nodes.
+const STEPS: usize = 30;
+/// Steps are short enough below this; short steps that no longer shorten are rounding.
+const SETTLED: f64 = 1e-13;
+const SHORT: f64 = 1e-8;
+/// Step of the finite differences for derivatives by the logarithm of a half-length.
+const DIFFERENCE: f64 = 1e-5;
+/// What rounding leaves of a half-length, relative.
+const ROUNDING: f64 = 1e-12;
+/// Pressures and gaps below zero by less than this part of the largest value are zero.
+const ZERO: f64 = 1e-5;
+
+/// Half-lengths and pressures for one number of nodes.
+struct Level {
+    half_lengths: Vec<f64>,
+    pressures: Pressures,
+    /// p(0) per unit of P'.
+    peaks: Vec<f64>,
+    /// Length of the last step.
+    last_step: f64,
+}
+
+/// Presses a punch on a stack: the answer in the units of the scene.
+pub(crate) fn press(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Punch,
+    force: f64,
+    options: &Options,
+) -> Result<Solution, ContactError> {
+    let kernel = &*kernel_under(kernel, punch, force)?;
+    let indentation = Indentation::new(punch, kernel, force);
+    if punch.load().is_some() {
+        return Err(ContactError::LoadByCollocation);
+    }
+    if indentation.flat().is_some() {
+        return Err(ContactError::FlatByCollocation);
+    }
+    let solution = solve(kernel, interfaces, &indentation, options)?;
+    Ok(Solution { force, ..solution })
+}
+
+fn solve(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    options: &Options,
+) -> Result<Solution, ContactError> {
+    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
+    let solve = |half_lengths: Vec<f64>, finer: usize| {
+        problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options).map(Into::into)
+    };
+    from_any_start(kernel, interfaces, punch, options, solve, |_, _| None)
+}
+
+struct Problem<'a> {
+    kernel: &'a Kernel,
+    interfaces: &'a [Interface],
+    punch: &'a Indentation<'a>,
+    spatial: Spatial,
+    /// Newton steps taken on each level.
+    steps: Vec<usize>,
+}
+
+impl Problem<'_> {
+    /// More and more nodes until the answers of two numbers of them agree.
+    fn refine(&mut self, half_lengths: Vec<f64>, coarsest: usize, options: &Options) -> Result<Solution, ContactError> {
+        let singular = self.spatial.own.iter().any(|own| own.jump.is_some());
+        let mut count = coarsest;
+        let mut jacobian = None;
+        let mut nodes = Nodes::new(count, singular);
+        let mut before = self.converge(&nodes, half_lengths, &mut jacobian)?;
+        loop {
+            count *= 2;
+            nodes = Nodes::new(count, singular);
+            let level = self.converge(&nodes, before.half_lengths.clone(), &mut jacobian)?;
+            let error = |new: f64, old: f64| (new / old - 1.0).abs() + level.last_step + ROUNDING;
+            let errors: Vec<[f64; 2]> = (0..level.peaks.len())
+                .map(|i| {
+                    let length = error(level.half_lengths[i], before.half_lengths[i]);
+                    [length, error(level.peaks[i], before.peaks[i]) + length]
+                })
+                .collect();
+            let worst = largest(errors.iter().flatten().copied());
+            if worst.is_nan() {
+                return Err(not_converged(self.kernel, self.punch, &level.half_lengths));
+            }
+            // two solutions that have little in common say nothing of each other
+            if worst <= options.tolerance || count >= FINEST {
+                let mut warnings = Vec::new();
+                if worst > options.tolerance {
+                    warnings.push(format!(
+                        "the tolerance {:e} is not met with {count} nodes; the error estimates tell what was reached",
+                        options.tolerance
+                    ));
+                }
+                return self.solution(&nodes, &level, &errors, warnings);
+            }
+            before = level;
+        }
+    }
+
+    /// Newton's method for the logarithms of the half-lengths. The derivatives, finite differences, are kept as long as
+    /// they serve, also from one number of nodes to the next.
+    fn converge(
+        &mut self,
+        nodes: &Nodes,
+        mut half_lengths: Vec<f64>,
+        jacobian: &mut Option<Mat<f64>>,
+    ) -> Result<Level, ContactError> {
+        let mut last = f64::INFINITY;
+        self.steps.push(0);
+        for _ in 0..STEPS {
+            let pressures = self.solve(nodes, &half_lengths);
+            if let Some(steps) = self.steps.last_mut() {
+                *steps += 1;
+            }
+            let derivatives = match jacobian.take() {
+                Some(kept) => kept,
+                None => self.derivatives(nodes, &half_lengths, &pressures.slack),
+            };
+            let right = Mat::from_fn(half_lengths.len(), 1, |i, _| -pressures.slack[i]);
+            let step: Vec<f64> = derivatives.partial_piv_lu().solve(&right).col(0).iter().copied().collect();
+            let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+            if step.iter().any(|step| !step.is_finite()) {
+                break;
+            }
+            if longest < SETTLED || last < SHORT && longest > 0.5 * last {
+                *jacobian = Some(derivatives);
+                let peaks = pressures.phi.iter().zip(&half_lengths).map(|(phi, a)| peak(nodes, phi) / a).collect();
+                return Ok(Level { half_lengths, pressures, peaks, last_step: longest });
+            }
+            // derivatives that no longer serve are computed anew
+            *jacobian = (longest < 0.1 * last && longest < 0.1).then_some(derivatives);
+            last = longest;
+            let shorten = (LONGEST_STEP / longest).min(1.0);
+            for (a, step) in half_lengths.iter_mut().zip(&step) {
+                *a *= (shorten * step).exp();
+            }
+            if let Some(limit) = self.punch.max_half_length()
+                && half_lengths[0] >= limit
+            {
+                half_lengths[0] = limit * (1.0 - 1e-4);
+                if let Some(error) = self.punch.too_small(half_lengths[0]) {
+                    return Err(error);
+                }
+            }
+        }
+        *jacobian = None;
+        Err(not_converged(self.kernel, self.punch, &half_lengths))
+    }
+
+    fn solve(&mut self, nodes: &Nodes, half_lengths: &[f64]) -> Pressures {
+        let longest = half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
+        self.spatial.cover(2.0 * longest);
+        equations::solve(&self.spatial, nodes, self.punch, half_lengths)
+    }
+
+    /// dσ/d ln a, one column per half-length.
+    fn derivatives(&mut self, nodes: &Nodes, half_lengths: &[f64], slack: &[f64]) -> Mat<f64> {
+        let n = half_lengths.len();
+        let mut derivatives = Mat::zeros(n, n);
+        for by in 0..n {
+            let mut moved = half_lengths.to_vec();
+            moved[by] *= DIFFERENCE.exp();
+            let changed = self.solve(nodes, &moved).slack;
+            for i in 0..n {
+                derivatives[(i, by)] = (changed[i] - slack[i]) / DIFFERENCE;
+            }
+        }
+        derivatives
+    }
+
+    /// The answer in the units of the scene, if it is admissible.
+    fn solution(
+        &mut self,
+        nodes: &Nodes,
+        level: &Level,
+        errors: &[[f64; 2]],
+        warnings: Vec<String>,
+    ) -> Result<Solution, ContactError> {
+        let (length, pressure_unit) = (self.kernel.length(), self.kernel.modulus() * self.punch.force);
+        let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
+        let span = self.punch.span(&level.half_lengths);
+        self.spatial.cover(span + longest);
+        let (mut min_pressure, mut min_gap) = (0.0f64, 0.0f64);
+        let mut contacts = Vec::new();
+        for (i, interface) in self.interfaces.iter().enumerate() {
+            let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
+            let pressures = phi.iter().zip(&nodes.s).map(|(phi, s)| (s * a, phi * (1.0 - s * s).sqrt() / a));
+            for (x, pressure) in pressures {
+                if pressure < -ZERO * level.peaks[i].abs() {
+                    return Err(NoSolution::Tension { interface: *interface, x: x * length }.into());
+                }
+                min_pressure = min_pressure.min(pressure);
+            }
+            let gaps = gaps::gaps(&self.spatial, nodes, self.punch, &level.half_lengths, &level.pressures, i, span);
+            let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+            for (x, gap) in gaps {
+                if gap < -ZERO * widest {
+                    return Err(NoSolution::Overlap { interface: *interface, x: x * length }.into());
+                }
+                min_gap = min_gap.min(gap);
+            }
+            let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a * pressure_unit).collect();
+            let (half_length, mut peak_pressure) = (a * length, level.peaks[i] * pressure_unit);
+            let mut peak_pressure_error = errors[i][1] * peak_pressure;
+            if i == 0 && self.punch.is_sharp() {
+                (peak_pressure, peak_pressure_error) = (f64::INFINITY, 0.0);
+            }
+            contacts.push(Contact {
+                interface: *interface,
+                half_length,
+                half_length_error: errors[i][0] * half_length,
+                peak_pressure,
+                peak_pressure_error,
+                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
+                strips: vec![Strip::series(half_length, coefficients)],
+                opening: 0.0,
+                opening_error: 0.0,
+                parts: Vec::new(),
+            });
+        }
+        Ok(Solution {
+            contacts,
+            stack: None,
+            force: pressure_unit * length,
+            force_error: 0.0,
+            min_pressure: min_pressure * pressure_unit,
+            min_gap: min_gap * self.punch.force * length,
+            stats: Stats {
+                modes: vec![nodes.half(); self.interfaces.len()],
+                newton_steps: self.steps.clone(),
+                factorisations: self.steps.iter().sum(),
+                wavenumbers: self.kernel.work().wavenumbers + self.spatial.samples(),
+                ..stats(self.kernel)
+            },
+            warnings,
+        })
+    }
+}
+
+/// φ at s = 0.
+fn peak(nodes: &Nodes, phi: &[f64]) -> f64 {
+    nodes.coefficients(phi).iter().enumerate().map(|(m, c)| alternating(m) * c).sum()
+}

@@ -1,0 +1,253 @@
+//! Pressures at given half-lengths, how far these are from equilibrium, and Newton's step from there.
+//!
+//! The rows of the first modes are what is left over, one for each unknown half-length: the residual of Newton's method.
+//! With the Cholesky factor L of the other rows and β = L⁻¹ (columns of the first modes), a residual (r, r') in the first
+//! and the other rows leaves r − β · L⁻¹r' once the other modes have given way.
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
+use faer::{MatMut, Par, Spec};
+use nalgebra::{DMatrix, DMatrixView, DVectorViewMut};
+
+use crate::contact::equations::assemble::{Equations, Rows};
+use crate::contact::problem::modes::{Modes, order};
+use crate::contact::problem::profile::Slopes;
+use crate::numeric::buffer::Buffer;
+
+/// The equations about a set of half-lengths, factorised.
+pub(crate) struct Linearised {
+    factor: Factor,
+    /// β, a column for each contact.
+    beta: DMatrix<f64>,
+    /// The inverse of the derivative of the residual with respect to the logarithms of the half-lengths.
+    inverse: DMatrix<f64>,
+    /// d y_im / d ln a_k: `sensitivity[k][i][m]`.
+    sensitivity: Vec<Modes>,
+    pub(crate) influences: Influences,
+}
+
+/// What half-lengths and pressures in the middle feel of rounding and of each other.
+pub(crate) struct Influences {
+    /// What rounding may change in the logarithms of the half-lengths.
+    pub(crate) rounding: Vec<f64>,
+    /// By how much the logarithm of each half-length changes with that of each other, if it alone gives way to it.
+    pub(crate) lengths: Vec<Vec<f64>>,
+    /// The same for the logarithm of the pressure in the middle of each contact.
+    pub(crate) peaks: Vec<Vec<f64>>,
+}
+
+/// Rounding of a row, relative to its terms.
+const ROUNDING: f64 = 2e-16;
+
+/// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the logarithms of the half-lengths.
+pub(crate) struct Pressures {
+    pub(crate) modes: Modes,
+    pub(crate) step: Vec<f64>,
+    /// What is left in the rows of the first modes.
+    pub(crate) residuals: Vec<f64>,
+}
+
+/// Solves the equations for the pressures, and for those half-lengths that are not `left` as they are; `None` if they cannot
+/// be solved in double precision.
+pub(crate) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Option<(Pressures, Linearised)> {
+    let (n, size) = (equations.contacts(), equations.size());
+    let higher = size - n;
+    let matrix = equations.matrix();
+    // columns of the first modes, and the load
+    let mut columns = DMatrix::zeros(higher, n + 1);
+    columns.columns_mut(0, n).copy_from(&matrix.view((n, 0), (higher, n)));
+    let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
+    let diagonal: Vec<f64> = (0..size).map(|k| matrix[(k, k)]).collect();
+    let factor = Factor::new(matrix, n)?;
+    for m in 1..equations.modes(0) {
+        columns[(equations.place(0, m) - n, n)] = slopes.load(m);
+    }
+    let counts: Vec<usize> = (0..n).map(|i| equations.modes(i)).collect();
+    let mut corners =
+        equations.corner_rows(&counts).map_or_else(|| Buffer::zeros(size), |rows| equations.rows_of(&rows));
+    corners.iter_mut().for_each(|row| *row *= equations.amplitude());
+    for k in 0..higher {
+        columns[(k, n)] -= corners[n + k];
+    }
+    factor.down(&mut columns);
+    let gamma = columns.column(0) - columns.column(n);
+    let beta = columns.remove_column(n);
+
+    let mut unknowns = factor.back(gamma.as_slice());
+    unknowns[0] = 1.0;
+    let modes = equations.modes_of(&unknowns);
+    let derivatives: Vec<Buffer> =
+        equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
+    let mut moved = DMatrix::from_fn(higher, n, |k, by| derivatives[by][n + k]);
+    factor.down(&mut moved);
+    let jacobian = DMatrix::from_fn(n, n, |i, by| derivatives[by][i] - beta.column(i).dot(&moved.column(by)));
+    // what is left as it is has neither a row nor a step
+    let free: Vec<usize> = (0..n).filter(|i| !left[*i]).collect();
+    let unknown = DMatrix::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]);
+    let solved = unknown.lu().try_inverse()?;
+    let mut inverse = DMatrix::zeros(n, n);
+    for (by, column) in free.iter().enumerate() {
+        free.iter().enumerate().for_each(|(i, row)| inverse[(*row, *column)] = solved[(i, by)]);
+    }
+    let lengths = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
+    let residual = |i: usize| {
+        let row = known[i] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
+        row - beta.column(i).dot(&gamma)
+    };
+    let residuals: Vec<f64> = (0..n).map(residual).collect();
+    let differences = |i: usize| {
+        let mut weights = factor.back(beta.column(i).as_slice());
+        weights[i] = 1.0;
+        equations.difference_rounding(&weights, &modes, &diagonal)
+    };
+    let sizes: Vec<f64> = (0..n)
+        .map(|i| {
+            let terms: f64 = beta.column(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs()).sum();
+            let differences = if equations.has_linked() { differences(i) } else { 0.0 };
+            ROUNDING * (terms + known[i].abs() + differences)
+        })
+        .collect();
+    let felt = |changes: &[f64]| -> Vec<f64> {
+        (0..n).map(|i| (0..n).map(|k| inverse[(i, k)].abs() * changes[k]).sum()).collect()
+    };
+    let rounding = felt(&sizes);
+    let sensitivity: Vec<Modes> =
+        (0..n).map(|by| equations.modes_of(&factor.back(moved.column(by).as_slice()))).collect();
+    let sum = |modes: &[f64]| modes.iter().enumerate().map(|(m, y)| y / order(m)).sum::<f64>();
+    let peak = |i: usize, by: usize| {
+        // a pressure is its modes over the half-length
+        let own = if by == i { 1.0 } else { 0.0 };
+        (sum(&sensitivity[by][i]) / sum(&modes[i]) - own).abs()
+    };
+    let peaks = (0..n).map(|i| (0..n).map(|by| peak(i, by)).collect()).collect();
+    let influences = Influences { rounding, lengths, peaks };
+    let linearised = Linearised { factor, beta, inverse, sensitivity, influences };
+    let pressures = Pressures { modes, step: linearised.step(&residuals), residuals };
+    let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
+    finite.then_some((pressures, linearised))
+}
+
+/// The Cholesky factor L of all rows and columns of a matrix but the first, in its place.
+struct Factor {
+    matrix: DMatrix<f64>,
+    first: usize,
+}
+
+impl Factor {
+    fn new(mut matrix: DMatrix<f64>, first: usize) -> Option<Self> {
+        let (size, higher) = (matrix.nrows(), matrix.nrows() - first);
+        let all = MatMut::from_column_major_slice_mut(matrix.as_mut_slice(), size, size);
+        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(higher, Par::Seq, Spec::default()));
+        let stack = MemStack::new(&mut memory);
+        let part = all.submatrix_mut(first, first, higher, higher);
+        cholesky_in_place(part, Default::default(), Par::Seq, stack, Spec::default()).ok()?;
+        Some(Self { matrix, first })
+    }
+
+    fn lower(&self) -> DMatrixView<'_, f64> {
+        let higher = self.matrix.nrows() - self.first;
+        self.matrix.view((self.first, self.first), (higher, higher))
+    }
+
+    /// L⁻¹ right, in its place.
+    fn down(&self, right: &mut DMatrix<f64>) {
+        self.lower().solve_lower_triangular_mut(right);
+    }
+
+    /// Unknowns: first modes 0, then −L⁻ᵀ right.
+    fn back(&self, right: &[f64]) -> Vec<f64> {
+        let mut unknowns = vec![0.0; self.matrix.nrows()];
+        let mut higher = DVectorViewMut::from_slice(&mut unknowns[self.first..], right.len());
+        higher.iter_mut().zip(right).for_each(|(unknown, right)| *unknown = -right);
+        self.lower().tr_solve_lower_triangular_mut(&mut higher);
+        unknowns
+    }
+}
+
+/// How far half-lengths have moved, in the logarithm, since the tables were made, and what that does to the rows: the
+/// square of the way is left out.
+#[derive(Default)]
+pub(crate) struct Drift {
+    pub(crate) shift: Vec<f64>,
+    /// Derivatives of the rows: `derivatives[k][i][m]`.
+    pub(crate) derivatives: Vec<Vec<Rows>>,
+}
+
+impl Drift {
+    fn add_to(&self, i: usize, rows: &mut [f64]) {
+        for (shift, derivatives) in self.shift.iter().zip(&self.derivatives) {
+            rows.iter_mut().zip(derivatives[i].iter()).for_each(|(row, derivative)| *row += shift * derivative);
+        }
+    }
+}
+
+/// What one round of [`Linearised::settle`] changed.
+pub(crate) struct Round {
+    /// The step still to be taken in the logarithms of the half-lengths.
+    pub(crate) step: Vec<f64>,
+    /// Changes of the modes, Σ |Δy_m|/order per contact.
+    pub(crate) changes: Vec<f64>,
+    /// What the kernels make of the modes, up to these changes.
+    pub(crate) responses: Vec<Rows>,
+}
+
+impl Linearised {
+    /// Newton's step for what is left in the rows of the first modes.
+    fn step(&self, residuals: &[f64]) -> Vec<f64> {
+        let n = residuals.len();
+        (0..n).map(|i| -(0..n).map(|k| self.inverse[(i, k)] * residuals[k]).sum::<f64>()).collect()
+    }
+
+    /// By how much a step of contact i alone would change the pressures in the middle of all contacts, and by how much what is
+    /// left in its row would change the half-lengths of others, relative.
+    pub(crate) fn felt(&self, i: usize, pressures: &Pressures) -> f64 {
+        let peaks = self.influences.peaks.iter().map(|by| by[i] * pressures.step[i].abs());
+        let others = (0..pressures.step.len()).filter(|k| *k != i);
+        let lengths = others.map(|k| (self.inverse[(k, i)] * pressures.residuals[i]).abs());
+        // what is no number is felt by all
+        peaks.chain(lengths).fold(0.0, |most: f64, felt| if felt.is_nan() { f64::INFINITY } else { most.max(felt) })
+    }
+
+    /// Moves modes along with a step.
+    pub(crate) fn follow(&self, modes: &mut Modes, step: &[f64]) {
+        for (step, sensitivity) in step.iter().zip(&self.sensitivity) {
+            for (modes, sensitivity) in modes.iter_mut().zip(sensitivity) {
+                modes.iter_mut().zip(sensitivity).for_each(|(y, dy)| *y += step * dy);
+            }
+        }
+    }
+
+    /// One round of iteration at half-lengths nearby, with more modes than are solved for: those follow row by row
+    /// (iterated Galerkin, Sloan 1976), since the dominant part of each row is its own diagonal; the others, and the
+    /// half-lengths, from what is left in their rows.
+    pub(crate) fn settle(&self, equations: &Equations, slopes: &Slopes, drift: &Drift, modes: &mut Modes) -> Round {
+        let n = equations.contacts();
+        let responses = equations.responses(modes);
+        let mut changes = vec![0.0; n];
+        let mut rows: Vec<Rows> = Vec::with_capacity(n);
+        for (i, response) in responses.iter().enumerate() {
+            let mut own = equations.test(i, response, modes[i].len());
+            for (m, row) in own.iter_mut().enumerate() {
+                *row += equations.own_row(i, m, modes[i][m]) - if i == 0 { slopes.load(m) } else { 0.0 };
+            }
+            drift.add_to(i, &mut own);
+            for m in equations.modes(i)..own.len() {
+                let change = -own[m] / equations.cauchy(i, m);
+                modes[i][m] += change;
+                changes[i] += change.abs() / order(m);
+            }
+            rows.push(own);
+        }
+        let rows = equations.rows_of(&rows);
+        let mut column = DMatrix::from_column_slice(rows.len() - n, 1, &rows[n..]);
+        self.factor.down(&mut column);
+        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - self.beta.column(i).dot(&column.column(0))).collect();
+        let lower = equations.modes_of(&self.factor.back(column.as_slice()));
+        for ((modes, lower), change) in modes.iter_mut().zip(lower).zip(&mut changes) {
+            for (m, (y, dy)) in modes.iter_mut().zip(lower).enumerate() {
+                *y += dy;
+                *change += dy.abs() / order(m);
+            }
+        }
+        Round { step: self.step(&residuals), changes, responses }
+    }
+}

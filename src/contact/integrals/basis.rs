@@ -1,0 +1,192 @@
+//! The transformed pressure modes of one contact at all nodes.
+//!
+//! p(x) = √(1 − s²) Σ c_j U_(j−1)(s), s = x/a, j odd, has the transform (2P/ζ) Σ y_j ψ_j(ζ) with ψ_j = J_j(ζa)/a and
+//! y_1 = 1. The tests T_k/√(1 − s²) turn sin ζx into J_k(ζa). So all integrals need ψ_j for odd j, and Newton's method
+//! the derivative with respect to ln a, z (J_(j−1) − J_(j+1))/(2a) − ψ_j, z = ζa, in which even orders are sums of odd ones,
+//! J_n = z (J_(n−1) + J_(n+1))/(2n), but for J_0.
+use num_complex::Complex64;
+
+use crate::contact::integrals::columns::{Columns, Part};
+use crate::contact::integrals::layout::Layout;
+use crate::contact::integrals::tail::Tail;
+use crate::contact::problem::load::Given;
+use crate::numeric::bessel::{self, Wanted};
+use crate::numeric::buffer::Buffer;
+use crate::numeric::vector::vectorised;
+
+/// Nodes of a tail whose Bessel functions are made together.
+const TOGETHER: usize = 512;
+
+/// Orders of the tables.
+const WANTED: Wanted = Wanted::ZERO_AND_ODD;
+
+/// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
+pub(crate) struct Basis {
+    /// Half-length in units of L.
+    pub(crate) half_length: f64,
+    /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
+    pub(crate) deficit: Buffer,
+    /// J_n/a for n = 0, 1, 3, 5, ..., one odd order more than there are modes.
+    table: Columns,
+    /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
+    arguments: Buffer,
+    /// z on the turned path.
+    paths: Vec<Complex64>,
+}
+
+impl Basis {
+    /// The modes of contact `i` at one half-length.
+    pub(crate) fn new(layout: &Layout, i: usize, half_length: f64, modes: usize) -> Self {
+        let (tail, reach) = (layout.tail(i), layout.own[i].reach);
+        let mut arguments: Buffer = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
+        for _ in 0..2 {
+            arguments.extend(tail.smooth.iter().map(|zeta| zeta * half_length));
+        }
+        let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
+        let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, half_length.recip());
+        let mut table = Columns::new(rows, WANTED.below(orders));
+        bessel::scaled_orders(orders, WANTED, &arguments[..reach], scale, rows, &mut table.values);
+        let mut basis = Self { half_length, deficit: Buffer::default(), table, arguments, paths };
+        if rows > reach {
+            basis.tabulate_tail(tail, reach, orders);
+        }
+        let mut deficit = Buffer::any(reach);
+        vectorised(
+            #[inline(always)]
+            || {
+                for ((deficit, z), j1) in deficit.iter_mut().zip(basis.arguments.iter()).zip(basis.value(0)) {
+                    *deficit = bessel::jinc_deficit_from(*z, *j1 * half_length);
+                }
+            },
+        );
+        Self { deficit, ..basis }
+    }
+
+    /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
+    fn tabulate_tail(&mut self, tail: &Tail, first: usize, orders: usize) {
+        let (rows, scale) = (self.rows(), self.half_length.recip());
+        let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
+        let smooth = &self.arguments[first..first + count];
+        let all: Vec<usize> = (0..orders).collect();
+        for (start, some) in (0..).step_by(TOGETHER).zip(smooth.chunks(TOGETHER)) {
+            let length = some.len();
+            let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
+            bessel::jy_table(orders, some, &mut j, &mut y);
+            for (&n, column) in WANTED.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
+                for (place, values) in [(first + start, &j), (first + count + start, &y)] {
+                    let values = &values[n * length..(n + 1) * length];
+                    column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
+                }
+            }
+        }
+        // what exp(−iz) H_n is multiplied by
+        let factors = self.paths.iter().zip(&tail.lift).map(|(z, lift)| (Complex64::I * z + lift).exp() * scale);
+        let factors: Vec<Complex64> = factors.collect();
+        let mut h = vec![Complex64::ZERO; orders * turned];
+        bessel::hankel_table(orders, &self.paths, &mut h);
+        for (&n, column) in WANTED.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
+            let (re, im) = column[first + 2 * count..].split_at_mut(turned);
+            for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
+                let value = h * factor;
+                (re[i], im[i]) = (value.re, value.im);
+            }
+        }
+    }
+
+    /// The only mode of a given pressure on top, whatever its transform. Its half-length is not varied, so that other
+    /// orders do not matter.
+    pub(crate) fn given(layout: &Layout, given: &Given) -> Self {
+        let zeta = &layout.zeta[..layout.own[0].reach];
+        let deficit: Buffer = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
+        let mut table = Columns::zeros(zeta.len(), 3);
+        for ((value, zeta), deficit) in table.column_mut(1).iter_mut().zip(zeta).zip(deficit.iter()) {
+            *value = 0.5 * zeta * (1.0 + deficit);
+        }
+        let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
+        Self { half_length: given.half_length, deficit, table, arguments, paths: Vec::new() }
+    }
+
+    /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
+    /// pressure of the same resultant.
+    pub(crate) fn corners(&self) -> Buffer {
+        let mut corners: Buffer = self.value(0).iter().zip(self.value(1)).map(|(j1, j3)| -0.5 * (j1 + j3)).collect();
+        self.scale(&mut corners, false);
+        self.scale(&mut corners, false);
+        corners
+    }
+
+    /// Number of rows.
+    pub(crate) fn rows(&self) -> usize {
+        self.table.rows()
+    }
+
+    /// ψ of the first `count` modes, and of one more that may be asked for.
+    pub(crate) fn values(&self, count: usize) -> Part<'_> {
+        self.table.part(1..count + 1)
+    }
+
+    /// ψ of mode `m` (order 2m + 1) in every row.
+    pub(crate) fn value(&self, m: usize) -> &[f64] {
+        self.table.column(m + 1)
+    }
+
+    /// J_0/a in every row.
+    fn zeroth(&self) -> &[f64] {
+        self.table.column(0)
+    }
+
+    /// Σ_m y_m ψ_m in every row.
+    pub(crate) fn combine(&self, y: &[f64]) -> Buffer {
+        self.values(y.len()).combine(y)
+    }
+
+    /// Σ_m y_m ψ_m for the modes from number `first` on, in every row.
+    pub(crate) fn combine_from(&self, first: usize, y: &[f64]) -> Buffer {
+        self.values(first + y.len()).part(first..first + y.len()).combine(y)
+    }
+
+    /// Σ over the rows of `s` ψ_m, for the first `count` modes.
+    pub(crate) fn test(&self, s: &[f64], count: usize) -> Buffer {
+        self.values(count).test(s)
+    }
+
+    /// The derivative of [`Self::combine`] with respect to ln a.
+    pub(crate) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
+        // (z/2) Σ d_m J_2m, d_m = y_m − y_(m−1), and J_2m = (z/2) (J_(2m−1) + J_(2m+1))/(2m) but for the first
+        let mut odd = Buffer::zeros(y.len() + 1);
+        for m in 1..=y.len() {
+            let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / (2 * m) as f64;
+            odd[m - 1] += part;
+            odd[m] += part;
+        }
+        let mut slopes = self.combine(&odd);
+        self.scale(&mut slopes, false);
+        slopes.iter_mut().zip(self.zeroth()).for_each(|(slope, zeroth)| *slope += y[0] * zeroth);
+        self.scale(&mut slopes, false);
+        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
+        slopes
+    }
+
+    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
+    pub(crate) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
+        let mut scaled = Buffer::of(s);
+        self.scale(&mut scaled, true);
+        let zeroth: f64 = self.zeroth().iter().zip(scaled.iter()).map(|(zeroth, s)| zeroth * s).sum();
+        self.scale(&mut scaled, true);
+        let odd = self.test(&scaled, tested.len() + 1);
+        let even = |m: usize| if m == 0 { zeroth } else { (odd[m - 1] + odd[m]) / (2 * m) as f64 };
+        tested.iter().enumerate().map(|(m, value)| even(m) - even(m + 1) - value).collect()
+    }
+
+    /// Multiplies by z/2 in every row; `adjoint` on the side of the tests.
+    fn scale(&self, rows: &mut [f64], adjoint: bool) {
+        let (plain, turned) = rows.split_at_mut(self.arguments.len());
+        plain.iter_mut().zip(self.arguments.iter()).for_each(|(value, z)| *value *= 0.5 * z);
+        let (real, imaginary) = turned.split_at_mut(self.paths.len());
+        for ((re, im), z) in real.iter_mut().zip(imaginary).zip(&self.paths) {
+            let half = 0.5 * if adjoint { z.conj() } else { *z };
+            let product = Complex64::new(*re, *im) * half;
+            (*re, *im) = (product.re, product.im);
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Columns of numbers, one value for each wavenumber: sums of columns, and sums over the wavenumbers.
+use std::ops::Range;
+
+use faer::MatRef;
+
+use crate::numeric::buffer::Buffer;
+use crate::numeric::vector::vectorised;
+
+/// Columns taken together.
+const TOGETHER: usize = 4;
+/// Rows whose sums are kept apart.
+const LANES: usize = 8;
+
+/// Columns, one after the other.
+pub(crate) struct Columns {
+    rows: usize,
+    pub(crate) values: Buffer,
+}
+
+impl Columns {
+    /// So many, to be overwritten.
+    pub(crate) fn new(rows: usize, columns: usize) -> Self {
+        Self { rows, values: Buffer::any(rows * columns) }
+    }
+
+    /// So many zeros.
+    pub(crate) fn zeros(rows: usize, columns: usize) -> Self {
+        Self { rows, values: Buffer::zeros(rows * columns) }
+    }
+
+    pub(crate) fn rows(&self) -> usize {
+        self.rows
+    }
+
+    pub(crate) fn column(&self, m: usize) -> &[f64] {
+        &self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    pub(crate) fn column_mut(&mut self, m: usize) -> &mut [f64] {
+        &mut self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    /// Some of them.
+    pub(crate) fn part(&self, columns: Range<usize>) -> Part<'_> {
+        let values = &self.values[columns.start * self.rows..columns.end * self.rows];
+        Part { rows: self.rows, count: columns.len(), values }
+    }
+}
+
+/// Some of the columns of a table.
+#[derive(Clone, Copy)]
+pub(crate) struct Part<'a> {
+    rows: usize,
+    count: usize,
+    values: &'a [f64],
+}
+
+impl<'a> Part<'a> {
+    pub(crate) fn count(self) -> usize {
+        self.count
+    }
+
+    pub(crate) fn column(self, m: usize) -> &'a [f64] {
+        &self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    /// Some of these columns.
+    pub(crate) fn part(self, columns: Range<usize>) -> Self {
+        let values = &self.values[columns.start * self.rows..columns.end * self.rows];
+        Self { count: columns.len(), values, ..self }
+    }
+
+    /// As a matrix of the first rows.
+    pub(crate) fn matrix(self, rows: usize) -> MatRef<'a, f64> {
+        MatRef::from_column_major_slice_with_stride(self.values, rows, self.count, self.rows)
+    }
+
+    /// Σ factor · column.
+    pub(crate) fn combine(self, factors: &[f64]) -> Buffer {
+        let mut sum = Buffer::zeros(self.rows);
+        if self.rows == 0 {
+            return sum;
+        }
+        vectorised(
+            #[inline(always)]
+            || {
+                let together = self.values.chunks_exact(TOGETHER * self.rows);
+                let rest = together.remainder().chunks_exact(self.rows);
+                for (columns, factors) in together.zip(factors.chunks_exact(TOGETHER)) {
+                    let (a, b) = columns.split_at(2 * self.rows);
+                    let ((a, b), (c, d)) = (a.split_at(self.rows), b.split_at(self.rows));
+                    for ((((sum, a), b), c), d) in sum.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                        *sum += (factors[0] * a + factors[1] * b) + (factors[2] * c + factors[3] * d);
+                    }
+                }
+                for (column, factor) in rest.zip(factors.chunks_exact(TOGETHER).remainder()) {
+                    sum.iter_mut().zip(column).for_each(|(sum, value)| *sum += factor * value);
+                }
+            },
+        );
+        sum
+    }
+
+    /// Σ over the rows of each column times `rows`, which may be fewer than the columns have.
+    pub(crate) fn test(self, rows: &[f64]) -> Buffer {
+        let mut sums = Buffer::any(self.count);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (block, sums) in sums.chunks_mut(TOGETHER).enumerate() {
+                    // the last columns may be taken twice
+                    let column = |k: usize| self.column(block * TOGETHER + k.min(sums.len() - 1));
+                    let columns = [column(0), column(1), column(2), column(3)].map(|column| &column[..rows.len()]);
+                    let found = products(columns, rows);
+                    sums.iter_mut().zip(found).for_each(|(sum, found)| *sum = found);
+                }
+            },
+        );
+        sums
+    }
+}
+
+/// Sums of the products of four columns with a fifth.
+#[inline(always)]
+fn products([a, b, c, d]: [&[f64]; TOGETHER], rows: &[f64]) -> [f64; TOGETHER] {
+    let [mut sum_a, mut sum_b, mut sum_c, mut sum_d] = [[0.0; LANES]; TOGETHER];
+    let (row, rest) = rows.as_chunks::<LANES>();
+    let columns = a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0);
+    let more = c.as_chunks::<LANES>().0.iter().zip(d.as_chunks::<LANES>().0);
+    for ((row, (a, b)), (c, d)) in row.iter().zip(columns).zip(more) {
+        add_products(&mut sum_a, a, row);
+        add_products(&mut sum_b, b, row);
+        add_products(&mut sum_c, c, row);
+        add_products(&mut sum_d, d, row);
+    }
+    let whole = rows.len() - rest.len();
+    let mut totals = [0.0; TOGETHER];
+    for (total, (sums, column)) in totals.iter_mut().zip([(sum_a, a), (sum_b, b), (sum_c, c), (sum_d, d)]) {
+        *total = sums.iter().sum();
+        for (value, row) in column[whole..].iter().zip(rest) {
+            *total += value * row;
+        }
+    }
+    totals
+}
+
+#[inline(always)]
+fn add_products(sums: &mut [f64; LANES], column: &[f64; LANES], row: &[f64; LANES]) {
+    for lane in 0..LANES {
+        sums[lane] += column[lane] * row[lane];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_are_those_of_single_columns() {
+        for (rows, count) in [(0, 3), (1, 1), (7, 5), (16, 4), (37, 11)] {
+            let mut columns = Columns::zeros(rows, count);
+            columns.values.iter_mut().enumerate().for_each(|(k, value)| *value = (k as f64).sin());
+            let part = columns.part(0..count);
+            let factors: Vec<f64> = (0..count).map(|m| (3.0 + m as f64).cos()).collect();
+            let sum = part.combine(&factors);
+            for (row, sum) in sum.iter().enumerate() {
+                let expected: f64 = (0..count).map(|m| factors[m] * columns.column(m)[row]).sum();
+                assert!((sum - expected).abs() < 1e-14);
+            }
+            let rows = &sum[..rows - rows / 3];
+            for (m, tested) in part.test(rows).iter().enumerate() {
+                let expected: f64 = columns.column(m).iter().zip(rows).map(|(value, row)| value * row).sum();
+                assert!((tested - expected).abs() < 1e-13);
+            }
+        }
+    }
+}

@@ -1,0 +1,402 @@
+//! Where and with which weights the wavenumber integrals are evaluated, for given modes and about given half-lengths.
+//!
+//! Every matrix entry is an integral of a kernel times two Bessel functions, ∫ g(ζ) J_k(ζa) J_j(ζa') dζ/ζ. What is
+//! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
+//! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
+use crate::contact::integrals::tail::{MOST_UNLIKE, Tail, Weights, turning};
+use crate::contact::problem::support;
+use crate::kernel::{Kernel, Panel};
+use crate::numeric::buffer::Buffer;
+use crate::numeric::quadrature::rule;
+
+/// Most scenes need no more wavenumbers.
+const USUAL: usize = 256;
+/// Longest stretch, in Gauss points, before it is cut in two.
+const LONGEST: usize = 512;
+/// No admissible scene was seen to need more wavenumbers.
+const MOST_WAVENUMBERS: usize = 16_000;
+/// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
+/// to ten digits need nearly as many; twice as many take twice the time before less exact answers are looked for.
+const MOST_ENTRIES: usize = 6_500_000;
+/// More of them are not kept if they can be made again when they are needed.
+const MANY_ENTRIES: usize = 1_000_000;
+/// Stretches with more such parts are left out of fields.
+const MOST_PARTS: usize = 8;
+/// Without tails, integrals end after about so many wavenumbers.
+const CUT_AFTER: f64 = 6_000.0;
+/// Real wavenumbers that a tail must save.
+const TAIL_PAYS: f64 = 100.0;
+
+/// Parts of a kernel that are smaller than this, relative to its limit, are left out of a layout: what answers with a
+/// relative error of `tolerance` need.
+pub(crate) fn negligible(tolerance: f64) -> f64 {
+    (1e-3 * tolerance).min(1e-10)
+}
+
+/// The same for the first steps, and where contacts are tied together.
+pub(crate) const COARSE: f64 = 1e-4;
+pub(crate) const CAREFUL: f64 = 1e-6;
+
+/// The Gauss points that a wave of this phase takes, times a kernel of which so many decimal digits matter.
+fn points(phase: f64, digits: f64) -> usize {
+    // two points per wavelength, those of the turning points, and what kernel and wave take besides
+    let turning = (0.5 * phase).cbrt();
+    let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
+    (0.25 * phase + digits / 14.0 * spare).ceil() as usize
+}
+
+/// Fields away from the contacts are wanted to this, relative.
+pub(crate) const FIELDS: f64 = 1e-6;
+/// Points of a stretch may be so many times more than contacts need, for the sake of fields.
+const MORE_FOR_FIELDS: f64 = 2.0;
+
+/// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
+pub(crate) struct Layout {
+    /// Real wavenumbers, ascending, shared by all contacts.
+    pub(crate) zeta: Vec<f64>,
+    /// Per contact.
+    pub(crate) own: Vec<Own>,
+    /// Per pair of neighbours: weights −dζ/ζ times the coupling.
+    pub(crate) coupling: Vec<Weights>,
+    /// What lies beyond, for contacts that share it.
+    tails: Vec<Tail>,
+    stretches: Vec<Stretch>,
+    /// Entries of all tables of Bessel functions.
+    entries: usize,
+}
+
+/// Real wavenumbers of one Gauss rule.
+struct Stretch {
+    /// Where they end among all.
+    end: usize,
+    points: usize,
+    width: f64,
+    /// The largest part of a kernel there.
+    size: f64,
+}
+
+impl Stretch {
+    /// The points that fields with waves of this frequency take.
+    fn for_fields(&self, frequency: f64) -> usize {
+        points(frequency * self.width, (self.size / FIELDS).log10().clamp(1.0, 8.0))
+    }
+}
+
+/// What belongs to one contact alone.
+pub(crate) struct Own {
+    /// Weights dζ/ζ times the kernel under equal neighbouring pressures less its limit.
+    pub(crate) unit: Weights,
+    /// How many real wavenumbers anything of this contact needs.
+    pub(crate) reach: usize,
+    /// g∞.
+    pub(crate) limit: f64,
+    /// Which of the tails is this contact's.
+    tail: usize,
+}
+
+/// Digits of integrands that matter.
+const FEWEST_DIGITS: f64 = 3.0;
+const MOST_DIGITS: f64 = 15.0;
+
+/// What a layout is built from.
+struct Plan<'a> {
+    kernel: &'a Kernel,
+    half_lengths: &'a [f64],
+    /// Where the real wavenumbers of each contact's own kernel end.
+    reaches: Vec<f64>,
+    /// Where those of each coupling end.
+    coupled: Vec<f64>,
+    /// See [`negligible`].
+    negligible: f64,
+    /// Fields are resolved as far out as this.
+    span: f64,
+    /// There are no tails: all wavenumbers are real.
+    cut: bool,
+}
+
+/// Contacts next to each other that share a tail, or have none.
+struct Group {
+    contacts: Vec<usize>,
+    /// R; infinite without a tail.
+    from: f64,
+}
+
+/// Which contacts have tails, and which share them: where that saves real wavenumbers.
+fn groups(half_lengths: &[f64], orders: &[usize], ends: &[f64], coupled: &[f64]) -> Vec<Group> {
+    let pays = |a: f64, from: f64, to: f64| 0.5 * a * (to - from) > TAIL_PAYS;
+    let mut groups: Vec<Group> = Vec::new();
+    for (i, a) in half_lengths.iter().enumerate() {
+        let turned = turning(orders[i]) / a;
+        let from = if pays(*a, turned, ends[i]) { turned } else { f64::INFINITY };
+        if let Some(above) = groups.last_mut() {
+            let alike = above.contacts.iter().all(|k| (half_lengths[*k] / a).ln().abs() < MOST_UNLIKE.ln());
+            let both = above.from.max(from);
+            if alike && both.is_finite() && pays(*a, both, coupled[i - 1]) {
+                above.contacts.push(i);
+                above.from = both;
+                continue;
+            }
+        }
+        groups.push(Group { contacts: vec![i], from });
+    }
+    groups
+}
+
+impl Layout {
+    /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, 0 where the
+    /// pressure is given, able to resolve the fields out to |x| = `span` besides; `None` if that takes too many.
+    pub(crate) fn new(
+        kernel: &Kernel,
+        half_lengths: &[f64],
+        orders: &[usize],
+        negligible: f64,
+        span: f64,
+    ) -> Option<Self> {
+        let n = kernel.contacts();
+        // a given pressure is felt by others only
+        let end = |i: usize| match orders[i] {
+            0 => 0.0,
+            orders => kernel.blurs(i, half_lengths[i], turning(orders) / half_lengths[i], negligible),
+        };
+        let ends: Vec<f64> = (0..n).map(end).collect();
+        let coupled: Vec<f64> = half_lengths
+            .windows(2)
+            .enumerate()
+            .map(|(i, pair)| kernel.uncoupled(i, pair[0].min(pair[1]), negligible))
+            .collect();
+        let groups = groups(half_lengths, orders, &ends, &coupled);
+        let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
+        let mut layout = Self::empty(kernel, group_of);
+        let shared = |i: usize| group_of(i) == group_of(i + 1);
+        let plan = Plan {
+            kernel,
+            half_lengths,
+            reaches: (0..n).map(|i| groups[group_of(i)].from.min(ends[i])).collect(),
+            coupled: (0..n - 1)
+                .map(|i| if shared(i) { groups[group_of(i)].from.min(coupled[i]) } else { coupled[i] })
+                .collect(),
+            negligible,
+            span,
+            cut: false,
+        };
+        layout.real(&plan)?;
+        for group in &groups {
+            let reach = group.contacts.iter().map(|i| layout.felt(*i)).fold(0, usize::max);
+            for i in &group.contacts {
+                layout.own[*i].reach = reach;
+                layout.own[*i].unit.plain.resize(reach, 0.0);
+            }
+            if group.from.is_infinite() {
+                let i = group.contacts[0];
+                // kernels that never vanish
+                let rest = !kernel.far(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
+                let tail = if rest { Tail::beyond(ends[i]) } else { Tail::default() };
+                tail.extend(&mut layout.own[i].unit, |zeta| kernel.unit_excess(i, zeta));
+                layout.tails.push(tail);
+                continue;
+            }
+            let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
+            let finite = |i: &usize| if kernel.far(*i).is_constant() { ends[*i] } else { kernel.far(*i).from };
+            let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(n - 1)];
+            let to = group.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
+            let to = to.fold(0.0, f64::max);
+            let together = group.contacts.iter().skip(1).map(|below| coupled[below - 1]).fold(0.0, f64::max);
+            let tail = Tail::new(kernel, &group.contacts, half_lengths, orders, group.from, together, to)?;
+            for i in &group.contacts {
+                tail.extend(&mut layout.own[*i].unit, |zeta| kernel.unit_excess(*i, zeta));
+            }
+            for i in group.contacts.iter().skip(1).map(|below| below - 1) {
+                layout.coupling[i].plain.resize(reach, 0.0);
+                tail.extend(&mut layout.coupling[i], |zeta| -kernel.coupling(i, zeta));
+            }
+            layout.tails.push(tail);
+        }
+        layout.entries =
+            (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] / 2 + 2)).sum::<usize>();
+        (layout.entries <= MOST_ENTRIES).then_some(layout)
+    }
+
+    /// Real wavenumbers only, for contacts that end at `ends`, the shortest parts of which have these half-lengths, able to
+    /// resolve fields out to `span` besides. Kernels that never vanish are cut off where that would take too many; `None` if
+    /// there are too many all the same.
+    pub(crate) fn without_tails(
+        kernel: &Kernel,
+        ends: &[f64],
+        shortest: &[f64],
+        negligible: f64,
+        span: f64,
+    ) -> Option<Self> {
+        let n = kernel.contacts();
+        // two wavenumbers per wavelength
+        let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
+        let mut layout = Self::empty(kernel, |_| 0);
+        layout.tails.push(Tail::default());
+        let coupled = |i: usize| {
+            let shortest = shortest[i].min(shortest[i + 1]);
+            kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
+        };
+        let plan = Plan {
+            kernel,
+            half_lengths: ends,
+            reaches: (0..n).map(|i| kernel.vanishes(i, shortest[i], negligible).min(cut(ends[i]))).collect(),
+            coupled: (0..n - 1).map(coupled).collect(),
+            negligible,
+            span,
+            cut: true,
+        };
+        layout.real(&plan)?;
+        for i in 0..n {
+            layout.own[i].reach = layout.felt(i);
+        }
+        Some(layout)
+    }
+
+    /// Without wavenumbers; `tail_of` tells which of the tails is that of a contact.
+    fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
+        let n = kernel.contacts();
+        let own =
+            |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: tail_of(i) };
+        Self {
+            zeta: Vec::with_capacity(USUAL),
+            own: (0..n).map(own).collect(),
+            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
+            tails: Vec::new(),
+            stretches: Vec::new(),
+            entries: 0,
+        }
+    }
+
+    /// Whether tables are so large that what can be made again is not kept.
+    pub(crate) fn is_large(&self) -> bool {
+        self.entries > MANY_ENTRIES
+    }
+
+    /// Wavenumbers, those of the tails included.
+    pub(crate) fn nodes(&self) -> usize {
+        self.zeta.len() + self.tails.iter().map(|tail| tail.smooth.len() + tail.turned.len()).sum::<usize>()
+    }
+
+    /// The tail of contact i.
+    pub(crate) fn tail(&self, i: usize) -> &Tail {
+        &self.tails[self.own[i].tail]
+    }
+
+    /// How many of the real wavenumbers, the first of all, resolve fields with waves of this frequency.
+    pub(crate) fn resolved(&self, frequency: f64) -> usize {
+        let unresolved = self.stretches.iter().position(|part| part.for_fields(frequency) > part.points);
+        match unresolved {
+            Some(first) => first.checked_sub(1).map_or(0, |last| self.stretches[last].end),
+            None => self.zeta.len(),
+        }
+    }
+
+    /// How many real wavenumbers contact i needs.
+    fn felt(&self, i: usize) -> usize {
+        let couplings = self.coupling[i.saturating_sub(1)..(i + 1).min(self.coupling.len())].iter();
+        couplings.map(|weights| weights.plain.len()).fold(self.own[i].unit.plain.len(), usize::max)
+    }
+
+    /// All real wavenumbers; `None` if they are too many.
+    fn real(&mut self, plan: &Plan) -> Option<()> {
+        let last = plan.coupled.iter().chain(&plan.reaches).copied().fold(0.0, f64::max);
+        // fields far away take more
+        let most = if plan.span > 0.0 || plan.cut { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
+        let mut edge = 0.0;
+        for panel in 0.. {
+            if edge >= last {
+                break;
+            }
+            if self.zeta.len() > most {
+                return None;
+            }
+            let panel = plan.kernel.panels().get(panel);
+            let next = panel.map_or(2.0 * edge, |panel| panel.to);
+            // ends within the panel, in order
+            let mut from = edge;
+            while from < next {
+                let ends = plan.reaches.iter().chain(&plan.coupled).copied();
+                let to = ends.filter(|&end| from < end && end < next).fold(next, f64::min);
+                self.stretch(plan, panel, from, to);
+                from = to;
+            }
+            edge = next;
+        }
+        Some(())
+    }
+
+    /// Adds the nodes of one stretch within a panel, unless nobody needs it.
+    fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
+        let Plan { kernel, half_lengths, span, .. } = *plan;
+        let n = kernel.contacts();
+        let (mut frequency, mut size): (f64, f64) = (0.0, 0.0);
+        for (i, (a, reach)) in half_lengths.iter().zip(&plan.reaches).enumerate() {
+            if to <= *reach {
+                frequency = frequency.max(a + a.max(span));
+                let far = kernel.far(i);
+                let beyond = if from < far.from { 0.0 } else { far.excess(from).abs() };
+                size = size.max((beyond + panel.map_or(0.0, |panel| panel.excess[i])) / far.limit);
+            }
+        }
+        for (i, (pair, reach)) in half_lengths.windows(2).zip(&plan.coupled).enumerate() {
+            if to <= *reach {
+                frequency = frequency.max(2.0 * pair[0].max(pair[1])).max(span);
+                size = size.max(panel.map_or(0.0, |panel| panel.couplings[i]) / kernel.least(i));
+            }
+        }
+        if frequency == 0.0 {
+            return;
+        }
+        let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
+        let mut needed = points(frequency * (to - from), digits);
+        let stretch = Stretch { end: 0, points: 0, width: to - from, size };
+        let for_fields =
+            stretch.for_fields(frequency.max(support::frequency_of_fields(half_lengths, support::span(half_lengths))));
+        if plan.negligible < FIELDS && for_fields as f64 <= MORE_FOR_FIELDS * needed as f64 {
+            needed = needed.max(for_fields);
+        }
+        let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
+        if span > 0.0 && parts > MOST_PARTS {
+            // far from a contact, waves so much shorter than the distance do not matter
+            return;
+        }
+        let points = rule(needed.div_ceil(parts).clamp(8, LONGEST));
+        for part in 0..parts {
+            let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
+            let first = self.zeta.len();
+            let (end, width) = (first + points.nodes.len(), stretch.width / parts as f64);
+            self.stretches.push(Stretch { end, points: points.nodes.len(), width, size });
+            self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
+            let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
+            let zeta = &self.zeta[first..];
+            let values = panel.map(|panel| panel.values(zeta, at(part), at(part + 1)));
+            for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
+                let (far, start) = (kernel.far(i), own.unit.plain.len());
+                match &values {
+                    Some(values) if from < far.from => {
+                        let excess =
+                            weights.iter().zip(values.unit(i)).map(|(weight, unit)| weight * (unit - far.limit));
+                        own.unit.plain.extend(excess);
+                    }
+                    _ => {
+                        let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.excess(*zeta));
+                        own.unit.plain.extend(excess);
+                        let neighbours = i.saturating_sub(1)..(i + 1).min(n - 1);
+                        for coupling in neighbours.filter_map(|i| values.as_ref().map(|values| values.coupling(i))) {
+                            let excess = own.unit.plain[start..].iter_mut().zip(weights.iter()).zip(coupling);
+                            excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
+                        }
+                    }
+                }
+            }
+            for (i, pair) in self.coupling.iter_mut().enumerate().filter(|(i, _)| to <= plan.coupled[*i]) {
+                match &values {
+                    Some(values) => {
+                        let both = weights.iter().zip(values.coupling(i));
+                        pair.plain.extend(both.map(|(weight, coupling)| -weight * coupling));
+                    }
+                    None => pair.plain.resize(pair.plain.len() + weights.len(), 0.0),
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Integrals over the wavenumber of kernels times the transforms of pressures and tests.
+pub(crate) mod basis;
+pub(crate) mod columns;
+pub(crate) mod layout;
+pub(crate) mod products;
+pub(crate) mod tail;

@@ -1,0 +1,202 @@
+//! Integrals beyond the turning points.
+//!
+//! Beyond a wavenumber R past the turning points, Ra > order, products of two modes split,
+//! J_k(ζa) J_j(ζa') = ½ Re(H_k H̄_j) + ½ Re(H_k H_j). The first part oscillates like a − a' only, the second decays in
+//! the upper half of the complex plane, where its path is turned. Contacts whose pressures are tied together far beyond
+//! R share the nodes of both.
+use num_complex::Complex64;
+
+use crate::kernel::Kernel;
+use crate::numeric::buffer::Buffer;
+use crate::numeric::chebyshev::Series;
+use crate::numeric::quadrature::{laguerre_rule, rule};
+use crate::numeric::vector::vectorised;
+
+/// Points on the path into the complex plane.
+const TURNED_POINTS: usize = 32;
+/// The turned path is laid for a contact this much longer than the shortest of those that share it: the points are those
+/// of functions e^(−s), and e^(−cs) with c between 0.83 and 2.5 is as good.
+const LAID_FOR: f64 = 1.2;
+/// Contacts that share a tail differ in length by this factor at most.
+pub(crate) const MOST_UNLIKE: f64 = 3.0;
+/// Longest stretch, in Gauss points.
+const LONGEST: usize = 512;
+/// No admissible scene was seen to need more smooth nodes.
+const MOST_NODES: usize = 8_000;
+/// Points of what hardly varies.
+const FEW_POINTS: usize = 2;
+/// Points of the polynomial that continues a kernel into the complex plane.
+const CONTINUED: usize = 28;
+
+/// Past the turning point of the highest order, and where Hankel's expansion holds for half-lengths nearby.
+pub(crate) fn turning(orders: usize) -> f64 {
+    1.3 * orders as f64 + 22.0
+}
+
+/// Points per stretch of the part of a tail that does not oscillate: the phases of H_k and H_j, equal far out, still
+/// turn against each other by 0.4 (k − j) near the turning point, R, and less the farther out.
+fn smooth_points(orders: usize, near: f64) -> usize {
+    24 + (orders as f64 / 6.0 * near) as usize
+}
+
+/// Nodes beyond R of contacts that share them.
+#[derive(Default)]
+pub(crate) struct Tail {
+    /// Nodes of ½ Re(H_k H̄_j) = ½ (J J + Y Y).
+    pub(crate) smooth: Vec<f64>,
+    /// Their weights dζ/ζ, ½ included.
+    smooth_weights: Vec<f64>,
+    /// Nodes of ½ Re(H_k H_j) on the path into the complex plane.
+    pub(crate) turned: Vec<Complex64>,
+    /// s/2 there: H e^(s/2) is of size one.
+    pub(crate) lift: Vec<f64>,
+    /// Their weights dζ/ζ, ½ included.
+    turned_weights: Vec<Complex64>,
+    /// R.
+    from: f64,
+}
+
+impl Tail {
+    /// For contacts of the given half-lengths and up to the given order; beyond `coupled` they do not feel each other, and
+    /// beyond `to` their kernels are nothing, or polynomials in 1/ζ next to graded faces.
+    pub(crate) fn new(
+        kernel: &Kernel,
+        contacts: &[usize],
+        half_lengths: &[f64],
+        orders: usize,
+        from: f64,
+        coupled: f64,
+        to: f64,
+    ) -> Option<Self> {
+        let own = || contacts.iter().map(|i| half_lengths[*i]);
+        let (shortest, longest) = own().fold((f64::INFINITY, 0.0_f64), |(s, l), a| (s.min(a), l.max(a)));
+        let mut tail = Self { from, ..Self::default() };
+        let mut reached = from;
+        for panel in kernel.panels().iter().filter(|panel| panel.to > from && panel.from < to) {
+            let apart = if reached < coupled { longest - shortest } else { 0.0 };
+            let phase = apart * (panel.to - reached);
+            let points = smooth_points(orders, from / reached) + (0.25 * phase + 3.0 * (0.5 * phase).cbrt()) as usize;
+            if tail.smooth.len() + points > MOST_NODES {
+                return None;
+            }
+            let parts = points.div_ceil(LONGEST);
+            let width = (panel.to - reached) / parts as f64;
+            for part in 0..parts {
+                let start = reached + width * part as f64;
+                tail.add(rule(points.div_ceil(parts)).on(start, start + width));
+            }
+            reached = panel.to;
+        }
+        if contacts.iter().any(|i| !kernel.far(*i).is_constant()) {
+            // ζ = start/u
+            let nodes = rule(smooth_points(orders, from / reached)).on(0.0, 1.0);
+            tail.add(nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));
+        }
+        let laid_for = if contacts.len() > 1 { LAID_FOR * shortest } else { shortest };
+        let laguerre = laguerre_rule(TURNED_POINTS);
+        for (s, weight) in laguerre.nodes.iter().zip(&laguerre.weights) {
+            let zeta = Complex64::new(from, 0.5 * s / laid_for);
+            tail.turned.push(zeta);
+            tail.lift.push(0.5 * s);
+            tail.turned_weights.push(Complex64::new(0.0, 0.25 * weight / laid_for) / zeta);
+        }
+        Some(tail)
+    }
+
+    /// Beyond so short waves that their phases need not be told: what does not oscillate of a kernel that falls like 1/ζ.
+    pub(crate) fn beyond(from: f64) -> Self {
+        let mut tail = Self { from, ..Self::default() };
+        tail.add(rule(FEW_POINTS).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
+        tail
+    }
+
+    fn add(&mut self, nodes: impl Iterator<Item = (f64, f64)>) {
+        for (zeta, weight) in nodes {
+            self.smooth.push(zeta);
+            self.smooth_weights.push(0.5 * weight / zeta);
+        }
+    }
+
+    /// Adds the weights of a kernel, which is known on the real axis, to those it has at real wavenumbers.
+    pub(crate) fn extend(&self, weights: &mut Weights, kernel: impl Fn(f64) -> f64) {
+        let first = weights.plain.len();
+        weights.plain.extend(self.smooth.iter().zip(&self.smooth_weights).map(|(zeta, weight)| weight * kernel(*zeta)));
+        weights.plain.extend_from_within(first..);
+        if self.turned.is_empty() {
+            return;
+        }
+        let continued = Series::of(0.55 * self.from, 2.2 * self.from, CONTINUED, &kernel);
+        let turned = self.turned.iter().zip(&self.turned_weights);
+        weights.turned.extend(turned.map(|(zeta, weight)| weight * continued.eval_complex(*zeta)));
+    }
+
+    /// Rows of the tail.
+    pub(crate) fn rows(&self) -> usize {
+        2 * (self.smooth.len() + self.turned.len())
+    }
+}
+
+/// Weights of one kernel at the rows of a contact: real wavenumbers, J and Y at the smooth nodes, and both parts of H on
+/// the turned path.
+pub(crate) struct Weights {
+    /// Of all real rows.
+    pub(crate) plain: Vec<f64>,
+    /// Of the turned path, where Re(w H_k H_j) is wanted.
+    turned: Vec<Complex64>,
+}
+
+impl Weights {
+    /// None yet, with room for so many of real rows.
+    pub(crate) fn with_room(rows: usize) -> Self {
+        Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
+    }
+
+    /// Rows that they cover, the first of all.
+    pub(crate) fn rows(&self) -> usize {
+        self.plain.len() + 2 * self.turned.len()
+    }
+
+    /// Adds factor · weights · rows: the sum over the rows of that times another field is their integral.
+    pub(crate) fn add_times(&self, factor: f64, rows: &[f64], out: &mut [f64]) {
+        vectorised(
+            #[inline(always)]
+            || {
+                for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
+                    *out += factor * weight * row;
+                }
+            },
+        );
+        self.add_turned(factor, rows, out);
+    }
+
+    /// Weights · rows over the rows that they cover.
+    pub(crate) fn times(&self, rows: &[f64], out: &mut [f64]) {
+        out[self.plain.len()..].fill(0.0);
+        vectorised(
+            #[inline(always)]
+            || {
+                for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
+                    *out = weight * row;
+                }
+            },
+        );
+        self.add_turned(1.0, rows, out);
+    }
+
+    /// The same over so many rows, zero where they cover nothing.
+    pub(crate) fn over(&self, count: usize, rows: &[f64]) -> Buffer {
+        let mut out = Buffer::any(count);
+        self.times(rows, &mut out);
+        out
+    }
+
+    fn add_turned(&self, factor: f64, rows: &[f64], out: &mut [f64]) {
+        let (count, turned) = (self.plain.len(), self.turned.len());
+        for (k, weight) in self.turned.iter().enumerate() {
+            let (re, im) = (count + k, count + turned + k);
+            let value = (weight * Complex64::new(rows[re], rows[im])).conj();
+            out[re] += factor * value.re;
+            out[im] += factor * value.im;
+        }
+    }
+}

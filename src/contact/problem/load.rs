@@ -1,0 +1,166 @@
+//! A given pressure on top, in place of what a punch would do: its transform is known for any wavenumber.
+use std::f64::consts::PI;
+
+use crate::numeric::bessel;
+use crate::scene::Load;
+use crate::solution::{Contact, Form, Interface, Strip};
+
+#[cfg(test)]
+use crate::contact::problem::modes::alternating;
+use crate::contact::problem::modes::order;
+
+/// Smallest half-width, in units of L, by which numbers of the solver are scaled: the contacts see a load through its
+/// transform, which is exact for any half-width, and no wave in it is as short as this.
+const NARROWEST: f64 = 1e-10;
+/// Terms of the series of pressures that do not vanish smoothly at their ends: enough wherever they have no closed form.
+const TERMS: usize = 64;
+
+/// A given pressure in place of a punch.
+pub(crate) struct Given<'a> {
+    /// As far as it reaches, or [`NARROWEST`], in units of L.
+    pub(crate) half_length: f64,
+    deficit: Box<dyn Fn(f64) -> f64 + 'a>,
+}
+
+impl<'a> Given<'a> {
+    /// A load, with the length L in the units of the scene.
+    pub(crate) fn new(load: &'a Load, length: f64) -> Self {
+        let half_length = (load.half_width() / length).max(NARROWEST);
+        Self { half_length, deficit: Box::new(move |zeta| deficit(load, zeta / length)) }
+    }
+
+    /// p̂/P − 1 at a wavenumber ζ.
+    pub(crate) fn deficit(&self, zeta: f64) -> f64 {
+        (self.deficit)(zeta)
+    }
+}
+
+/// p̂/P − 1, with all its digits also for long waves.
+fn deficit(load: &Load, wavenumber: f64) -> f64 {
+    let z = wavenumber * load.half_width();
+    match load {
+        Load::Line => 0.0,
+        Load::Uniform { .. } => bessel::sinc_deficit(z),
+        Load::Parabolic { .. } => bessel::spherical_jinc_deficit(z),
+        Load::Elliptic { .. } => bessel::jinc_deficit(z),
+        Load::Several(_) => {
+            let part = |(at, share, load): (f64, f64, &Load)| {
+                let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
+                // cos λx (1 + deficit) − 1
+                share * (deficit(load, wavenumber) * (cos * cos - sin * sin) - 2.0 * sin * sin)
+            };
+            load.parts().into_iter().map(part).sum()
+        }
+    }
+}
+
+/// The strips on which a load presses with a force, in the units of the scene.
+pub(crate) fn strips(load: &Load, force: f64) -> Vec<Strip> {
+    let strip = |(at, share, load): (f64, f64, &Load)| {
+        let images = if at > 0.0 { 2.0 } else { 1.0 };
+        let form = match load {
+            Load::Line => Form::Line,
+            Load::Uniform { .. } => Form::Uniform,
+            Load::Parabolic { .. } => Form::Parabolic,
+            Load::Elliptic { .. } | Load::Several(_) => Form::Series,
+        };
+        self::strip(form, at, load.half_width(), share * force / images)
+    };
+    load.parts().into_iter().map(strip).collect()
+}
+
+/// A pressure of a form on a strip, one image of which has a resultant.
+pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
+    if form == Form::Line {
+        return Strip { at, form, ..Strip::series(extent, vec![resultant]) };
+    }
+    let unit = 2.0 * resultant / (PI * extent);
+    // c_j of 1 and of 1 − s² over that of the ellipse with the same resultant
+    let coefficient = |m: usize| match form {
+        Form::Line | Form::Series => unit,
+        Form::Uniform => unit / order(m),
+        Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
+    };
+    let terms = if matches!(form, Form::Line | Form::Series) { 1 } else { TERMS };
+    Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect()) }
+}
+
+/// What is said of a load in place of a contact: nothing of it is unknown.
+pub(crate) fn contact(load: &Load, interface: Interface, force: f64, strips: Vec<Strip>) -> Contact {
+    Contact {
+        interface,
+        half_length: load.half_width(),
+        half_length_error: 0.0,
+        peak_pressure: load.peak_pressure(force),
+        peak_pressure_error: 0.0,
+        resultant: force,
+        strips,
+        opening: 0.0,
+        opening_error: 0.0,
+        parts: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+impl Given<'_> {
+    /// The pressure Σ c_j sin jφ.
+    pub(crate) fn of(half_length: f64, coefficients: &[f64]) -> Self {
+        let modes: Vec<f64> =
+            coefficients.iter().enumerate().map(|(m, c)| alternating(m) * order(m) * c / coefficients[0]).collect();
+        let deficit = move |zeta: f64| {
+            let z = zeta * half_length;
+            let orders = 2 * modes.len();
+            let mut table = vec![0.0; orders];
+            bessel::table(orders, &[z], &mut table);
+            let higher = modes.iter().enumerate().skip(1).map(|(m, y)| 2.0 * y * table[2 * m + 1] / z);
+            bessel::jinc_deficit_from(z, table[1]) + higher.sum::<f64>()
+        };
+        Self { half_length, deficit: Box::new(deficit) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The transform of the strips by their series.
+    fn by_series(strips: &[Strip], wavenumber: f64) -> f64 {
+        let strip = |strip: &Strip| {
+            let images = if strip.at > 0.0 { 2.0 * (wavenumber * strip.at).cos() } else { 1.0 };
+            let deficit = match strip.form {
+                Form::Line => 0.0,
+                _ => Given::of(strip.extent, &strip.coefficients).deficit(wavenumber),
+            };
+            images * strip.resultant() * (1.0 + deficit)
+        };
+        strips.iter().map(strip).sum()
+    }
+
+    #[test]
+    fn loads_have_the_transforms_of_their_series() {
+        let part = |at, share, load: Result<Load, _>| (at, share, load.unwrap());
+        let several = [
+            part(0.0, 1.0, Load::uniform(0.3)),
+            part(0.7, 0.5, Load::parabolic(0.4)),
+            part(0.2, 3.0, Load::elliptic(0.1)),
+            part(1.1, 0.1, Ok(Load::Line)),
+        ];
+        for load in several.iter().map(|(_, _, load)| load.clone()).chain([Load::several(&several).unwrap()]) {
+            let strips = strips(&load, 3.0);
+            for wavenumber in [1e-6, 0.3, 1.0, 7.0, 30.0] {
+                let (found, expected) = (3.0 * (1.0 + deficit(&load, wavenumber)), by_series(&strips, wavenumber));
+                assert!((found - expected).abs() < 1e-13, "{load} at {wavenumber}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn long_waves_feel_the_second_moment() {
+        let load = Load::several(&[(0.5, 1.0, Load::uniform(0.1).unwrap()), (0.0, 1.0, Load::Line)]).unwrap();
+        let moment = 0.5 * (0.25 + 0.01 / 3.0);
+        for wavenumber in [1e-3, 1e-6, 1e-9] {
+            let expected = -0.5 * moment * wavenumber * wavenumber;
+            assert!((deficit(&load, wavenumber) / expected - 1.0).abs() < 1e-6, "{wavenumber}");
+        }
+    }
+}

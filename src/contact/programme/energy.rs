@@ -1,0 +1,263 @@
+//! The elastic energy of pressures that are constant on elements, ½ Σ p_iᵀ U_i p_i + ½ Σ (p_i − p_(i+1))ᵀ C_i (p_i −
+//! p_(i+1)) + Σ b_iᵀ p_i, per unit of P'.
+//!
+//! A pressure 1 on [x_e, x_(e+1)] and its mirror image has the transform (2/ζ) (sin ζx_(e+1) − sin ζx_e). The energy is
+//! that of [`super::super::galerkin`]. Resultants are given, so every pressure is taken less a uniform one of the same resultant
+//! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
+//! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form: −g/π ln |x| responds
+//! to a line load. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
+//! where they are too few for the elements far out.
+use std::f64::consts::PI;
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+
+use crate::contact::problem::profile::Indentation;
+use crate::contact::programme::compliances::Compliances;
+use crate::contact::programme::grid::Grid;
+use crate::numeric::quadrature::rule;
+
+/// Nodes per octave of wavenumbers, and some more the shorter elements are against their distance from the middle.
+const PER_OCTAVE: f64 = 24.0;
+const PER_FINENESS: f64 = 3.0;
+const MOST_PER_OCTAVE: usize = 256;
+/// Wavenumbers begin here, times the length of the grid.
+const LONGEST_WAVE: f64 = 0.05;
+/// And end here, divided by the length of the shortest element.
+const SHORTEST_WAVE: f64 = 12.0;
+/// Parts of a kernel that are integrated in closed form, the first that will do.
+const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.0];
+/// Sines of smaller arguments are taken from their series.
+const SMALL: f64 = 0.05;
+
+/// Entries of the matrices of all contacts at most: there are two such sets, and the elimination makes as many again, so
+/// that they stay below 500 MB together. 32 contacts may have 700 elements each; grids that are refined have some 500.
+const MOST_ENTRIES: usize = 16_000_000;
+
+/// The quadratic form of the programme.
+pub(super) struct Energy {
+    /// U of each contact.
+    pub(super) unit: Vec<Mat<f64>>,
+    /// C of each laminate between contacts.
+    pub(super) coupling: Vec<Mat<f64>>,
+    /// b of each contact.
+    pub(super) linear: Vec<Vec<f64>>,
+    /// Resultant of each element's unit pressure.
+    pub(super) resultants: Vec<f64>,
+    /// Elements that the punch does not reach.
+    pub(super) barred: Vec<bool>,
+}
+
+impl Energy {
+    /// `None` if the matrices of all contacts would have too many entries.
+    pub(super) fn new(kernel: &Compliances, punch: &Indentation, grid: &Grid) -> Option<Self> {
+        let (contacts, elements) = (kernel.contacts(), grid.elements());
+        if contacts.saturating_mul(elements).saturating_mul(elements) > MOST_ENTRIES {
+            return None;
+        }
+        let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let mut energy = Self {
+            unit: vec![Mat::zeros(elements, elements); contacts],
+            coupling: vec![Mat::zeros(elements, elements); contacts - 1],
+            linear: vec![vec![0.0; elements]; contacts],
+            resultants: widths.iter().map(|width| 2.0 * width).collect(),
+            barred: vec![false; elements],
+        };
+        let waves = Waves::new(grid, &widths);
+        let least = waves.least(kernel);
+        energy.add_half_planes(&least, grid);
+        energy.add_waves(kernel, &least, grid, &waves);
+        energy.add_resultants(kernel);
+        if kernel.is_topmost() {
+            energy.add_punch(punch, grid);
+        }
+        Some(energy)
+    }
+
+    pub(super) fn contacts(&self) -> usize {
+        self.unit.len()
+    }
+
+    pub(super) fn elements(&self) -> usize {
+        self.resultants.len()
+    }
+
+    fn add_half_planes(&mut self, least: &[f64], grid: &Grid) {
+        let (elements, reference) = (self.elements(), grid.shortest());
+        // ∬ of ln|x|, in any unit of length
+        let twice = |x: f64| if x == 0.0 { 0.0 } else { x * x * (0.5 * (x.abs() / reference).ln() - 0.75) };
+        let both = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+            let at = |x: f64, y: f64| twice(x + y) - twice(x - y);
+            2.0 * (at(b, d) - at(a, d) - at(b, c) + at(a, c))
+        };
+        let whole = [0.0, reference];
+        // per unit of the resultant
+        let with_it: Vec<f64> = (0..elements).map(|e| both(grid.element(e), whole) / (2.0 * reference)).collect();
+        let itself = both(whole, whole) / (2.0 * reference).powi(2);
+        for e in 0..elements {
+            let own = self.resultants[e];
+            for f in 0..=e {
+                let other = self.resultants[f];
+                let both = both(grid.element(e), grid.element(f)) - own * with_it[f] - other * with_it[e]
+                    + own * other * itself;
+                for (unit, least) in self.unit.iter_mut().zip(least) {
+                    unit[(e, f)] = -least / PI * both;
+                    unit[(f, e)] = unit[(e, f)];
+                }
+            }
+            for (linear, least) in self.linear.iter_mut().zip(least) {
+                linear[e] = -least / PI * (with_it[e] - own * itself);
+            }
+        }
+    }
+
+    fn add_waves(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, waves: &Waves) {
+        let elements = self.elements();
+        for (from, to) in waves.octaves() {
+            let zeta: Vec<(f64, f64)> = rule(waves.nodes).on(from, to).collect();
+            let mut transforms = Mat::<f64>::zeros(zeta.len(), elements);
+            let beyond: Vec<f64> =
+                zeta.iter().map(|(zeta, _)| deficit(*zeta, grid.shortest()) / grid.shortest()).collect();
+            let mut edge = vec![0.0; zeta.len()];
+            for e in 0..elements {
+                let x = grid.edges()[e + 1];
+                let column = transforms.col_as_slice_mut(e);
+                for (k, (zeta, _)) in zeta.iter().enumerate() {
+                    let next = deficit(*zeta, x);
+                    column[k] = 2.0 * (next - edge[k]) - self.resultants[e] * beyond[k];
+                    edge[k] = next;
+                }
+            }
+            for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
+                let (mut weights, mut forces) = (Vec::new(), Vec::new());
+                for ((zeta, w), beyond) in zeta.iter().zip(&beyond) {
+                    let w = w / (PI * zeta);
+                    let (own, tied) = (kernel.own(i, *zeta) - least[i], kernel.tied(i, *zeta));
+                    let given = if tied == 0.0 { 0.0 } else { kernel.given(*zeta) };
+                    weights.push(w * (own + tied));
+                    // a given neighbour is felt by what it differs from the pressure that all are compared with
+                    forces.push(w * (own * (1.0 + beyond) + tied * (beyond - given)));
+                }
+                add_gram(&transforms, &weights, unit);
+                for (e, linear) in linear.iter_mut().enumerate() {
+                    *linear += transforms.col_as_slice(e).iter().zip(&forces).map(|(d, force)| d * force).sum::<f64>();
+                }
+            }
+            for (i, coupling) in self.coupling.iter_mut().enumerate() {
+                let weights: Vec<f64> =
+                    zeta.iter().map(|(zeta, w)| w / (PI * zeta) * kernel.coupling(i, *zeta)).collect();
+                if weights.iter().any(|weight| *weight != 0.0) {
+                    add_gram(&transforms, &weights, coupling);
+                }
+            }
+        }
+    }
+
+    /// Adds multiples of the squares of the resultants, which are given: a pressure like that which all are compared with has no
+    /// energy otherwise.
+    fn add_resultants(&mut self, kernel: &Compliances) {
+        for (i, unit) in self.unit.iter_mut().enumerate() {
+            for e in 0..self.resultants.len() {
+                for f in 0..self.resultants.len() {
+                    unit[(e, f)] += kernel.limit(i) * self.resultants[e] * self.resultants[f];
+                }
+            }
+        }
+    }
+
+    fn add_punch(&mut self, punch: &Indentation, grid: &Grid) {
+        let last = punch.max_half_length().unwrap_or(f64::INFINITY);
+        for e in 0..self.elements() {
+            let [from, to] = grid.element(e);
+            self.barred[e] = to > last;
+            if !self.barred[e] {
+                self.linear[0][e] +=
+                    rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * punch.profile(x)).sum::<f64>();
+            }
+        }
+    }
+}
+
+/// Octaves of wavenumbers.
+struct Waves {
+    first: f64,
+    last: f64,
+    /// Nodes in each.
+    nodes: usize,
+}
+
+impl Waves {
+    fn new(grid: &Grid, widths: &[f64]) -> Self {
+        let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
+        let fineness = grid.edges()[1..].iter().zip(widths).map(|(x, width)| x / width).fold(0.0, f64::max);
+        Self {
+            first: LONGEST_WAVE / grid.edges()[widths.len()],
+            last: SHORTEST_WAVE / shortest,
+            nodes: ((PER_OCTAVE + PER_FINENESS * fineness) as usize).min(MOST_PER_OCTAVE),
+        }
+    }
+
+    fn octaves(&self) -> impl Iterator<Item = (f64, f64)> {
+        let edges = std::iter::successors(Some(self.first), |edge| Some(2.0 * edge));
+        let last = self.last;
+        std::iter::once((0.0, self.first))
+            .chain(edges.take_while(move |edge| *edge < last).map(|from| (from, 2.0 * from)))
+    }
+
+    /// The least value of the kernel of each contact; less of it where the energy of some wave would not be positive
+    /// without it, since some other kernel is negative.
+    fn least(&self, kernel: &Compliances) -> Vec<f64> {
+        let n = kernel.contacts();
+        let waves: Vec<(Vec<f64>, Vec<f64>)> = self
+            .octaves()
+            .map(|(_, zeta)| {
+                let coupling = (1..n).map(|i| kernel.coupling(i - 1, zeta)).collect();
+                ((0..n).map(|i| kernel.own(i, zeta) + kernel.tied(i, zeta)).collect(), coupling)
+            })
+            .collect();
+        let mut least = vec![0.0; n];
+        for i in 0..n {
+            let values = waves.iter().map(|(units, _)| units[i]);
+            let most = values.fold(kernel.limit(i), f64::min).max(0.0);
+            for part in PARTS {
+                least[i] = part * most;
+                if waves.iter().all(|(units, coupling)| is_positive(units, coupling, &least)) {
+                    break;
+                }
+            }
+        }
+        least
+    }
+}
+
+/// Whether the energy of a wave is positive without the least kernels, for any pressures on the contacts.
+fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
+    // what is left of contact i with all above it as they like best
+    let mut above = 0.0;
+    (0..units.len()).all(|i| {
+        let own = units[i] - least[i] + above;
+        let Some(tied) = coupling.get(i) else { return own >= 0.0 };
+        above = if own + tied > 0.0 { own * tied / (own + tied) } else { 0.0 };
+        own + tied >= 0.0
+    })
+}
+
+/// x (sin ζx/(ζx) − 1).
+pub(super) fn deficit(zeta: f64, x: f64) -> f64 {
+    let z = zeta * x;
+    if z < SMALL {
+        let z = z * z;
+        -x * z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0 * (1.0 - z / 72.0)))
+    } else {
+        z.sin() / zeta - x
+    }
+}
+
+/// Adds transformsᵀ diag(weights) transforms.
+fn add_gram(transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
+    let mut weighted = transforms.clone();
+    for e in 0..weighted.ncols() {
+        weighted.col_as_slice_mut(e).iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
+    }
+    matmul(sum.as_mut(), Accum::Add, transforms.transpose(), weighted.as_ref(), 1.0, Par::Seq);
+}

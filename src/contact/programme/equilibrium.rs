@@ -1,0 +1,199 @@
+//! Pressures if given elements touch and others do not.
+//!
+//! As in [`super::super::galerkin`], the unknowns u of a contact are what it has more than the contact above where both
+//! touch, since laminates may bend so easily that both are nearly the same: p_(i+1) = p_i + u_(i+1), and where contact i
+//! does not touch p_(i+1) = u_(i+1). The energy of all that lies below a contact depends on its pressure alone, so contacts are
+//! eliminated from below (dynamic programming): ½ pᵀ S_i p − g_iᵀ p is the least energy from contact i on downwards. That
+//! takes one block per contact where a matrix of all unknowns would have one for each pair.
+use faer::linalg::matmul::matmul;
+use faer::linalg::solvers::{Llt, Solve};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::{Accum, Mat, MatRef, Par, Side};
+
+use crate::contact::programme::energy::Energy;
+
+/// A value for each element of each contact.
+pub(super) type Elements<T> = Vec<Vec<T>>;
+
+/// What follows if given elements of each contact touch.
+pub(super) struct Equilibrium<'a> {
+    energy: &'a Energy,
+    /// The elements of each contact that touch.
+    elements: Elements<usize>,
+}
+
+/// What comes of it, for each element of each contact.
+pub(super) struct State {
+    pub(super) pressures: Elements<f64>,
+    /// Where bodies do not touch; next to nothing where they do.
+    pub(super) gaps: Elements<f64>,
+    /// The magnitudes of all that a gap is the sum of: a gap is known to a rounding of these.
+    pub(super) terms: Elements<f64>,
+}
+
+/// How the unknowns of a contact follow from the pressure above: u = gain p + own, a column for each right-hand side.
+struct Response {
+    gain: Mat<f64>,
+    own: Mat<f64>,
+}
+
+/// The least energy of all from a contact on downwards.
+struct Below {
+    /// S.
+    stiffness: Mat<f64>,
+    /// g, a column for each right-hand side.
+    load: Mat<f64>,
+}
+
+impl<'a> Equilibrium<'a> {
+    pub(super) fn new(energy: &'a Energy, touching: &Elements<bool>) -> Self {
+        let number = |own: &Vec<bool>| (0..own.len()).filter(|e| own[*e]).collect();
+        Self { energy, elements: touching.iter().map(number).collect() }
+    }
+
+    /// A unit approach of contact i in column i, and what the punch does in the last, for the elements that touch.
+    fn load(&self, i: usize) -> Mat<f64> {
+        let Energy { linear, resultants, .. } = self.energy;
+        let n = self.energy.contacts();
+        Mat::from_fn(self.elements[i].len(), n + 1, |k, c| match self.elements[i][k] {
+            e if c == i => resultants[e],
+            e if c == n => linear[i][e],
+            _ => 0.0,
+        })
+    }
+
+    /// Eliminates contact i + 1: what it makes of a pressure on contact i, and the energy that is left.
+    fn eliminate(&self, i: usize, below: &Below) -> Option<(Response, Below)> {
+        let (unit, coupling) = (&self.energy.unit[i], &self.energy.coupling[i]);
+        let (upper, lower) = (&self.elements[i], &self.elements[i + 1]);
+        let Below { stiffness, load } = below;
+        // where the pressure of an element goes on below, and where it is a jump
+        let place: Vec<Option<usize>> = upper.iter().map(|e| lower.binary_search(e).ok()).collect();
+        let own = Mat::from_fn(lower.len(), lower.len(), |k, l| coupling[(lower[k], lower[l])] + stiffness[(k, l)]);
+        let factor = own.llt(Side::Lower).ok()?;
+        drop(own);
+        let mut gain = Mat::from_fn(lower.len(), upper.len(), |k, l| match place[l] {
+            Some(l) => -stiffness[(k, l)],
+            None => coupling[(lower[k], upper[l])],
+        });
+        let mut own = load.clone();
+        solve_lower_triangular_in_place(factor.L(), gain.as_mut(), Par::Seq);
+        solve_lower_triangular_in_place(factor.L(), own.as_mut(), Par::Seq);
+        let mut left = Mat::from_fn(upper.len(), upper.len(), |k, l| {
+            let (e, f) = (upper[k], upper[l]);
+            unit[(e, f)]
+                + match (place[k], place[l]) {
+                    (Some(k), Some(l)) => stiffness[(k, l)],
+                    (None, None) => coupling[(e, f)],
+                    _ => 0.0,
+                }
+        });
+        matmul(left.as_mut(), Accum::Add, gain.transpose(), gain.as_ref(), -1.0, Par::Seq);
+        let mut passed = self.load(i);
+        for (k, place) in place.iter().enumerate() {
+            if let Some(place) = place {
+                (0..load.ncols()).for_each(|c| passed[(k, c)] += load[(*place, c)]);
+            }
+        }
+        matmul(passed.as_mut(), Accum::Add, gain.transpose(), own.as_ref(), 1.0, Par::Seq);
+        let upper = factor.L().transpose();
+        solve_upper_triangular_in_place(upper, gain.as_mut(), Par::Seq);
+        solve_upper_triangular_in_place(upper, own.as_mut(), Par::Seq);
+        Some((Response { gain, own }, Below { stiffness: left, load: passed }))
+    }
+
+    /// The unknowns of each contact's elements that touch, a column for each right-hand side; `None` if the equations
+    /// cannot be solved in double precision.
+    fn unknowns(&self) -> Option<Vec<Mat<f64>>> {
+        let last = self.energy.contacts() - 1;
+        let unit = &self.energy.unit[last];
+        let own = &self.elements[last];
+        let mut below = Below {
+            stiffness: Mat::from_fn(own.len(), own.len(), |k, l| unit[(own[k], own[l])]),
+            load: self.load(last),
+        };
+        let mut responses = Vec::with_capacity(last);
+        for i in (0..last).rev() {
+            let (response, next) = self.eliminate(i, &below)?;
+            responses.push(response);
+            below = next;
+        }
+        let factor: Llt<f64> = below.stiffness.llt(Side::Lower).ok()?;
+        let mut unknowns = vec![factor.solve(&below.load)];
+        let mut pressure = unknowns[0].clone();
+        for (i, Response { gain, mut own }) in responses.into_iter().rev().enumerate() {
+            matmul(own.as_mut(), Accum::Add, gain.as_ref(), pressure.as_ref(), 1.0, Par::Seq);
+            pressure = self.add_above(i, pressure.as_ref(), own.clone());
+            unknowns.push(own);
+        }
+        Some(unknowns)
+    }
+
+    /// The pressure of contact i + 1 from that of contact i and the unknowns.
+    fn add_above(&self, i: usize, above: MatRef<'_, f64>, mut unknowns: Mat<f64>) -> Mat<f64> {
+        for (k, e) in self.elements[i + 1].iter().enumerate() {
+            if let Ok(place) = self.elements[i].binary_search(e) {
+                (0..above.ncols()).for_each(|c| unknowns[(k, c)] += above[(place, c)]);
+            }
+        }
+        unknowns
+    }
+
+    /// Pressures and gaps; `None` if the equations cannot be solved in double precision.
+    pub(super) fn solve(&self) -> Option<State> {
+        let Energy { linear, resultants, .. } = self.energy;
+        let n = self.energy.contacts();
+        let responses = self.unknowns()?;
+        let mut stiffness = Mat::<f64>::zeros(n, n + 1);
+        let mut pressure = Mat::zeros(0, 0);
+        for (i, unknowns) in responses.iter().enumerate() {
+            pressure = match i.checked_sub(1) {
+                Some(above) => self.add_above(above, pressure.as_ref(), unknowns.clone()),
+                None => unknowns.clone(),
+            };
+            for c in 0..=n {
+                let terms = self.elements[i].iter().zip(pressure.col_as_slice(c)).map(|(e, p)| resultants[*e] * p);
+                stiffness[(i, c)] = terms.sum();
+            }
+        }
+        let missing = Mat::from_fn(n, 1, |i, _| 1.0 + stiffness[(i, n)]);
+        let approach = stiffness.subcols(0, n).partial_piv_lu().solve(missing);
+        let mut pressures = vec![vec![0.0; self.energy.elements()]; n];
+        let mut gaps = linear.clone();
+        let mut terms: Elements<f64> = linear.iter().map(|own| own.iter().map(|value| value.abs()).collect()).collect();
+        for (i, responses) in responses.iter().enumerate() {
+            let mut jump = if i > 0 { pressures[i - 1].clone() } else { Vec::new() };
+            for (k, e) in self.elements[i].iter().enumerate() {
+                let unknown = (0..n).map(|c| responses[(k, c)] * approach[(c, 0)]).sum::<f64>() - responses[(k, n)];
+                let mut above = 0.0;
+                if i > 0 {
+                    jump[*e] = -unknown;
+                    above = pressures[i - 1][*e];
+                }
+                pressures[i][*e] = above + unknown;
+            }
+            if i > 0 {
+                add_product(1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i - 1], &mut terms[i - 1]);
+                add_product(-1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i], &mut terms[i]);
+            }
+            add_product(1.0, &self.energy.unit[i], &pressures[i], &mut gaps[i], &mut terms[i]);
+        }
+        for (i, (gaps, terms)) in gaps.iter_mut().zip(&mut terms).enumerate() {
+            for ((gap, terms), resultant) in gaps.iter_mut().zip(terms).zip(resultants) {
+                *gap = *gap / resultant - approach[(i, 0)];
+                *terms = *terms / resultant + approach[(i, 0)].abs();
+            }
+        }
+        let finite = pressures.iter().chain(&gaps).flatten().all(|value| value.is_finite());
+        finite.then_some(State { pressures, gaps, terms })
+    }
+}
+
+fn add_product(sign: f64, matrix: &Mat<f64>, vector: &[f64], sum: &mut [f64], terms: &mut [f64]) {
+    for (e, value) in vector.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+        for ((sum, terms), entry) in sum.iter_mut().zip(terms.iter_mut()).zip(matrix.col_as_slice(e)) {
+            *sum += sign * value * entry;
+            *terms += (value * entry).abs();
+        }
+    }
+}

@@ -1,0 +1,306 @@
+//! The contact problem as what it is, a convex programme, solved coarsely.
+//!
+//! Of all pressures p ≥ 0 of the right resultants the true ones make the elastic energy plus the work against the
+//! punch's profile least. With pressures constant on elements of one grid for all contacts that is a quadratic
+//! programme: it always has one solution, whatever the start, and says where bodies touch, in one interval or in
+//! several.
+mod active_set;
+mod answer;
+mod compliances;
+mod energy;
+mod equilibrium;
+mod grid;
+#[cfg(test)]
+mod tests;
+
+use crate::contact::problem::profile::Indentation;
+use crate::kernel::Kernel;
+use active_set::Programme;
+use compliances::Compliances;
+use energy::Energy;
+use grid::Grid;
+
+pub(super) use answer::answer;
+
+/// The grid reaches this many times as far as the longest contact is expected.
+const REACH: f64 = 6.0;
+/// And this much farther each time a contact reaches its end.
+const FARTHER: f64 = 4.0;
+/// At most so often.
+const LONGER: usize = 3;
+/// How often the grid is made longer or finer.
+const ROUNDS: usize = 14;
+/// For starts.
+const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
+/// For answers.
+const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
+/// A strip off the middle counts as no shorter than this part of its distance from there.
+const SHORTEST: f64 = 0.02;
+/// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
+const SURE: usize = 2;
+
+/// Bodies that touch again so many times farther from the middle than their contact ends do not seem to because of
+/// rounding.
+const FAR: f64 = 1.5;
+
+/// Parts of the force on a contact that are smaller are rounding.
+const LEAST_FORCE: f64 = 1e-8;
+
+/// Gaps shorter than this part of where the contact outside them begins are none.
+const NARROW: f64 = 0.05;
+
+/// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
+/// line load to them.
+const SHORT: f64 = 0.05;
+
+/// How fine grids become.
+#[derive(Clone, Copy)]
+struct Resolution {
+    /// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it.
+    ends: f64,
+    /// Grids of more elements are not refined.
+    elements: usize,
+}
+
+/// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Zones {
+    /// All that are longer than the grid may feign.
+    pub(super) sure: Vec<[f64; 2]>,
+    /// That about the middle and all far from it, however short.
+    pub(super) apart: Vec<[f64; 2]>,
+}
+
+impl Zones {
+    fn one(end: f64) -> Self {
+        Self { sure: vec![[0.0, end]], apart: vec![[0.0, end]] }
+    }
+
+    /// Where the contact about the middle ends.
+    pub(super) fn end(&self) -> f64 {
+        self.sure.first().map_or(0.0, |part| part[1])
+    }
+
+    /// All intervals: those that are sure where there are several, else that about the middle and all far from it.
+    pub(super) fn intervals(&self) -> &[[f64; 2]] {
+        if self.sure.len() > 1 { &self.sure } else { &self.apart }
+    }
+
+    /// The first of them, and from where to where bodies touch farther out.
+    pub(super) fn merged(&self) -> Vec<[f64; 2]> {
+        match self.intervals() {
+            [first, second, .., last] => vec![*first, [second[0], last[1]]],
+            intervals => intervals.to_vec(),
+        }
+    }
+}
+
+/// The programme on one grid: which elements of each contact touch, and the forces on them.
+struct Round {
+    grid: Grid,
+    touching: Vec<Vec<bool>>,
+    forces: Vec<Vec<f64>>,
+}
+
+impl Round {
+    fn zones(&self) -> Vec<Zones> {
+        let zones = |touching: &Vec<bool>| Zones {
+            sure: parts(&surely(touching), &self.grid),
+            apart: apart(parts(touching, &self.grid)),
+        };
+        self.touching.iter().map(zones).collect()
+    }
+}
+
+impl Round {
+    /// p̂/P − 1 of contact i at a wavenumber.
+    fn deficit(&self, i: usize, zeta: f64) -> f64 {
+        let part = |(e, force): (usize, &f64)| {
+            let [from, to] = self.grid.element(e);
+            force * (energy::deficit(zeta, to) - energy::deficit(zeta, from)) / (to - from)
+        };
+        self.forces[i].iter().enumerate().filter(|(_, force)| **force != 0.0).map(part).sum()
+    }
+}
+
+/// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
+/// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
+pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
+    let Rounds { first, rounds } = Rounds::new(kernel, punch, expected, far, COARSE);
+    let mut zones = rounds.last()?.zones();
+    match first {
+        First::Unknown => {}
+        First::Given(a) => zones.insert(0, Zones::one(a)),
+        First::Short(a) => zones[0] = Zones::one(a),
+    }
+    Some(zones)
+}
+
+/// What is known of the contact under the punch.
+#[derive(Clone, Copy)]
+enum First {
+    /// Nothing.
+    Unknown,
+    /// Its pressure: it is none of those of the programme. With its half-length.
+    Given(f64),
+    /// That it is a line load to all others. With the half-length expected.
+    Short(f64),
+}
+
+/// The programme of all contacts that are not known.
+struct Rounds {
+    first: First,
+    /// The last ones, two at most, with the finest grids.
+    rounds: Vec<Round>,
+}
+
+impl Rounds {
+    fn new(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64, resolution: Resolution) -> Self {
+        if let Some(given) = punch.given() {
+            let a = given.half_length;
+            let below = Compliances::below_first(kernel, |zeta| given.deficit(zeta));
+            let rounds = match kernel.contacts() {
+                // nothing is unknown
+                1 => Vec::new(),
+                _ => rounds(&below, punch, &expected[1..], far.max(a), false, resolution),
+            };
+            return Self { first: First::Given(a), rounds };
+        }
+        let all = Compliances::all(kernel);
+        let far = far.max(punch.last_fall());
+        let is_short = all.thickness().is_some_and(|thickness| {
+            expected[1..].iter().chain([&thickness]).all(|a| expected[0].max(punch.last_fall()) < SHORT * a)
+        });
+        let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
+        Self { first, rounds: rounds(&all, punch, &expected[usize::from(is_short)..], far, is_short, resolution) }
+    }
+}
+
+/// The last rounds, two at most, with the finest grids, for contacts of the lengths that are `expected`; that under the
+/// punch may be far `shorter`.
+fn rounds(
+    kernel: &Compliances,
+    punch: &Indentation,
+    expected: &[f64],
+    far: f64,
+    shorter: bool,
+    resolution: Resolution,
+) -> Vec<Round> {
+    let mut rounds: Vec<Round> = Vec::new();
+    let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
+    let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
+    let edge = punch.max_half_length().filter(|_| kernel.is_topmost() && !shorter);
+    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return rounds };
+    let mut longer = LONGER;
+    for _ in 0..ROUNDS {
+        let Some(mut energy) = Energy::new(kernel, punch, &grid) else { break };
+        if shorter {
+            // a line load about x = 0, however small the punch
+            energy.barred.fill(true);
+            energy.barred[0] = false;
+        }
+        let start = rounds.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
+        let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
+        touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
+        let looked_for = &touching[usize::from(shorter)..];
+        let ends: Vec<(usize, f64)> =
+            looked_for.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
+        // bodies that touch again far away do so for ever
+        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
+        rounds.push(Round { grid: grid.clone(), touching, forces });
+        if rounds.len() > 2 {
+            rounds.remove(0);
+        }
+        if longer > 0 && reaches_end {
+            longer -= 1;
+            grid = grid.longer(FARTHER);
+        } else if grid.elements() > resolution.elements || !grid.refine(&ends) {
+            break;
+        }
+    }
+    rounds
+}
+
+/// Layers that lie on each other without a force neither touch nor part: what rounding says of them is not to count.
+fn part_where_free(touching: &mut [bool], forces: &[f64]) {
+    let mut start = 0;
+    while start < touching.len() {
+        let length = touching[start..].iter().take_while(|touches| **touches == touching[start]).count();
+        let part = start..start + length;
+        if touching[start] && forces[part.clone()].iter().sum::<f64>() < LEAST_FORCE {
+            touching[part].fill(false);
+        }
+        start += length;
+    }
+}
+
+/// Edges at which bodies part or meet, and how long elements next to them may be: where bodies are apart about the middle,
+/// the strips in which they touch may be short.
+fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
+    let transitions = touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1);
+    let strip = |edge: usize| {
+        let outwards = touching[edge..].iter().take_while(|touches| **touches).count();
+        let inwards = touching[..edge].iter().rev().take_while(|touches| **touches).count();
+        grid.edges()[edge + outwards] - grid.edges()[edge - inwards]
+    };
+    let room = |edge: usize| {
+        let x = grid.edges()[edge];
+        if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
+    };
+    transitions.map(|edge| (edge, fine * room(edge))).collect()
+}
+
+/// The same without what is too short to be sure of.
+fn surely(touching: &[bool]) -> Vec<bool> {
+    let mut sure = touching.to_vec();
+    for wanted in [true, false] {
+        let mut start = 0;
+        while start < sure.len() {
+            let length = sure[start..].iter().take_while(|touches| **touches == sure[start]).count();
+            let inside = start + length < sure.len() && !(wanted && start == 0);
+            if sure[start] == wanted && length <= SURE && inside {
+                sure[start..start + length].fill(!wanted);
+                start = 0;
+            } else {
+                start += length;
+            }
+        }
+    }
+    sure
+}
+
+/// The first interval and those far from it.
+fn apart(mut parts: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let end = parts.first().map_or(0.0, |part| part[1]);
+    parts.retain(|part| part[1] == end || part[0] > FAR * end);
+    parts
+}
+
+/// Intervals of elements that touch; gaps that are short against what lies outside them are rounding.
+fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
+    let mut wide: Vec<[f64; 2]> = Vec::new();
+    for part in intervals(touching, grid) {
+        match wide.last_mut() {
+            Some(before) if part[0] - before[1] < NARROW * part[0] => before[1] = part[1],
+            _ => wide.push(part),
+        }
+    }
+    wide
+}
+
+/// All intervals of elements that touch.
+fn intervals(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
+    let mut parts: Vec<[f64; 2]> = Vec::new();
+    let mut before = false;
+    for (e, touches) in touching.iter().enumerate() {
+        let [from, to] = grid.element(e);
+        let to = if e + 1 == touching.len() { f64::INFINITY } else { to };
+        match (before, touches, parts.last_mut()) {
+            (true, true, Some(part)) => part[1] = to,
+            (_, true, _) => parts.push([from, to]),
+            _ => {}
+        }
+        before = *touches;
+    }
+    parts
+}

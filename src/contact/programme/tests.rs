@@ -1,0 +1,132 @@
+//! The programme against the solver: nothing in common but the kernels.
+use crate::contact::problem::profile::Indentation;
+use crate::contact::starts::formulas;
+use crate::kernel::Kernel;
+use crate::stress::{Ranges, scene};
+use crate::{Load, Model, Options, Punch, Solution, Stack};
+
+use crate::contact::programme::compliances::Compliances;
+use crate::contact::programme::energy::Energy;
+use crate::contact::programme::equilibrium::{Equilibrium, State};
+use crate::contact::programme::grid::Grid;
+use crate::contact::programme::{COARSE, answer, zones};
+
+/// Ends are right to so many elements.
+const ELEMENTS: f64 = 3.0;
+
+/// Calls back with so many random scenes, the kernels of each, what is expected of it, and the solver's answer.
+fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Stack, &Kernel, &Indentation, &[f64], &Solution)) {
+    let options = Options { tolerance: 1e-6, ..Options::default() };
+    let solved = (0..).filter_map(|number| {
+        let scene = scene(&Ranges::moderate(), seed, number).scene().unwrap();
+        let stack = scene.stack().unwrap();
+        let solution = Model::new(stack.clone()).unwrap().press_with(&scene.punch, scene.force, &options).ok()?;
+        Some((number, scene, stack, solution))
+    });
+    for (number, scene, stack, solution) in solved.take(count) {
+        let kernel = Kernel::new(&stack).unwrap();
+        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
+        let expected = formulas::half_lengths(&kernel, &indentation).unwrap();
+        look(number, &stack, &kernel, &indentation, &expected, &solution);
+    }
+}
+
+#[test]
+fn half_lengths_are_those_of_the_convex_programme() {
+    each_solved(5, 100, |number, _, kernel, indentation, expected, solution| {
+        let zones = zones(kernel, indentation, expected, 0.0).unwrap();
+        for (zones, contact) in zones.iter().zip(solution.contacts()) {
+            assert_eq!(zones.apart.len(), 1, "{number}: {zones:?}");
+            let error = zones.end() * kernel.length() / contact.half_length - 1.0;
+            assert!(error.abs() < ELEMENTS * COARSE.ends, "{number}, {}: {error}", contact.interface);
+        }
+    });
+}
+
+#[test]
+fn its_own_answer_is_as_good_as_it_says() {
+    each_solved(6, 20, |number, stack, kernel, indentation, expected, solution| {
+        let coarse = answer(kernel, &stack.contacts(), indentation, expected, 0.0).unwrap();
+        for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
+            assert!((coarse.resultant / fine.resultant - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
+            assert!((coarse.half_length - fine.half_length).abs() < coarse.half_length_error, "{number}: {coarse:?}");
+            let pressure = (coarse.peak_pressure - fine.peak_pressure).abs();
+            assert!(pressure < coarse.peak_pressure_error, "{number}, {}: {pressure}", coarse.interface);
+            // and so is the pressure elsewhere, on average
+            let off = (0..50).map(|k| 0.9 * fine.half_length * (f64::from(k) + 0.5) / 50.0);
+            let off: f64 = off.map(|x| (coarse.pressure(x) - fine.pressure(x)).abs() / 50.0).sum();
+            assert!(off < 0.1 * fine.peak_pressure, "{number}, {}: {off}", coarse.interface);
+        }
+    });
+}
+
+#[test]
+fn corners_tips_and_given_loads_are_known_as_well() {
+    let options = Options { tolerance: 1e-6, ..Options::default() };
+    for number in 0..12 {
+        let scene = scene(&Ranges::moderate(), 9, number).scene().unwrap();
+        let stack = scene.stack().unwrap();
+        let kernel = Kernel::new(&stack).unwrap();
+        let width = 0.3 * kernel.length();
+        let loads = [Load::uniform(width), Load::several(&[(2.0 * width, 1.0, Load::Line), (0.0, 1.0, Load::Line)])];
+        let loads = loads.map(|load| Punch::Given(load.unwrap()));
+        let mut compared = 0;
+        for punch in [Punch::flat(width).unwrap(), Punch::wedge(0.01).unwrap()].iter().chain(&loads) {
+            let Ok(fine) = Model::new(stack.clone()).unwrap().press_with(punch, scene.force, &options) else {
+                continue;
+            };
+            if fine.contacts().iter().any(|contact| contact.opening > 0.0 || !contact.parts.is_empty()) {
+                continue;
+            }
+            let indentation = Indentation::new(punch, &kernel, scene.force.number());
+            let expected = formulas::half_lengths(&kernel, &indentation).unwrap();
+            let Some(coarse) = answer(&kernel, &stack.contacts(), &indentation, &expected, 0.0) else {
+                // nothing is unknown
+                assert!(kernel.contacts() == 1 && punch.load().is_some(), "{number}, {punch:?}");
+                continue;
+            };
+            for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
+                let off = (coarse.half_length - fine.half_length).abs();
+                assert!(off <= coarse.half_length_error, "{number}, {punch:?}: {coarse:?} {}", fine.half_length);
+                if fine.peak_pressure.is_finite() {
+                    let off = (coarse.peak_pressure - fine.peak_pressure).abs();
+                    assert!(off <= coarse.peak_pressure_error, "{number}, {punch:?}: {off} {}", coarse.interface);
+                } else {
+                    assert_eq!(coarse.peak_pressure, fine.peak_pressure);
+                }
+                compared += 1;
+            }
+        }
+        assert!(compared > 0, "{number}");
+    }
+}
+
+#[test]
+fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
+    for number in 0..6 {
+        let scene = scene(&Ranges::moderate(), 8, number).scene().unwrap();
+        let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
+        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
+        let grid = Grid::new(0.5, 20.0, None).unwrap();
+        let energy = Energy::new(&Compliances::all(&kernel), &indentation, &grid).unwrap();
+        let (contacts, elements) = (energy.contacts(), energy.elements());
+        // in one interval each, and in parts that are others in each contact
+        for parts in [false, true] {
+            let touches = |i: usize, e: usize| {
+                !energy.barred[e] && if parts { e == 0 || (e / 3 + i).is_multiple_of(2) } else { e < 9 + 2 * i }
+            };
+            let touching: Vec<Vec<bool>> =
+                (0..contacts).map(|i| (0..elements).map(|e| touches(i, e)).collect()).collect();
+            let State { pressures, gaps, .. } = Equilibrium::new(&energy, &touching).solve().unwrap();
+            for i in 0..contacts {
+                let resultant: f64 = pressures[i].iter().zip(&energy.resultants).map(|(p, area)| p * area).sum();
+                assert!((resultant - 1.0).abs() < 1e-9, "{number}, {i}: {resultant}");
+                let widest = gaps[i].iter().fold(0.0, |widest: f64, gap| widest.max(gap.abs()));
+                for e in 0..elements {
+                    let nothing = if touching[i][e] { gaps[i][e] / widest } else { pressures[i][e] };
+                    assert!(nothing.abs() < 1e-8, "{number}, {i}, {e}: {nothing}");
+                }
+            }
+        }
+    }
+}

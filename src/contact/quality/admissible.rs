@@ -1,0 +1,391 @@
+//! A converged answer counts only if no pressure pulls and no gap is overlapped.
+//!
+//! The equations for the half-lengths have other roots besides the physical one; the contact problem itself, a convex
+//! programme, has one solution only, and these two signs tell it.
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::contact::ends::newton::not_converged;
+use crate::contact::equations::assemble::Equations;
+use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::integrals::basis::Basis;
+use crate::contact::integrals::layout::{FIELDS, Layout};
+use crate::contact::problem::modes::{alternating, coefficients, order};
+use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::support::frequency_of_fields;
+use crate::contact::quality::estimate::Level;
+use crate::kernel::Kernel;
+use crate::numeric::buffer::Buffer;
+use crate::numeric::trigonometry::sin_cos;
+use crate::numeric::vector::vectorised;
+use crate::solution::Interface;
+
+/// Pressures are looked at in this many places per mode.
+const PER_MODE: usize = 3;
+/// Gaps are looked at in this many places per contact.
+const GAPS: usize = 24;
+/// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
+const GAP_MODES: [usize; 3] = [128, 48, 16];
+/// Wavenumbers taken together.
+const LANES: usize = 8;
+/// Modes y_m, the first of which is 1, below this are not felt there.
+const UNFELT: f64 = 1e-7;
+/// What is below zero by less than this part of the largest value is zero.
+const ZERO: f64 = 1e-7;
+
+/// The same for gaps, which are found by quadrature and from the lower modes only.
+const NO_GAP: f64 = 1e-5;
+/// So many times the part of its highest modes a pressure may be wrong anywhere.
+const UNRESOLVED: f64 = 10.0;
+/// But not by more than this part of the largest pressure, or than the answer may be wrong.
+const MOST_FEIGNED: f64 = 1e-3;
+/// The same where a contact fades before an end is found.
+const MOST_FADED: f64 = 1e-5;
+/// Places around a pull at which the highest modes are looked at.
+const NEAR: usize = 4 * PER_MODE;
+/// Pressures under a punch that is not smooth pull by no more than this part of the largest.
+const PULL: f64 = 1e-6;
+
+/// Moments that are smaller, against force times half-length, are next to nothing.
+const LEAST_MOMENT: f64 = 1e-4;
+/// Force by which the end of a beam gives way by 1, times length cubed over bending stiffness.
+const CANTILEVER: f64 = 3.0;
+/// A pressure that grows like the root of the distance from its end holds a moment like this power of the distance.
+const POWER: f64 = 0.4;
+
+/// Smaller pulls, against the largest pressure, are of the sums over modes.
+const FEIGNED: f64 = 1e-7;
+
+/// A pressure that pulls is wrong by so many times as much.
+const PULLED: f64 = 2.0;
+
+/// What the check found, in units of the kernel per unit of P'.
+pub(crate) struct Check {
+    pub(crate) min_pressure: f64,
+    /// By which part of the largest pressure each contact pulls, for want of modes.
+    pub(crate) pulls: Vec<f64>,
+    pub(crate) min_gap: f64,
+    /// Where bodies touch again with next to no force.
+    pub(crate) overlaps: Vec<Overlap>,
+}
+
+/// Bodies that overlap outside their contact, but so little that next to no force would part them.
+pub(crate) struct Overlap {
+    pub(crate) contact: usize,
+    /// Where, in units of L.
+    pub(crate) x: f64,
+    /// The moment of that force about the end of the contact, over force times half-length.
+    pub(crate) moment: f64,
+    /// The sheet that gives way, between this contact and the next.
+    pub(crate) sheet: usize,
+}
+
+impl Overlap {
+    /// By how much the ends of the contacts of the sheet may move for it, relative.
+    pub(crate) fn moves(&self) -> f64 {
+        self.moment.powf(POWER)
+    }
+}
+
+impl Level {
+    /// Errors cover what an answer is seen to be wrong by: pressures that pull, and bodies that touch again with next to no
+    /// force, which is left out.
+    pub(crate) fn admit(&mut self, check: &Check) {
+        for (error, pull) in self.errors.iter_mut().zip(&check.pulls).filter(|(_, pull)| **pull > FEIGNED) {
+            error[1] = error[1].max(PULLED * pull);
+        }
+        for overlap in &check.overlaps {
+            for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
+                error[0] += overlap.moves();
+            }
+            self.errors.iter_mut().for_each(|error| error[1] += overlap.moment);
+        }
+    }
+}
+
+/// Smallest pressure inside and smallest gap outside the contacts.
+pub(crate) fn check(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    level: &Level,
+) -> Result<Check, ContactError> {
+    let most = MOST_FEIGNED.max(level.worst_error());
+    let (min_pressure, pulls) = pushes(kernel, interfaces, punch, level, most)?;
+    let mut check = Check { min_pressure, pulls, min_gap: 0.0, overlaps: Vec::new() };
+    for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
+        if level.faded[i].is_some() {
+            // bodies that press on each other no more do not part visibly, either
+            continue;
+        }
+        let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
+        let little = NO_GAP.max(UNRESOLVED * level.worst_error());
+        if let Some((first, _)) = gaps.iter().find(|(_, gap)| *gap < -little * largest) {
+            match overlap(kernel, i, &level.half_lengths, &gaps, little * largest) {
+                Some(overlap) if overlap.moment <= LEAST_MOMENT => check.overlaps.push(overlap),
+                _ => {
+                    let x = first * kernel.length();
+                    return Err(NoSolution::Overlap { interface: interfaces[i], x }.into());
+                }
+            }
+        }
+        check.min_gap = gaps.iter().fold(check.min_gap, |least, (_, gap)| least.min(*gap));
+    }
+    Ok(check)
+}
+
+/// What it would take to part the bodies outside contact i: the more slender of the laminates above and below is a beam there,
+/// clamped where its contacts end. `None` without a laminate, or if the overlap, more than `little`, begins before.
+fn overlap(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)], little: f64) -> Option<Overlap> {
+    let laminates = kernel.laminates();
+    let neighbours = i.checked_sub(1).into_iter().chain([i]).filter(|sheet| *sheet < laminates.len());
+    let sheet = neighbours.min_by(|a, b| laminates[*a].1.total_cmp(&laminates[*b].1))?;
+    let (thickness, stiffness) = laminates[sheet];
+    let end = half_lengths[sheet].max(half_lengths[sheet + 1]);
+    if gaps.iter().any(|(x, gap)| *x <= end && *gap < -little) {
+        return None;
+    }
+    let moment = |(x, gap): &(f64, f64)| {
+        // no beam is shorter than thick
+        let length = (x - end).max(thickness);
+        (*x, CANTILEVER * stiffness * (-gap).max(0.0) / (length * length * end))
+    };
+    let (x, moment) = gaps.iter().map(moment).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(Overlap { contact: i, x, moment, sheet })
+}
+
+/// Smallest pressure inside the contacts, and by which part of its largest pressure each pulls; an error if one pulls by more
+/// than its highest modes may feign, or by more than `most`.
+pub(crate) fn pushes(
+    kernel: &Kernel,
+    interfaces: &[Interface],
+    punch: &Indentation,
+    level: &Level,
+    most: f64,
+) -> Result<(f64, Vec<f64>), ContactError> {
+    let (mut min_pressure, mut pulls) = (0.0f64, Vec::with_capacity(level.modes.len()));
+    for (i, modes) in level.modes.iter().enumerate() {
+        let mut pressures = pressures(modes, modes.len());
+        let mut largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
+        if i == 0 && level.corners != 0.0 {
+            // as large as in the middle, not as next to the corners
+            largest = largest.max(level.corners.abs());
+            let places = pressures.len();
+            for (place, pressure) in pressures.iter_mut().enumerate() {
+                let sine = angle(place, places).sin();
+                *pressure += 0.5 * level.corners / PI * (sine.recip() - 2.0 * sine);
+            }
+        }
+        let (place, pressure) = pressures
+            .iter()
+            .enumerate()
+            .fold((0, f64::INFINITY), |least, (k, p)| if *p < least.1 { (k, *p) } else { least });
+        let feigned = match level.rest.as_ref().filter(|_| i == 0) {
+            // next to where the punch is not smooth pressures are less certain than elsewhere
+            Some(rest) => {
+                let rest = self::pressures(rest, modes.len());
+                let near = place.saturating_sub(NEAR)..(place + NEAR).min(rest.len());
+                rest[near].iter().fold(0.0, |most: f64, p| most.max(p.abs()))
+            }
+            None => level.tails[i] * largest,
+        };
+        // what fades does not pull
+        let most = if level.faded[i].is_some() { most.min(MOST_FADED) } else { most };
+        if pressure < -ZERO * largest - (UNRESOLVED * feigned).min(most * largest) {
+            let middle = place + 1 == pressures.len();
+            let s = if middle { 0.0 } else { angle(place, pressures.len()).cos() };
+            let x = s * level.half_lengths[i] * kernel.length();
+            return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
+        }
+        if level.rest.is_some() && i == 0 && pressure < -PULL * largest {
+            // it cannot be said whether this is a pull
+            return Err(not_converged(kernel, punch, &level.half_lengths));
+        }
+        min_pressure = min_pressure.min(pressure);
+        pulls.push((-pressure / largest).max(0.0));
+    }
+    Ok((min_pressure, pulls))
+}
+
+/// The angle φ of a place, x = a cos φ.
+fn angle(place: usize, places: usize) -> f64 {
+    FRAC_PI_2 * (place + 1) as f64 / places as f64
+}
+
+/// The pressures at so many places per mode of `resolved`, from the end of the contact to its middle.
+fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
+    let coefficients = coefficients(modes);
+    let places = PER_MODE * resolved;
+    let mut pressures = vec![0.0; places];
+    vectorised(
+        #[inline(always)]
+        || {
+            for (block, out) in pressures.chunks_mut(LANES).enumerate() {
+                let phi: [f64; LANES] = std::array::from_fn(|lane| angle(block * LANES + lane, places));
+                let (mut sine, cosine) = sin_cos(&phi);
+                // sin(3φ), sin(5φ), ... from sin φ
+                let turn: [f64; LANES] = std::array::from_fn(|lane| 4.0 * cosine[lane] * cosine[lane] - 2.0);
+                let [mut before, mut pressure] = [sine.map(|sine| -sine), [0.0; LANES]];
+                for c in &coefficients {
+                    for lane in 0..LANES {
+                        pressure[lane] += c * sine[lane];
+                        let next = turn[lane] * sine[lane] - before[lane];
+                        before[lane] = sine[lane];
+                        sine[lane] = next;
+                    }
+                }
+                out.copy_from_slice(&pressure[..out.len()]);
+            }
+        },
+    );
+    pressures
+}
+
+/// The slope transforms of all contacts at real wavenumbers that resolve fields out to `span`: those of the equations, if
+/// they do.
+fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<f64>]) -> Option<Waves> {
+    let n = level.half_lengths.len();
+    let span = punch.span(&level.half_lengths);
+    let frequency = frequency_of_fields(&level.half_lengths, span);
+    if let Some((layout, responses)) = &level.waves {
+        // what is beyond is nothing
+        let end = |i: usize| {
+            let mut left = 0.1 * NO_GAP * layout.own[i].limit;
+            let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
+            let last = waves.rposition(|(zeta, slope)| {
+                left -= (slope / zeta).abs();
+                left < 0.0
+            });
+            last.map_or(0, |last| last + 1)
+        };
+        let ends: Vec<usize> = (0..n).map(end).collect();
+        let needed = ends.iter().copied().fold(0, usize::max);
+        if needed <= layout.resolved(frequency) {
+            let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
+            let limits = layout.own.iter().map(|own| own.limit).collect();
+            return Some(Waves { zeta: layout.zeta[..needed].to_vec(), limits, slopes });
+        }
+    }
+    let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
+    if punch.given().is_some() {
+        orders[0] = 0;
+    }
+    let layout = Layout::new(kernel, &level.half_lengths, &orders, FIELDS, span)?;
+    let basis = |i: usize| match punch.given().filter(|_| i == 0) {
+        Some(given) => Basis::given(&layout, given),
+        None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
+    };
+    let bases: Vec<Basis> = (0..n).map(basis).collect();
+    let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
+    let linked = vec![false; n - 1];
+    let equations = Equations::new(&layout, &bases, &counts, &linked).with_corners(punch.flat().map(|_| level.corners));
+    let mut slopes = equations.responses(modes);
+    slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
+    let limits = layout.own.iter().map(|own| own.limit).collect();
+    Some(Waves { zeta: layout.zeta, limits, slopes })
+}
+
+/// What is needed of the equations to find gaps.
+struct Waves {
+    zeta: Vec<f64>,
+    /// g∞ of each contact.
+    limits: Vec<f64>,
+    /// Slope transforms, weights included and g∞ left out.
+    slopes: Vec<Buffer>,
+}
+
+/// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
+fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, ContactError> {
+    let felt = |most: usize| -> Vec<Vec<f64>> {
+        let own = |modes: &Vec<f64>| {
+            let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
+            modes[..above.min(most)].to_vec()
+        };
+        level.modes.iter().map(own).collect()
+    };
+    // fewer where contacts are of such different lengths that tables would not fit in memory
+    let found = GAP_MODES.into_iter().find_map(|most| {
+        let modes = felt(most);
+        transforms(kernel, punch, level, &modes).map(|waves| (modes, waves))
+    });
+    let (modes, waves) = found.ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
+    let mut gaps = Vec::with_capacity(modes.len());
+    for (i, modes) in modes.iter().enumerate() {
+        let (a, limit) = (level.half_lengths[i], waves.limits[i]);
+        let mut end = punch.span(&level.half_lengths);
+        if let (0, Some(edge)) = (i, punch.max_half_length()) {
+            end = end.min(edge);
+        }
+        let mut own = Vec::new();
+        if i == 0 && (punch.given().is_some() || punch.flat().is_some()) {
+            // where nothing presses there is no gap to be looked at
+            gaps.push(own);
+            continue;
+        }
+        // next to the contact, and far from it
+        let mut steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+        let fall = punch.last_fall() - a;
+        if i == 0 && fall > 0.0 {
+            // such steps that one of them ends where the profile is lowest
+            steps[1] = fall / (fall / steps[1]).ceil().min(GAPS as f64);
+        }
+        let rest = vectorised(
+            #[inline(always)]
+            || deflections(&waves.zeta, &waves.slopes[i], a, steps),
+        );
+        for (step, rest) in steps.into_iter().zip(rest) {
+            own.extend(rest.into_iter().enumerate().map(|(k, rest)| {
+                let x = a + step * (k + 1) as f64;
+                let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
+                (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + rest) / PI)
+            }));
+        }
+        gaps.push(own);
+    }
+    Ok(gaps)
+}
+
+/// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ... with each of two steps: neighbouring cosines follow from
+/// each other.
+#[inline(always)]
+fn deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; GAPS]; 2] {
+    let mut parts = [[[0.0; LANES]; GAPS]; 2];
+    for (zetas, slopes) in zeta.chunks(LANES).zip(slopes.chunks(LANES)) {
+        // nothing where there are none left
+        let [mut zeta, mut weight] = [[0.0; LANES]; 2];
+        for (lane, (wave, slope)) in zetas.iter().zip(slopes).enumerate() {
+            (zeta[lane], weight[lane]) = (*wave, slope / wave);
+        }
+        let (sin, cos) = sin_cos(&zeta.map(|zeta| zeta * a));
+        for (parts, step) in parts.iter_mut().zip(steps) {
+            let (sin_step, cos_step) = sin_cos(&zeta.map(|zeta| zeta * step));
+            let (mut before, mut here) = (cos, cos);
+            for lane in 0..LANES {
+                here[lane] = cos[lane] * cos_step[lane] - sin[lane] * sin_step[lane];
+            }
+            for part in parts {
+                let mut next = [0.0; LANES];
+                for lane in 0..LANES {
+                    part[lane] += weight[lane] * (cos[lane] - here[lane]);
+                    next[lane] = 2.0 * cos_step[lane] * here[lane] - before[lane];
+                }
+                (before, here) = (here, next);
+            }
+        }
+    }
+    parts.map(|parts| parts.map(|part| part.iter().sum()))
+}
+
+/// Σ y_m ∫ from a to x of ∫ J_j(ζa) sin(ζx) dζ/ζ dx / a = (−1)^m/j ∫ e^(−jt) sinh t dt, x = a cosh t, j = 2m + 1.
+fn cauchy_deflection(modes: &[f64], ratio: f64) -> f64 {
+    let t = ratio.acosh();
+    let square = (-2.0 * t).exp();
+    // (1 − e^(−kt))/k for k = j − 1, and its limit
+    let (mut first, mut power, mut sum) = (t, 1.0, 0.0);
+    for (m, y) in modes.iter().enumerate() {
+        power *= square;
+        let second = (1.0 - power) / (order(m) + 1.0);
+        sum += alternating(m) * 0.5 * (first - second) / order(m) * y;
+        first = second;
+    }
+    sum
+}

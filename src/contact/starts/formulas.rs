@@ -1,0 +1,103 @@
+//! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
+use crate::contact::error::ContactError;
+use crate::contact::problem::profile::Indentation;
+use crate::kernel::Kernel;
+use crate::scene::Punch;
+
+/// Half-length of the contact of a strip of thickness 1 that a line load presses on a rigid base.
+const ON_RIGID_BASE: f64 = 0.857;
+/// Half-length of the contact of a plate that a line load presses on a half-plane so soft that nothing matters but how the
+/// plate bends, in units of (D/E*)^(1/3).
+const ON_SOFT_BASE: f64 = 2.804;
+/// What lies between is the sum of both in this power, to 1.5 per cent for a strip on a half-plane of any stiffness.
+const BETWEEN: f64 = 3.4;
+/// The wavenumber that stands for a pressure of half-length a is this over a.
+pub(crate) const TYPICAL: f64 = 1.2;
+
+/// Half-lengths are looked for from 1e-300 to 1e300, as far as doubles reach: the natural logarithm of the latter, and to
+/// how much in that they are found.
+const LONGEST: f64 = 690.0;
+const FOUND: f64 = 1e-3;
+/// How near, in the logarithm, to the edge of the punch they may be.
+const AT_EDGE: f64 = 1e-4;
+
+/// The force P' at which the contact under the punch is expected to have a half-length (in units of L), for an
+/// indentation by P' = 1.
+pub(crate) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> f64 {
+    punch.first_row(half_length) * half_length / kernel.compliances(TYPICAL / half_length)[0]
+}
+
+/// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
+/// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
+pub(crate) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Option<f64>, ContactError> {
+    if !kernel.has_no_length() {
+        return Ok(None);
+    }
+    let length = match punch.load() {
+        Some(load) => load.half_width(),
+        None => kernel.length() * half_lengths(kernel, &Indentation::new(punch, kernel, force))?[0],
+    };
+    Ok((length.is_normal() && length > 0.0).then_some(length))
+}
+
+/// Half-lengths in units of L, from the top down.
+pub(crate) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, ContactError> {
+    let first = match punch.given() {
+        Some(given) => given.half_length,
+        None => punch.flat().map_or_else(|| under_punch(kernel, punch), Ok)?,
+    };
+    let mut half_lengths = vec![first];
+    for laminate in 0..kernel.contacts() - 1 {
+        half_lengths.push(half_lengths[laminate].hypot(carried(kernel, laminate)));
+    }
+    Ok(half_lengths)
+}
+
+/// Half-length of the contact below a laminate (in units of L) that a line load presses.
+pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
+    let (thickness, rigidity) = kernel.laminates()[laminate];
+    let mut local = ON_RIGID_BASE * thickness;
+    for _ in 0..4 {
+        let zeta = TYPICAL / local;
+        let below = (kernel.compliances(zeta)[laminate + 1] - kernel.squeezed(laminate, zeta)).max(0.0);
+        let soft = ON_SOFT_BASE * (0.5 * rigidity * below).cbrt();
+        local = ((ON_RIGID_BASE * thickness).powf(BETWEEN) + soft.powf(BETWEEN)).powf(BETWEEN.recip());
+    }
+    local
+}
+
+/// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
+fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, ContactError> {
+    let (mut low, mut high) = (-LONGEST, punch.max_half_length().map_or(LONGEST, f64::ln));
+    // the logarithm of the force is nearly linear in that of the half-length
+    let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
+    let mut last: Option<(f64, f64)> = None;
+    while high - low > AT_EDGE {
+        let missing = match force(kernel, punch, x.exp()) {
+            // where a profile falls, the force on a contact may be negative: far too little
+            force if force <= 0.0 => f64::INFINITY,
+            force => -force.ln(),
+        };
+        if missing > 0.0 {
+            low = x
+        } else {
+            high = x
+        }
+        if let Some((before, was)) = last {
+            let secant = (was - missing) / (x - before);
+            slope = if secant > 0.0 && secant.is_finite() { secant } else { slope };
+        }
+        last = missing.is_finite().then_some((x, missing));
+        let next = x + missing / slope;
+        let inside = low < next && next < high;
+        let found = inside && (next - x).abs() < FOUND;
+        x = if inside { next } else { 0.5 * (low + high) };
+        if found {
+            break;
+        }
+    }
+    match punch.too_small(low.exp()) {
+        Some(error) => Err(error),
+        None => Ok(x.exp()),
+    }
+}

@@ -1,0 +1,123 @@
+//! Starts for many loads on one stack: answers at fixed loads, and half-lengths between them by interpolation.
+//!
+//! Under a parabola x²/2R all half-lengths depend on R P alone. So a stack has one curve per contact, known at the points of
+//! a lattice in ln RP, each of which is found when it is first needed: from formulas, like any answer, so that no number
+//! depends on which loads came before, or on who found it.
+use std::sync::OnceLock;
+
+use crate::contact::ends::newton::{Work, ties};
+use crate::contact::problem::modes::Modes;
+use crate::contact::problem::profile::Indentation;
+use crate::contact::quality::levels::{Start, refine};
+use crate::contact::starts::formulas;
+use crate::kernel::Kernel;
+use crate::numeric::chebyshev::{barycentric_weights, interpolation_row};
+use crate::options::Options;
+use crate::scene::Punch;
+use crate::solution::Interface;
+
+/// ln(RP/μ₀L²) of the lattice: where it begins, how far its points are apart, and how many there are.
+const LOWEST: f64 = -60.0;
+const APART: f64 = 0.25;
+const COUNT: usize = 480;
+/// Points that an interpolation takes.
+const POINTS: usize = 10;
+/// A punch that is not quite a parabola differs from one by less than this part in what presses.
+const ALIKE: f64 = 0.02;
+/// How often the parabola like it is looked for.
+const ROUNDS: usize = 2;
+
+/// The answers of one stack under parabolas.
+#[derive(Debug)]
+pub(crate) struct Lattice {
+    points: Vec<OnceLock<Option<Answer>>>,
+    nodes: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+/// Logarithms of the half-lengths, and the modes.
+#[derive(Debug)]
+struct Answer {
+    lengths: Vec<f64>,
+    modes: Modes,
+}
+
+/// Where a load lies in the lattice.
+struct Place<'a> {
+    answers: Vec<&'a Answer>,
+    /// What each of them contributes.
+    row: [f64; POINTS],
+}
+
+impl Place<'_> {
+    fn half_length(&self, i: usize) -> f64 {
+        let terms = self.answers.iter().zip(&self.row).map(|(answer, part)| part * answer.lengths[i]);
+        terms.sum::<f64>().exp()
+    }
+
+    /// The larger that each mode of contact `i` is at the points on either side.
+    fn modes(&self, i: usize) -> Vec<f64> {
+        let [left, right] = [POINTS / 2 - 1, POINTS / 2].map(|k| &self.answers[k].modes[i]);
+        left.iter().zip(right).map(|(left, right)| left.abs().max(right.abs())).collect()
+    }
+}
+
+impl Default for Lattice {
+    fn default() -> Self {
+        let nodes: Vec<f64> = (0..POINTS).map(|k| k as f64).collect();
+        let weights = barycentric_weights(&nodes);
+        Self { points: (0..COUNT).map(|_| OnceLock::new()).collect(), nodes, weights }
+    }
+}
+
+impl Lattice {
+    /// How many numbers the answers have that were found.
+    pub(crate) fn stored_numbers(&self) -> usize {
+        let answers = self.points.iter().filter_map(|point| point.get()?.as_ref());
+        answers.flat_map(|answer| &answer.modes).map(Vec::len).sum::<usize>() + self.points.len()
+    }
+
+    /// Half-lengths and modes to start from; `None` where formulas have to do.
+    pub(crate) fn start(&self, kernel: &Kernel, interfaces: &[Interface], punch: &Indentation) -> Option<Start> {
+        let flat = punch.as_parabola(0.0)?;
+        let mut place = self.place(kernel, interfaces, flat)?;
+        for _ in 0..if punch.is_parabola() { 0 } else { ROUNDS } {
+            let load = punch.as_parabola(place.half_length(0))?;
+            if !load.is_finite() || (load / flat - 1.0).abs() >= ALIKE {
+                return None;
+            }
+            place = self.place(kernel, interfaces, load)?;
+        }
+        let contacts = kernel.contacts();
+        let half_lengths: Vec<f64> = (0..contacts).map(|i| place.half_length(i)).collect();
+        // what contacts that are tied together miss is judged from coarse answers
+        let usable = half_lengths.iter().all(|a| a.is_normal()) && !ties(kernel, &half_lengths).contains(&true);
+        usable.then(|| Start::Nearby { half_lengths, modes: (0..contacts).map(|i| place.modes(i)).collect() })
+    }
+
+    fn place(&self, kernel: &Kernel, interfaces: &[Interface], load: f64) -> Option<Place<'_>> {
+        let at = (load.ln() - LOWEST) / APART;
+        let first = (at.floor() as usize).checked_sub(POINTS / 2 - 1)?;
+        let points = self.points.get(first..first + POINTS)?;
+        let answers: Option<Vec<&Answer>> = points
+            .iter()
+            .zip(first..)
+            .map(|(point, k)| point.get_or_init(|| answer(kernel, interfaces, LOWEST + APART * k as f64)).as_ref())
+            .collect();
+        let mut row = [0.0; POINTS];
+        interpolation_row(&self.nodes, &self.weights, at - first as f64, &mut row);
+        Some(Place { answers: answers?, row })
+    }
+}
+
+/// The answer at one point; `None` if it is not as good as answers usually are.
+fn answer(kernel: &Kernel, interfaces: &[Interface], load: f64) -> Option<Answer> {
+    let unit = kernel.length();
+    let punch = Punch::parabola(unit).ok()?;
+    let punch = Indentation::new(&punch, kernel, load.exp() * kernel.modulus() * unit);
+    let start = Start::Formulas { half_lengths: formulas::half_lengths(kernel, &punch).ok()?, finer: 1 };
+    let (level, warnings) =
+        refine(kernel, interfaces, &punch, start, &Options::default(), &mut Work::default()).ok()?;
+    let lengths = level.half_lengths.iter().map(|a| a.ln()).collect();
+    warnings.is_empty().then_some(Answer { lengths, modes: level.modes })
+}
