@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
 use crate::collocation;
-use crate::contact::{self, Lattice};
+use crate::contact::{self, Table};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
@@ -37,13 +37,13 @@ pub struct Model {
     key: Option<u64>,
     interfaces: Vec<Interface>,
     kernel: Kernel,
-    lattice: Option<Arc<Lattice>>,
+    table: Option<Arc<Table>>,
 }
 
 impl Model {
     /// How many numbers the model stores, about.
     pub(crate) fn stored_numbers(&self) -> usize {
-        self.kernel.stored_numbers() + self.lattice.as_ref().map_or(0, |lattice| lattice.stored_numbers())
+        self.kernel.stored_numbers() + self.table.as_ref().map_or(0, |table| table.stored_numbers())
     }
 
     /// Evaluates the stack's flexibilities.
@@ -53,7 +53,7 @@ impl Model {
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { key: Some(key(&stack)), interfaces: stack.contacts(), stack, kernel, lattice: None })
+        Ok(Self { key: Some(key(&stack)), interfaces: stack.contacts(), stack, kernel, table: None })
     }
 
     /// The same model for many loads: answers at some of them are kept to start others from, each of them found when it is
@@ -63,7 +63,7 @@ impl Model {
     /// neither on what was pressed before nor on threads that share the model.
     #[must_use]
     pub fn for_many_loads(self) -> Self {
-        Self { lattice: Some(Arc::default()), ..self }
+        Self { table: Some(Arc::default()), ..self }
     }
 
     /// The stack.
@@ -92,9 +92,9 @@ impl Model {
         if let Some(material) = punch.material() {
             self.stack.check_punch(&material)?;
         }
-        let (kernel, lattice) = (&self.kernel, self.lattice.as_deref());
+        let (kernel, table) = (&self.kernel, self.table.as_deref());
         let press = |force: f64| match options.method {
-            Method::Galerkin => contact::press(kernel, lattice, &self.interfaces, punch, force, options),
+            Method::Galerkin => contact::press(kernel, table, &self.interfaces, punch, force, options),
             Method::Collocation => collocation::press(kernel, &self.interfaces, punch, force, options),
         };
         let solution = match force {

@@ -106,6 +106,16 @@ impl Strip {
         Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, form: Form::Series }
     }
 
+    /// The same in other units of length and pressure.
+    pub(crate) fn scaled(mut self, length: f64, pressure: f64) -> Self {
+        // on a line the only coefficient is a force
+        let unit = if self.form == Form::Line { length * pressure } else { pressure };
+        self.coefficients.iter_mut().chain(&mut self.skew).for_each(|c| *c *= unit);
+        (self.at, self.extent) = (self.at * length, self.extent * length);
+        (self.corners, self.tip) = (self.corners * pressure, self.tip * pressure);
+        self
+    }
+
     /// The resultant of one image.
     pub(crate) fn resultant(&self) -> f64 {
         if self.form == Form::Line {
@@ -218,6 +228,36 @@ pub struct Stats {
     pub newton_steps: Vec<usize>,
     /// Systems of equations that were factorised.
     pub factorisations: usize,
+    /// Why each level of refinement ended, the coarsest first; for each force that was tried, if it was found. Empty for an
+    /// answer of low accuracy, and for contacts in several intervals.
+    pub stopped: Vec<Stopped>,
+}
+
+/// Why a level of refinement ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stopped {
+    /// What is left is below the tolerance.
+    Converged,
+    /// What is left is below the truncation error: more modes are needed to make it smaller.
+    Truncated,
+    /// The iteration hardly grows shorter.
+    Slow,
+    /// The iteration goes nowhere: the modes that were solved for are all there is.
+    Diverged,
+    /// More wavenumbers would be needed than memory and time allow.
+    Budget,
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::Truncated => "truncated",
+            Self::Slow => "slow",
+            Self::Diverged => "diverged",
+            Self::Budget => "budget",
+        })
+    }
 }
 
 /// A solved scene: contacts from the top down, and what it took to find them.

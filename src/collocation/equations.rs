@@ -9,7 +9,7 @@ use faer::linalg::solvers::Solve;
 
 use crate::collocation::nodes::Nodes;
 use crate::collocation::spatial::Spatial;
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::Problem;
 
 /// Pressures at given half-lengths.
 pub(super) struct Pressures {
@@ -20,7 +20,7 @@ pub(super) struct Pressures {
 }
 
 /// Solves for the pressures, equilibrium built in.
-pub(super) fn solve(spatial: &Spatial, nodes: &Nodes, punch: &Indentation, half_lengths: &[f64]) -> Pressures {
+pub(super) fn solve(spatial: &Spatial, nodes: &Nodes, problem: &Problem, half_lengths: &[f64]) -> Pressures {
     let (n, half) = (half_lengths.len(), nodes.half());
     let block = half + 1;
     let mut matrix = Mat::<f64>::zeros(n * block, n * block);
@@ -41,7 +41,7 @@ pub(super) fn solve(spatial: &Spatial, nodes: &Nodes, punch: &Indentation, half_
             }
             matrix[(row, i * block + half)] = *r;
             if i == 0 {
-                right[(row, 0)] = a * punch.slope(a * r);
+                right[(row, 0)] = a * problem.top().slope(a * r);
             }
         }
         // equilibrium

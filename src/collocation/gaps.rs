@@ -7,7 +7,7 @@ use crate::collocation::equations::Pressures;
 use crate::collocation::nodes::Nodes;
 use crate::collocation::spatial::Spatial;
 use crate::collocation::spatial::cauchy_outside;
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::Problem;
 
 /// Gaps are looked at in this many places per contact.
 const PLACES: usize = 24;
@@ -16,7 +16,7 @@ const PLACES: usize = 24;
 pub(super) fn gaps(
     spatial: &Spatial,
     nodes: &Nodes,
-    punch: &Indentation,
+    problem: &Problem,
     half_lengths: &[f64],
     pressures: &Pressures,
     i: usize,
@@ -24,7 +24,8 @@ pub(super) fn gaps(
 ) -> Vec<(f64, f64)> {
     let a = half_lengths[i];
     let coefficients = nodes.coefficients(&pressures.phi[i]);
-    let end = if i == 0 { punch.max_half_length().map_or(span, |edge| span.min(edge)) } else { span };
+    let side = &problem.sides[i];
+    let end = side.edge().map_or(span, |edge| span.min(edge));
     let farthest = (end / a).max(1.0).acosh();
     let tau = |k: usize| farthest * (k as f64 / PLACES as f64).powi(2);
     let mut deflection = 0.0;
@@ -36,8 +37,7 @@ pub(super) fn gaps(
                 deflection += weight * a * tau.sinh() * slope / PI;
             }
             let x = a * tau(k).cosh();
-            let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
-            (x, opened - deflection)
+            (x, side.height(x) - side.height(a) - deflection)
         })
         .collect()
 }

@@ -15,12 +15,14 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
 use crate::scene::Punch;
-use crate::solution::{Contact, Interface, Solution, Stats, Strip};
+use crate::solution::{Interface, Part, Solution, Stats, Strip};
 
+use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::problem::Problem;
+use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::alternating;
-use crate::contact::problem::profile::Indentation;
-use crate::contact::starts::order::from_any_start;
-use crate::contact::{ContactError, NoSolution, kernel_under, not_converged, stats};
+use crate::contact::starts::order::solve_in_order;
+use crate::contact::{ContactError, NoSolution, kernel_under};
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -62,44 +64,32 @@ pub(crate) fn press(
     options: &Options,
 ) -> Result<Solution, ContactError> {
     let kernel = &*kernel_under(kernel, punch, force)?;
-    let indentation = Indentation::new(punch, kernel, force);
-    if punch.load().is_some() {
+    let problem = Problem::new(kernel, interfaces, punch, force, options.tolerance);
+    if problem.top().given().is_some() {
         return Err(ContactError::LoadByCollocation);
     }
-    if indentation.flat().is_some() {
+    if problem.top().is_flat() {
         return Err(ContactError::FlatByCollocation);
     }
-    let solution = solve(kernel, interfaces, &indentation, options)?;
+    let mut collocation = Collocation { problem: &problem, spatial: Spatial::new(kernel)?, steps: Vec::new() };
+    let solve = |half_lengths: Vec<f64>| collocation.refine(half_lengths).map(Into::into);
+    let solution = solve_in_order(&problem, solve, |_, _| None)?;
     Ok(Solution { force, ..solution })
 }
 
-fn solve(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    options: &Options,
-) -> Result<Solution, ContactError> {
-    let mut problem = Problem { kernel, interfaces, punch, spatial: Spatial::new(kernel)?, steps: Vec::new() };
-    let solve = |half_lengths: Vec<f64>, finer: usize| {
-        problem.refine(half_lengths, (finer * COARSEST).min(FINEST / 2), options).map(Into::into)
-    };
-    from_any_start(kernel, interfaces, punch, options, solve, |_, _| None)
-}
-
-struct Problem<'a> {
-    kernel: &'a Kernel,
-    interfaces: &'a [Interface],
-    punch: &'a Indentation<'a>,
+struct Collocation<'a> {
+    problem: &'a Problem<'a>,
     spatial: Spatial,
     /// Newton steps taken on each level.
     steps: Vec<usize>,
 }
 
-impl Problem<'_> {
+impl Collocation<'_> {
     /// More and more nodes until the answers of two numbers of them agree.
-    fn refine(&mut self, half_lengths: Vec<f64>, coarsest: usize, options: &Options) -> Result<Solution, ContactError> {
+    fn refine(&mut self, half_lengths: Vec<f64>) -> Result<Solution, ContactError> {
+        let tolerance = self.problem.tolerance;
         let singular = self.spatial.own.iter().any(|own| own.jump.is_some());
-        let mut count = coarsest;
+        let mut count = COARSEST;
         let mut jacobian = None;
         let mut nodes = Nodes::new(count, singular);
         let mut before = self.converge(&nodes, half_lengths, &mut jacobian)?;
@@ -108,23 +98,23 @@ impl Problem<'_> {
             nodes = Nodes::new(count, singular);
             let level = self.converge(&nodes, before.half_lengths.clone(), &mut jacobian)?;
             let error = |new: f64, old: f64| (new / old - 1.0).abs() + level.last_step + ROUNDING;
-            let errors: Vec<[f64; 2]> = (0..level.peaks.len())
+            let errors: Vec<Estimate> = (0..level.peaks.len())
                 .map(|i| {
                     let length = error(level.half_lengths[i], before.half_lengths[i]);
-                    [length, error(level.peaks[i], before.peaks[i]) + length]
+                    Estimate::new(length, error(level.peaks[i], before.peaks[i]) + length)
                 })
                 .collect();
-            let worst = largest(errors.iter().flatten().copied());
+            let worst = largest(errors.iter().map(|error| error.worst()));
             if worst.is_nan() {
-                return Err(not_converged(self.kernel, self.punch, &level.half_lengths));
+                return Err(self.problem.not_converged(&level.half_lengths));
             }
             // two solutions that have little in common say nothing of each other
-            if worst <= options.tolerance || count >= FINEST {
+            if worst <= tolerance || count >= FINEST {
                 let mut warnings = Vec::new();
-                if worst > options.tolerance {
+                if worst > tolerance {
                     warnings.push(format!(
                         "the tolerance {:e} is not met with {count} nodes; the error estimates tell what was reached",
-                        options.tolerance
+                        tolerance
                     ));
                 }
                 return self.solution(&nodes, &level, &errors, warnings);
@@ -170,23 +160,22 @@ impl Problem<'_> {
             for (a, step) in half_lengths.iter_mut().zip(&step) {
                 *a *= (shorten * step).exp();
             }
-            if let Some(limit) = self.punch.max_half_length()
-                && half_lengths[0] >= limit
-            {
-                half_lengths[0] = limit * (1.0 - 1e-4);
-                if let Some(error) = self.punch.too_small(half_lengths[0]) {
+            for i in 0..half_lengths.len() {
+                let Some(edge) = self.problem.sides[i].edge().filter(|edge| half_lengths[i] >= *edge) else { continue };
+                half_lengths[i] = edge * (1.0 - 1e-4);
+                if let Some(error) = self.problem.too_small(&half_lengths) {
                     return Err(error);
                 }
             }
         }
         *jacobian = None;
-        Err(not_converged(self.kernel, self.punch, &half_lengths))
+        Err(self.problem.not_converged(&half_lengths))
     }
 
     fn solve(&mut self, nodes: &Nodes, half_lengths: &[f64]) -> Pressures {
         let longest = half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
         self.spatial.cover(2.0 * longest);
-        equations::solve(&self.spatial, nodes, self.punch, half_lengths)
+        equations::solve(&self.spatial, nodes, self.problem, half_lengths)
     }
 
     /// dσ/d ln a, one column per half-length.
@@ -204,72 +193,71 @@ impl Problem<'_> {
         derivatives
     }
 
-    /// The answer in the units of the scene, if it is admissible.
+    /// The solution, if it is admissible.
     fn solution(
         &mut self,
         nodes: &Nodes,
         level: &Level,
-        errors: &[[f64; 2]],
+        errors: &[Estimate],
         warnings: Vec<String>,
     ) -> Result<Solution, ContactError> {
-        let (length, pressure_unit) = (self.kernel.length(), self.kernel.modulus() * self.punch.force);
+        let problem = self.problem;
         let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-        let span = self.punch.span(&level.half_lengths);
+        let span = problem.span(&level.half_lengths);
         self.spatial.cover(span + longest);
         let (mut min_pressure, mut min_gap) = (0.0f64, 0.0f64);
         let mut contacts = Vec::new();
-        for (i, interface) in self.interfaces.iter().enumerate() {
+        for (i, error) in errors.iter().enumerate() {
+            min_pressure = min_pressure.min(self.least_pressure(nodes, level, i)?);
+            min_gap = min_gap.min(self.least_gap(nodes, level, i, span)?);
             let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
-            let pressures = phi.iter().zip(&nodes.s).map(|(phi, s)| (s * a, phi * (1.0 - s * s).sqrt() / a));
-            for (x, pressure) in pressures {
-                if pressure < -ZERO * level.peaks[i].abs() {
-                    return Err(NoSolution::Tension { interface: *interface, x: x * length }.into());
-                }
-                min_pressure = min_pressure.min(pressure);
-            }
-            let gaps = gaps::gaps(&self.spatial, nodes, self.punch, &level.half_lengths, &level.pressures, i, span);
-            let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
-            for (x, gap) in gaps {
-                if gap < -ZERO * widest {
-                    return Err(NoSolution::Overlap { interface: *interface, x: x * length }.into());
-                }
-                min_gap = min_gap.min(gap);
-            }
-            let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a * pressure_unit).collect();
-            let (half_length, mut peak_pressure) = (a * length, level.peaks[i] * pressure_unit);
-            let mut peak_pressure_error = errors[i][1] * peak_pressure;
-            if i == 0 && self.punch.is_sharp() {
-                (peak_pressure, peak_pressure_error) = (f64::INFINITY, 0.0);
-            }
-            contacts.push(Contact {
-                interface: *interface,
-                half_length,
-                half_length_error: errors[i][0] * half_length,
-                peak_pressure,
-                peak_pressure_error,
-                resultant: 0.5 * std::f64::consts::PI * half_length * coefficients[0],
-                strips: vec![Strip::series(half_length, coefficients)],
-                opening: 0.0,
-                opening_error: 0.0,
-                parts: Vec::new(),
+            let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a).collect();
+            let peak = if problem.sides[i].is_sharp() { f64::INFINITY } else { level.peaks[i] };
+            contacts.push(Found {
+                intervals: vec![Part { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a }],
+                peak,
+                peak_error: error.pressure * peak,
+                strips: vec![Strip::series(a, coefficients)],
             });
         }
-        Ok(Solution {
-            contacts,
-            stack: None,
-            force: pressure_unit * length,
-            force_error: 0.0,
-            min_pressure: min_pressure * pressure_unit,
-            min_gap: min_gap * self.punch.force * length,
-            stats: Stats {
-                modes: vec![nodes.half(); self.interfaces.len()],
-                newton_steps: self.steps.clone(),
-                factorisations: self.steps.iter().sum(),
-                wavenumbers: self.kernel.work().wavenumbers + self.spatial.samples(),
-                ..stats(self.kernel)
-            },
-            warnings,
-        })
+        let stats = Stats {
+            modes: vec![nodes.half(); problem.contacts()],
+            newton_steps: self.steps.clone(),
+            factorisations: self.steps.iter().sum(),
+            wavenumbers: problem.kernel.work().wavenumbers + self.spatial.samples(),
+            ..stats(problem.kernel)
+        };
+        Ok(Answer { contacts, min_pressure, min_gap, stats, warnings }.into_solution(problem))
+    }
+
+    /// The smallest pressure at the nodes of contact i; an error if it is negative.
+    fn least_pressure(&self, nodes: &Nodes, level: &Level, i: usize) -> Result<f64, ContactError> {
+        let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
+        let mut least = 0.0f64;
+        for (phi, s) in phi.iter().zip(&nodes.s) {
+            let pressure = phi * (1.0 - s * s).sqrt() / a;
+            if pressure < -ZERO * level.peaks[i].abs() {
+                let x = s * a * self.problem.kernel.length();
+                return Err(NoSolution::Tension { interface: self.problem.interfaces[i], x }.into());
+            }
+            least = least.min(pressure);
+        }
+        Ok(least)
+    }
+
+    /// The smallest gap outside contact i; an error if it is negative.
+    fn least_gap(&self, nodes: &Nodes, level: &Level, i: usize, span: f64) -> Result<f64, ContactError> {
+        let gaps = gaps::gaps(&self.spatial, nodes, self.problem, &level.half_lengths, &level.pressures, i, span);
+        let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+        let mut least = 0.0f64;
+        for (x, gap) in gaps {
+            if gap < -ZERO * widest {
+                let x = x * self.problem.kernel.length();
+                return Err(NoSolution::Overlap { interface: self.problem.interfaces[i], x }.into());
+            }
+            least = least.min(gap);
+        }
+        Ok(least)
     }
 }
 

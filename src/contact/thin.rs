@@ -11,10 +11,11 @@
 use std::f64::consts::PI;
 
 use crate::contact::error::ContactError;
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::{Problem, Side};
 use crate::contact::quality::levels::{COARSEST, FINEST};
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
+use crate::numeric;
 use crate::solution::{Contact, Interface, Solution};
 
 /// An answer is taken to be wrong by so many times the change of the diagonal, since the rows of higher modes change more than the
@@ -31,11 +32,14 @@ const UNCOUPLED: f64 = 1e-12;
 /// ends. Under loose sheets from ten times softer to a hundred times stiffer than the ground they were off by 0.1 to 1.2 of it.
 const AT_ENDS: f64 = 3.0;
 
+/// Without thin layers contacts are solved for to this part of what these change.
+const ENOUGH: f64 = 0.1;
+
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
-pub(super) struct Thin {
-    pub(super) kernel: Kernel,
+struct Thin {
+    kernel: Kernel,
     /// By how much what is left out changes an answer at most, relative.
-    pub(super) error: f64,
+    error: f64,
     /// Thickness of the thinnest of the layers over the half-length next to it.
     thinnest: f64,
     /// Next to which contacts of that kernel, and by how much a layer there changes the answer.
@@ -44,19 +48,56 @@ pub(super) struct Thin {
     joined: Vec<(usize, f64)>,
 }
 
+/// Solves with `solve`, without what only layers much thinner than a contact change in the kernels if that makes the smaller
+/// error.
+pub(super) fn solve(
+    problem: &Problem,
+    solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
+) -> Result<Solution, ContactError> {
+    let Some(thin) = Thin::new(problem)? else { return solve(problem) };
+    let without = || {
+        let interfaces = thin.interfaces(problem.interfaces);
+        // no more digits are of use than are left
+        let tolerance = problem.tolerance.max(ENOUGH * thin.error);
+        Ok(thin.admit(solve(&problem.on(&thin.kernel, &interfaces, tolerance))?, problem.interfaces))
+    };
+    if thin.error <= problem.tolerance || thin.is_unresolved() {
+        return without().or_else(|_: ContactError| solve(problem));
+    }
+    let found = solve(problem);
+    if found.as_ref().is_ok_and(|all| worst(all) <= thin.error) {
+        return found;
+    }
+    match (&found, without()) {
+        (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found,
+        (_, Ok(without)) => Ok(without),
+        (_, Err(_)) => found,
+    }
+}
+
+/// The largest relative error of a solution.
+fn worst(solution: &Solution) -> f64 {
+    let errors = solution.contacts.iter().flat_map(|contact| {
+        let pressure = contact.peak_pressure_error / contact.peak_pressure;
+        // a pressure of 0 is known, and an infinite one cannot be missed
+        let known = contact.peak_pressure == 0.0 || contact.peak_pressure.is_infinite();
+        [contact.half_length_error / contact.half_length, if known { 0.0 } else { pressure }]
+    });
+    numeric::largest(errors)
+}
+
 impl Thin {
     /// `None` if modes resolve all that matters.
-    pub(super) fn new(kernel: &Kernel, punch: &Indentation) -> Result<Option<Self>, ContactError> {
-        let mut half_lengths = formulas::half_lengths(kernel, punch)?;
+    fn new(problem: &Problem) -> Result<Option<Self>, ContactError> {
+        let mut half_lengths = formulas::half_lengths(problem)?;
         let (contacts, joined) = (Vec::new(), Vec::new());
-        let mut thin = Self { kernel: kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
-        let given = usize::from(punch.given().is_some());
-        if !punch.is_sharp() {
-            for upper in (given..half_lengths.len() - 1).rev() {
+        let mut thin = Self { kernel: problem.kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
+        if !problem.sides.iter().any(Side::is_sharp) {
+            for upper in problem.unknown().collect::<Vec<_>>().into_iter().rev().skip(1) {
                 thin.join_below(upper, &mut half_lengths)?;
             }
         }
-        for (contact, half_length) in half_lengths.iter().enumerate().skip(given) {
+        for (contact, half_length) in half_lengths.iter().enumerate().filter(|(i, _)| !problem.is_known(*i)) {
             let Some((from, error)) = beyond_modes(&thin.kernel, contact, *half_length, &half_lengths) else {
                 continue;
             };
@@ -87,20 +128,20 @@ impl Thin {
     }
 
     /// Which of the stack's contacts are those of the kernel.
-    pub(super) fn interfaces(&self, all: &[Interface]) -> Vec<Interface> {
+    fn interfaces(&self, all: &[Interface]) -> Vec<Interface> {
         let joined = |contact: usize| self.joined.iter().any(|(lower, _)| *lower == contact);
         all.iter().enumerate().filter(|(contact, _)| !joined(*contact)).map(|(_, interface)| *interface).collect()
     }
 
     /// Whether the boundary layer at the ends of a contact, as long as a layer there is thick, is shorter than a wave of the
     /// highest modes there, so that these tell nothing of it.
-    pub(super) fn is_unresolved(&self) -> bool {
+    fn is_unresolved(&self) -> bool {
         // x = a cos φ: a(1 − cos φ) is as long as the layer at φ = √(2 h/a)
         (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
     }
 
     /// The answer for all contacts of the stack, with what is left out in its errors, and a warning that says so.
-    pub(super) fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
+    fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
         let solved = self.interfaces(interfaces);
         for contact in &mut solution.contacts {
             contact.half_length_error += self.error * contact.half_length;

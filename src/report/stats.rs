@@ -16,11 +16,12 @@ impl fmt::Display for Stats {
         writeln!(f, "{:>8} wavenumbers interpolated, all integrals together", self.interpolated)?;
         writeln!(f, "{:>8} modes of each contact", list(&self.modes))?;
         writeln!(f, "{:>8} Newton steps on each level", list(&self.newton_steps))?;
+        writeln!(f, "{:>8} why each level ended", list(&self.stopped))?;
         writeln!(f, "{:>8} factorisations", self.factorisations)
     }
 }
 
 /// Counts separated by spaces.
-fn list(counts: &[usize]) -> String {
-    counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
+fn list(counts: &[impl fmt::Display]) -> String {
+    counts.iter().map(|count| count.to_string()).collect::<Vec<_>>().join(" ")
 }

@@ -5,8 +5,6 @@ use std::str::FromStr;
 
 use super::error::AxisError;
 use super::range::{Range, Spacing};
-#[cfg(feature = "files")]
-use super::read::WrittenAxis;
 
 /// Most values of one axis.
 const LONGEST: usize = 100_000_000;
@@ -204,6 +202,29 @@ impl fmt::Display for Axis {
         match &self.values {
             Values::List(values) => write!(f, "{}={values:?}", self.path),
             Values::Range(range) => write!(f, "{}={range}", self.path),
+        }
+    }
+}
+
+/// An axis as it is written in a file.
+#[cfg(feature = "files")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+enum WrittenAxis {
+    Linear { path: String, start: f64, stop: f64, count: usize },
+    Logarithmic { path: String, start: f64, stop: f64, count: usize },
+    List { path: String, values: Vec<f64> },
+}
+
+#[cfg(feature = "files")]
+impl TryFrom<WrittenAxis> for Axis {
+    type Error = AxisError;
+
+    fn try_from(axis: WrittenAxis) -> Result<Self, AxisError> {
+        match axis {
+            WrittenAxis::Linear { path, start, stop, count } => Self::linear(&path, start, stop, count),
+            WrittenAxis::Logarithmic { path, start, stop, count } => Self::logarithmic(&path, start, stop, count),
+            WrittenAxis::List { path, values } => Self::list(&path, values),
         }
     }
 }

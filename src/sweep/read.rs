@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use recede_layers::Registry;
 use serde::Deserialize;
 
-use super::{Axis, AxisError, Sweep};
+use super::{Axis, Sweep};
 use crate::errors::Error;
 use crate::options::Options;
 use crate::scene::{Scene, SceneError, first_name, read_document};
@@ -19,27 +19,6 @@ struct Written {
     vary: Vec<Axis>,
     #[serde(default)]
     tolerance: Option<f64>,
-}
-
-/// One axis.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) enum WrittenAxis {
-    Linear { path: String, start: f64, stop: f64, count: usize },
-    Logarithmic { path: String, start: f64, stop: f64, count: usize },
-    List { path: String, values: Vec<f64> },
-}
-
-impl TryFrom<WrittenAxis> for Axis {
-    type Error = AxisError;
-
-    fn try_from(axis: WrittenAxis) -> Result<Self, AxisError> {
-        match axis {
-            WrittenAxis::Linear { path, start, stop, count } => Self::linear(&path, start, stop, count),
-            WrittenAxis::Logarithmic { path, start, stop, count } => Self::logarithmic(&path, start, stop, count),
-            WrittenAxis::List { path, values } => Self::list(&path, values),
-        }
-    }
 }
 
 impl Sweep {

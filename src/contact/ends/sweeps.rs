@@ -1,38 +1,44 @@
-//! Rounds of iteration: more modes than are solved for, and the last digits of half-lengths and pressures.
-use crate::contact::ends::converged::Converged;
-use crate::contact::ends::newton::{NEARBY, Newton, Point, SLOW, advance, linear, longest, not_converged, ties};
-use crate::contact::equations::assemble::Equations;
-use crate::contact::equations::condensed::{Drift, Pressures};
+//! Iterated Galerkin sweeps (Sloan 1976): more modes than are solved for, and the last digits of half-lengths and pressures.
+use crate::contact::ends::Converged;
+use crate::contact::ends::newton::{Aim, NEARBY, Newton, Point, SLOW, Work, linear, strongly_coupled};
+use crate::contact::equations::assemble::{Equations, Rows};
+use crate::contact::equations::condensed::{Drift, Linearised, Sweep};
 use crate::contact::error::ContactError;
-use crate::contact::integrals::layout::negligible;
-use crate::contact::problem::modes::beyond;
+use crate::contact::integrals::basis::Basis;
+use crate::contact::integrals::layout::{Layout, negligible};
+use crate::contact::problem::Problem;
+use crate::contact::problem::estimate::Estimate;
+use crate::contact::problem::modes::{Modes, beyond};
+use crate::contact::problem::profile::Slopes;
+use crate::contact::problem::support::{Support, longest};
+use crate::solution::Stopped;
 
-/// More modes than these, all contacts together, are not solved for only because they did not settle otherwise.
+/// More modes than these, all contacts together, are not solved for only because sweeps did not converge.
 const MOST_SOLVED: usize = 600;
-/// Pressures are let go on settling from level to level with an error of so many tolerances.
+/// Sweeps have converged if they leave a pressure error of this many tolerances: the next level goes on.
 const PRESSURES: f64 = 10.0;
-/// Ends on which less than so many tolerances depends need not be found.
+/// Ends on which less than this part of the tolerance depends need not be found.
 const ENDS: f64 = 0.01;
-/// Where there are no rounds, Newton's method goes on to this.
+/// Where sweeps do not converge, Newton's method goes on to this.
 const FULLY: f64 = 1e-20;
 /// Derivatives from few modes are right to about this part.
 const DERIVATIVES: f64 = 1e-2;
-/// Rounds that change more than this are not going anywhere.
+/// Sweeps that change more than this diverge.
 const DIVERGED: f64 = 1e-2;
-/// What is taken for the error of modes that did not settle, on top of how they fall.
+/// What is taken for the error of modes for which sweeps diverge, on top of how they fall.
 const UNKNOWN: f64 = 1e-4;
-/// A round is taken to leave at least this part of what it changed.
+/// A sweep is taken to leave at least this part of what it changed.
 const LEAST_LEFT: f64 = 0.1;
 /// Changes below this are rounding.
 const NOISE: f64 = 1e-13;
-/// The last digits come from rounds of iteration; this many at most.
-const ROUNDS: usize = 12;
-/// What rounds leave may be this part of what is missing anyway; of half-lengths, this part of that.
+/// The last digits come from sweeps; this many at most.
+const SWEEPS: usize = 12;
+/// What sweeps leave may be this part of the truncation error; of half-lengths, this part of that.
 const LITTLE: f64 = 0.01;
 
 impl Newton<'_> {
-    /// Goes on from half-lengths nearby, and lets pressures settle with more modes than are solved for, to `tolerance`;
-    /// where they do not, all modes are solved for. The half-lengths to begin with were found with `fewer` modes.
+    /// A fine solution: goes on from half-lengths nearby, found with `fewer` modes, and sweeps with more modes than are solved
+    /// for, to `tolerance`; where sweeps do not converge, all modes are solved for.
     pub(crate) fn converge(
         &mut self,
         half_lengths: Vec<f64>,
@@ -41,179 +47,298 @@ impl Newton<'_> {
         modes: &[usize],
         tolerance: f64,
     ) -> Result<Converged, ContactError> {
-        let tied = self.tied(&half_lengths, solved, modes);
-        let (mut found, settled) = self.settle(half_lengths.clone(), &tied.0, &tied.1, tolerance)?;
-        if !settled
-            && tied.0 != tied.1
-            && tied.1.iter().sum::<usize>() <= MOST_SOLVED
-            && let Ok((all, true)) = self.settle(half_lengths.clone(), &tied.1, &tied.1, tolerance)
+        let (solved, modes) = self.coupled_counts(&half_lengths, solved, modes);
+        let (mut found, converged) = self.sweep(half_lengths.clone(), &solved, &modes, tolerance)?;
+        if !converged
+            && solved != modes
+            && modes.iter().sum::<usize>() <= MOST_SOLVED
+            && let Ok((all, true)) = self.sweep(half_lengths.clone(), &modes, &modes, tolerance)
         {
             found = all;
         }
         // where all modes were solved for, what those beyond fewer ones changed is the change since then
         for (i, fewer) in fewer.iter().enumerate() {
             if found.solved[i] == found.modes[i].len() {
-                found.shift[i] = (found.half_lengths[i] / half_lengths[i]).ln();
+                found.corrections[i] = (found.support.half_lengths[i] / half_lengths[i]).ln();
                 found.solved[i] = found.solved[i].min(*fewer);
-                found.whole[i] = true;
+                found.fully_solved[i] = true;
             }
         }
         Ok(found)
     }
 
-    /// Modes to be solved for, and all. Contacts that are tied together have the same, all of them solved for: the
-    /// dominant part of a row is the difference of two pressures, not its own diagonal.
-    fn tied(&self, half_lengths: &[f64], solved: &[usize], modes: &[usize]) -> (Vec<usize>, Vec<usize>) {
+    /// Modes to be solved for, and all. Strongly coupled contacts have the same, all of them solved for: the dominant part
+    /// of a row is the difference of two pressures, not its own diagonal.
+    fn coupled_counts(&self, half_lengths: &[f64], solved: &[usize], modes: &[usize]) -> (Vec<usize>, Vec<usize>) {
         let (mut solved, mut modes) = (solved.to_vec(), modes.to_vec());
-        let linked = ties(self.kernel, half_lengths);
-        let mut first = usize::from(self.punch.given().is_some());
-        while first < modes.len() {
-            let group = first..first + 1 + linked[first..].iter().take_while(|linked| **linked).count();
+        let linked = strongly_coupled(self.problem.kernel, half_lengths);
+        let mut unknown = self.problem.unknown().peekable();
+        while let Some(first) = unknown.next() {
+            let mut group = first..first + 1;
+            while unknown.next_if(|next| linked[*next - 1]).is_some() {
+                group.end += 1;
+            }
             if group.len() > 1 {
                 let most = modes[group.clone()].iter().copied().fold(0, usize::max);
                 modes[group.clone()].fill(most);
-                solved[group.clone()].fill(most);
+                solved[group].fill(most);
             }
-            first = group.end;
         }
         (solved, modes)
     }
 
-    /// Lets pressures settle with given numbers of modes, and says whether they did.
-    fn settle(
+    /// Newton's method with the modes that are solved for, then sweeps with all; whether these converged.
+    fn sweep(
         &mut self,
         half_lengths: Vec<f64>,
         solved: &[usize],
         modes: &[usize],
         tolerance: f64,
     ) -> Result<(Converged, bool), ContactError> {
-        let start = half_lengths.clone();
-        let linear = linear(tolerance, solved);
-        let Point { mut half_lengths, mut corners, pressures, linearised, layout } =
-            self.iterate(half_lengths, solved, modes, negligible(tolerance), [NEARBY, ENDS * tolerance])?;
-        let Pressures { modes: mut all, mut step, .. } = pressures;
-        linearised.follow(&mut all, &step);
-        advance(&mut half_lengths, &mut corners, &step, 1.0);
-        let mut bases = self.bases(&layout, &half_lengths, modes);
-        let mut slopes = self.punch.slopes(half_lengths[0], modes[0]);
-        let faded = self.fading.faded(&half_lengths);
-        for (own, modes) in all.iter_mut().zip(modes) {
-            own.resize(*modes, 0.0);
+        let aim = Aim { negligible: negligible(tolerance), step: NEARBY, ends: ENDS * tolerance };
+        let point = self.iterate(half_lengths.clone(), solved, modes, aim)?;
+        let mut sweeps = Sweeps::new(self.problem, &point, solved, modes, tolerance);
+        let stopped = sweeps.run(&mut self.work);
+        let converged = sweeps.finish(stopped);
+        if !converged
+            && solved == modes
+            && let Ok(end) = self.iterate(half_lengths, solved, modes, Aim { step: FULLY, ..aim })
+        {
+            return Ok((Converged::without_sweeps(end, solved), true));
         }
+        sweeps.give_up_lost(stopped);
+        let Sweeps { support, modes: all, corrections, residuals, responses, linked, .. } = sweeps;
+        if !support.half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
+            return Err(self.problem.not_converged(&support.half_lengths));
+        }
+        // gaps of strongly coupled contacts are sensitive to the smallest difference of their pressures
+        let responses = responses.filter(|_| !linked.contains(&true));
+        let Point { linearised, layout, .. } = point;
+        let found = Converged {
+            support,
+            modes: all,
+            solved: solved.to_vec(),
+            corrections,
+            fully_solved: vec![false; solved.len()],
+            residuals,
+            influences: linearised.influences,
+            waves: responses.map(|responses| (layout, responses)),
+            stopped,
+        };
+        Ok((found, converged))
+    }
+}
+
+impl Converged {
+    /// The solution of Newton's method alone.
+    fn without_sweeps(end: Point, solved: &[usize]) -> Self {
         let n = solved.len();
-        let linked = ties(self.kernel, &half_lengths);
-        let mut shift = vec![0.0; n];
-        // of the last round and of that before
-        let mut last = [vec![[f64::INFINITY; 2]; n], vec![[f64::INFINITY; 2]; n]];
-        let mut unsettled = last[0].clone();
-        let plain = (all.clone(), half_lengths.clone(), corners);
-        let short = tolerance.min(NEARBY);
-        // corners are linear over any way
-        let fixed = usize::from(corners.is_some());
-        let mut drift = Drift { shift: vec![0.0; n], ..Drift::default() };
-        let mut lost = false;
-        let mut responses = None;
-        let mut missing = [0.0; 2];
-        // modes of smooth pressures fall until there are none, and what contacts that are tied together miss grows
-        let falls =
-            |i: usize| self.kernel.far(i).is_constant() && (i > 0 || self.punch.is_smooth()) && !linked.contains(&true);
-        for round in 0..ROUNDS {
-            self.work.step();
-            let equations = Equations::new(&layout, &bases, solved, &linked).with_corners(corners);
-            let found = linearised.settle(&equations, &slopes, &drift, &mut all);
-            let mut slow = false;
-            last.swap(0, 1);
-            for i in 0..n {
-                let (now, before, earlier) = ([found.step[i].abs(), found.changes[i]], last[1][i], last[0][i]);
-                if round > 0 {
-                    shift[i] += found.step[i];
-                }
-                for k in 0..2 {
-                    // a geometric series goes on with the ratio of its last terms
-                    let ratio = if now[k] == 0.0 { 0.0 } else { now[k] / before[k] };
-                    unsettled[i][k] = now[k] * (ratio / (1.0 - ratio.min(0.9))).max(LEAST_LEFT);
-                    let twice = SLOW * SLOW * earlier[k];
-                    slow |= round > 1 && ratio > SLOW && now[k] > twice.max(NOISE);
-                }
-                last[0][i] = now;
+        Self {
+            support: end.support,
+            modes: end.pressures.modes,
+            solved: solved.to_vec(),
+            corrections: vec![0.0; n],
+            fully_solved: vec![false; n],
+            residuals: end.pressures.step.iter().map(|step| Estimate::both(step.abs())).collect(),
+            influences: end.linearised.influences,
+            waves: None,
+            stopped: Stopped::Converged,
+        }
+    }
+}
+
+/// Sweeps about a point of Newton's method.
+struct Sweeps<'a> {
+    problem: &'a Problem<'a>,
+    layout: &'a Layout,
+    linearised: &'a Linearised,
+    solved: &'a [usize],
+    counts: &'a [usize],
+    linked: Vec<bool>,
+    tolerance: f64,
+    support: Support,
+    modes: Modes,
+    /// Support and modes where sweeps began.
+    begin: (Support, Modes),
+    /// What the modes beyond those solved for changed the logarithms of the half-lengths by.
+    corrections: Vec<f64>,
+    /// What the last sweep changed, and the one before.
+    changes: [Vec<Estimate>; 2],
+    residuals: Vec<Estimate>,
+    /// How far half-lengths have moved since the tables were made.
+    drift: Drift,
+    /// The last step, if it is still to be taken.
+    step: Vec<f64>,
+    responses: Option<Vec<Rows>>,
+    /// What sweeps may leave, since the truncation error is larger.
+    truncation: Estimate,
+}
+
+impl<'a> Sweeps<'a> {
+    fn new(
+        problem: &'a Problem<'a>,
+        point: &'a Point,
+        solved: &'a [usize],
+        counts: &'a [usize],
+        tolerance: f64,
+    ) -> Self {
+        let (mut support, mut modes) = (point.support.clone(), point.pressures.modes.clone());
+        point.linearised.follow(&mut modes, &point.pressures.step);
+        support.advance(&point.pressures.step);
+        modes.iter_mut().zip(counts).for_each(|(own, count)| own.resize(*count, 0.0));
+        let n = solved.len();
+        let infinite = vec![Estimate::INFINITE; n];
+        Self {
+            problem,
+            layout: &point.layout,
+            linearised: &point.linearised,
+            solved,
+            counts,
+            linked: strongly_coupled(problem.kernel, &support.half_lengths),
+            tolerance,
+            begin: (support.clone(), modes.clone()),
+            support,
+            modes,
+            corrections: vec![0.0; n],
+            changes: [infinite.clone(), infinite.clone()],
+            residuals: infinite,
+            drift: Drift { shift: vec![0.0; n], ..Drift::default() },
+            step: Vec::new(),
+            responses: None,
+            truncation: Estimate::default(),
+        }
+    }
+
+    /// Sweeps until there is a reason to stop.
+    fn run(&mut self, work: &mut Work) -> Stopped {
+        let linear = linear(self.tolerance, self.solved);
+        let linked = self.linked.clone();
+        let (mut bases, mut slopes) = (self.bases(), self.slopes());
+        for sweep in 0..SWEEPS {
+            work.step();
+            let equations = Equations::new(self.layout, &bases, self.solved, &linked, &self.support);
+            let found = self.linearised.sweep(&equations, &slopes, &self.drift, &mut self.modes);
+            let is_slow = self.compare(sweep, &found);
+            (self.step, self.responses) = (found.step, Some(found.responses));
+            if let Some(stopped) = self.stopped(sweep, is_slow) {
+                return stopped;
             }
-            step = found.step;
-            responses = Some(found.responses);
-            lost = round > 0 && (longest(&step) >= DIVERGED || longest(&step).is_nan());
-            // rounds do not bring what modes are missing
-            let beyond = (0..n).filter(|i| falls(*i)).map(|i| beyond(&all[i]).0).fold(0.0, f64::max);
-            missing = [LITTLE * LITTLE * beyond, LITTLE * beyond];
-            let done = |[length, pressure]: &[f64; 2]| {
-                *length <= missing[0].max(0.01 * tolerance) && *pressure <= missing[1].max(0.1 * tolerance)
-            };
-            if slow || lost || round > 0 && longest(&step) <= short && unsettled.iter().all(done) {
-                break;
+            self.linearised.follow(&mut self.modes, &self.step);
+            self.drift.shift.iter_mut().zip(&self.step).for_each(|(shift, step)| *shift += step);
+            self.step.fill(0.0);
+            let is_far = self.support.longest(&self.drift.shift) > linear;
+            if !is_far && self.drift.derivatives.is_empty() {
+                self.drift.derivatives = equations.derivatives(&self.modes, &slopes);
             }
-            linearised.follow(&mut all, &step);
-            drift.shift.iter_mut().zip(&step).for_each(|(shift, step)| *shift += step);
-            step.fill(0.0);
-            if longest(&drift.shift[fixed..]) > linear {
-                advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
-                drift = Drift { shift: vec![0.0; n], ..Drift::default() };
+            drop(equations);
+            if is_far {
+                let drift = Drift { shift: vec![0.0; self.solved.len()], ..Drift::default() };
+                self.support.advance(&std::mem::replace(&mut self.drift, drift).shift);
                 // not both at once
                 bases.clear();
-                bases = self.bases(&layout, &half_lengths, modes);
-                slopes = self.punch.slopes(half_lengths[0], modes[0]);
-            } else if drift.derivatives.is_empty() {
-                drift.derivatives = equations.derivatives(&all, &slopes);
+                (bases, slopes) = (self.bases(), self.slopes());
             }
         }
-        linearised.follow(&mut all, &step);
-        for (i, unsettled) in unsettled.iter_mut().enumerate() {
-            unsettled[0] += DERIVATIVES * step[i].abs() + drift.shift[i] * drift.shift[i];
+        Stopped::Slow
+    }
+
+    fn bases(&self) -> Vec<Basis> {
+        Basis::all(self.layout, self.problem, &self.support.half_lengths, self.counts)
+    }
+
+    fn slopes(&self) -> Vec<Option<Slopes>> {
+        self.problem.slopes(&self.support.half_lengths, self.counts)
+    }
+
+    /// Estimates from the changes of the last sweeps what is left; whether they hardly grow shorter.
+    fn compare(&mut self, sweep: usize, found: &Sweep) -> bool {
+        let mut is_slow = false;
+        self.changes.swap(0, 1);
+        for i in 0..self.solved.len() {
+            let now = Estimate::new(found.step[i].abs(), found.changes[i]);
+            let (before, earlier) = (self.changes[1][i], self.changes[0][i]);
+            if sweep > 0 {
+                self.corrections[i] += found.step[i];
+            }
+            let mut left = |now: f64, before: f64, earlier: f64| {
+                // a geometric series goes on with the ratio of its last terms
+                let ratio = if now == 0.0 { 0.0 } else { now / before };
+                let twice = SLOW * SLOW * earlier;
+                is_slow |= sweep > 1 && ratio > SLOW && now > twice.max(NOISE);
+                now * (ratio / (1.0 - ratio.min(0.9))).max(LEAST_LEFT)
+            };
+            self.residuals[i] = Estimate {
+                length: left(now.length, before.length, earlier.length),
+                pressure: left(now.pressure, before.pressure, earlier.pressure),
+            };
+            self.changes[0][i] = now;
         }
-        advance(&mut half_lengths, &mut corners, &drift.shift, 1.0);
-        advance(&mut half_lengths, &mut corners, &step, 1.0);
-        let enough = [missing[0].max(tolerance), missing[1].max(PRESSURES * tolerance)];
-        let settled =
-            !lost && unsettled.iter().all(|both| both.iter().zip(&enough).all(|(left, enough)| left <= enough));
-        // not those of two attempts at once
-        drop(bases);
-        if !settled
-            && solved == modes
-            && let Ok(end) = self.iterate(start, solved, modes, negligible(tolerance), [FULLY, ENDS * tolerance])
-        {
-            let influences = end.linearised.influences;
-            let unsettled = end.pressures.step.iter().map(|step| [step.abs(); 2]).collect();
-            let Point { half_lengths, corners, pressures, .. } = end;
-            let (modes, solved, whole) = (pressures.modes, solved.to_vec(), vec![false; n]);
-            let (waves, faded) = (None, self.fading.faded(&half_lengths));
-            let found =
-                Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, influences, faded, waves };
-            return Ok((found, true));
+        is_slow
+    }
+
+    /// Why there is to be no further sweep, if so.
+    fn stopped(&mut self, sweep: usize, is_slow: bool) -> Option<Stopped> {
+        let longest = longest(self.step.iter().copied());
+        let has_diverged = sweep > 0 && (longest >= DIVERGED || longest.is_nan());
+        // sweeps cannot recover modes beyond the last one: stop at the truncation estimate
+        let beyond = (0..self.solved.len()).filter(|i| self.falls(*i)).map(|i| beyond(&self.modes[i]).0);
+        let beyond = beyond.fold(0.0, f64::max);
+        self.truncation = Estimate::new(LITTLE * LITTLE * beyond, LITTLE * beyond);
+        if has_diverged {
+            return Some(Stopped::Diverged);
         }
-        if lost || unsettled.iter().any(|[length, _]| *length > DIVERGED) {
-            // the modes that were solved for are all there is
-            responses = None;
-            (all, half_lengths, corners) = plain.clone();
-            for (own, solved) in all.iter_mut().zip(solved) {
+        if is_slow {
+            return Some(Stopped::Slow);
+        }
+        let wanted = Estimate::new(0.01 * self.tolerance, 0.1 * self.tolerance);
+        let enough = Estimate {
+            length: self.truncation.length.max(wanted.length),
+            pressure: self.truncation.pressure.max(wanted.pressure),
+        };
+        let is_short = sweep > 0 && longest <= self.tolerance.min(NEARBY);
+        let is_done = |enough: Estimate| is_short && self.residuals.iter().all(|left| left.is_within(enough));
+        is_done(enough).then(|| if is_done(wanted) { Stopped::Converged } else { Stopped::Truncated })
+    }
+
+    /// Whether the modes of contact i fall until there are none: those of smooth pressures do, but what strongly coupled contacts
+    /// miss grows.
+    fn falls(&self, i: usize) -> bool {
+        let is_smooth = self.problem.sides[i].is_smooth();
+        self.problem.kernel.far(i).is_constant() && is_smooth && !self.linked.contains(&true)
+    }
+
+    /// Takes what is left of the steps; whether sweeps have converged.
+    fn finish(&mut self, stopped: Stopped) -> bool {
+        self.linearised.follow(&mut self.modes, &self.step);
+        for (i, left) in self.residuals.iter_mut().enumerate() {
+            left.length += DERIVATIVES * self.step[i].abs() + self.drift.shift[i] * self.drift.shift[i];
+        }
+        self.support.advance(&self.drift.shift);
+        self.support.advance(&self.step);
+        let enough = Estimate {
+            length: self.truncation.length.max(self.tolerance),
+            pressure: self.truncation.pressure.max(PRESSURES * self.tolerance),
+        };
+        stopped != Stopped::Diverged && self.residuals.iter().all(|left| left.is_within(enough))
+    }
+
+    /// Goes back to the modes that were solved for where sweeps have diverged.
+    fn give_up_lost(&mut self, stopped: Stopped) {
+        if stopped == Stopped::Diverged || self.residuals.iter().any(|left| left.length > DIVERGED) {
+            self.responses = None;
+            (self.support, self.modes) = self.begin.clone();
+            for (own, solved) in self.modes.iter_mut().zip(self.solved) {
                 own.truncate(*solved);
             }
-            for (unsettled, step) in unsettled.iter_mut().zip(&step) {
-                *unsettled = [UNKNOWN.max(step * step), UNKNOWN];
+            for (left, step) in self.residuals.iter_mut().zip(&self.step) {
+                *left = Estimate::new(UNKNOWN.max(step * step), UNKNOWN);
             }
         }
-        // half-lengths may settle where high modes do not, for which the dominant part of a row is not its diagonal
-        for (i, [_, unsettled]) in unsettled.iter_mut().enumerate().filter(|(_, [_, pressure])| *pressure > DIVERGED) {
-            all[i] = plain.0[i][..solved[i]].to_vec();
-            *unsettled = UNKNOWN;
-            responses = None;
+        // half-lengths may converge where high modes do not, for which the dominant part of a row is not its diagonal
+        for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > DIVERGED) {
+            self.modes[i] = self.begin.1[i][..self.solved[i]].to_vec();
+            left.pressure = UNKNOWN;
+            self.responses = None;
         }
-        let influences = linearised.influences;
-        if !half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
-            return Err(not_converged(self.kernel, self.punch, &half_lengths));
-        }
-        // gaps of contacts that are tied together feel the smallest difference of their pressures
-        let waves = responses.filter(|_| !linked.contains(&true)).map(|responses| (layout, responses));
-        let (solved, whole) = (solved.to_vec(), vec![false; n]);
-        let modes = all;
-        let found =
-            Converged { half_lengths, modes, corners, solved, shift, whole, unsettled, influences, faded, waves };
-        Ok((found, settled))
     }
 }

@@ -15,6 +15,7 @@ use std::ops::Range;
 
 use nalgebra::DMatrix;
 
+use crate::contact::equations::edges::EdgePressure;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::columns::Columns;
 use crate::contact::integrals::layout::Layout;
@@ -22,6 +23,7 @@ use crate::contact::integrals::products::{product, symmetric_product};
 use crate::contact::integrals::tail::Weights;
 use crate::contact::problem::modes::order;
 use crate::contact::problem::profile::Slopes;
+use crate::contact::problem::support::Support;
 use crate::numeric::buffer::Buffer;
 
 /// The equations of one stack, one layout and one set of half-lengths.
@@ -37,15 +39,21 @@ pub(crate) struct Equations<'a> {
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
     /// coupling; else those of contact i. None where memory is short, see [`Self::with_difference`].
     differences: Vec<Columns>,
-    /// What a punch with sharp corners adds to the pressure of the first contact: its amplitude q, and its transform.
-    pub(super) corners: Option<(f64, Rows)>,
+    /// What the edge singularity at the corners of a punch adds to the pressure of each contact.
+    pub(super) edges: Vec<Option<EdgePressure>>,
 }
 
 /// Fields at the rows of one contact.
 pub(crate) type Rows = Buffer;
 
 impl<'a> Equations<'a> {
-    pub(crate) fn new(layout: &'a Layout, bases: &'a [Basis], modes: &'a [usize], linked: &'a [bool]) -> Self {
+    pub(crate) fn new(
+        layout: &'a Layout,
+        bases: &'a [Basis],
+        modes: &'a [usize],
+        linked: &'a [bool],
+        support: &Support,
+    ) -> Self {
         let mut place: Vec<Vec<usize>> = modes.iter().map(|modes| Vec::with_capacity(*modes)).collect();
         let mut next = 0;
         for m in 0..modes.iter().copied().max().unwrap_or(0) {
@@ -56,17 +64,15 @@ impl<'a> Equations<'a> {
                 }
             }
         }
-        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new(), corners: None };
+        let edge = |(i, basis): (usize, &Basis)| {
+            support.intensity(i).map(|intensity| EdgePressure { intensity, rows: basis.edges() })
+        };
+        let edges = bases.iter().enumerate().map(edge).collect();
+        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new(), edges };
         if !layout.is_large() {
             equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
         }
         equations
-    }
-
-    fn add_corners(&self, i: usize, pressure: &mut [f64]) {
-        if let Some((amplitude, rows)) = self.corners.as_ref().filter(|_| i == 0) {
-            pressure.iter_mut().zip(rows.iter()).for_each(|(sum, row)| *sum += amplitude * row);
-        }
     }
 
     pub(crate) fn contacts(&self) -> usize {
@@ -237,15 +243,18 @@ impl<'a> Equations<'a> {
     }
 
     /// Derivatives of the rows of all contacts, matrix · modes − right-hand side, with respect to ln a of each contact in
-    /// turn; under a punch with corners the first of them with respect to q. `modes` may be more than are solved for, and
-    /// so are the rows then.
-    pub(crate) fn derivatives(&self, modes: &[Vec<f64>], slopes: &Slopes) -> Vec<Vec<Rows>> {
+    /// turn, or to the intensity of its edge singularity. `modes` may be more than are solved for, and so are the rows
+    /// then.
+    pub(crate) fn derivatives(&self, modes: &[Vec<f64>], slopes: &[Option<Slopes>]) -> Vec<Vec<Rows>> {
         let n = self.contacts();
         let Fields { pressures, jumps } = self.fields(modes);
         let mut derivatives = Vec::with_capacity(n);
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
-        derivatives.extend(self.corner_rows(&counts));
-        for by in derivatives.len()..n {
+        for by in 0..n {
+            if let Some(rows) = self.edge_rows(by, &counts) {
+                derivatives.push(rows);
+                continue;
+            }
             let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
             let basis = &self.bases[by];
             let count = counts[by];
@@ -255,26 +264,34 @@ impl<'a> Equations<'a> {
             add(&mut rows[by], &basis.test_slopes(&response, &tested));
             // ... and so does its pressure
             let change = basis.combine_slopes(&modes[by], &pressures[by]);
-            let mut response = self.layout.own[by].unit.over(basis.rows(), &change);
-            let above = by.checked_sub(1).map(|above| (above, above));
-            let below = (by + 1 < n).then_some((by, by + 1));
-            for (laminate, other) in above.into_iter().chain(below) {
-                let coupling = &self.layout.coupling[laminate];
-                coupling.add_times(1.0, &change, &mut response);
-                let mut there = coupling.over(self.bases[other].rows(), &change);
-                there.iter_mut().for_each(|value| *value = -*value);
-                add(&mut rows[other], &self.bases[other].test(&there, counts[other]));
-            }
+            let response = self.spread(by, &change, &mut rows);
             add(&mut rows[by], &basis.test(&response, count));
             for (m, row) in rows[by].iter_mut().enumerate() {
                 *row -= 2.0 * self.cauchy(by, m) * modes[by][m];
-                if by == 0 {
+                if let Some(slopes) = &slopes[by] {
                     *row -= slopes.load_slope(m);
                 }
             }
             derivatives.push(rows);
         }
         derivatives
+    }
+
+    /// Adds to the rows of its neighbours what a change of the pressure of contact `by` does to them; what the kernels make of
+    /// it at the contact itself.
+    pub(super) fn spread(&self, by: usize, change: &[f64], rows: &mut [Rows]) -> Rows {
+        let mut response = self.layout.own[by].unit.over(self.bases[by].rows(), change);
+        let above = by.checked_sub(1).map(|above| (above, above));
+        let below = (by + 1 < self.contacts()).then_some((by, by + 1));
+        for (laminate, other) in above.into_iter().chain(below) {
+            let coupling = &self.layout.coupling[laminate];
+            coupling.add_times(1.0, change, &mut response);
+            let mut there = coupling.over(self.bases[other].rows(), change);
+            there.iter_mut().for_each(|value| *value = -*value);
+            let count = rows[other].len();
+            add(&mut rows[other], &self.bases[other].test(&there, count));
+        }
+        response
     }
 
     /// Rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
@@ -302,7 +319,7 @@ impl<'a> Equations<'a> {
         let mut jump = self.with_difference(i, |difference| difference.part(0..count).combine(&modes[i][..count]));
         let lower = self.bases[i + 1].combine(&own);
         jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
-        self.add_corners(i, &mut jump);
+        self.add_edge(i, &mut jump);
         jump
     }
 
@@ -322,7 +339,7 @@ impl<'a> Equations<'a> {
         let jumps = (0..n - 1).map(jump).collect();
         for (i, pressure) in pressures.iter_mut().enumerate() {
             add(pressure, &self.bases[i].combine(&modes[i][..solved(i)]));
-            self.add_corners(i, pressure);
+            self.add_edge(i, pressure);
         }
         Fields { pressures, jumps }
     }

@@ -6,7 +6,7 @@
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
 use faer::{MatMut, Par, Spec};
-use nalgebra::{DMatrix, DMatrixView, DVectorViewMut};
+use nalgebra::{DMatrix, DMatrixView, DVector, DVectorViewMut};
 
 use crate::contact::equations::assemble::{Equations, Rows};
 use crate::contact::problem::modes::{Modes, order};
@@ -38,7 +38,7 @@ pub(crate) struct Influences {
 /// Rounding of a row, relative to its terms.
 const ROUNDING: f64 = 2e-16;
 
-/// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the logarithms of the half-lengths.
+/// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the unknowns of their ends.
 pub(crate) struct Pressures {
     pub(crate) modes: Modes,
     pub(crate) step: Vec<f64>,
@@ -46,9 +46,58 @@ pub(crate) struct Pressures {
     pub(crate) residuals: Vec<f64>,
 }
 
-/// Solves the equations for the pressures, and for those half-lengths that are not `left` as they are; `None` if they cannot
-/// be solved in double precision.
-pub(crate) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Option<(Pressures, Linearised)> {
+/// The rows of the first modes and of the others, before and after elimination of the latter.
+struct Eliminated {
+    factor: Factor,
+    /// β, a column for each contact.
+    beta: DMatrix<f64>,
+    /// L⁻¹ of what the known first modes and the load leave in the other rows.
+    gamma: DVector<f64>,
+    /// First column of the rows of the first modes.
+    known: Vec<f64>,
+    /// Diagonal of the whole matrix.
+    diagonal: Vec<f64>,
+    /// What edge singularities make of the rows of the first modes.
+    edges: Buffer,
+}
+
+/// Solves the equations for the pressures, and Newton's method for the `free` ends; `None` if they cannot be solved in double
+/// precision.
+pub(crate) fn solve(
+    equations: &Equations,
+    slopes: &[Option<Slopes>],
+    free: &[usize],
+) -> Option<(Pressures, Linearised)> {
+    let n = equations.contacts();
+    let eliminated = eliminate(equations, slopes)?;
+    let Eliminated { factor, beta, gamma, known, edges, .. } = &eliminated;
+    let mut unknowns = factor.back(gamma.as_slice());
+    // equal resultants: the first modes of the contacts below do not differ from the uppermost one
+    unknowns[0] = 1.0;
+    let modes = equations.modes_of(&unknowns);
+    let derivatives: Vec<Buffer> =
+        equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
+    let mut moved = DMatrix::from_fn(equations.size() - n, n, |k, by| derivatives[by][n + k]);
+    factor.down(&mut moved);
+    let jacobian = DMatrix::from_fn(n, n, |i, by| derivatives[by][i] - beta.column(i).dot(&moved.column(by)));
+    let inverse = inverse_of(&jacobian, free)?;
+    let residual = |i: usize| {
+        let row = known[i] + edges[i] - slopes[i].as_ref().map_or(0.0, |slopes| slopes.load(0));
+        row - beta.column(i).dot(gamma)
+    };
+    let residuals: Vec<f64> = (0..n).map(residual).collect();
+    let sensitivity: Vec<Modes> =
+        (0..n).map(|by| equations.modes_of(&factor.back(moved.column(by).as_slice()))).collect();
+    let influences = influences(equations, &eliminated, &modes, &jacobian, &inverse, &sensitivity);
+    let Eliminated { factor, beta, .. } = eliminated;
+    let linearised = Linearised { factor, beta, inverse, sensitivity, influences };
+    let pressures = Pressures { modes, step: linearised.step(&residuals), residuals };
+    let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
+    finite.then_some((pressures, linearised))
+}
+
+/// Eliminates all modes but the first ones.
+fn eliminate(equations: &Equations, slopes: &[Option<Slopes>]) -> Option<Eliminated> {
     let (n, size) = (equations.contacts(), equations.size());
     let higher = size - n;
     let matrix = equations.matrix();
@@ -58,60 +107,58 @@ pub(crate) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
     let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
     let diagonal: Vec<f64> = (0..size).map(|k| matrix[(k, k)]).collect();
     let factor = Factor::new(matrix, n)?;
-    for m in 1..equations.modes(0) {
-        columns[(equations.place(0, m) - n, n)] = slopes.load(m);
+    for (i, slopes) in slopes.iter().enumerate() {
+        let Some(slopes) = slopes else { continue };
+        for m in 1..equations.modes(i) {
+            columns[(equations.place(i, m) - n, n)] = slopes.load(m);
+        }
     }
     let counts: Vec<usize> = (0..n).map(|i| equations.modes(i)).collect();
-    let mut corners =
-        equations.corner_rows(&counts).map_or_else(|| Buffer::zeros(size), |rows| equations.rows_of(&rows));
-    corners.iter_mut().for_each(|row| *row *= equations.amplitude());
+    let edges = equations.edge_load(&counts);
     for k in 0..higher {
-        columns[(k, n)] -= corners[n + k];
+        columns[(k, n)] -= edges[n + k];
     }
     factor.down(&mut columns);
     let gamma = columns.column(0) - columns.column(n);
     let beta = columns.remove_column(n);
+    Some(Eliminated { factor, beta, gamma, known, diagonal, edges })
+}
 
-    let mut unknowns = factor.back(gamma.as_slice());
-    unknowns[0] = 1.0;
-    let modes = equations.modes_of(&unknowns);
-    let derivatives: Vec<Buffer> =
-        equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
-    let mut moved = DMatrix::from_fn(higher, n, |k, by| derivatives[by][n + k]);
-    factor.down(&mut moved);
-    let jacobian = DMatrix::from_fn(n, n, |i, by| derivatives[by][i] - beta.column(i).dot(&moved.column(by)));
-    // what is left as it is has neither a row nor a step
-    let free: Vec<usize> = (0..n).filter(|i| !left[*i]).collect();
+/// The inverse of the rows and columns of the ends that are free; 0 for the others, which have neither a row nor a step.
+fn inverse_of(jacobian: &DMatrix<f64>, free: &[usize]) -> Option<DMatrix<f64>> {
     let unknown = DMatrix::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]);
     let solved = unknown.lu().try_inverse()?;
-    let mut inverse = DMatrix::zeros(n, n);
+    let mut inverse = DMatrix::zeros(jacobian.nrows(), jacobian.ncols());
     for (by, column) in free.iter().enumerate() {
         free.iter().enumerate().for_each(|(i, row)| inverse[(*row, *column)] = solved[(i, by)]);
     }
+    Some(inverse)
+}
+
+/// What half-lengths and pressures in the middle are sensitive to.
+fn influences(
+    equations: &Equations,
+    eliminated: &Eliminated,
+    modes: &Modes,
+    jacobian: &DMatrix<f64>,
+    inverse: &DMatrix<f64>,
+    sensitivity: &[Modes],
+) -> Influences {
+    let n = equations.contacts();
+    let Eliminated { factor, beta, gamma, known, diagonal, .. } = eliminated;
     let lengths = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
-    let residual = |i: usize| {
-        let row = known[i] + corners[i] - if i == 0 { slopes.load(0) } else { 0.0 };
-        row - beta.column(i).dot(&gamma)
-    };
-    let residuals: Vec<f64> = (0..n).map(residual).collect();
     let differences = |i: usize| {
         let mut weights = factor.back(beta.column(i).as_slice());
         weights[i] = 1.0;
-        equations.difference_rounding(&weights, &modes, &diagonal)
+        equations.difference_rounding(&weights, modes, diagonal)
     };
-    let sizes: Vec<f64> = (0..n)
-        .map(|i| {
-            let terms: f64 = beta.column(i).iter().zip(&gamma).map(|(b, g)| (b * g).abs()).sum();
-            let differences = if equations.has_linked() { differences(i) } else { 0.0 };
-            ROUNDING * (terms + known[i].abs() + differences)
-        })
-        .collect();
-    let felt = |changes: &[f64]| -> Vec<f64> {
-        (0..n).map(|i| (0..n).map(|k| inverse[(i, k)].abs() * changes[k]).sum()).collect()
+    let size = |i: usize| {
+        let terms: f64 = beta.column(i).iter().zip(gamma).map(|(b, g)| (b * g).abs()).sum();
+        let differences = if equations.has_linked() { differences(i) } else { 0.0 };
+        ROUNDING * (terms + known[i].abs() + differences)
     };
-    let rounding = felt(&sizes);
-    let sensitivity: Vec<Modes> =
-        (0..n).map(|by| equations.modes_of(&factor.back(moved.column(by).as_slice()))).collect();
+    let sizes: Vec<f64> = (0..n).map(size).collect();
+    let rounding = (0..n).map(|i| (0..n).map(|k| inverse[(i, k)].abs() * sizes[k]).sum()).collect();
     let sum = |modes: &[f64]| modes.iter().enumerate().map(|(m, y)| y / order(m)).sum::<f64>();
     let peak = |i: usize, by: usize| {
         // a pressure is its modes over the half-length
@@ -119,11 +166,7 @@ pub(crate) fn solve(equations: &Equations, slopes: &Slopes, left: &[bool]) -> Op
         (sum(&sensitivity[by][i]) / sum(&modes[i]) - own).abs()
     };
     let peaks = (0..n).map(|i| (0..n).map(|by| peak(i, by)).collect()).collect();
-    let influences = Influences { rounding, lengths, peaks };
-    let linearised = Linearised { factor, beta, inverse, sensitivity, influences };
-    let pressures = Pressures { modes, step: linearised.step(&residuals), residuals };
-    let finite = pressures.step.iter().chain(pressures.modes.iter().flatten()).all(|value| value.is_finite());
-    finite.then_some((pressures, linearised))
+    Influences { rounding, lengths, peaks }
 }
 
 /// The Cholesky factor L of all rows and columns of a matrix but the first, in its place.
@@ -180,8 +223,8 @@ impl Drift {
     }
 }
 
-/// What one round of [`Linearised::settle`] changed.
-pub(crate) struct Round {
+/// What one [`Linearised::sweep`] changed.
+pub(crate) struct Sweep {
     /// The step still to be taken in the logarithms of the half-lengths.
     pub(crate) step: Vec<f64>,
     /// Changes of the modes, Σ |Δy_m|/order per contact.
@@ -199,7 +242,7 @@ impl Linearised {
 
     /// By how much a step of contact i alone would change the pressures in the middle of all contacts, and by how much what is
     /// left in its row would change the half-lengths of others, relative.
-    pub(crate) fn felt(&self, i: usize, pressures: &Pressures) -> f64 {
+    pub(crate) fn sensitivity(&self, i: usize, pressures: &Pressures) -> f64 {
         let peaks = self.influences.peaks.iter().map(|by| by[i] * pressures.step[i].abs());
         let others = (0..pressures.step.len()).filter(|k| *k != i);
         let lengths = others.map(|k| (self.inverse[(k, i)] * pressures.residuals[i]).abs());
@@ -216,10 +259,16 @@ impl Linearised {
         }
     }
 
-    /// One round of iteration at half-lengths nearby, with more modes than are solved for: those follow row by row
-    /// (iterated Galerkin, Sloan 1976), since the dominant part of each row is its own diagonal; the others, and the
+    /// One iterated Galerkin sweep at half-lengths nearby, with more modes than are solved for: those follow row by row
+    /// (Sloan 1976), since the dominant part of each row is its own diagonal; the others, and the
     /// half-lengths, from what is left in their rows.
-    pub(crate) fn settle(&self, equations: &Equations, slopes: &Slopes, drift: &Drift, modes: &mut Modes) -> Round {
+    pub(crate) fn sweep(
+        &self,
+        equations: &Equations,
+        slopes: &[Option<Slopes>],
+        drift: &Drift,
+        modes: &mut Modes,
+    ) -> Sweep {
         let n = equations.contacts();
         let responses = equations.responses(modes);
         let mut changes = vec![0.0; n];
@@ -227,7 +276,8 @@ impl Linearised {
         for (i, response) in responses.iter().enumerate() {
             let mut own = equations.test(i, response, modes[i].len());
             for (m, row) in own.iter_mut().enumerate() {
-                *row += equations.own_row(i, m, modes[i][m]) - if i == 0 { slopes.load(m) } else { 0.0 };
+                let load = slopes[i].as_ref().map_or(0.0, |slopes| slopes.load(m));
+                *row += equations.own_row(i, m, modes[i][m]) - load;
             }
             drift.add_to(i, &mut own);
             for m in equations.modes(i)..own.len() {
@@ -248,6 +298,6 @@ impl Linearised {
                 *change += dy.abs() / order(m);
             }
         }
-        Round { step: self.step(&residuals), changes, responses }
+        Sweep { step: self.step(&residuals), changes, responses }
     }
 }

@@ -1,43 +1,54 @@
-//! What a punch with sharp corners adds to the equations: a pressure that is singular there, with an amplitude q to be
-//! found in place of the half-length, which is known.
+//! The edge singularity at the sharp corners of a punch: its intensity q is the unknown of a contact whose half-length is
+//! known.
 use crate::contact::equations::assemble::{Equations, Rows};
 use crate::numeric::buffer::Buffer;
 
+/// What a singular pressure with the intensity q, 1 on a half-plane, adds to a contact.
+pub(super) struct EdgePressure {
+    /// q.
+    pub(super) intensity: f64,
+    /// Its transform per unit of q.
+    pub(super) rows: Rows,
+}
+
 impl Equations<'_> {
-    /// The same under a punch with sharp corners, where the pressure is singular with the amplitude q: 1 on a half-plane.
-    pub(crate) fn with_corners(mut self, amplitude: Option<f64>) -> Self {
-        self.corners = amplitude.map(|amplitude| (amplitude, self.bases[0].corners()));
-        self
-    }
-
-    /// q; 0 without corners.
-    pub(crate) fn amplitude(&self) -> f64 {
-        self.corners.as_ref().map_or(0.0, |(amplitude, _)| *amplitude)
-    }
-
-    /// What so many rows of each contact change by with q; nothing without corners.
-    pub(crate) fn corner_rows(&self, counts: &[usize]) -> Option<Vec<Rows>> {
-        let (_, corners) = self.corners.as_ref()?;
-        let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
-        let mut response = self.layout.own[0].unit.over(self.bases[0].rows(), corners);
-        if let Some(coupling) = self.layout.coupling.first() {
-            coupling.add_times(1.0, corners, &mut response);
-            let mut below = coupling.over(self.bases[1].rows(), corners);
-            below.iter_mut().for_each(|value| *value = -*value);
-            rows[1] = self.bases[1].test(&below, counts[1]);
+    /// Adds the edge singularity of contact i to a pressure.
+    pub(super) fn add_edge(&self, i: usize, pressure: &mut [f64]) {
+        if let Some(edge) = &self.edges[i] {
+            pressure.iter_mut().zip(edge.rows.iter()).for_each(|(sum, row)| *sum += edge.intensity * row);
         }
-        rows[0] = self.bases[0].test(&response, counts[0]);
-        rows[0][0] += self.half_plane_row(0, 0, 1.0);
+    }
+
+    /// What so many rows of each contact change by with the intensity of contact i; `None` if it has no edge.
+    pub(super) fn edge_rows(&self, i: usize, counts: &[usize]) -> Option<Vec<Rows>> {
+        let edge = self.edges[i].as_ref()?;
+        let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
+        let response = self.spread(i, &edge.rows, &mut rows);
+        rows[i] = self.bases[i].test(&response, counts[i]);
+        rows[i][0] += self.half_plane_row(i, 0, 1.0);
         Some(rows)
     }
 
-    /// What g∞ makes of corners with the amplitude q in row m of contact i.
-    fn half_plane_row(&self, i: usize, m: usize, amplitude: f64) -> f64 {
-        if i == 0 && m == 0 { -amplitude * self.cauchy(0, 0) } else { 0.0 }
+    /// What all edge singularities make of so many rows of each contact, in the order of the matrix.
+    pub(super) fn edge_load(&self, counts: &[usize]) -> Buffer {
+        let mut load = Buffer::zeros(self.size());
+        for (i, edge) in self.edges.iter().enumerate() {
+            if let (Some(edge), Some(rows)) = (edge, self.edge_rows(i, counts)) {
+                let rows = self.rows_of(&rows);
+                load.iter_mut().zip(rows.iter()).for_each(|(sum, row)| *sum += edge.intensity * row);
+            }
+        }
+        load
     }
 
-    /// What g∞ makes of the modes in row m of contact i.
+    /// What g∞ makes of an edge singularity in row m of contact i.
+    fn half_plane_row(&self, i: usize, m: usize, intensity: f64) -> f64 {
+        if m == 0 { -intensity * self.cauchy(i, 0) } else { 0.0 }
+    }
+
+    /// What g∞ makes of the pressure in row m of contact i.
     pub(crate) fn own_row(&self, i: usize, m: usize, y: f64) -> f64 {
-        self.cauchy(i, m) * y + self.half_plane_row(i, m, self.amplitude())
+        let edge = self.edges[i].as_ref().map_or(0.0, |edge| self.half_plane_row(i, m, edge.intensity));
+        self.cauchy(i, m) * y + edge
     }
 }

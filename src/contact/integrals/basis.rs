@@ -9,6 +9,7 @@ use num_complex::Complex64;
 use crate::contact::integrals::columns::{Columns, Part};
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Tail;
+use crate::contact::problem::Problem;
 use crate::contact::problem::load::Given;
 use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::buffer::Buffer;
@@ -35,8 +36,17 @@ pub(crate) struct Basis {
 }
 
 impl Basis {
+    /// So many modes of each contact of a problem.
+    pub(crate) fn all(layout: &Layout, problem: &Problem, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
+        let own = |(i, (a, modes)): (usize, (&f64, &usize))| match problem.sides[i].given() {
+            Some(given) => Self::given(layout, i, given),
+            None => Self::new(layout, i, *a, *modes),
+        };
+        half_lengths.iter().zip(modes).enumerate().map(own).collect()
+    }
+
     /// The modes of contact `i` at one half-length.
-    pub(crate) fn new(layout: &Layout, i: usize, half_length: f64, modes: usize) -> Self {
+    fn new(layout: &Layout, i: usize, half_length: f64, modes: usize) -> Self {
         let (tail, reach) = (layout.tail(i), layout.own[i].reach);
         let mut arguments: Buffer = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
         for _ in 0..2 {
@@ -93,10 +103,10 @@ impl Basis {
         }
     }
 
-    /// The only mode of a given pressure on top, whatever its transform. Its half-length is not varied, so that other
-    /// orders do not matter.
-    pub(crate) fn given(layout: &Layout, given: &Given) -> Self {
-        let zeta = &layout.zeta[..layout.own[0].reach];
+    /// The only mode of the given pressure of contact `i`, whatever its transform. Its half-length is not varied, so that
+    /// other orders do not matter.
+    fn given(layout: &Layout, i: usize, given: &Given) -> Self {
+        let zeta = &layout.zeta[..layout.own[i].reach];
         let deficit: Buffer = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
         let mut table = Columns::zeros(zeta.len(), 3);
         for ((value, zeta), deficit) in table.column_mut(1).iter_mut().zip(zeta).zip(deficit.iter()) {
@@ -108,11 +118,11 @@ impl Basis {
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
-    pub(crate) fn corners(&self) -> Buffer {
-        let mut corners: Buffer = self.value(0).iter().zip(self.value(1)).map(|(j1, j3)| -0.5 * (j1 + j3)).collect();
-        self.scale(&mut corners, false);
-        self.scale(&mut corners, false);
-        corners
+    pub(crate) fn edges(&self) -> Buffer {
+        let mut edges: Buffer = self.value(0).iter().zip(self.value(1)).map(|(j1, j3)| -0.5 * (j1 + j3)).collect();
+        self.scale(&mut edges, false);
+        self.scale(&mut edges, false);
+        edges
     }
 
     /// Number of rows.

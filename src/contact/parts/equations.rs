@@ -13,7 +13,7 @@ use faer::{Mat, MatRef};
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Weights;
 use crate::contact::parts::patch::Patch;
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::Problem;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
 
@@ -29,7 +29,7 @@ const AT_ONCE: usize = 4096;
 /// The equations of some patches, in the order of contacts and outwards.
 pub(super) struct Equations<'a> {
     pub(super) kernel: &'a Kernel,
-    pub(super) punch: &'a Indentation<'a>,
+    pub(super) problem: &'a Problem<'a>,
     pub(super) layout: &'a Layout,
     pub(super) patches: &'a [Patch],
     /// Pressures on each patch.
@@ -198,12 +198,12 @@ impl Equations<'_> {
 
     /// The first contact of which the pressure is unknown.
     fn first(&self) -> usize {
-        usize::from(self.punch.given().is_some())
+        usize::from(self.problem.top().given().is_some())
     }
 
     /// The transform of what presses on a contact at some wavenumbers less that of the pressure all are compared with.
     fn given(&self, first: usize, count: usize) -> Vec<f64> {
-        let Some(given) = self.punch.given() else { return Vec::new() };
+        let Some(given) = self.problem.top().given() else { return Vec::new() };
         let zeta = &self.layout.zeta[first..first + count];
         zeta.iter().zip(self.beyond(zeta)).map(|(zeta, beyond)| given.deficit(*zeta) + beyond).collect()
     }
@@ -361,10 +361,12 @@ impl Equations<'_> {
             (Some(test), _) => self
                 .places()
                 .map(|(theta, weight)| {
-                    weight * (*test as f64 * theta).cos() * self.punch.slope(patch.middle + patch.half * theta.cos())
+                    weight
+                        * (*test as f64 * theta).cos()
+                        * self.problem.top().slope(patch.middle + patch.half * theta.cos())
                 })
                 .sum(),
-            (None, Some([from, to])) => self.punch.profile(to) - self.punch.profile(from),
+            (None, Some([from, to])) => self.problem.top().height(to) - self.problem.top().height(from),
             (None, None) => 0.0,
         }
     }

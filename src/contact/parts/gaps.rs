@@ -4,8 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::parts::Level;
 use crate::contact::parts::equations::Equations;
-use crate::contact::problem::profile::Indentation;
-use crate::kernel::Kernel;
+use crate::contact::problem::Problem;
 use crate::numeric::quadrature::rule;
 
 /// Pressures are looked at in so many places per term.
@@ -21,12 +20,8 @@ const KNOWN: f64 = 3.0;
 
 /// Smallest pressure and smallest gap, and by which part of its largest pressure there each contact pulls about the middle,
 /// for want of terms; `None` if one of them is negative. `coarse` has fewer pressures, and tells how far gaps are known.
-pub(super) fn check(
-    kernel: &Kernel,
-    punch: &Indentation,
-    level: &Level,
-    coarse: &Level,
-) -> Option<([f64; 2], Vec<f64>)> {
+pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<([f64; 2], Vec<f64>)> {
+    let kernel = problem.kernel;
     let (patches, coefficients) = (&level.patches, &level.coefficients);
     let count = coefficients.first()?.len();
     let mut least = [0.0f64; 2];
@@ -52,14 +47,14 @@ pub(super) fn check(
         return None;
     }
     least[0] = smallest.iter().copied().fold(0.0, f64::min);
-    let [ends, shortest] = super::lengths(kernel, punch, patches);
-    let span = punch.span(&ends);
+    let [ends, shortest] = super::lengths(problem, patches);
+    let span = problem.span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
-    let equations = Equations { kernel, punch, layout: &layout, patches, count };
+    let equations = Equations { kernel, problem, layout: &layout, patches, count };
     let before = Equations { patches: &coarse.patches, count: coarse.coefficients.first()?.len(), ..equations };
     for (i, (patch, same)) in patches.iter().zip(&coarse.patches).enumerate() {
         let next = patches.get(i + 1).filter(|next| next.contact == patch.contact);
-        let end = match (next, patch.contact, punch.max_half_length()) {
+        let end = match (next, patch.contact, problem.top().edge()) {
             (Some(next), ..) => next.from(),
             (None, 0, Some(edge)) => span.min(edge),
             _ => span,
@@ -111,7 +106,8 @@ impl Equations<'_> {
                         wave * 2.0 * (0.5 * zeta * (x + from)).sin() * (0.5 * zeta * (x - from)).sin() / zeta
                     })
                     .sum();
-                let opened = if contact == 0 { self.punch.profile(x) - self.punch.profile(from) } else { 0.0 };
+                let opened =
+                    if contact == 0 { self.problem.top().height(x) - self.problem.top().height(from) } else { 0.0 };
                 (x, opened - near - far)
             })
             .collect()

@@ -9,16 +9,14 @@ mod patch;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
+use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::integrals::layout::{Layout, negligible};
-use crate::contact::problem::load;
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::Problem;
 use crate::contact::programme::Zones;
-use crate::contact::quality::estimate::UNKNOWN;
-use crate::contact::{in_parts, stats};
+use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::options::Options;
-use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
+use crate::solution::{Part, Solution, Stats, Strip};
 use equations::Equations;
 use patch::Patch;
 
@@ -76,36 +74,23 @@ struct Level {
 
 /// Presses a punch on a stack some contacts of which have several parts, about where `zones` says; `None` if no
 /// admissible answer was found, or the pressure under the punch is of another kind.
-pub(super) fn solve(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    zones: &[Zones],
-    options: &Options,
-) -> Option<Solution> {
-    if punch.flat().is_some() || punch.is_sharp() {
+pub(super) fn solve(problem: &Problem, zones: &[Zones]) -> Option<Solution> {
+    if problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
         return None;
     }
-    let all = patches(punch, zones, |zones| zones.intervals().to_vec())?;
+    let all = patches(problem, zones, |zones| zones.intervals().to_vec())?;
     // the programme may see several intervals, far out, where there is one with next to no force
-    let merged = patches(punch, zones, Zones::merged)?;
+    let merged = patches(problem, zones, Zones::merged)?;
     let fewer = (merged != all).then_some(merged);
     let starts = [Some(all), fewer].into_iter().flatten();
     starts
         .flat_map(|patches| [false, true].map(|joint| (patches.clone(), joint)))
-        .find_map(|(patches, joint)| solve_from(kernel, interfaces, punch, patches, joint, options))
+        .find_map(|(patches, joint)| solve_from(problem, patches, joint))
 }
 
 /// The same from given intervals.
-fn solve_from(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    patches: Vec<Patch>,
-    joint: bool,
-    options: &Options,
-) -> Option<Solution> {
-    let negligible = negligible(options.tolerance);
+fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool) -> Option<Solution> {
+    let negligible = negligible(problem.tolerance);
     let mut work = Work::default();
     let mut before: Option<Level> = None;
     let mut best: Option<([Level; 2], Errors, usize)> = None;
@@ -115,7 +100,7 @@ fn solve_from(
         let level = [true, false]
             .map(|together| Way { together, joint })
             .into_iter()
-            .find_map(|way| converge(kernel, punch, start.clone(), count, negligible, way, &mut work));
+            .find_map(|way| converge(problem, start.clone(), count, negligible, way, &mut work));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -127,7 +112,7 @@ fn solve_from(
         if let Some(before) = before.replace(level.clone()) {
             let errors = Errors::between(&level, &before);
             // more pressures do not help against what is due to something else
-            let done = errors.worst() <= options.tolerance.max(2.0 * errors.floor);
+            let done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
             if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
                 best = Some(([level, before], errors, count));
             }
@@ -142,23 +127,26 @@ fn solve_from(
         return None;
     }
     let mut warnings = Vec::new();
-    if errors.worst() > options.tolerance {
+    if errors.worst() > problem.tolerance {
         warnings.push(format!(
             "the tolerance {:e} is not met with {count} pressures on each interval of contacts in several parts; the error \
              estimates tell what was reached",
-            options.tolerance
+            problem.tolerance
         ));
     }
-    let (min, pulls) = gaps::check(kernel, punch, &level, &coarse)?;
+    let (min, pulls) = gaps::check(problem, &level, &coarse)?;
     // pressures that pull are wrong by that
     errors.peaks.iter_mut().zip(&pulls).for_each(|(error, pull)| *error = error.max(SAFETY * pull));
-    Some(solution(kernel, interfaces, punch, &level, &errors, min, count, work.steps, warnings))
+    let [min_pressure, min_gap] = min;
+    let stats = Stats { modes: vec![count; problem.contacts()], newton_steps: work.steps, ..stats(problem.kernel) };
+    let contacts = found(&level, &errors);
+    Some(Answer { contacts, min_pressure, min_gap, stats, warnings }.into_solution(problem))
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end.
-fn patches(punch: &Indentation, zones: &[Zones], intervals: impl Fn(&Zones) -> Vec<[f64; 2]>) -> Option<Vec<Patch>> {
+fn patches(problem: &Problem, zones: &[Zones], intervals: impl Fn(&Zones) -> Vec<[f64; 2]>) -> Option<Vec<Patch>> {
     let mut patches = Vec::new();
-    for (contact, zones) in zones.iter().enumerate().skip(usize::from(punch.given().is_some())) {
+    for (contact, zones) in zones.iter().enumerate().skip(usize::from(problem.top().given().is_some())) {
         let parts = intervals(zones);
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
@@ -214,12 +202,12 @@ fn rooms(patches: &[Patch]) -> Vec<f64> {
 }
 
 /// How far each contact reaches, and half of its shortest interval; a given pressure is felt by the contact below only.
-fn lengths(kernel: &Kernel, punch: &Indentation, patches: &[Patch]) -> [Vec<f64>; 2] {
+fn lengths(problem: &Problem, patches: &[Patch]) -> [Vec<f64>; 2] {
     let of = |i: usize| patches.iter().filter(move |patch| patch.contact == i);
-    let ends = (0..kernel.contacts()).map(|i| of(i).map(Patch::to).fold(0.0, f64::max));
-    let shortest = (0..kernel.contacts()).map(|i| of(i).map(|patch| patch.half).fold(f64::INFINITY, f64::min));
+    let ends = (0..problem.contacts()).map(|i| of(i).map(Patch::to).fold(0.0, f64::max));
+    let shortest = (0..problem.contacts()).map(|i| of(i).map(|patch| patch.half).fold(f64::INFINITY, f64::min));
     let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
-    if let Some(given) = punch.given() {
+    if let Some(given) = problem.top().given() {
         (ends[0], shortest[0]) = (given.half_length.max(ends[1]), shortest[1]);
     }
     [ends, shortest]
@@ -240,14 +228,14 @@ struct Way {
 
 /// Newton's method for the ends and the pressures; `None` if it is lost.
 fn converge(
-    kernel: &Kernel,
-    punch: &Indentation,
+    problem: &Problem,
     mut patches: Vec<Patch>,
     count: usize,
     negligible: f64,
     way: Way,
     work: &mut Work,
 ) -> Option<Level> {
+    let kernel = problem.kernel;
     let mut layout: Option<(Layout, Vec<f64>)> = None;
     let mut kept: Option<Mat<f64>> = None;
     let mut pressures: Option<Vec<f64>> = None;
@@ -256,13 +244,13 @@ fn converge(
     let mut moved_by: Vec<f64> = Vec::new();
     work.steps.push(0);
     for _ in 0..STEPS {
-        let [reach, shortest] = lengths(kernel, punch, &patches);
+        let [reach, shortest] = lengths(problem, &patches);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
             Some(kept) => kept,
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
-        let system = |patches: &[Patch]| Equations { kernel, punch, layout: &waves, patches, count }.system();
+        let system = |patches: &[Patch]| Equations { kernel, problem, layout: &waves, patches, count }.system();
         work.spend(count)?;
         let here = system(&patches);
         *work.steps.last_mut()? += 1;
@@ -376,72 +364,32 @@ impl Level {
     }
 }
 
-/// The answer in the units of the scene.
-#[expect(clippy::too_many_arguments, reason = "all that makes an answer")]
-fn solution(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    level: &Level,
-    errors: &Errors,
-    [min_pressure, min_gap]: [f64; 2],
-    count: usize,
-    steps: Vec<usize>,
-    mut warnings: Vec<String>,
-) -> Solution {
-    let (length, pressure_unit) = (kernel.length(), kernel.modulus() * punch.force);
-    let force = pressure_unit * length;
-    let mut contacts: Vec<Contact> = Vec::new();
-    if let Some(load) = punch.load() {
-        contacts.push(load::contact(load, interfaces[0], force, load::strips(load, force)));
-    }
+/// What was found of each contact.
+fn found(level: &Level, errors: &Errors) -> Vec<Found> {
+    let mut contacts: Vec<(usize, Found)> = Vec::new();
     let all = level.patches.iter().zip(&level.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);
     for ((patch, coefficients), [from_error, to_error]) in all {
-        let mut coefficients: Vec<f64> = coefficients.iter().map(|c| c * pressure_unit).collect();
-        let (at, extent) = (patch.middle * length, patch.half * length);
-        let resultant = coefficients[0] * patch.resultant() * length;
-        let (from, to) = (patch.from() * length, patch.to() * length);
+        let (from, to) = (patch.from(), patch.to());
+        let interval = Part { from, from_error: from_error * from, to, to_error: to_error * to };
         let strip = if patch.is_central() {
-            Strip::series(extent, coefficients)
+            Strip::series(patch.half, coefficients.clone())
         } else {
-            let skew = coefficients.iter().skip(1).step_by(2).copied().collect();
-            coefficients = coefficients.iter().step_by(2).copied().collect();
-            Strip { at, skew, ..Strip::series(extent, coefficients) }
+            let every_other = |first: usize| coefficients.iter().skip(first).step_by(2).copied().collect();
+            Strip { at: patch.middle, skew: every_other(1), ..Strip::series(patch.half, every_other(0)) }
         };
-        match contacts.last_mut().filter(|contact| contact.interface == interfaces[patch.contact]) {
+        match contacts.last_mut().filter(|(contact, _)| *contact == patch.contact) {
             None => {
-                let (peak, peak_error) = peaks.next().unwrap_or((0.0, &0.0));
-                let peak_pressure = peak * pressure_unit;
-                contacts.push(Contact {
-                    interface: interfaces[patch.contact],
-                    half_length: to,
-                    half_length_error: to_error * to,
-                    opening: from,
-                    opening_error: from_error * from,
-                    peak_pressure,
-                    peak_pressure_error: peak_error * peak_pressure.abs(),
-                    resultant,
-                    strips: vec![strip],
-                    parts: Vec::new(),
-                });
+                let (peak, error) = peaks.next().unwrap_or((0.0, &0.0));
+                let peak_error = error * peak.abs();
+                let own = Found { intervals: vec![interval], peak, peak_error, strips: vec![strip] };
+                contacts.push((patch.contact, own));
             }
-            Some(contact) => {
-                contact.resultant += resultant;
-                contact.strips.push(strip);
-                contact.parts.push(Part { from, from_error: from_error * from, to, to_error: to_error * to });
+            Some((_, found)) => {
+                found.intervals.push(interval);
+                found.strips.push(strip);
             }
         }
     }
-    warnings.extend(in_parts(&contacts));
-    Solution {
-        contacts,
-        stack: None,
-        force,
-        force_error: 0.0,
-        min_pressure: min_pressure * pressure_unit,
-        min_gap: min_gap * punch.force * length,
-        stats: Stats { modes: vec![count; interfaces.len()], newton_steps: steps, ..stats(kernel) },
-        warnings,
-    }
+    contacts.into_iter().map(|(_, found)| found).collect()
 }

@@ -17,6 +17,8 @@ const TERMS: usize = 64;
 
 /// A given pressure in place of a punch.
 pub(crate) struct Given<'a> {
+    /// What presses.
+    pub(crate) load: &'a Load,
     /// As far as it reaches, or [`NARROWEST`], in units of L.
     pub(crate) half_length: f64,
     deficit: Box<dyn Fn(f64) -> f64 + 'a>,
@@ -26,7 +28,7 @@ impl<'a> Given<'a> {
     /// A load, with the length L in the units of the scene.
     pub(crate) fn new(load: &'a Load, length: f64) -> Self {
         let half_length = (load.half_width() / length).max(NARROWEST);
-        Self { half_length, deficit: Box::new(move |zeta| deficit(load, zeta / length)) }
+        Self { load, half_length, deficit: Box::new(move |zeta| deficit(load, zeta / length)) }
     }
 
     /// p̂/P − 1 at a wavenumber ζ.
@@ -55,7 +57,7 @@ fn deficit(load: &Load, wavenumber: f64) -> f64 {
 }
 
 /// The strips on which a load presses with a force, in the units of the scene.
-pub(crate) fn strips(load: &Load, force: f64) -> Vec<Strip> {
+fn strips(load: &Load, force: f64) -> Vec<Strip> {
     let strip = |(at, share, load): (f64, f64, &Load)| {
         let images = if at > 0.0 { 2.0 } else { 1.0 };
         let form = match load {
@@ -86,7 +88,7 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
 }
 
 /// What is said of a load in place of a contact: nothing of it is unknown.
-pub(crate) fn contact(load: &Load, interface: Interface, force: f64, strips: Vec<Strip>) -> Contact {
+pub(crate) fn contact(load: &Load, interface: Interface, force: f64) -> Contact {
     Contact {
         interface,
         half_length: load.half_width(),
@@ -94,7 +96,7 @@ pub(crate) fn contact(load: &Load, interface: Interface, force: f64, strips: Vec
         peak_pressure: load.peak_pressure(force),
         peak_pressure_error: 0.0,
         resultant: force,
-        strips,
+        strips: strips(load, force),
         opening: 0.0,
         opening_error: 0.0,
         parts: Vec::new(),
@@ -115,7 +117,7 @@ impl Given<'_> {
             let higher = modes.iter().enumerate().skip(1).map(|(m, y)| 2.0 * y * table[2 * m + 1] / z);
             bessel::jinc_deficit_from(z, table[1]) + higher.sum::<f64>()
         };
-        Self { half_length, deficit: Box::new(deficit) }
+        Self { load: &Load::Line, half_length, deficit: Box::new(deficit) }
     }
 }
 

@@ -1,5 +1,205 @@
-//! The contact problem: what presses, what is closed, and where.
+//! The contact problem: a kernel, what presses on each contact, and where the contacts are.
+//!
+//! Every contact has a [`Side`] that says what is special about it. No other room asks which contact is that of the punch.
+pub(crate) mod estimate;
 pub(crate) mod load;
 pub(crate) mod modes;
 pub(crate) mod profile;
 pub(crate) mod support;
+
+use crate::contact::error::{ContactError, NoSolution};
+use crate::kernel::Kernel;
+use crate::scene::Punch;
+use crate::solution::Interface;
+
+use load::Given;
+use profile::{Local, Profile, Slopes};
+use support::{End, Support, span};
+
+/// One punch, or one given load, pressed with one force on a stack.
+pub(crate) struct Problem<'a> {
+    pub(crate) kernel: &'a Kernel,
+    /// Names of the contacts, from the top down.
+    pub(crate) interfaces: &'a [Interface],
+    /// What is special about each of them.
+    pub(crate) sides: Vec<Side<'a>>,
+    punch: &'a Punch,
+    /// P' = P/(μ₀L).
+    pub(crate) force: f64,
+    /// Relative error wanted.
+    pub(crate) tolerance: f64,
+}
+
+/// What is special about a contact.
+pub(crate) enum Side<'a> {
+    /// A punch presses there.
+    Profile(Profile<'a>),
+    /// Two bodies that fit together lie on each other: the contact recedes.
+    Closed,
+    /// The pressure is given.
+    Known(Given<'a>),
+}
+
+impl<'a> Problem<'a> {
+    /// A punch or load on the uppermost contact, all others closed; the force is in the units of the scene.
+    pub(crate) fn new(
+        kernel: &'a Kernel,
+        interfaces: &'a [Interface],
+        punch: &'a Punch,
+        force: f64,
+        tolerance: f64,
+    ) -> Self {
+        let length = kernel.length();
+        let force = force / (kernel.modulus() * length);
+        let top = match punch.load() {
+            Some(load) => Side::Known(Given::new(load, length)),
+            None => Side::Profile(Profile::new(punch, length, force)),
+        };
+        let closed = (1..kernel.contacts()).map(|_| Side::Closed);
+        let sides = std::iter::once(top).chain(closed).collect();
+        Self { kernel, interfaces, sides, punch, force, tolerance }
+    }
+
+    /// The same problem with another tolerance.
+    pub(crate) fn to(&self, tolerance: f64) -> Self {
+        self.on(self.kernel, self.interfaces, tolerance)
+    }
+
+    /// The same punch and force on another kernel in the same units, with another tolerance.
+    pub(crate) fn on<'b>(&self, kernel: &'b Kernel, interfaces: &'b [Interface], tolerance: f64) -> Problem<'b>
+    where
+        'a: 'b,
+    {
+        Problem::new(kernel, interfaces, self.punch, self.total_force(), tolerance)
+    }
+
+    /// The force in the units of the scene.
+    pub(crate) fn total_force(&self) -> f64 {
+        self.force * self.kernel.modulus() * self.kernel.length()
+    }
+
+    pub(crate) fn contacts(&self) -> usize {
+        self.sides.len()
+    }
+
+    /// What presses on the uppermost contact.
+    pub(crate) fn top(&self) -> &Side<'a> {
+        &self.sides[0]
+    }
+
+    /// Whether the pressure of contact i is given.
+    pub(crate) fn is_known(&self, i: usize) -> bool {
+        matches!(self.sides[i], Side::Known(_))
+    }
+
+    /// The contacts whose pressure is to be found.
+    pub(crate) fn unknown(&self) -> impl Iterator<Item = usize> {
+        (0..self.contacts()).filter(|i| !self.is_known(*i))
+    }
+
+    /// The profiles of all punches, with the contacts where they press.
+    pub(crate) fn profiles(&self) -> impl Iterator<Item = (usize, &Profile<'a>)> {
+        self.sides.iter().enumerate().filter_map(|(i, side)| side.profile().map(|profile| (i, profile)))
+    }
+
+    /// The right-hand sides of all contacts, with so many rows each; `None` where no profile presses.
+    pub(crate) fn slopes(&self, half_lengths: &[f64], rows: &[usize]) -> Vec<Option<Slopes>> {
+        let own = |(side, (a, rows)): (&Side, (&f64, &usize))| side.profile().map(|profile| profile.slopes(*a, *rows));
+        self.sides.iter().zip(half_lengths.iter().zip(rows)).map(own).collect()
+    }
+
+    /// The highest orders of Bessel functions for these numbers of modes; 0 where the pressure is given.
+    pub(crate) fn orders(&self, modes: &[usize]) -> Vec<usize> {
+        let order = |(i, modes): (usize, &usize)| if self.is_known(i) { 0 } else { 2 * modes };
+        modes.iter().enumerate().map(order).collect()
+    }
+
+    /// Contacts of these half-lengths with nothing known of their ends but what the sides tell.
+    pub(crate) fn support(&self, half_lengths: Vec<f64>) -> Support {
+        let ends = self.sides.iter().map(Side::end).collect();
+        Support { half_lengths, ends }
+    }
+
+    /// How far out gaps have to be looked at, in units of L: several lengths of the contacts, and all of a profile that falls
+    /// somewhere.
+    pub(crate) fn span(&self, half_lengths: &[f64]) -> f64 {
+        self.last_fall().max(span(half_lengths))
+    }
+
+    /// The last place at which a profile falls, in units of L; 0 if none does so anywhere.
+    pub(crate) fn last_fall(&self) -> f64 {
+        self.profiles().map(|(_, profile)| profile.last_fall()).fold(0.0, f64::max)
+    }
+
+    /// The error of a lost Newton iteration: at the edge of a punch, the punch is to blame.
+    pub(crate) fn not_converged(&self, half_lengths: &[f64]) -> ContactError {
+        self.too_small(half_lengths).unwrap_or_else(|| {
+            let half_lengths = half_lengths.iter().map(|a| a * self.kernel.length()).collect();
+            NoSolution::NotConverged { half_lengths }.into()
+        })
+    }
+
+    /// The error to report if a contact has grown to the edge of its punch.
+    pub(crate) fn too_small(&self, half_lengths: &[f64]) -> Option<ContactError> {
+        self.profiles().find_map(|(i, profile)| profile.too_small(half_lengths[i]))
+    }
+}
+
+impl<'a> Side<'a> {
+    pub(crate) fn profile(&self) -> Option<&Profile<'a>> {
+        if let Self::Profile(profile) = self { Some(profile) } else { None }
+    }
+
+    pub(crate) fn given(&self) -> Option<&Given<'a>> {
+        if let Self::Known(given) = self { Some(given) } else { None }
+    }
+
+    /// What is known of the end of the contact before it is looked for.
+    fn end(&self) -> End {
+        match self {
+            Self::Profile(profile) if profile.flat().is_some() => End::Edge { intensity: 1.0 },
+            Self::Profile(_) | Self::Closed => End::Free,
+            Self::Known(_) => End::Given,
+        }
+    }
+
+    /// Height above the tip at x (both in units of L), per unit of P'.
+    pub(crate) fn height(&self, x: f64) -> f64 {
+        self.profile().map_or(0.0, |profile| profile.height(x))
+    }
+
+    /// Slope at x (in units of L), per unit of P'.
+    pub(crate) fn slope(&self, x: f64) -> f64 {
+        self.profile().map_or(0.0, |profile| profile.slope(x))
+    }
+
+    /// Half-length at which the punch ends, in units of L.
+    pub(crate) fn edge(&self) -> Option<f64> {
+        self.profile().and_then(Profile::edge)
+    }
+
+    /// Whether the contact is that of a punch with sharp corners.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.profile().is_some_and(|profile| profile.flat().is_some())
+    }
+
+    /// Whether modes fall fast: the profile is analytic, or none presses.
+    pub(crate) fn is_smooth(&self) -> bool {
+        self.profile().is_none_or(Profile::is_smooth)
+    }
+
+    /// Whether the pressure is infinite at the tip of a punch.
+    pub(crate) fn is_sharp(&self) -> bool {
+        self.profile().is_some_and(Profile::is_sharp)
+    }
+
+    /// The half-length at which a step from `before` to `after` ends.
+    pub(crate) fn within(&self, before: f64, after: f64) -> f64 {
+        self.profile().map_or(after, |profile| profile.within(before, after))
+    }
+
+    /// The pressure of a half-plane with λμ₀C = `limit` under a punch that is not smooth.
+    pub(crate) fn local(&self, half_length: f64, limit: f64, modes: usize) -> Option<Local> {
+        self.profile().and_then(|profile| profile.local(half_length, limit, modes))
+    }
+}

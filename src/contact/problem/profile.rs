@@ -5,12 +5,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::problem::load::Given;
 use crate::contact::problem::modes::order;
-use crate::contact::problem::support::span;
-use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
-use crate::scene::{Load, Piece, Punch, Shape};
+use crate::scene::{Piece, Punch, Shape};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
@@ -22,15 +19,14 @@ const FARTHEST: f64 = 45.0;
 /// Gauss points besides those that the oscillation takes.
 const SPARE: f64 = 14.0;
 
-/// A punch pressed with a force, in the units of the kernel.
-pub(crate) struct Indentation<'a> {
+/// The profile of a punch pressed with a force, in the units of the kernel.
+pub(crate) struct Profile<'a> {
     punch: &'a Punch,
     shape: Shape<'a>,
     /// Length L in the units of the scene.
     length: f64,
     /// P' = P/(μ₀L).
-    pub(crate) force: f64,
-    given: Option<Given<'a>>,
+    force: f64,
 }
 
 /// What a half-plane of the material at the face does under the punch, all rows but the first fulfilled: the pressure
@@ -42,7 +38,7 @@ pub(crate) struct Local {
     pub(crate) peak: f64,
 }
 
-/// The right-hand side, per unit of P': the punch's slope against the tests of contact 0.
+/// The right-hand side, per unit of P': the punch's slope against the tests of its contact.
 pub(crate) struct Slopes {
     /// ± ∫ f'(as) T_k(s)/√(1 − s²) ds.
     pub(crate) value: Vec<f64>,
@@ -64,17 +60,10 @@ impl Slopes {
     }
 }
 
-impl<'a> Indentation<'a> {
-    pub(crate) fn new(punch: &'a Punch, kernel: &Kernel, force: f64) -> Self {
-        let length = kernel.length();
-        let force = force / (kernel.modulus() * length);
-        let given = punch.load().map(|load| Given::new(load, length));
-        Self { punch, shape: punch.shape(), length, force, given }
-    }
-
-    /// The pressure on top, if it is given.
-    pub(crate) fn given(&self) -> Option<&Given<'a>> {
-        self.given.as_ref()
+impl<'a> Profile<'a> {
+    /// A punch in units of L, pressed with P'.
+    pub(crate) fn new(punch: &'a Punch, length: f64, force: f64) -> Self {
+        Self { punch, shape: punch.shape(), length, force }
     }
 
     /// Half-length of the contact, in units of L, if it is that of a punch with sharp corners.
@@ -82,14 +71,9 @@ impl<'a> Indentation<'a> {
         if let Shape::Flat(edge) = self.shape { Some(edge / self.length) } else { None }
     }
 
-    /// The given load itself.
-    pub(crate) fn load(&self) -> Option<&Load> {
-        self.punch.load()
-    }
-
     /// Whether modes fall fast: the profile is analytic, and what it presses on takes no part in that.
     pub(crate) fn is_smooth(&self) -> bool {
-        self.given.is_some() || self.shape.is_smooth()
+        self.shape.is_smooth()
     }
 
     /// Whether the pressure is infinite at the tip.
@@ -99,14 +83,13 @@ impl<'a> Indentation<'a> {
 
     /// Whether the profile is a parabola.
     pub(crate) fn is_parabola(&self) -> bool {
-        self.given.is_none()
-            && matches!(&self.shape, Shape::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
+        matches!(&self.shape, Shape::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
     }
 
     /// RP'/L of the parabola that presses as hard on a contact of this half-length, or at its tip; `None` if the profile is
     /// like none.
     pub(crate) fn as_parabola(&self, half_length: f64) -> Option<f64> {
-        if !self.is_parabola() && !matches!(self.shape, Shape::Circle(_)) || self.given.is_some() {
+        if !self.is_parabola() && !matches!(self.shape, Shape::Circle(_)) {
             return None;
         }
         if half_length == 0.0 || self.is_parabola() {
@@ -116,13 +99,8 @@ impl<'a> Indentation<'a> {
     }
 
     /// Half-length at which the punch ends, in units of L.
-    pub(crate) fn max_half_length(&self) -> Option<f64> {
+    pub(crate) fn edge(&self) -> Option<f64> {
         self.shape.edge().map(|limit| limit / self.length)
-    }
-
-    /// How far out gaps have to be looked at: several lengths of the contacts, and all of a profile that falls somewhere.
-    pub(crate) fn span(&self, half_lengths: &[f64]) -> f64 {
-        span(half_lengths).max(self.last_fall())
     }
 
     /// The last place at which the profile falls, in units of L; 0 if it does so nowhere.
@@ -141,7 +119,7 @@ impl<'a> Indentation<'a> {
     /// punch, and less than all of it.
     pub(crate) fn within(&self, before: f64, after: f64) -> f64 {
         let flat = self.shape.flat() / self.length;
-        match self.max_half_length() {
+        match self.edge() {
             Some(edge) if after >= edge => 0.5 * (edge + before),
             _ if after <= flat => 0.5 * (flat + before),
             _ => after,
@@ -149,7 +127,7 @@ impl<'a> Indentation<'a> {
     }
 
     /// Height above the tip at x (both in units of L), per unit of P'.
-    pub(crate) fn profile(&self, x: f64) -> f64 {
+    pub(crate) fn height(&self, x: f64) -> f64 {
         self.shape.height(x * self.length) / (self.length * self.force)
     }
 
@@ -238,7 +216,7 @@ impl<'a> Indentation<'a> {
     /// The rows of a profile that is analytic up to its edge, by Gauss-Chebyshev quadrature.
     fn analytic_rows(&self, half_length: f64, slopes: &mut Slopes) {
         // Chebyshev coefficients fall like ρ^(−k)
-        let digits = self.max_half_length().map_or(0.0, |limit| {
+        let digits = self.edge().map_or(0.0, |limit| {
             let ratio = (limit / half_length).max(1.0 + 1e-9);
             20.0 / (ratio + (ratio * ratio - 1.0).sqrt()).ln()
         });
@@ -319,20 +297,12 @@ pub(crate) fn continued(modes: &mut Vec<f64>, local: &[f64]) {
 }
 
 #[cfg(test)]
-impl<'a> Indentation<'a> {
-    /// The same with a given pressure in place of the punch.
-    pub(crate) fn with(self, given: Given<'a>) -> Self {
-        Self { given: Some(given), ..self }
-    }
-}
-
-#[cfg(test)]
 mod tests {
     use super::*;
     use crate::contact::problem::modes::alternating;
 
-    fn unit(punch: &Punch) -> Indentation<'_> {
-        Indentation { punch, shape: punch.shape(), length: 1.0, force: 1.0, given: None }
+    fn unit(punch: &Punch) -> Profile<'_> {
+        Profile::new(punch, 1.0, 1.0)
     }
 
     /// The rows by a rule of very many points.

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::Problem;
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::grid::Grid;
 use crate::numeric::quadrature::rule;
@@ -50,7 +50,7 @@ pub(super) struct Energy {
 
 impl Energy {
     /// `None` if the matrices of all contacts would have too many entries.
-    pub(super) fn new(kernel: &Compliances, punch: &Indentation, grid: &Grid) -> Option<Self> {
+    pub(super) fn new(kernel: &Compliances, problem: &Problem, grid: &Grid) -> Option<Self> {
         let (contacts, elements) = (kernel.contacts(), grid.elements());
         if contacts.saturating_mul(elements).saturating_mul(elements) > MOST_ENTRIES {
             return None;
@@ -69,7 +69,7 @@ impl Energy {
         energy.add_waves(kernel, &least, grid, &waves);
         energy.add_resultants(kernel);
         if kernel.is_topmost() {
-            energy.add_punch(punch, grid);
+            energy.add_punch(problem, grid);
         }
         Some(energy)
     }
@@ -165,14 +165,14 @@ impl Energy {
         }
     }
 
-    fn add_punch(&mut self, punch: &Indentation, grid: &Grid) {
-        let last = punch.max_half_length().unwrap_or(f64::INFINITY);
+    fn add_punch(&mut self, problem: &Problem, grid: &Grid) {
+        let last = problem.top().edge().unwrap_or(f64::INFINITY);
         for e in 0..self.elements() {
             let [from, to] = grid.element(e);
             self.barred[e] = to > last;
             if !self.barred[e] {
                 self.linear[0][e] +=
-                    rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * punch.profile(x)).sum::<f64>();
+                    rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * problem.top().height(x)).sum::<f64>();
             }
         }
     }

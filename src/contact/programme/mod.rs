@@ -13,8 +13,7 @@ mod grid;
 #[cfg(test)]
 mod tests;
 
-use crate::contact::problem::profile::Indentation;
-use crate::kernel::Kernel;
+use crate::contact::problem::Problem;
 use active_set::Programme;
 use compliances::Compliances;
 use energy::Energy;
@@ -125,8 +124,8 @@ impl Round {
 
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
 /// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
-pub(super) fn zones(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
-    let Rounds { first, rounds } = Rounds::new(kernel, punch, expected, far, COARSE);
+pub(super) fn zones(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
+    let Rounds { first, rounds } = Rounds::new(problem, expected, far, COARSE);
     let mut zones = rounds.last()?.zones();
     match first {
         First::Unknown => {}
@@ -155,45 +154,55 @@ struct Rounds {
 }
 
 impl Rounds {
-    fn new(kernel: &Kernel, punch: &Indentation, expected: &[f64], far: f64, resolution: Resolution) -> Self {
-        if let Some(given) = punch.given() {
+    fn new(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Self {
+        let kernel = problem.kernel;
+        if let Some(given) = problem.top().given() {
             let a = given.half_length;
             let below = Compliances::below_first(kernel, |zeta| given.deficit(zeta));
             let rounds = match kernel.contacts() {
                 // nothing is unknown
                 1 => Vec::new(),
-                _ => rounds(&below, punch, &expected[1..], far.max(a), false, resolution),
+                _ => rounds(
+                    problem,
+                    &below,
+                    &Aim { expected: &expected[1..], far: far.max(a), shorter: false, resolution },
+                ),
             };
             return Self { first: First::Given(a), rounds };
         }
         let all = Compliances::all(kernel);
-        let far = far.max(punch.last_fall());
+        let far = far.max(problem.last_fall());
         let is_short = all.thickness().is_some_and(|thickness| {
-            expected[1..].iter().chain([&thickness]).all(|a| expected[0].max(punch.last_fall()) < SHORT * a)
+            expected[1..].iter().chain([&thickness]).all(|a| expected[0].max(problem.last_fall()) < SHORT * a)
         });
         let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
-        Self { first, rounds: rounds(&all, punch, &expected[usize::from(is_short)..], far, is_short, resolution) }
+        let aim = Aim { expected: &expected[usize::from(is_short)..], far, shorter: is_short, resolution };
+        Self { first, rounds: rounds(problem, &all, &aim) }
     }
 }
 
-/// The last rounds, two at most, with the finest grids, for contacts of the lengths that are `expected`; that under the
-/// punch may be far `shorter`.
-fn rounds(
-    kernel: &Compliances,
-    punch: &Indentation,
-    expected: &[f64],
+/// What a grid is made for.
+struct Aim<'a> {
+    /// Lengths of contacts that are expected.
+    expected: &'a [f64],
+    /// A place that is to be well inside the grid.
     far: f64,
+    /// Whether the contact under the punch is far shorter.
     shorter: bool,
     resolution: Resolution,
-) -> Vec<Round> {
+}
+
+/// The last refinement cycles, two at most, with the finest grids.
+fn rounds(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Round> {
+    let Aim { expected, far, shorter, resolution } = *aim;
     let mut rounds: Vec<Round> = Vec::new();
-    let longest = expected.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-    let shortest = expected.iter().fold(f64::INFINITY, |shortest: f64, a| shortest.min(*a));
-    let edge = punch.max_half_length().filter(|_| kernel.is_topmost() && !shorter);
+    let longest = expected.iter().copied().fold(0.0, f64::max);
+    let shortest = expected.iter().copied().fold(f64::INFINITY, f64::min);
+    let edge = problem.top().edge().filter(|_| kernel.is_topmost() && !shorter);
     let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return rounds };
     let mut longer = LONGER;
     for _ in 0..ROUNDS {
-        let Some(mut energy) = Energy::new(kernel, punch, &grid) else { break };
+        let Some(mut energy) = Energy::new(kernel, problem, &grid) else { break };
         if shorter {
             // a line load about x = 0, however small the punch
             energy.barred.fill(true);

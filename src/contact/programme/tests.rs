@@ -1,9 +1,9 @@
 //! The programme against the solver: nothing in common but the kernels.
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::Problem;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::stress::{Ranges, scene};
-use crate::{Load, Model, Options, Punch, Solution, Stack};
+use crate::{Load, Model, Options, Punch, Solution};
 
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::energy::Energy;
@@ -15,7 +15,7 @@ use crate::contact::programme::{COARSE, answer, zones};
 const ELEMENTS: f64 = 3.0;
 
 /// Calls back with so many random scenes, the kernels of each, what is expected of it, and the solver's answer.
-fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Stack, &Kernel, &Indentation, &[f64], &Solution)) {
+fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f64], &Solution)) {
     let options = Options { tolerance: 1e-6, ..Options::default() };
     let solved = (0..).filter_map(|number| {
         let scene = scene(&Ranges::moderate(), seed, number).scene().unwrap();
@@ -25,19 +25,20 @@ fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Stack, &Kerne
     });
     for (number, scene, stack, solution) in solved.take(count) {
         let kernel = Kernel::new(&stack).unwrap();
-        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
-        let expected = formulas::half_lengths(&kernel, &indentation).unwrap();
-        look(number, &stack, &kernel, &indentation, &expected, &solution);
+        let interfaces = stack.contacts();
+        let problem = Problem::new(&kernel, &interfaces, &scene.punch, scene.force.number(), options.tolerance);
+        let expected = formulas::half_lengths(&problem).unwrap();
+        look(number, &problem, &expected, &solution);
     }
 }
 
 #[test]
-fn half_lengths_are_those_of_the_convex_programme() {
-    each_solved(5, 100, |number, _, kernel, indentation, expected, solution| {
-        let zones = zones(kernel, indentation, expected, 0.0).unwrap();
+fn half_lengths_are_those_of_the_quadratic_programme() {
+    each_solved(5, 100, |number, problem, expected, solution| {
+        let zones = zones(problem, expected, 0.0).unwrap();
         for (zones, contact) in zones.iter().zip(solution.contacts()) {
             assert_eq!(zones.apart.len(), 1, "{number}: {zones:?}");
-            let error = zones.end() * kernel.length() / contact.half_length - 1.0;
+            let error = zones.end() * problem.kernel.length() / contact.half_length - 1.0;
             assert!(error.abs() < ELEMENTS * COARSE.ends, "{number}, {}: {error}", contact.interface);
         }
     });
@@ -45,8 +46,8 @@ fn half_lengths_are_those_of_the_convex_programme() {
 
 #[test]
 fn its_own_answer_is_as_good_as_it_says() {
-    each_solved(6, 20, |number, stack, kernel, indentation, expected, solution| {
-        let coarse = answer(kernel, &stack.contacts(), indentation, expected, 0.0).unwrap();
+    each_solved(6, 20, |number, problem, expected, solution| {
+        let coarse = answer(problem, expected, 0.0).unwrap();
         for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
             assert!((coarse.resultant / fine.resultant - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
             assert!((coarse.half_length - fine.half_length).abs() < coarse.half_length_error, "{number}: {coarse:?}");
@@ -78,9 +79,10 @@ fn corners_tips_and_given_loads_are_known_as_well() {
             if fine.contacts().iter().any(|contact| contact.opening > 0.0 || !contact.parts.is_empty()) {
                 continue;
             }
-            let indentation = Indentation::new(punch, &kernel, scene.force.number());
-            let expected = formulas::half_lengths(&kernel, &indentation).unwrap();
-            let Some(coarse) = answer(&kernel, &stack.contacts(), &indentation, &expected, 0.0) else {
+            let interfaces = stack.contacts();
+            let problem = Problem::new(&kernel, &interfaces, punch, scene.force.number(), options.tolerance);
+            let expected = formulas::half_lengths(&problem).unwrap();
+            let Some(coarse) = answer(&problem, &expected, 0.0) else {
                 // nothing is unknown
                 assert!(kernel.contacts() == 1 && punch.load().is_some(), "{number}, {punch:?}");
                 continue;
@@ -106,9 +108,9 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
     for number in 0..6 {
         let scene = scene(&Ranges::moderate(), 8, number).scene().unwrap();
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
-        let indentation = Indentation::new(&scene.punch, &kernel, scene.force.number());
+        let problem = Problem::new(&kernel, &[], &scene.punch, scene.force.number(), 1e-10);
         let grid = Grid::new(0.5, 20.0, None).unwrap();
-        let energy = Energy::new(&Compliances::all(&kernel), &indentation, &grid).unwrap();
+        let energy = Energy::new(&Compliances::all(&kernel), &problem, &grid).unwrap();
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {

@@ -1,23 +1,22 @@
-//! A converged answer counts only if no pressure pulls and no gap is overlapped.
+//! A converged level is admissible only if no pressure is in tension and no gap is penetrated (Signorini conditions).
 //!
-//! The equations for the half-lengths have other roots besides the physical one; the contact problem itself, a convex
+//! The equations for the half-lengths have other roots besides the physical one; the contact problem itself, a quadratic
 //! programme, has one solution only, and these two signs tell it.
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::contact::ends::newton::not_converged;
-use crate::contact::equations::assemble::Equations;
+use crate::contact::equations::assemble::{Equations, Rows};
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{FIELDS, Layout};
+use crate::contact::problem::Problem;
 use crate::contact::problem::modes::{alternating, coefficients, order};
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::profile::Profile;
 use crate::contact::problem::support::frequency_of_fields;
-use crate::contact::quality::estimate::Level;
+use crate::contact::quality::estimates::Level;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::vectorised;
-use crate::solution::Interface;
 
 /// Pressures are looked at in this many places per mode.
 const PER_MODE: usize = 3;
@@ -28,7 +27,7 @@ const GAP_MODES: [usize; 3] = [128, 48, 16];
 /// Wavenumbers taken together.
 const LANES: usize = 8;
 /// Modes y_m, the first of which is 1, below this are not felt there.
-const UNFELT: f64 = 1e-7;
+const UNNOTICED: f64 = 1e-7;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-7;
 
@@ -39,11 +38,11 @@ const UNRESOLVED: f64 = 10.0;
 /// But not by more than this part of the largest pressure, or than the answer may be wrong.
 const MOST_FEIGNED: f64 = 1e-3;
 /// The same where a contact fades before an end is found.
-const MOST_FADED: f64 = 1e-5;
+const MOST_DECAYED: f64 = 1e-5;
 /// Places around a pull at which the highest modes are looked at.
 const NEAR: usize = 4 * PER_MODE;
 /// Pressures under a punch that is not smooth pull by no more than this part of the largest.
-const PULL: f64 = 1e-6;
+const TENSION: f64 = 1e-6;
 
 /// Moments that are smaller, against force times half-length, are next to nothing.
 const LEAST_MOMENT: f64 = 1e-4;
@@ -56,13 +55,13 @@ const POWER: f64 = 0.4;
 const FEIGNED: f64 = 1e-7;
 
 /// A pressure that pulls is wrong by so many times as much.
-const PULLED: f64 = 2.0;
+const SEEN: f64 = 2.0;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(crate) struct Check {
     pub(crate) min_pressure: f64,
     /// By which part of the largest pressure each contact pulls, for want of modes.
-    pub(crate) pulls: Vec<f64>,
+    pub(crate) tensions: Vec<f64>,
     pub(crate) min_gap: f64,
     /// Where bodies touch again with next to no force.
     pub(crate) overlaps: Vec<Overlap>,
@@ -90,41 +89,36 @@ impl Level {
     /// Errors cover what an answer is seen to be wrong by: pressures that pull, and bodies that touch again with next to no
     /// force, which is left out.
     pub(crate) fn admit(&mut self, check: &Check) {
-        for (error, pull) in self.errors.iter_mut().zip(&check.pulls).filter(|(_, pull)| **pull > FEIGNED) {
-            error[1] = error[1].max(PULLED * pull);
+        for (error, tension) in self.errors.iter_mut().zip(&check.tensions).filter(|(_, tension)| **tension > FEIGNED) {
+            error.pressure = error.pressure.max(SEEN * tension);
         }
         for overlap in &check.overlaps {
             for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
-                error[0] += overlap.moves();
+                error.length += overlap.moves();
             }
-            self.errors.iter_mut().for_each(|error| error[1] += overlap.moment);
+            self.errors.iter_mut().for_each(|error| error.pressure += overlap.moment);
         }
     }
 }
 
-/// Smallest pressure inside and smallest gap outside the contacts.
-pub(crate) fn check(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    level: &Level,
-) -> Result<Check, ContactError> {
+/// Smallest pressure inside and smallest gap outside the contacts; an error if one of them is negative.
+pub(crate) fn check(problem: &Problem, level: &Level) -> Result<Check, ContactError> {
     let most = MOST_FEIGNED.max(level.worst_error());
-    let (min_pressure, pulls) = pushes(kernel, interfaces, punch, level, most)?;
-    let mut check = Check { min_pressure, pulls, min_gap: 0.0, overlaps: Vec::new() };
-    for (i, gaps) in gaps(kernel, punch, level)?.into_iter().enumerate() {
-        if level.faded[i].is_some() {
+    let (min_pressure, tensions) = check_pressures(problem, level, most)?;
+    let mut check = Check { min_pressure, tensions, min_gap: 0.0, overlaps: Vec::new() };
+    for (i, gaps) in gaps(problem, level)?.into_iter().enumerate() {
+        if level.support.decay(i).is_some() {
             // bodies that press on each other no more do not part visibly, either
             continue;
         }
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
         let little = NO_GAP.max(UNRESOLVED * level.worst_error());
         if let Some((first, _)) = gaps.iter().find(|(_, gap)| *gap < -little * largest) {
-            match overlap(kernel, i, &level.half_lengths, &gaps, little * largest) {
+            match overlap(problem.kernel, i, &level.support.half_lengths, &gaps, little * largest) {
                 Some(overlap) if overlap.moment <= LEAST_MOMENT => check.overlaps.push(overlap),
                 _ => {
-                    let x = first * kernel.length();
-                    return Err(NoSolution::Overlap { interface: interfaces[i], x }.into());
+                    let x = first * problem.kernel.length();
+                    return Err(NoSolution::Overlap { interface: problem.interfaces[i], x }.into());
                 }
             }
         }
@@ -153,57 +147,68 @@ fn overlap(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)],
     Some(Overlap { contact: i, x, moment, sheet })
 }
 
-/// Smallest pressure inside the contacts, and by which part of its largest pressure each pulls; an error if one pulls by more
-/// than its highest modes may feign, or by more than `most`.
-pub(crate) fn pushes(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    level: &Level,
-    most: f64,
-) -> Result<(f64, Vec<f64>), ContactError> {
-    let (mut min_pressure, mut pulls) = (0.0f64, Vec::with_capacity(level.modes.len()));
-    for (i, modes) in level.modes.iter().enumerate() {
+/// Smallest pressure inside the contacts, and the tension of each as a part of its largest pressure; an error if that is more
+/// than its highest modes may feign, or more than `most`.
+pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Result<(f64, Vec<f64>), ContactError> {
+    let (mut min_pressure, mut tensions) = (0.0f64, Vec::with_capacity(level.modes.len()));
+    for i in 0..level.modes.len() {
+        let least = Least::of(level, i);
+        // what decays is in no tension
+        let most = if level.support.decay(i).is_some() { most.min(MOST_DECAYED) } else { most };
+        if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.feigned).min(most * least.largest) {
+            let x = least.s * level.support.half_lengths[i] * problem.kernel.length();
+            return Err(NoSolution::Tension { interface: problem.interfaces[i], x }.into());
+        }
+        if level.remainders[i].is_some() && least.pressure < -TENSION * least.largest {
+            // it cannot be said whether this is tension
+            return Err(problem.not_converged(&level.support.half_lengths));
+        }
+        min_pressure = min_pressure.min(least.pressure);
+        tensions.push((-least.pressure / least.largest).max(0.0));
+    }
+    Ok((min_pressure, tensions))
+}
+
+/// The smallest pressure of a contact.
+struct Least {
+    pressure: f64,
+    /// Where it is: x/a.
+    s: f64,
+    /// The largest pressure.
+    largest: f64,
+    /// What the highest modes may feign there.
+    feigned: f64,
+}
+
+impl Least {
+    fn of(level: &Level, i: usize) -> Self {
+        let modes = &level.modes[i];
         let mut pressures = pressures(modes, modes.len());
         let mut largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
-        if i == 0 && level.corners != 0.0 {
+        if let Some(intensity) = level.support.intensity(i) {
             // as large as in the middle, not as next to the corners
-            largest = largest.max(level.corners.abs());
+            largest = largest.max(intensity.abs());
             let places = pressures.len();
             for (place, pressure) in pressures.iter_mut().enumerate() {
                 let sine = angle(place, places).sin();
-                *pressure += 0.5 * level.corners / PI * (sine.recip() - 2.0 * sine);
+                *pressure += 0.5 * intensity / PI * (sine.recip() - 2.0 * sine);
             }
         }
-        let (place, pressure) = pressures
-            .iter()
-            .enumerate()
-            .fold((0, f64::INFINITY), |least, (k, p)| if *p < least.1 { (k, *p) } else { least });
-        let feigned = match level.rest.as_ref().filter(|_| i == 0) {
+        let least = |least: (usize, f64), (k, p): (usize, &f64)| if *p < least.1 { (k, *p) } else { least };
+        let (place, pressure) = pressures.iter().enumerate().fold((0, f64::INFINITY), least);
+        let feigned = match &level.remainders[i] {
             // next to where the punch is not smooth pressures are less certain than elsewhere
-            Some(rest) => {
-                let rest = self::pressures(rest, modes.len());
-                let near = place.saturating_sub(NEAR)..(place + NEAR).min(rest.len());
-                rest[near].iter().fold(0.0, |most: f64, p| most.max(p.abs()))
+            Some(remainder) => {
+                let remainder = self::pressures(remainder, modes.len());
+                let near = place.saturating_sub(NEAR)..(place + NEAR).min(remainder.len());
+                remainder[near].iter().fold(0.0, |most: f64, p| most.max(p.abs()))
             }
             None => level.tails[i] * largest,
         };
-        // what fades does not pull
-        let most = if level.faded[i].is_some() { most.min(MOST_FADED) } else { most };
-        if pressure < -ZERO * largest - (UNRESOLVED * feigned).min(most * largest) {
-            let middle = place + 1 == pressures.len();
-            let s = if middle { 0.0 } else { angle(place, pressures.len()).cos() };
-            let x = s * level.half_lengths[i] * kernel.length();
-            return Err(NoSolution::Tension { interface: interfaces[i], x }.into());
-        }
-        if level.rest.is_some() && i == 0 && pressure < -PULL * largest {
-            // it cannot be said whether this is a pull
-            return Err(not_converged(kernel, punch, &level.half_lengths));
-        }
-        min_pressure = min_pressure.min(pressure);
-        pulls.push((-pressure / largest).max(0.0));
+        let is_middle = place + 1 == pressures.len();
+        let s = if is_middle { 0.0 } else { angle(place, pressures.len()).cos() };
+        Self { pressure, s, largest, feigned }
     }
-    Ok((min_pressure, pulls))
 }
 
 /// The angle φ of a place, x = a cos φ.
@@ -240,44 +245,22 @@ fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
     pressures
 }
 
-/// The slope transforms of all contacts at real wavenumbers that resolve fields out to `span`: those of the equations, if
-/// they do.
-fn transforms(kernel: &Kernel, punch: &Indentation, level: &Level, modes: &[Vec<f64>]) -> Option<Waves> {
-    let n = level.half_lengths.len();
-    let span = punch.span(&level.half_lengths);
-    let frequency = frequency_of_fields(&level.half_lengths, span);
-    if let Some((layout, responses)) = &level.waves {
-        // what is beyond is nothing
-        let end = |i: usize| {
-            let mut left = 0.1 * NO_GAP * layout.own[i].limit;
-            let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
-            let last = waves.rposition(|(zeta, slope)| {
-                left -= (slope / zeta).abs();
-                left < 0.0
-            });
-            last.map_or(0, |last| last + 1)
-        };
-        let ends: Vec<usize> = (0..n).map(end).collect();
-        let needed = ends.iter().copied().fold(0, usize::max);
-        if needed <= layout.resolved(frequency) {
-            let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
-            let limits = layout.own.iter().map(|own| own.limit).collect();
-            return Some(Waves { zeta: layout.zeta[..needed].to_vec(), limits, slopes });
-        }
+/// The slope transforms of all contacts at real wavenumbers that resolve fields out to the span: those of the equations, if they
+/// do.
+fn transforms(problem: &Problem, level: &Level, modes: &[Vec<f64>]) -> Option<Waves> {
+    let half_lengths = &level.support.half_lengths;
+    let span = problem.span(half_lengths);
+    let known = level.waves.as_ref();
+    if let Some(waves) =
+        known.and_then(|(layout, responses)| Waves::known(layout, responses, frequency_of_fields(half_lengths, span)))
+    {
+        return Some(waves);
     }
-    let mut orders: Vec<usize> = modes.iter().map(|modes| 2 * modes.len()).collect();
-    if punch.given().is_some() {
-        orders[0] = 0;
-    }
-    let layout = Layout::new(kernel, &level.half_lengths, &orders, FIELDS, span)?;
-    let basis = |i: usize| match punch.given().filter(|_| i == 0) {
-        Some(given) => Basis::given(&layout, given),
-        None => Basis::new(&layout, i, level.half_lengths[i], modes[i].len()),
-    };
-    let bases: Vec<Basis> = (0..n).map(basis).collect();
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
-    let linked = vec![false; n - 1];
-    let equations = Equations::new(&layout, &bases, &counts, &linked).with_corners(punch.flat().map(|_| level.corners));
+    let layout = Layout::new(problem.kernel, half_lengths, &problem.orders(&counts), FIELDS, span)?;
+    let bases = Basis::all(&layout, problem, half_lengths, &counts);
+    let linked = vec![false; counts.len() - 1];
+    let equations = Equations::new(&layout, &bases, &counts, &linked, &level.support);
     let mut slopes = equations.responses(modes);
     slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
     let limits = layout.own.iter().map(|own| own.limit).collect();
@@ -293,55 +276,79 @@ struct Waves {
     slopes: Vec<Buffer>,
 }
 
+impl Waves {
+    /// Those of the equations, if they resolve fields of this frequency.
+    fn known(layout: &Layout, responses: &[Rows], frequency: f64) -> Option<Self> {
+        // what is beyond is nothing
+        let end = |i: usize| {
+            let mut left = 0.1 * NO_GAP * layout.own[i].limit;
+            let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
+            let last = waves.rposition(|(zeta, slope)| {
+                left -= (slope / zeta).abs();
+                left < 0.0
+            });
+            last.map_or(0, |last| last + 1)
+        };
+        let ends: Vec<usize> = (0..responses.len()).map(end).collect();
+        let needed = ends.iter().copied().fold(0, usize::max);
+        if needed > layout.resolved(frequency) {
+            return None;
+        }
+        let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
+        let limits = layout.own.iter().map(|own| own.limit).collect();
+        Some(Self { zeta: layout.zeta[..needed].to_vec(), limits, slopes })
+    }
+}
+
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
-fn gaps(kernel: &Kernel, punch: &Indentation, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, ContactError> {
-    let felt = |most: usize| -> Vec<Vec<f64>> {
+fn gaps(problem: &Problem, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, ContactError> {
+    let noticed = |most: usize| -> Vec<Vec<f64>> {
         let own = |modes: &Vec<f64>| {
-            let above = modes.iter().rposition(|y| y.abs() > UNFELT).map_or(1, |last| last + 1);
+            let above = modes.iter().rposition(|y| y.abs() > UNNOTICED).map_or(1, |last| last + 1);
             modes[..above.min(most)].to_vec()
         };
         level.modes.iter().map(own).collect()
     };
     // fewer where contacts are of such different lengths that tables would not fit in memory
     let found = GAP_MODES.into_iter().find_map(|most| {
-        let modes = felt(most);
-        transforms(kernel, punch, level, &modes).map(|waves| (modes, waves))
+        let modes = noticed(most);
+        transforms(problem, level, &modes).map(|waves| (modes, waves))
     });
-    let (modes, waves) = found.ok_or_else(|| not_converged(kernel, punch, &level.half_lengths))?;
-    let mut gaps = Vec::with_capacity(modes.len());
-    for (i, modes) in modes.iter().enumerate() {
-        let (a, limit) = (level.half_lengths[i], waves.limits[i]);
-        let mut end = punch.span(&level.half_lengths);
-        if let (0, Some(edge)) = (i, punch.max_half_length()) {
-            end = end.min(edge);
-        }
-        let mut own = Vec::new();
-        if i == 0 && (punch.given().is_some() || punch.flat().is_some()) {
-            // where nothing presses there is no gap to be looked at
-            gaps.push(own);
-            continue;
-        }
-        // next to the contact, and far from it
-        let mut steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
-        let fall = punch.last_fall() - a;
-        if i == 0 && fall > 0.0 {
-            // such steps that one of them ends where the profile is lowest
-            steps[1] = fall / (fall / steps[1]).ceil().min(GAPS as f64);
-        }
-        let rest = vectorised(
-            #[inline(always)]
-            || deflections(&waves.zeta, &waves.slopes[i], a, steps),
-        );
-        for (step, rest) in steps.into_iter().zip(rest) {
-            own.extend(rest.into_iter().enumerate().map(|(k, rest)| {
-                let x = a + step * (k + 1) as f64;
-                let opened = if i == 0 { punch.profile(x) - punch.profile(a) } else { 0.0 };
-                (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + rest) / PI)
-            }));
-        }
-        gaps.push(own);
+    let (modes, waves) = found.ok_or_else(|| problem.not_converged(&level.support.half_lengths))?;
+    Ok((0..modes.len()).map(|i| gaps_outside(problem, level, i, &modes[i], &waves)).collect())
+}
+
+/// Places outside contact i, and the gap there; none where nothing presses outside.
+fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves: &Waves) -> Vec<(f64, f64)> {
+    let side = &problem.sides[i];
+    if problem.is_known(i) || side.is_flat() {
+        return Vec::new();
     }
-    Ok(gaps)
+    let (a, limit) = (level.support.half_lengths[i], waves.limits[i]);
+    let mut end = problem.span(&level.support.half_lengths);
+    if let Some(edge) = side.edge() {
+        end = end.min(edge);
+    }
+    // next to the contact, and far from it
+    let mut steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+    let fall = side.profile().map_or(0.0, Profile::last_fall) - a;
+    if fall > 0.0 {
+        // such steps that one of them ends where the profile is lowest
+        steps[1] = fall / (fall / steps[1]).ceil().min(GAPS as f64);
+    }
+    let rest = vectorised(
+        #[inline(always)]
+        || deflections(&waves.zeta, &waves.slopes[i], a, steps),
+    );
+    let mut gaps = Vec::with_capacity(2 * GAPS);
+    for (step, rest) in steps.into_iter().zip(rest) {
+        gaps.extend(rest.into_iter().enumerate().map(|(k, rest)| {
+            let x = a + step * (k + 1) as f64;
+            let opened = side.height(x) - side.height(a);
+            (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + rest) / PI)
+        }));
+    }
+    gaps
 }
 
 /// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ... with each of two steps: neighbouring cosines follow from

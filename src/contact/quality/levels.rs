@@ -1,14 +1,14 @@
-//! More and more modes, until the tolerance is met.
-use crate::contact::ends::newton::{Newton, Work, not_converged};
+//! Refinement levels: more and more modes, until the tolerance is met.
+use crate::contact::ends::Converged;
+use crate::contact::ends::newton::{Newton, Work};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::negligible;
+use crate::contact::problem::Problem;
 use crate::contact::problem::modes::{Modes, weight};
-use crate::contact::problem::profile::Indentation;
 use crate::contact::quality::admissible;
-use crate::contact::quality::estimate::{BEST, LOST, Level};
+use crate::contact::quality::estimates::{BEST, LOST, Level};
 use crate::kernel::Kernel;
-use crate::options::Options;
-use crate::solution::Interface;
+use crate::solution::Stopped;
 
 /// Modes of the coarsest level.
 pub(crate) const COARSEST: usize = 8;
@@ -23,180 +23,221 @@ const MOST_COARSE: usize = 64;
 const MOST: usize = 1024;
 /// Modes next to a graded face for ten digits.
 const GRADED: usize = 40;
-/// Modes that follow row by row: half as many as are solved for, at least these.
+/// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
 /// These, where the last modes are seen to be nothing before.
 const LEAST_MORE: usize = 4;
 /// Half of them will do for tolerances from here on.
 const FEW_DIGITS: f64 = 1e-5;
-/// Where there are too many wavenumbers, so many times more counts as negligible, up to what this tolerance allows.
+/// Where the node budget is exceeded, this many times more counts as negligible, up to what this tolerance allows.
 const LOOSER: f64 = 30.0;
 const LOOSEST: f64 = 1e-10;
 
 /// What is known to begin with.
 pub(crate) enum Start {
-    /// Half-lengths from formulas, and by how much finer than usual the first steps are to be.
-    Formulas { half_lengths: Vec<f64>, finer: usize },
-    /// Half-lengths as right as any answer, almost, and how large modes are there.
-    Nearby { half_lengths: Vec<f64>, modes: Modes },
+    /// Half-lengths from formulas, and by which factor the first steps are to be finer than usual.
+    Cold { half_lengths: Vec<f64>, finer: usize },
+    /// Half-lengths almost as right as any answer, and how large modes are there.
+    Warm { half_lengths: Vec<f64>, modes: Modes },
+}
+
+/// The best level that was reached.
+pub(crate) struct Refined {
+    pub(crate) level: Level,
+    /// The largest number of modes.
+    pub(crate) modes: usize,
+    /// That number, if the tolerance is not met.
+    pub(crate) not_met: Option<usize>,
 }
 
 /// Solves with more and more modes until the tolerance is met.
-pub(crate) fn refine(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    punch: &Indentation,
-    start: Start,
-    options: &Options,
-    work: &mut Work,
-) -> Result<(Level, Vec<String>), ContactError> {
-    let (half_lengths, finer, nearby) = match start {
-        Start::Formulas { half_lengths, finer } => (half_lengths, finer, None),
-        Start::Nearby { half_lengths, modes } => (half_lengths, 1, Some(modes)),
-    };
-    let n = half_lengths.len();
-    let finest = FINEST.min(MOST / n);
-    let mut newton = Newton::new(kernel, punch, work.clone());
-    let mut solved = coarsest(kernel, &half_lengths, finest / 2);
-    let mut coarse: Vec<usize> =
-        solved.iter().map(|modes| (modes / 2 * finer).min(MOST_COARSE.min(finest)).max(COARSEST)).collect();
-    // all modes of a given pressure are known together
-    let first = usize::from(punch.given().is_some());
-    solved[..first].fill(1);
-    coarse[..first].fill(1);
-    let tolerance = options.tolerance.max(BEST);
-    let mut judged = nearby.is_none();
-    let (mut half_lengths, rough) = match nearby {
-        None => newton.approach(half_lengths, &coarse, tolerance)?,
-        Some(mut modes) => {
-            modes.iter_mut().zip(&coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
-            (half_lengths, modes)
-        }
-    };
-    // next to a graded face modes fall like a power
-    let graded: Vec<bool> = (0..n).map(|i| !kernel.far(i).is_constant()).collect();
-    let power = (1e-10 / tolerance).powf(1.0 / 6.0);
-    let mut modes: Vec<usize> = solved
-        .iter()
-        .zip(&rough)
-        .map(|(solved, rough)| with_more(*solved, tolerance).min(felt(rough, *solved, tolerance)))
-        .collect();
-    modes[..first].fill(1);
-    for i in (first..n).filter(|i| graded[*i]) {
-        let wanted = (GRADED as f64 * power) as usize;
-        if wanted > modes[i] {
-            modes[i] = wanted.next_multiple_of(4).min(finest);
-            solved[i] = solved[i].max((modes[i] / 3).next_multiple_of(4));
-        }
-    }
-    // what a punch that is not smooth does to the contact below is felt by all modes of that
-    let as_many = |counts: &mut [usize]| {
-        if let [first, second, ..] = counts
-            && !punch.is_smooth()
-        {
-            *first = (*first).max(*second);
-        }
-    };
-    as_many(&mut solved);
-    as_many(&mut modes);
-    let mut warnings = Vec::new();
-    let mut before: Option<Level> = None;
-    let mut fewer = coarse.clone();
-    loop {
-        let mut allowed = tolerance;
-        let found = loop {
-            newton.crowded = false;
-            let found = newton.converge(half_lengths.clone(), &fewer, &solved, &modes, allowed);
-            if found.is_ok() || !newton.crowded || allowed > LOOSEST {
-                break found;
-            }
-            // fewer wavenumbers will do for more modes rather than none
-            allowed *= LOOSER;
+pub(crate) fn refine(problem: &Problem, start: Start, work: &mut Work) -> Result<Refined, ContactError> {
+    let mut levels = Levels::new(problem, &start, work.clone());
+    let refined = levels.run(start);
+    *work = levels.newton.work;
+    refined
+}
+
+/// Numbers of modes from level to level.
+struct Levels<'a> {
+    newton: Newton<'a>,
+    problem: &'a Problem<'a>,
+    tolerance: f64,
+    finest: usize,
+    /// Modes of the coarse solution.
+    coarse: Vec<usize>,
+    /// Modes solved for, and all.
+    solved: Vec<usize>,
+    modes: Vec<usize>,
+    /// Next to a graded face modes fall like a power.
+    graded: Vec<bool>,
+}
+
+impl<'a> Levels<'a> {
+    fn new(problem: &'a Problem, start: &Start, work: Work) -> Self {
+        let (half_lengths, finer) = match start {
+            Start::Cold { half_lengths, finer } => (half_lengths, *finer),
+            Start::Warm { half_lengths, .. } => (half_lengths, 1),
         };
-        *work = newton.work.clone();
-        let whole = found.as_ref().is_ok_and(|found| found.whole.contains(&true));
-        let level = match (found, before.take()) {
-            (Ok(found), _) => {
-                let mut level = Level::new(found, kernel, punch, negligible(allowed));
-                level.doubt(&half_lengths);
-                level
+        let n = half_lengths.len();
+        let finest = FINEST.min(MOST / n);
+        let mut solved = coarsest(problem.kernel, half_lengths, finest / 2);
+        let coarse = |modes: &usize| (modes / 2 * finer).min(MOST_COARSE.min(finest)).max(COARSEST);
+        let mut coarse: Vec<usize> = solved.iter().map(coarse).collect();
+        one_where_known(problem, &mut solved);
+        one_where_known(problem, &mut coarse);
+        let graded = (0..n).map(|i| !problem.kernel.far(i).is_constant()).collect();
+        let tolerance = problem.tolerance.max(BEST);
+        let newton = Newton::new(problem, work);
+        Self { newton, problem, tolerance, finest, coarse, modes: solved.clone(), solved, graded }
+    }
+
+    fn run(&mut self, start: Start) -> Result<Refined, ContactError> {
+        // a warm start has no coarse level to compare with, so that its error estimate may not be trusted
+        let mut is_doubtful = matches!(start, Start::Warm { .. });
+        let (mut half_lengths, rough) = match start {
+            Start::Cold { half_lengths, .. } => self.newton.coarse(half_lengths, &self.coarse, self.tolerance)?,
+            Start::Warm { half_lengths, mut modes } => {
+                modes.iter_mut().zip(&self.coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
+                (half_lengths, modes)
             }
-            // what memory or rounding do not allow leaves the level before, or one of few digits
-            (Err(_), Some(level)) => {
-                warnings.push(not_met(options, &modes));
-                return Ok((level, warnings));
-            }
-            (Err(_), None) => {
-                let mut modes: Vec<usize> = coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
-                modes[..first].fill(1);
-                let found = newton.converge(half_lengths, &coarse, &coarse, &modes, FEW_DIGITS)?;
-                let fewer: Vec<usize> = coarse.iter().map(|modes| modes.div_ceil(2)).collect();
-                let (rough, _) = newton.approach(found.half_lengths.clone(), &fewer, FEW_DIGITS)?;
-                *work = newton.work.clone();
-                let mut level = Level::new(found, kernel, punch, negligible(FEW_DIGITS));
-                level.doubt(&rough);
-                if level.worst_error() > tolerance {
-                    warnings.push(not_met(options, &modes));
+        };
+        self.first(&rough);
+        let mut fewer = self.coarse.clone();
+        let mut before: Option<Level> = None;
+        loop {
+            let (found, allowed) = self.converge(&half_lengths, &fewer);
+            let fully_solved = found.as_ref().is_ok_and(|found| found.fully_solved.contains(&true));
+            let level = match (found, before.take()) {
+                (Ok(found), _) => {
+                    let mut level = Level::new(found, self.problem, negligible(allowed));
+                    level.doubt(&half_lengths);
+                    level
                 }
-                return Ok((level, warnings));
+                // the node budget, or rounding, leaves the level before, or one of few digits
+                (Err(_), Some(level)) => return Ok(self.refined(level)),
+                (Err(_), None) => return self.few_digits(half_lengths),
+            };
+            if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > LOST) {
+                return Err(self.problem.not_converged(&level.support.half_lengths));
             }
+            if level.worst_error() <= self.tolerance {
+                return Ok(self.refined(level));
+            }
+            if level.swept.iter().all(|swept| *swept) {
+                admissible::check_pressures(self.problem, &level, f64::INFINITY)?;
+            }
+            if !self.grow(&level) {
+                return Ok(self.refined(level));
+            }
+            fewer = level.counts.clone();
+            half_lengths = level.support.half_lengths.clone();
+            before = Some(level);
+        }
+    }
+
+    /// Numbers of modes of the first level, after a coarse solution.
+    fn first(&mut self, coarse: &Modes) {
+        let power = (1e-10 / self.tolerance).powf(1.0 / 6.0);
+        let with_more = |(solved, coarse): (&usize, &Vec<f64>)| {
+            with_more(*solved, self.tolerance).min(noticed(coarse, *solved, self.tolerance))
         };
-        // what few modes miss is not told by a start that has them all
-        if !judged && (whole || level.worst_error() > LOST) {
-            return Err(not_converged(kernel, punch, &level.half_lengths));
-        }
-        judged = true;
-        if level.worst_error() <= tolerance {
-            if options.tolerance < BEST {
-                warnings.push(format!(
-                    "a tolerance of {:e} is beyond double precision; the error estimates tell what was reached",
-                    options.tolerance
-                ));
+        self.modes = self.solved.iter().zip(coarse).map(with_more).collect();
+        one_where_known(self.problem, &mut self.modes);
+        for i in self.problem.unknown().filter(|i| self.graded[*i]) {
+            let wanted = (GRADED as f64 * power) as usize;
+            if wanted > self.modes[i] {
+                self.modes[i] = wanted.next_multiple_of(4).min(self.finest);
+                self.solved[i] = self.solved[i].max((self.modes[i] / 3).next_multiple_of(4));
             }
-            return Ok((level, warnings));
         }
-        if level.settled.iter().all(|settled| *settled) {
-            admissible::pushes(kernel, interfaces, punch, &level, f64::INFINITY)?;
+        self.match_singular();
+    }
+
+    /// Solves on one level, with fewer wavenumbers where there would be too many: these will do for more modes rather than none.
+    /// Also the tolerance that the wavenumbers are for.
+    fn converge(&mut self, half_lengths: &[f64], fewer: &[usize]) -> (Result<Converged, ContactError>, f64) {
+        let mut allowed = self.tolerance;
+        loop {
+            self.newton.budget_exceeded = false;
+            let found = self.newton.converge(half_lengths.to_vec(), fewer, &self.solved, &self.modes, allowed);
+            self.newton.work.stopped.push(match &found {
+                Ok(found) => found.stopped,
+                Err(_) if self.newton.budget_exceeded => Stopped::Budget,
+                Err(_) => Stopped::Diverged,
+            });
+            if found.is_ok() || !self.newton.budget_exceeded || allowed > LOOSEST {
+                return (found, allowed);
+            }
+            allowed *= LOOSER;
         }
+    }
+
+    /// A level of few digits, where the first level cannot be solved.
+    fn few_digits(&mut self, half_lengths: Vec<f64>) -> Result<Refined, ContactError> {
+        self.modes = self.coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
+        one_where_known(self.problem, &mut self.modes);
+        let found = self.newton.converge(half_lengths, &self.coarse, &self.coarse, &self.modes, FEW_DIGITS)?;
+        let fewer: Vec<usize> = self.coarse.iter().map(|modes| modes.div_ceil(2)).collect();
+        let (coarse, _) = self.newton.coarse(found.support.half_lengths.clone(), &fewer, FEW_DIGITS)?;
+        let mut level = Level::new(found, self.problem, negligible(FEW_DIGITS));
+        level.doubt(&coarse);
+        Ok(self.refined(level))
+    }
+
+    /// More modes where they make the error smaller; whether there are any.
+    fn grow(&mut self, level: &Level) -> bool {
         let error = |i: usize| level.own_errors[i];
-        let enough = |i: usize| error(i) <= 0.1 * tolerance;
-        if (0..n).all(|i| solved[i] >= finest || enough(i)) {
-            warnings.push(not_met(options, &modes));
-            return Ok((level, warnings));
+        let enough = |i: usize| error(i) <= 0.1 * self.tolerance;
+        let wanted: Vec<usize> = (0..self.solved.len()).filter(|i| !enough(*i)).collect();
+        if wanted.iter().all(|i| self.solved[*i] >= self.finest) {
+            return false;
         }
-        for i in (0..n).filter(|i| !enough(*i)) {
-            // pressures that settle need not be solved for, only continued
-            let grown =
-                if graded[i] && level.settled[i] { (error(i) / tolerance).powf(0.2).clamp(1.25, 2.0) } else { 2.0 };
-            let wanted = |count: usize| ((count as f64 * grown) as usize).next_multiple_of(4);
-            solved[i] = wanted(solved[i]).min(finest);
-            modes[i] = wanted(modes[i]).max(with_more(solved[i], tolerance)).min(with_more(finest, tolerance));
+        for i in wanted {
+            // pressures for which sweeps converge need not be solved for, only continued
+            let grown = match self.graded[i] && level.swept[i] {
+                true => (error(i) / self.tolerance).powf(0.2).clamp(1.25, 2.0),
+                false => 2.0,
+            };
+            let grow = |count: usize| ((count as f64 * grown) as usize).next_multiple_of(4);
+            let most = with_more(self.finest, self.tolerance);
+            self.solved[i] = grow(self.solved[i]).min(self.finest);
+            self.modes[i] = grow(self.modes[i]).max(with_more(self.solved[i], self.tolerance)).min(most);
         }
-        as_many(&mut solved);
-        as_many(&mut modes);
-        fewer = level.counts.clone();
-        half_lengths = level.half_lengths.clone();
-        before = Some(level);
+        self.match_singular();
+        true
+    }
+
+    /// What a punch that is not smooth does to the contact below is noticed by all modes of that.
+    fn match_singular(&mut self) {
+        for (i, _) in self.problem.sides.iter().enumerate().filter(|(_, side)| !side.is_smooth()) {
+            for counts in [&mut self.solved, &mut self.modes] {
+                counts[i] = counts.get(i + 1).map_or(counts[i], |below| counts[i].max(*below));
+            }
+        }
+    }
+
+    fn refined(&self, level: Level) -> Refined {
+        let modes = self.modes.iter().max().copied().unwrap_or(0);
+        let not_met = (level.worst_error() > self.tolerance).then_some(modes);
+        Refined { level, modes, not_met }
     }
 }
 
-fn not_met(options: &Options, modes: &[usize]) -> String {
-    format!(
-        "the tolerance {:e} is not met with {} modes; the error estimates tell what was reached",
-        options.tolerance,
-        modes.iter().max().unwrap_or(&0)
-    )
+/// All modes of a given pressure are known together.
+fn one_where_known(problem: &Problem, counts: &mut [usize]) {
+    counts.iter_mut().enumerate().filter(|(i, _)| problem.is_known(*i)).for_each(|(_, count)| *count = 1);
 }
 
-/// Modes that are solved for, and those that follow row by row.
+/// Modes that are solved for, and those that sweeps add.
 fn with_more(solved: usize, tolerance: f64) -> usize {
     let least = if tolerance < FEW_DIGITS { MORE } else { MORE / 2 };
     solved + (solved / 2).max(least)
 }
 
-/// Modes that follow row by row may be few where the last of the rough ones are nothing already.
-fn felt(rough: &[f64], solved: usize, tolerance: f64) -> usize {
-    let last = weight(rough, rough.len().saturating_sub(2)..rough.len());
+/// Sweeps may add few modes where the last of the coarse ones are nothing already.
+fn noticed(coarse: &[f64], solved: usize, tolerance: f64) -> usize {
+    let last = weight(coarse, coarse.len().saturating_sub(2)..coarse.len());
     if last < tolerance { solved + LEAST_MORE } else { usize::MAX }
 }
 

@@ -1,6 +1,7 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
 use crate::contact::error::ContactError;
-use crate::contact::problem::profile::Indentation;
+use crate::contact::problem::profile::Profile;
+use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
 use crate::scene::Punch;
 
@@ -21,10 +22,10 @@ const FOUND: f64 = 1e-3;
 /// How near, in the logarithm, to the edge of the punch they may be.
 const AT_EDGE: f64 = 1e-4;
 
-/// The force P' at which the contact under the punch is expected to have a half-length (in units of L), for an
-/// indentation by P' = 1.
-pub(crate) fn force(kernel: &Kernel, punch: &Indentation, half_length: f64) -> f64 {
-    punch.first_row(half_length) * half_length / kernel.compliances(TYPICAL / half_length)[0]
+/// The force P' at which the contact under a punch, the uppermost one, is expected to have a half-length (in units of L), for
+/// an indentation by P' = 1.
+pub(crate) fn force(kernel: &Kernel, profile: &Profile, half_length: f64) -> f64 {
+    profile.first_row(half_length) * half_length / kernel.compliances(TYPICAL / half_length)[0]
 }
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
@@ -35,20 +36,20 @@ pub(crate) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Optio
     }
     let length = match punch.load() {
         Some(load) => load.half_width(),
-        None => kernel.length() * half_lengths(kernel, &Indentation::new(punch, kernel, force))?[0],
+        None => kernel.length() * half_lengths(&Problem::new(kernel, &[], punch, force, 0.0))?[0],
     };
     Ok((length.is_normal() && length > 0.0).then_some(length))
 }
 
 /// Half-lengths in units of L, from the top down.
-pub(crate) fn half_lengths(kernel: &Kernel, punch: &Indentation) -> Result<Vec<f64>, ContactError> {
-    let first = match punch.given() {
-        Some(given) => given.half_length,
-        None => punch.flat().map_or_else(|| under_punch(kernel, punch), Ok)?,
-    };
-    let mut half_lengths = vec![first];
-    for laminate in 0..kernel.contacts() - 1 {
-        half_lengths.push(half_lengths[laminate].hypot(carried(kernel, laminate)));
+pub(crate) fn half_lengths(problem: &Problem) -> Result<Vec<f64>, ContactError> {
+    let mut half_lengths: Vec<f64> = Vec::with_capacity(problem.contacts());
+    for (i, side) in problem.sides.iter().enumerate() {
+        half_lengths.push(match side {
+            Side::Known(given) => given.half_length,
+            Side::Profile(profile) => profile.flat().map_or_else(|| under_punch(problem.kernel, profile), Ok)?,
+            Side::Closed => half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)),
+        });
     }
     Ok(half_lengths)
 }
@@ -67,13 +68,13 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
 }
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
-fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, ContactError> {
-    let (mut low, mut high) = (-LONGEST, punch.max_half_length().map_or(LONGEST, f64::ln));
+fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> {
+    let (mut low, mut high) = (-LONGEST, profile.edge().map_or(LONGEST, f64::ln));
     // the logarithm of the force is nearly linear in that of the half-length
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
     while high - low > AT_EDGE {
-        let missing = match force(kernel, punch, x.exp()) {
+        let missing = match force(kernel, profile, x.exp()) {
             // where a profile falls, the force on a contact may be negative: far too little
             force if force <= 0.0 => f64::INFINITY,
             force => -force.ln(),
@@ -96,7 +97,7 @@ fn under_punch(kernel: &Kernel, punch: &Indentation) -> Result<f64, ContactError
             break;
         }
     }
-    match punch.too_small(low.exp()) {
+    match profile.too_small(low.exp()) {
         Some(error) => Err(error),
         None => Ok(x.exp()),
     }

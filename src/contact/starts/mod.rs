@@ -1,4 +1,4 @@
-//! Where Newton's method starts, and in which order starts are tried.
+//! Where Newton's method starts, and in which order starting points are tried.
 pub(crate) mod formulas;
 pub(crate) mod order;
 pub(crate) mod table;

@@ -1,183 +1,238 @@
-//! Which starts are tried, one after the other, until an answer is found that can be believed.
-use std::cell::Cell;
-
+//! In which order starting points are tried until one leads to an admissible solution.
+//!
+//! 1. Closed-form estimates of the half-lengths ([`super::formulas`]).
+//! 2. The coarse quadratic programme, asked once the former have failed: it cannot converge to a non-physical root. Where it
+//!    sees several intervals in a contact, [`parts`] solves for these; else Newton's method begins at its ends.
+//! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning.
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::problem::profile::Indentation;
-use crate::contact::quality::estimate::ENDLESS;
+use crate::contact::parts;
+use crate::contact::problem::Problem;
+use crate::contact::programme::{self, Zones};
+use crate::contact::quality::estimates::ENDLESS;
 use crate::contact::starts::formulas;
-use crate::contact::{parts, programme};
-use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::options::Options;
 use crate::solution::{Interface, Solution};
 
-/// Pressures are resolved so many times better from the outset, one after the other, as next to thin, stiff coatings.
-const FINER: [usize; 3] = [1, 8, 32];
-
-/// Half-lengths with larger relative errors are taken only if there are no better ones.
+/// An answer with larger relative errors of half-lengths is accepted only where the quadratic programme confirms it, or where
+/// there is none better.
 const DOUBTFUL: f64 = 1e-4;
+/// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
+const CONFIRMED: f64 = 0.1;
 /// An interval off the middle counts as a contact that is open there if it ends so many times farther out than it begins.
 const OPEN: f64 = 2.0;
-/// How often a contact that would have to pull is tried again with an end where it would, and before.
+/// How often a contact in tension is tried again with its end where the tension begins, and before.
 const SHORTER: usize = 3;
 /// Each time by so many thicknesses of the thinner body.
 const BENT: f64 = 2.5;
 
-/// An answer, and in which contacts bodies touch again with a force that is left out.
-pub(crate) struct Answer {
+/// An admissible solution, and the contacts in which bodies touch again with a force that is left out.
+pub(crate) struct Attempt {
     pub(crate) solution: Solution,
     pub(crate) again: Vec<Interface>,
 }
 
-impl From<Solution> for Answer {
+impl From<Solution> for Attempt {
     fn from(solution: Solution) -> Self {
         Self { solution, again: Vec::new() }
     }
 }
 
-/// Solves from half-lengths that formulas expect, and where that fails from those of the convex programme. `solve` is
-/// told, too, how much finer to begin; `last_resort`, what is expected, and how far out bodies would overlap otherwise.
-pub(crate) fn from_any_start(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    indentation: &Indentation,
-    options: &Options,
-    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Answer, ContactError>,
-    last_resort: impl FnOnce(&[f64], f64) -> Option<Solution>,
+/// Tries starting points in order of cost. `solve` goes on from half-lengths; `low_accuracy` is asked in the end, with the
+/// half-lengths that formulas expect, and how far out bodies would overlap otherwise.
+pub(crate) fn solve_in_order(
+    problem: &Problem,
+    solve: impl FnMut(Vec<f64>) -> Result<Attempt, ContactError>,
+    low_accuracy: impl FnOnce(&[f64], f64) -> Option<Solution>,
 ) -> Result<Solution, ContactError> {
-    let expected = formulas::half_lengths(kernel, indentation)?;
-    // an answer of few digits may be that of a false root: another one is looked for
-    let mut doubtful: Option<(f64, Answer)> = None;
-    let (in_parts, far) = (Cell::new(None), Cell::new(0.0));
-    let decided =
-        decide(kernel, interfaces, indentation, options, &expected, &in_parts, &far, |half_lengths, finer| {
-            let answer = solve(half_lengths, finer)?;
-            let contacts = &answer.solution.contacts;
-            let errors = contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
-            let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
-            // where bodies touch again, an answer has to know of it
-            let all_known = in_parts.get().is_none_or(|interface| answer.again.contains(&interface));
-            if all_known && (answer.solution.warnings.is_empty() || worst <= DOUBTFUL) {
-                return Ok(answer.solution);
-            }
-            let half_lengths = contacts.iter().map(|contact| contact.half_length).collect();
-            if all_known && doubtful.as_ref().is_none_or(|(least, _)| worst < *least) {
-                doubtful = Some((worst, answer));
-            }
-            Err(NoSolution::NotConverged { half_lengths }.into())
-        });
-    let solution = match (decided, doubtful) {
-        (Err(ContactError::NoSolution(_)), Some((_, Answer { solution, again })))
-            if in_parts.get().is_none_or(|interface| again.contains(&interface)) =>
-        {
-            Ok(solution)
-        }
-        (Err(ContactError::NoSolution(failure)), _) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => {
-            last_resort(&expected, far.get()).ok_or(failure.into())
-        }
-        (decided, _) => decided,
-    }?;
-    indentation.too_small(solution.contacts[0].reach() / kernel.length()).map_or(Ok(solution), Err)
-}
-
-/// Goes through all starts; `in_parts` tells which contact has several parts for certain, `far` how far out bodies would overlap.
-#[expect(clippy::too_many_arguments, reason = "all that makes a scene, and what is learnt on the way")]
-fn decide(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    indentation: &Indentation,
-    options: &Options,
-    expected: &[f64],
-    in_parts: &Cell<Option<Interface>>,
-    far: &Cell<f64>,
-    mut solve: impl FnMut(Vec<f64>, usize) -> Result<Solution, ContactError>,
-) -> Result<Solution, ContactError> {
-    let mut failure = match solve(expected.to_vec(), 1) {
-        Err(ContactError::NoSolution(failure)) if !matches!(failure, NoSolution::PunchTooSmall { .. }) => failure,
-        decided => return decided,
+    let expected = formulas::half_lengths(problem)?;
+    let mut search = Search { problem, solve, expected, doubtful: None, several: None, far: 0.0 };
+    let solution = match search.run()? {
+        Outcome::Solved(solution) => *solution,
+        Outcome::Failed(failure) => match search.doubtful.take().filter(|(_, attempt)| search.knows_all(attempt)) {
+            Some((_, attempt)) => attempt.solution,
+            None => low_accuracy(&search.expected, search.far).ok_or(*failure)?,
+        },
     };
-    let (mut zones, mut for_certain) = (None, None);
-    // once more if bodies would overlap farther out than was looked at
-    for _ in 0..2 {
-        let overlap = if let NoSolution::Overlap { x, .. } = failure { x / kernel.length() } else { 0.0 };
-        if zones.is_some() && overlap <= far.get() {
-            break;
-        }
-        far.set(overlap);
-        zones = programme::zones(kernel, indentation, expected, overlap);
-        if let Some((interface, error)) = several(kernel, interfaces, zones.as_deref(), true)
-            && for_certain.is_none()
-        {
-            let zones = zones.as_deref().unwrap_or_default();
-            if let Some(solution) = parts::solve(kernel, interfaces, indentation, zones, options) {
-                return Ok(solution);
+    let length = problem.kernel.length();
+    let reaches: Vec<f64> = solution.contacts.iter().map(|contact| contact.reach() / length).collect();
+    problem.too_small(&reaches).map_or(Ok(solution), Err)
+}
+
+/// How a step of the search ended, unless there is no solution for certain.
+enum Outcome {
+    Solved(Box<Solution>),
+    Failed(Box<ContactError>),
+}
+
+struct Search<'a, F> {
+    problem: &'a Problem<'a>,
+    solve: F,
+    expected: Vec<f64>,
+    /// The best solution with a large error estimate, and that: Newton's method may have converged to a non-physical root.
+    doubtful: Option<(f64, Attempt)>,
+    /// A contact that has several intervals for certain.
+    several: Option<Interface>,
+    /// How far out the quadratic programme has looked for contact.
+    far: f64,
+}
+
+impl<F: FnMut(Vec<f64>) -> Result<Attempt, ContactError>> Search<'_, F> {
+    fn run(&mut self) -> Result<Outcome, ContactError> {
+        let mut failure = match self.attempt(self.expected.clone())? {
+            Outcome::Failed(failure) => failure,
+            solved => return Ok(solved),
+        };
+        let mut zones: Option<Vec<Zones>> = None;
+        // once more if bodies would overlap farther out than was looked at
+        for _ in 0..2 {
+            let overlap = match *failure {
+                ContactError::NoSolution(NoSolution::Overlap { x, .. }) => x / self.problem.kernel.length(),
+                _ => 0.0,
+            };
+            if zones.is_some() && overlap <= self.far {
+                break;
             }
-            // one part may be next to nothing
-            in_parts.set(Some(interface));
-            for_certain = Some(error);
-        }
-        let ends: Vec<f64> = (0..expected.len())
-            .map(|i| match zones.as_ref().map_or(0.0, |zones| zones[i].end()) {
-                _ if i == 0 && indentation.flat().is_some() => expected[i],
-                0.0 => expected[i],
-                end => end,
-            })
-            .collect();
-        for finer in FINER {
-            let mut half_lengths = ends.clone();
-            for so_far in 0..SHORTER {
-                match solve(half_lengths.clone(), finer) {
-                    Err(ContactError::NoSolution(found)) => failure = found,
-                    decided => return decided,
+            self.far = overlap;
+            zones = programme::zones(self.problem, &self.expected, overlap);
+            let all = zones.as_deref().unwrap_or_default();
+            if self.several.is_none()
+                && let Some(i) = several(self.problem, all, true)
+            {
+                if let Some(solution) = parts::solve(self.problem, all) {
+                    return Ok(Outcome::Solved(Box::new(solution)));
                 }
-                // there are roots whose contacts reach past where they should end
-                let NoSolution::Tension { interface, x } = failure else { break };
-                let fixed = usize::from(indentation.flat().is_some());
-                let pulling = interfaces.iter().position(|contact| *contact == interface);
-                let Some(pulling) = pulling.filter(|pulling| *pulling >= fixed) else { break };
-                half_lengths[pulling] = shorter(kernel, pulling, x / kernel.length(), so_far);
+                // one interval may be next to nothing
+                self.several = Some(self.problem.interfaces[i]);
+            }
+            if let Some(solution) = self.confirmed(all) {
+                return Ok(Outcome::Solved(Box::new(solution)));
+            }
+            match self.from_ends(self.ends(all))? {
+                Outcome::Failed(last) => failure = last,
+                solved => return Ok(solved),
+            }
+        }
+        let zones = zones.unwrap_or_default();
+        Ok(self.in_intervals(&zones).unwrap_or(Outcome::Failed(failure)))
+    }
+
+    /// Newton's method from half-lengths; a solution that may be that of a non-physical root is kept aside.
+    fn attempt(&mut self, half_lengths: Vec<f64>) -> Result<Outcome, ContactError> {
+        let attempt = match (self.solve)(half_lengths) {
+            Ok(attempt) => attempt,
+            Err(error @ ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => return Err(error),
+            Err(failure @ ContactError::NoSolution(_)) => return Ok(Outcome::Failed(Box::new(failure))),
+            Err(error) => return Err(error),
+        };
+        let contacts = &attempt.solution.contacts;
+        let errors = contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
+        let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
+        let knows_all = self.knows_all(&attempt);
+        if knows_all && (attempt.solution.warnings.is_empty() || worst <= DOUBTFUL) {
+            return Ok(Outcome::Solved(Box::new(attempt.solution)));
+        }
+        let half_lengths = contacts.iter().map(|contact| contact.half_length).collect();
+        if knows_all && self.doubtful.as_ref().is_none_or(|(least, _)| worst < *least) {
+            self.doubtful = Some((worst, attempt));
+        }
+        Ok(Outcome::Failed(Box::new(NoSolution::NotConverged { half_lengths }.into())))
+    }
+
+    /// Whether a solution misses no re-contact interval that the quadratic programme has found.
+    fn knows_all(&self, attempt: &Attempt) -> bool {
+        self.several.is_none_or(|interface| attempt.again.contains(&interface))
+    }
+
+    /// The doubtful solution, if the quadratic programme has found the same contacts.
+    fn confirmed(&mut self, zones: &[Zones]) -> Option<Solution> {
+        let length = self.problem.kernel.length();
+        let is_same = |solution: &Solution| {
+            let contacts = solution.contacts.iter().zip(zones);
+            let mut known = contacts.filter(|(contact, _)| contact.half_length_error < CONFIRMED * contact.half_length);
+            !zones.is_empty()
+                && known.all(|(contact, zones)| (contact.half_length / (zones.end() * length)).ln().abs() < CONFIRMED)
+        };
+        let (_, attempt) = self.doubtful.take_if(|(_, attempt)| is_same(&attempt.solution))?;
+        Some(attempt.solution)
+    }
+
+    /// Where the quadratic programme sees the ends of the contacts about the middle; as expected where it sees none.
+    fn ends(&self, zones: &[Zones]) -> Vec<f64> {
+        let end = |(i, expected): (usize, &f64)| match zones.get(i).map_or(0.0, Zones::end) {
+            _ if self.problem.sides[i].is_flat() => *expected,
+            0.0 => *expected,
+            end => end,
+        };
+        self.expected.iter().enumerate().map(end).collect()
+    }
+
+    /// Newton's method from the ends of the quadratic programme; where a contact is in tension there, with that end where the
+    /// tension begins: non-physical roots can overestimate the contact.
+    fn from_ends(&mut self, mut half_lengths: Vec<f64>) -> Result<Outcome, ContactError> {
+        let mut so_far = 0;
+        loop {
+            let failure = match self.attempt(half_lengths.clone())? {
+                Outcome::Failed(failure) => failure,
+                solved => return Ok(solved),
+            };
+            let ContactError::NoSolution(NoSolution::Tension { interface, x }) = *failure else {
+                return Ok(Outcome::Failed(failure));
+            };
+            let free = |i: &usize| self.problem.interfaces[*i] == interface && !self.problem.sides[*i].is_flat();
+            match (0..half_lengths.len()).find(free) {
+                Some(i) if so_far + 1 < SHORTER => {
+                    half_lengths[i] = self.shorter(i, x / self.problem.kernel.length(), so_far);
+                    so_far += 1;
+                }
+                _ => return Ok(Outcome::Failed(failure)),
             }
         }
     }
-    if let Some(error) = for_certain {
-        return Err(error);
+
+    /// Where contact i may end if it is in tension at x: there, and later where the thinner of its bodies is bent no more.
+    fn shorter(&self, i: usize, x: f64, so_far: usize) -> f64 {
+        let laminates = self.problem.kernel.laminates();
+        let neighbours = i.checked_sub(1).into_iter().chain([i]).filter_map(|l| laminates.get(l));
+        let thickness = neighbours.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
+        (x - BENT * so_far as f64 * thickness).max(0.5 * x)
     }
-    let error = several(kernel, interfaces, zones.as_deref(), false).map(|(_, error)| error);
-    let zones = zones.unwrap_or_default();
-    let apart = zones.iter().any(|zones| zones.intervals().first().is_some_and(|first| first[0] > 0.0));
-    let solution =
-        if error.is_some() || apart { parts::solve(kernel, interfaces, indentation, &zones, options) } else { None };
-    solution.ok_or_else(|| error.unwrap_or_else(|| failure.into()))
+
+    /// What is left where Newton's method has failed from all starts: several intervals, if the quadratic programme may have
+    /// seen some.
+    fn in_intervals(&mut self, zones: &[Zones]) -> Option<Outcome> {
+        let failed = |i: usize| Outcome::Failed(Box::new(self.error(zones, i)));
+        if self.several.is_some() {
+            return several(self.problem, zones, true).map(failed);
+        }
+        let uncertain = several(self.problem, zones, false);
+        let is_apart = |zones: &Zones| zones.intervals().first().is_some_and(|first| first[0] > 0.0);
+        let may_be_several = uncertain.is_some() || zones.iter().any(is_apart);
+        let solution = may_be_several.then(|| parts::solve(self.problem, zones)).flatten();
+        solution.map(|solution| Outcome::Solved(Box::new(solution))).or_else(|| uncertain.map(failed))
+    }
+
+    /// The error that says where contact i touches.
+    fn error(&self, zones: &[Zones], i: usize) -> ContactError {
+        let length = self.problem.kernel.length();
+        let parts = zones[i].intervals().iter().map(|part| part.map(|x| x * length)).collect();
+        NoSolution::Parts { interface: self.problem.interfaces[i], parts }.into()
+    }
 }
 
-/// Where contact i may end if it pulls at x: there, and later where the thinner of its bodies is bent no more.
-fn shorter(kernel: &Kernel, i: usize, x: f64, so_far: usize) -> f64 {
-    let laminates = kernel.laminates();
-    let neighbours = i.checked_sub(1).into_iter().chain([i]).filter_map(|l| laminates.get(l));
-    let thickness = neighbours.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
-    (x - BENT * so_far as f64 * thickness).max(0.5 * x)
-}
-
-/// The contact in which bodies touch in several intervals, or in none about the middle, and the error that says so.
-fn several(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    zones: Option<&[programme::Zones]>,
-    certain: bool,
-) -> Option<(Interface, ContactError)> {
-    let finite = |zones: &programme::Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
+/// The contact in which bodies touch in several intervals, or in none about the middle.
+fn several(problem: &Problem, zones: &[Zones], certain: bool) -> Option<usize> {
+    let finite = |zones: &Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
     // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
-    let count = |zones: &programme::Zones| if certain { finite(zones) } else { zones.apart.len() };
+    let count = |zones: &Zones| if certain { finite(zones) } else { zones.apart.len() };
     // bodies that do not touch about the middle touch in two intervals, one on either side
-    let open = |zones: &programme::Zones| match zones.sure[..] {
+    let open = |zones: &Zones| match zones.sure[..] {
         [[from, to]] => !certain && from > 0.0 && to.is_finite() && to > OPEN * from,
         _ => false,
     };
-    // a zone under the punch too short for the grid says nothing
-    let plausible =
-        |i: usize, zones: &programme::Zones| i > 0 || zones.apart.first().is_some_and(|part| part[0] == 0.0);
-    let mut all = zones?.iter().enumerate();
-    let (i, zones) = all.find(|(i, zones)| open(zones) || count(zones) > 1 && plausible(*i, zones))?;
-    let parts = zones.intervals().iter().map(|part| part.map(|x| x * kernel.length())).collect();
-    Some((interfaces[i], NoSolution::Parts { interface: interfaces[i], parts }.into()))
+    // an interval under a punch too short for the grid says nothing
+    let plausible = |i: usize, zones: &Zones| {
+        problem.sides[i].profile().is_none() || zones.apart.first().is_some_and(|part| part[0] == 0.0)
+    };
+    let mut all = zones.iter().enumerate();
+    all.find(|(i, zones)| open(zones) || count(zones) > 1 && plausible(*i, zones)).map(|(i, _)| i)
 }

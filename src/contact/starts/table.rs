@@ -1,14 +1,14 @@
 //! Starts for many loads on one stack: answers at fixed loads, and half-lengths between them by interpolation.
 //!
 //! Under a parabola x²/2R all half-lengths depend on R P alone. So a stack has one curve per contact, known at the points of
-//! a lattice in ln RP, each of which is found when it is first needed: from formulas, like any answer, so that no number
+//! a table in ln RP, each of which is found when it is first needed: from formulas, like any answer, so that no number
 //! depends on which loads came before, or on who found it.
 use std::sync::OnceLock;
 
-use crate::contact::ends::newton::{Work, ties};
+use crate::contact::ends::newton::{Work, strongly_coupled};
+use crate::contact::problem::Problem;
 use crate::contact::problem::modes::Modes;
-use crate::contact::problem::profile::Indentation;
-use crate::contact::quality::levels::{Start, refine};
+use crate::contact::quality::levels::{Refined, Start, refine};
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::numeric::chebyshev::{barycentric_weights, interpolation_row};
@@ -16,7 +16,7 @@ use crate::options::Options;
 use crate::scene::Punch;
 use crate::solution::Interface;
 
-/// ln(RP/μ₀L²) of the lattice: where it begins, how far its points are apart, and how many there are.
+/// ln(RP/μ₀L²) of the table: where it begins, how far its points are apart, and how many there are.
 const LOWEST: f64 = -60.0;
 const APART: f64 = 0.25;
 const COUNT: usize = 480;
@@ -29,7 +29,7 @@ const ROUNDS: usize = 2;
 
 /// The answers of one stack under parabolas.
 #[derive(Debug)]
-pub(crate) struct Lattice {
+pub(crate) struct Table {
     points: Vec<OnceLock<Option<Answer>>>,
     nodes: Vec<f64>,
     weights: Vec<f64>,
@@ -42,7 +42,7 @@ struct Answer {
     modes: Modes,
 }
 
-/// Where a load lies in the lattice.
+/// Where a load lies in the table.
 struct Place<'a> {
     answers: Vec<&'a Answer>,
     /// What each of them contributes.
@@ -62,7 +62,7 @@ impl Place<'_> {
     }
 }
 
-impl Default for Lattice {
+impl Default for Table {
     fn default() -> Self {
         let nodes: Vec<f64> = (0..POINTS).map(|k| k as f64).collect();
         let weights = barycentric_weights(&nodes);
@@ -70,7 +70,7 @@ impl Default for Lattice {
     }
 }
 
-impl Lattice {
+impl Table {
     /// How many numbers the answers have that were found.
     pub(crate) fn stored_numbers(&self) -> usize {
         let answers = self.points.iter().filter_map(|point| point.get()?.as_ref());
@@ -78,31 +78,34 @@ impl Lattice {
     }
 
     /// Half-lengths and modes to start from; `None` where formulas have to do.
-    pub(crate) fn start(&self, kernel: &Kernel, interfaces: &[Interface], punch: &Indentation) -> Option<Start> {
+    pub(crate) fn start(&self, problem: &Problem) -> Option<Start> {
+        let (i, punch) = problem.profiles().next()?;
+        let kernel = problem.kernel;
         let flat = punch.as_parabola(0.0)?;
-        let mut place = self.place(kernel, interfaces, flat)?;
+        let mut place = self.place(kernel, flat)?;
         for _ in 0..if punch.is_parabola() { 0 } else { ROUNDS } {
-            let load = punch.as_parabola(place.half_length(0))?;
+            let load = punch.as_parabola(place.half_length(i))?;
             if !load.is_finite() || (load / flat - 1.0).abs() >= ALIKE {
                 return None;
             }
-            place = self.place(kernel, interfaces, load)?;
+            place = self.place(kernel, load)?;
         }
         let contacts = kernel.contacts();
         let half_lengths: Vec<f64> = (0..contacts).map(|i| place.half_length(i)).collect();
         // what contacts that are tied together miss is judged from coarse answers
-        let usable = half_lengths.iter().all(|a| a.is_normal()) && !ties(kernel, &half_lengths).contains(&true);
-        usable.then(|| Start::Nearby { half_lengths, modes: (0..contacts).map(|i| place.modes(i)).collect() })
+        let usable =
+            half_lengths.iter().all(|a| a.is_normal()) && !strongly_coupled(kernel, &half_lengths).contains(&true);
+        usable.then(|| Start::Warm { half_lengths, modes: (0..contacts).map(|i| place.modes(i)).collect() })
     }
 
-    fn place(&self, kernel: &Kernel, interfaces: &[Interface], load: f64) -> Option<Place<'_>> {
+    fn place(&self, kernel: &Kernel, load: f64) -> Option<Place<'_>> {
         let at = (load.ln() - LOWEST) / APART;
         let first = (at.floor() as usize).checked_sub(POINTS / 2 - 1)?;
         let points = self.points.get(first..first + POINTS)?;
         let answers: Option<Vec<&Answer>> = points
             .iter()
             .zip(first..)
-            .map(|(point, k)| point.get_or_init(|| answer(kernel, interfaces, LOWEST + APART * k as f64)).as_ref())
+            .map(|(point, k)| point.get_or_init(|| answer(kernel, LOWEST + APART * k as f64)).as_ref())
             .collect();
         let mut row = [0.0; POINTS];
         interpolation_row(&self.nodes, &self.weights, at - first as f64, &mut row);
@@ -111,13 +114,14 @@ impl Lattice {
 }
 
 /// The answer at one point; `None` if it is not as good as answers usually are.
-fn answer(kernel: &Kernel, interfaces: &[Interface], load: f64) -> Option<Answer> {
+fn answer(kernel: &Kernel, load: f64) -> Option<Answer> {
     let unit = kernel.length();
     let punch = Punch::parabola(unit).ok()?;
-    let punch = Indentation::new(&punch, kernel, load.exp() * kernel.modulus() * unit);
-    let start = Start::Formulas { half_lengths: formulas::half_lengths(kernel, &punch).ok()?, finer: 1 };
-    let (level, warnings) =
-        refine(kernel, interfaces, &punch, start, &Options::default(), &mut Work::default()).ok()?;
-    let lengths = level.half_lengths.iter().map(|a| a.ln()).collect();
-    warnings.is_empty().then_some(Answer { lengths, modes: level.modes })
+    let interfaces = vec![Interface::Punch; kernel.contacts()];
+    let force = load.exp() * kernel.modulus() * unit;
+    let problem = Problem::new(kernel, &interfaces, &punch, force, Options::default().tolerance);
+    let start = Start::Cold { half_lengths: formulas::half_lengths(&problem).ok()?, finer: 1 };
+    let Refined { level, not_met, .. } = refine(&problem, start, &mut Work::default()).ok()?;
+    let lengths = level.support.half_lengths.iter().map(|a| a.ln()).collect();
+    not_met.is_none().then_some(Answer { lengths, modes: level.modes })
 }

@@ -4,8 +4,8 @@
 //! method, kept between forces known to be too small and too large. A force at which the solver fails says nothing of the
 //! half-length: another one is tried.
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::problem::profile::Indentation;
-use crate::contact::quality::estimate::BEST;
+use crate::contact::problem::profile::Profile;
+use crate::contact::quality::estimates::BEST;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
@@ -50,9 +50,10 @@ pub(crate) fn press_to(
                 all.newton_steps.append(&mut solution.stats.newton_steps);
                 all.factorisations += solution.stats.factorisations;
                 all.interpolated += solution.stats.interpolated;
+                all.stopped.append(&mut solution.stats.stopped);
                 if let Some(relative) = search.solved(&solution) {
-                    let Stats { newton_steps, factorisations, interpolated, .. } = all;
-                    let stats = Stats { newton_steps, factorisations, interpolated, ..solution.stats };
+                    let Stats { newton_steps, factorisations, interpolated, stopped, .. } = all;
+                    let stats = Stats { newton_steps, factorisations, interpolated, stopped, ..solution.stats };
                     let force_error = search.slope * relative * solution.force;
                     return Ok(Solution { force_error, stats, ..solution });
                 }
@@ -239,11 +240,11 @@ fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let unit = kernel.modulus() * kernel.length();
-    let (indentation, half_length) = (Indentation::new(punch, kernel, unit), half_length / kernel.length());
-    let force = unit * formulas::force(kernel, &indentation, half_length);
+    let (profile, half_length) = (Profile::new(punch, kernel.length(), 1.0), half_length / kernel.length());
+    let force = unit * formulas::force(kernel, &profile, half_length);
     if force.is_normal() && force > 0.0 {
         return force;
     }
     // where a wave as long would lift what bends: the faces alone
-    unit * indentation.first_row(half_length) * half_length / kernel.far(0).limit
+    unit * profile.first_row(half_length) * half_length / kernel.far(0).limit
 }

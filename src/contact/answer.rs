@@ -1,0 +1,108 @@
+//! The one assembly of a solution: what was found of each contact, put into the units of the scene.
+use crate::contact::problem::load;
+use crate::contact::problem::{Problem, Side};
+use crate::kernel::{self, Kernel};
+use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
+
+/// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
+pub(crate) struct Found {
+    /// Intervals of x ≥ 0 in which the bodies touch, one at least, from the middle outwards; errors are absolute.
+    pub(crate) intervals: Vec<Part>,
+    /// Pressure at x = 0, and its absolute error.
+    pub(crate) peak: f64,
+    pub(crate) peak_error: f64,
+    /// What the pressure is the sum of.
+    pub(crate) strips: Vec<Strip>,
+}
+
+/// What was found of all contacts.
+pub(crate) struct Answer {
+    /// From the top down, without those whose pressure is given.
+    pub(crate) contacts: Vec<Found>,
+    /// Smallest pressure inside and smallest gap outside the contacts, the latter per unit of P'.
+    pub(crate) min_pressure: f64,
+    pub(crate) min_gap: f64,
+    /// What it took.
+    pub(crate) stats: Stats,
+    pub(crate) warnings: Vec<String>,
+}
+
+impl Answer {
+    /// The solution in the units of the scene.
+    pub(crate) fn into_solution(self, problem: &Problem) -> Solution {
+        let (length, unit) = (problem.kernel.length(), problem.kernel.modulus() * problem.force);
+        let force = problem.total_force();
+        let mut found = self.contacts.into_iter();
+        let contact = |(side, interface): (&Side, &Interface)| match side.given() {
+            Some(given) => Some(load::contact(given.load, *interface, force)),
+            None => found.next().and_then(|found| found.into_contact(*interface, length, unit)),
+        };
+        let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();
+        let mut warnings = self.warnings;
+        warnings.extend(in_several_intervals(&contacts));
+        Solution {
+            contacts,
+            stack: None,
+            force,
+            force_error: 0.0,
+            min_pressure: self.min_pressure * unit,
+            min_gap: self.min_gap * problem.force * length,
+            stats: self.stats,
+            warnings,
+        }
+    }
+}
+
+impl Found {
+    fn into_contact(self, interface: Interface, length: f64, unit: f64) -> Option<Contact> {
+        let intervals = self.intervals.into_iter().map(|Part { from, from_error, to, to_error }| Part {
+            from: from * length,
+            from_error: from_error * length,
+            to: to * length,
+            to_error: to_error * length,
+        });
+        let mut intervals = intervals.collect::<Vec<_>>().into_iter();
+        let first = intervals.next()?;
+        let strips: Vec<Strip> = self.strips.into_iter().map(|strip| strip.scaled(length, unit)).collect();
+        let images = |strip: &Strip| if strip.at == 0.0 { 1.0 } else { 2.0 };
+        Some(Contact {
+            interface,
+            half_length: first.to,
+            half_length_error: first.to_error,
+            opening: first.from,
+            opening_error: first.from_error,
+            peak_pressure: self.peak * unit,
+            // an infinite pressure is known
+            peak_pressure_error: if self.peak.is_finite() { self.peak_error * unit } else { 0.0 },
+            resultant: strips.iter().map(|strip| strip.resultant() * images(strip)).sum(),
+            strips,
+            parts: intervals.collect(),
+        })
+    }
+}
+
+/// What is to be said of contacts in several intervals.
+fn in_several_intervals(contacts: &[Contact]) -> impl Iterator<Item = String> {
+    contacts.iter().flat_map(|Contact { interface, opening, parts, .. }| {
+        let several = "is in several parts: its half-length is that of the innermost";
+        let apart = "is open about x = 0: its half-length is where the innermost part of it ends";
+        let both = [(!parts.is_empty(), several), (*opening > 0.0, apart)];
+        both.into_iter().filter(|(said, _)| *said).map(move |(_, what)| format!("contact {interface} {what}"))
+    })
+}
+
+/// What it took to evaluate the stack.
+pub(crate) fn stats(kernel: &Kernel) -> Stats {
+    let kernel::Work { wavenumbers, layers, repeated, unfelt } = kernel.work();
+    let (dropped, merged) = (kernel.dropped(), kernel.merged());
+    Stats {
+        dropped,
+        merged,
+        wavenumbers,
+        layers,
+        repeated,
+        unfelt,
+        uncoupled: kernel.uncoupled_values(),
+        ..Stats::default()
+    }
+}

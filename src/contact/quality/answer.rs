@@ -1,0 +1,102 @@
+//! What a refinement level that passed the checks tells of the contacts.
+use std::f64::consts::PI;
+
+use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::ends::newton::Work;
+use crate::contact::problem::Problem;
+use crate::contact::problem::modes::{alternating, coefficients, order};
+use crate::contact::quality::admissible::{Check, Overlap};
+use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
+use crate::contact::quality::levels::Refined;
+use crate::solution::{Part, Stats, Strip};
+
+/// The answer that a level is, and what the user should know of it.
+pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Work) -> Answer {
+    let Refined { mut level, not_met, .. } = refined;
+    let mut warnings: Vec<String> = precision(problem, not_met).into_iter().collect();
+    level.admit(&check);
+    warnings.extend(check.overlaps.iter().map(|overlap| touching_again(problem, overlap)));
+    warnings.extend(problem.unknown().filter_map(|i| unknown_end(problem, &level, i)));
+    let contacts = problem.unknown().map(|i| found(&level, i)).collect();
+    Answer {
+        contacts,
+        min_pressure: check.min_pressure,
+        min_gap: check.min_gap,
+        stats: Stats {
+            modes: level.counts,
+            newton_steps: work.steps,
+            factorisations: work.factorisations,
+            interpolated: work.interpolated,
+            stopped: work.stopped,
+            ..stats(problem.kernel)
+        },
+        warnings,
+    }
+}
+
+/// Contact i of a level.
+fn found(level: &Level, i: usize) -> Found {
+    let half_length = level.support.half_lengths[i];
+    let unit = 2.0 / half_length;
+    let mut coefficients: Vec<f64> = coefficients(&level.modes[i]).iter().map(|c| c * unit).collect();
+    let corners = 0.5 * level.support.intensity(i).unwrap_or(0.0) * unit / PI;
+    let tip = 0.5 * level.apexes[i] * unit / PI;
+    coefficients[0] -= 2.0 * corners;
+    if tip != 0.0 {
+        // arcosh(1/|cos φ|) is known as a whole
+        coefficients.truncate(level.counts[i]);
+        let terms = coefficients.iter_mut().enumerate();
+        terms.for_each(|(m, c)| *c -= 2.0 * alternating(m) * tip / order(m));
+    }
+    let (error, peak) = (level.errors[i], level.peaks[i] * unit);
+    let to_error = error.length * half_length;
+    Found {
+        intervals: vec![Part { from: 0.0, from_error: 0.0, to: half_length, to_error }],
+        peak,
+        peak_error: error.pressure * peak,
+        strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients) }],
+    }
+}
+
+/// What is to be said of a tolerance that is not met, or beyond double precision.
+fn precision(problem: &Problem, not_met: Option<usize>) -> Option<String> {
+    let tolerance = problem.tolerance;
+    match not_met {
+        Some(modes) => Some(format!(
+            "the tolerance {tolerance:e} is not met with {modes} modes; the error estimates tell what was reached"
+        )),
+        None if tolerance < BEST => Some(format!(
+            "a tolerance of {tolerance:e} is beyond double precision; the error estimates tell what was reached"
+        )),
+        None => None,
+    }
+}
+
+/// What is to be said of a half-length that is not known.
+fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<String> {
+    let (error, interface) = (level.errors[i].length, problem.interfaces[i]);
+    if error <= UNKNOWN {
+        return None;
+    }
+    Some(match level.support.decay(i) {
+        Some(_) => format!(
+            "no end of the contact {interface} was found: the pressure there fades, and nothing depends on what is beyond \
+             x = {:.3e}",
+            level.support.half_lengths[i] * problem.kernel.length()
+        ),
+        None => format!(
+            "the half-length of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
+            100.0 * error
+        ),
+    })
+}
+
+fn touching_again(problem: &Problem, overlap: &Overlap) -> String {
+    format!(
+        "the bodies at the contact {} touch again about x = {:.3e}; the force there, with {:.0e} of the moment of the \
+         whole force, is left out",
+        problem.interfaces[overlap.contact],
+        overlap.x * problem.kernel.length(),
+        overlap.moment
+    )
+}
