@@ -7,7 +7,7 @@ use crate::collocation::equations::Pressures;
 use crate::collocation::nodes::Nodes;
 use crate::collocation::spatial::Spatial;
 use crate::collocation::spatial::cauchy_outside;
-use crate::contact::problem::Problem;
+use crate::contact::problem::Side;
 
 /// Gaps are looked at in this many places per contact.
 const PLACES: usize = 24;
@@ -16,15 +16,13 @@ const PLACES: usize = 24;
 pub(super) fn gaps(
     spatial: &Spatial,
     nodes: &Nodes,
-    problem: &Problem,
+    side: &Side,
     half_lengths: &[f64],
     pressures: &Pressures,
-    i: usize,
-    span: f64,
+    (i, span): (usize, f64),
 ) -> Vec<(f64, f64)> {
     let a = half_lengths[i];
     let coefficients = nodes.coefficients(&pressures.phi[i]);
-    let side = &problem.sides[i];
     let end = side.edge().map_or(span, |edge| span.min(edge));
     let farthest = (end / a).max(1.0).acosh();
     let tau = |k: usize| farthest * (k as f64 / PLACES as f64).powi(2);

@@ -21,6 +21,7 @@ use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::problem::Problem;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::alternating;
+use crate::contact::quality::levels::Start;
 use crate::contact::starts::order::solve_in_order;
 use crate::contact::{ContactError, NoSolution, kernel_under};
 
@@ -72,7 +73,10 @@ pub(crate) fn press(
         return Err(ContactError::FlatByCollocation);
     }
     let mut collocation = Collocation { problem: &problem, spatial: Spatial::new(kernel)?, steps: Vec::new() };
-    let solve = |half_lengths: Vec<f64>| collocation.refine(half_lengths).map(Into::into);
+    let solve = |start: Start| {
+        let (Start::Guess { half_lengths } | Start::Cold { half_lengths } | Start::Warm { half_lengths, .. }) = start;
+        collocation.refine(half_lengths).map(Into::into)
+    };
     let solution = solve_in_order(&problem, solve, |_, _| None)?;
     Ok(Solution { force, ..solution })
 }
@@ -247,7 +251,8 @@ impl Collocation<'_> {
 
     /// The smallest gap outside contact i; an error if it is negative.
     fn least_gap(&self, nodes: &Nodes, level: &Level, i: usize, span: f64) -> Result<f64, ContactError> {
-        let gaps = gaps::gaps(&self.spatial, nodes, self.problem, &level.half_lengths, &level.pressures, i, span);
+        let side = &self.problem.sides[i];
+        let gaps = gaps::gaps(&self.spatial, nodes, side, &level.half_lengths, &level.pressures, (i, span));
         let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
         let mut least = 0.0f64;
         for (x, gap) in gaps {

@@ -12,7 +12,7 @@ mod integrals;
 mod parts;
 pub(crate) mod problem;
 mod programme;
-mod quality;
+pub(crate) mod quality;
 pub(crate) mod starts;
 mod thin;
 
@@ -87,7 +87,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
     }
     solve_in_order(
         problem,
-        |half_lengths| solve_from(problem, Start::Cold { half_lengths, finer: 1 }, &mut work),
+        |start| solve_from(problem, start, &mut work),
         |expected, far| programme::answer(problem, expected, far),
     )
 }
@@ -101,7 +101,7 @@ fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attemp
         if worst <= looser || worst > WORTH_IT {
             break;
         }
-        let start = Start::Cold { half_lengths: refined.level.support.half_lengths.clone(), finer: 1 };
+        let start = Start::Cold { half_lengths: refined.level.support.half_lengths.clone() };
         match refine(&problem.to(looser), start, work) {
             Ok(other) if other.level.worst_error() < worst => {
                 let not_met = (other.level.worst_error() > problem.tolerance).then_some(other.modes);

@@ -126,9 +126,9 @@ impl Body {
                 reference,
             };
             let wave = |wavenumber: f64| Wave { wavenumber, modulus, plane };
-            body.faces[0] = body.face(0, first, plane, modulus, pressures[i].half_length, &wave);
+            body.faces[0] = body.face(0, first, pressures[i].half_length, &wave);
             if let (true, Some(pressure)) = (free, pressures.get(i + 1)) {
-                body.faces[1] = body.face(1, last, plane, modulus, pressure.half_length, &wave);
+                body.faces[1] = body.face(1, last, pressure.half_length, &wave);
             }
             Some(body)
         });
@@ -136,15 +136,8 @@ impl Body {
     }
 
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
-    fn face(
-        &self,
-        side: usize,
-        stratum: &Stratum,
-        plane: Plane,
-        modulus: f64,
-        half_length: f64,
-        wave: &dyn Fn(f64) -> Wave,
-    ) -> Option<Face> {
+    fn face(&self, side: usize, stratum: &Stratum, half_length: f64, wave: &dyn Fn(f64) -> Wave) -> Option<Face> {
+        let Wave { plane, modulus, .. } = wave(0.0);
         let material = |distance: f64| match stratum.thickness {
             Some(thickness) if side == 1 => stratum.layer.material((thickness - distance).max(0.0), plane),
             _ => stratum.layer.material(distance, plane),

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
-use recede_layers::Wave;
+use recede_layers::{State, Wave};
 
 use super::body::{Body, Face, Stratum, components};
 use super::error::FieldError;
@@ -164,7 +164,7 @@ impl Field {
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
             let (wavenumbers, weights) = panel.points();
-            let block = self.block(panel, &wavenumbers, &weights, &mut active, &origins, &felt)?;
+            let block = self.block(panel, (&wavenumbers, &weights), &mut active, &origins, &felt)?;
             for (body, origin) in block.references.iter().enumerate() {
                 references[body][k] = *origin;
             }
@@ -221,8 +221,7 @@ impl Field {
     fn block(
         &self,
         panel: &Panel,
-        wavenumbers: &[f64],
-        weights: &[f64],
+        (wavenumbers, weights): (&[f64], &[f64]),
         active: &mut [Active],
         origins: &[f64],
         felt: &[Felt],
@@ -264,20 +263,12 @@ impl Field {
                 let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
                 let load = self.load(body, *wavenumber, |contact| transforms[contact][q]);
                 let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
-                let displacement = 1.0 / (wavenumber * self.modulus);
                 let mut reference = 0.0;
                 let mut lifts: Vec<(usize, f64)> = Vec::new();
                 for ((stratum, wanted), states) in own.iter().zip(&wanted).zip(&states) {
                     for ((depth, row), state) in wanted.iter().zip(states) {
-                        let material = stratum.layer.material(*depth, self.plane);
-                        let mut left = components(state, &material, self.modulus);
-                        for (face, contact, distance) in faces(body, stratum, *depth) {
-                            let surface = face.surface.transformed(*wavenumber, distance);
-                            let [p, _] = transforms[contact][q];
-                            left.iter_mut().zip(surface).for_each(|(left, surface)| *left -= p * surface);
-                        }
-                        left[3] *= displacement;
-                        left[4] *= displacement;
+                        let left =
+                            self.left(body, stratum, (*depth, *wavenumber), state, |contact| transforms[contact][q]);
                         let left = left.map(|value| value * weight / PI);
                         match row {
                             Some(k) => {
@@ -295,6 +286,27 @@ impl Field {
             }
         }
         Ok(block)
+    }
+
+    /// The components of a state at a depth, less those of the closed forms of the faces.
+    fn left(
+        &self,
+        body: &Body,
+        stratum: &Stratum,
+        (depth, wavenumber): (f64, f64),
+        state: &State,
+        transform: impl Fn(usize) -> [f64; 2],
+    ) -> Components {
+        let mut left = components(state, &stratum.layer.material(depth, self.plane), self.modulus);
+        for (face, contact, distance) in faces(body, stratum, depth) {
+            let surface = face.surface.transformed(wavenumber, distance);
+            let [p, _] = transform(contact);
+            left.iter_mut().zip(surface).for_each(|(left, surface)| *left -= p * surface);
+        }
+        let displacement = 1.0 / (wavenumber * self.modulus);
+        left[3] *= displacement;
+        left[4] *= displacement;
+        left
     }
 
     /// The loads on a body: for long waves the equal part of both pressures and the small rest.

@@ -18,7 +18,7 @@ use crate::system::{BaseChain, FreeChain, Taken};
 
 pub(crate) use far::Far;
 use panel::At;
-pub(crate) use panel::Panel;
+pub(crate) use panel::{Panel, Values};
 
 /// Beyond this λh a face does not feel the other side of its layer: e^(−2·18.5) is below rounding.
 const UNFELT: f64 = 18.5;

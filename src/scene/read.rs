@@ -223,38 +223,8 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
         error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "load" | "stack"));
         whole.error(origin, error)
     })?;
-    let (owner, top) = match (draft.punch, draft.load) {
-        (Some(punch), None) => ("the punch", punch),
-        (None, Some(load)) => ("the load", load),
-        (Some(_), Some(load)) => {
-            let at = part(text, load.get_ron()).name_at;
-            let hint = "a load takes the place of a punch: remove one of them";
-            return Err(origin.error(Some(at), "the scene has `punch` and `load`".into(), Some(hint.into())));
-        }
-        (None, None) => {
-            let hint = "add `punch: ...` or, for a given pressure, `load: ...` between its parentheses";
-            let message = "`punch` is missing in the scene".into();
-            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())));
-        }
-    };
-    let force = match (draft.force, draft.half_length) {
-        (Some(force), None) => Force::Given(force.get()),
-        (None, Some(half_length)) if draft.load.is_none() => Force::ForHalfLength(half_length.get()),
-        (None, None) => {
-            let hint = "add `force: ...` or, for a punch, `half_length: ...` between its parentheses";
-            let message = "`force` is missing in the scene".into();
-            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())));
-        }
-        (given, _) => {
-            let (other, hint) = match given {
-                Some(_) => ("force", "the force is found for the half-length: remove one of them"),
-                None => ("load", "no force changes how far a load reaches: give its resultant, `force: ...`"),
-            };
-            let at = field(text, "half_length").map_or(whole.name_at, |value| part(text, value).name_at);
-            let message = format!("the scene has `{other}` and `half_length`");
-            return Err(origin.error(Some(at), message, Some(hint.into())));
-        }
-    };
+    let (owner, top) = what_presses(&draft, &whole, origin)?;
+    let force = force(&draft, &whole, origin)?;
     let punch = Part { owner: owner.into(), ..part(text, top.get_ron()) };
     let list = Part { owner: "the stack".into(), ..part(text, draft.stack.get_ron()) };
     let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
@@ -276,6 +246,52 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     }
     let Draft { name, description, units, plane, .. } = draft;
     Ok((Scene { name, description, units, ..Scene::new(plane, punch, force, stack) }, places))
+}
+
+/// What presses on top, and what it is called in messages.
+fn what_presses<'a>(
+    draft: &Draft<'a>,
+    whole: &Part,
+    origin: &Origin,
+) -> Result<(&'static str, &'a RawValue), SceneError> {
+    let text = &origin.text[..];
+    match (draft.punch, draft.load) {
+        (Some(punch), None) => Ok(("the punch", punch)),
+        (None, Some(load)) => Ok(("the load", load)),
+        (Some(_), Some(load)) => {
+            let at = part(text, load.get_ron()).name_at;
+            let hint = "a load takes the place of a punch: remove one of them";
+            Err(origin.error(Some(at), "the scene has `punch` and `load`".into(), Some(hint.into())))
+        }
+        (None, None) => {
+            let hint = "add `punch: ...` or, for a given pressure, `load: ...` between its parentheses";
+            let message = "`punch` is missing in the scene".into();
+            Err(origin.error(Some(whole.name_at), message, Some(hint.into())))
+        }
+    }
+}
+
+/// The force, or the half-length for which it is found.
+fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneError> {
+    let text = &origin.text[..];
+    match (draft.force, draft.half_length) {
+        (Some(force), None) => Ok(Force::Given(force.get())),
+        (None, Some(half_length)) if draft.load.is_none() => Ok(Force::ForHalfLength(half_length.get())),
+        (None, None) => {
+            let hint = "add `force: ...` or, for a punch, `half_length: ...` between its parentheses";
+            let message = "`force` is missing in the scene".into();
+            Err(origin.error(Some(whole.name_at), message, Some(hint.into())))
+        }
+        (given, _) => {
+            let (other, hint) = match given {
+                Some(_) => ("force", "the force is found for the half-length: remove one of them"),
+                None => ("load", "no force changes how far a load reaches: give its resultant, `force: ...`"),
+            };
+            let at = field(text, "half_length").map_or(whole.name_at, |value| part(text, value).name_at);
+            let message = format!("the scene has `{other}` and `half_length`");
+            Err(origin.error(Some(at), message, Some(hint.into())))
+        }
+    }
 }
 
 /// Reads a punch, or the load that is `given` in its place.

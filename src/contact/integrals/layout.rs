@@ -3,9 +3,9 @@
 //! Every matrix entry is an integral of a kernel times two Bessel functions, ∫ g(ζ) J_k(ζa) J_j(ζa') dζ/ζ. What is
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
-use crate::contact::integrals::tail::{MOST_UNLIKE, Tail, Weights, turning};
+use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, Tail, Weights, turning};
 use crate::contact::problem::support;
-use crate::kernel::{Kernel, Panel};
+use crate::kernel::{Kernel, Panel, Values};
 use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::rule;
 
@@ -121,6 +121,17 @@ struct Group {
     from: f64,
 }
 
+impl Group {
+    /// Where its tail ends; contacts end to matter at `ends`, and couplings at `coupled`.
+    fn ends(&self, kernel: &Kernel, ends: &[f64], coupled: &[f64]) -> Ends {
+        let finite = |i: &usize| if kernel.far(*i).is_constant() { ends[*i] } else { kernel.far(*i).from };
+        let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(coupled.len())];
+        let to = self.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
+        let together = self.contacts.iter().skip(1).map(|below| coupled[below - 1]).fold(0.0, f64::max);
+        Ends { from: self.from, coupled: together, to: to.fold(0.0, f64::max) }
+    }
+}
+
 /// Which contacts have tails, and which share them: where that saves real wavenumbers.
 fn groups(half_lengths: &[f64], orders: &[usize], ends: &[f64], coupled: &[f64]) -> Vec<Group> {
     let pays = |a: f64, from: f64, to: f64| 0.5 * a * (to - from) > TAIL_PAYS;
@@ -186,34 +197,33 @@ impl Layout {
                 layout.own[*i].reach = reach;
                 layout.own[*i].unit.plain.resize(reach, 0.0);
             }
-            if group.from.is_infinite() {
+            let tail = if group.from.is_infinite() {
                 let i = group.contacts[0];
                 // kernels that never vanish
                 let rest = !kernel.far(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
-                let tail = if rest { Tail::beyond(ends[i]) } else { Tail::default() };
-                tail.extend(&mut layout.own[i].unit, |zeta| kernel.unit_excess(i, zeta));
-                layout.tails.push(tail);
-                continue;
-            }
-            let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
-            let finite = |i: &usize| if kernel.far(*i).is_constant() { ends[*i] } else { kernel.far(*i).from };
-            let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(n - 1)];
-            let to = group.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
-            let to = to.fold(0.0, f64::max);
-            let together = group.contacts.iter().skip(1).map(|below| coupled[below - 1]).fold(0.0, f64::max);
-            let tail = Tail::new(kernel, &group.contacts, half_lengths, orders, group.from, together, to)?;
-            for i in &group.contacts {
-                tail.extend(&mut layout.own[*i].unit, |zeta| kernel.unit_excess(*i, zeta));
-            }
-            for i in group.contacts.iter().skip(1).map(|below| below - 1) {
-                layout.coupling[i].plain.resize(reach, 0.0);
-                tail.extend(&mut layout.coupling[i], |zeta| -kernel.coupling(i, zeta));
-            }
-            layout.tails.push(tail);
+                if rest { Tail::beyond(ends[i]) } else { Tail::default() }
+            } else {
+                let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
+                let reaches = group.ends(kernel, &ends, &coupled);
+                Tail::new(kernel, &group.contacts, half_lengths, orders, reaches)?
+            };
+            layout.extend(kernel, group, reach, tail);
         }
         layout.entries =
             (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] / 2 + 2)).sum::<usize>();
         (layout.entries <= MOST_ENTRIES).then_some(layout)
+    }
+
+    /// Adds the tail of a group, the real wavenumbers of which are as many as `reach`.
+    fn extend(&mut self, kernel: &Kernel, group: &Group, reach: usize, tail: Tail) {
+        for i in &group.contacts {
+            tail.extend(&mut self.own[*i].unit, |zeta| kernel.unit_excess(*i, zeta));
+        }
+        for i in group.contacts.iter().skip(1).map(|below| below - 1) {
+            self.coupling[i].plain.resize(reach, 0.0);
+            tail.extend(&mut self.coupling[i], |zeta| -kernel.coupling(i, zeta));
+        }
+        self.tails.push(tail);
     }
 
     /// Real wavenumbers only, for contacts that end at `ends`, the shortest parts of which have these half-lengths, able to
@@ -326,26 +336,8 @@ impl Layout {
 
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
     fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
-        let Plan { kernel, half_lengths, span, .. } = *plan;
-        let n = kernel.contacts();
-        let (mut frequency, mut size): (f64, f64) = (0.0, 0.0);
-        for (i, (a, reach)) in half_lengths.iter().zip(&plan.reaches).enumerate() {
-            if to <= *reach {
-                frequency = frequency.max(a + a.max(span));
-                let far = kernel.far(i);
-                let beyond = if from < far.from { 0.0 } else { far.excess(from).abs() };
-                size = size.max((beyond + panel.map_or(0.0, |panel| panel.excess[i])) / far.limit);
-            }
-        }
-        for (i, (pair, reach)) in half_lengths.windows(2).zip(&plan.coupled).enumerate() {
-            if to <= *reach {
-                frequency = frequency.max(2.0 * pair[0].max(pair[1])).max(span);
-                size = size.max(panel.map_or(0.0, |panel| panel.couplings[i]) / kernel.least(i));
-            }
-        }
-        if frequency == 0.0 {
-            return;
-        }
+        let Some((frequency, size)) = plan.wanted(panel, from, to) else { return };
+        let half_lengths = plan.half_lengths;
         let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
         let mut needed = points(frequency * (to - from), digits);
         let stretch = Stretch { end: 0, points: 0, width: to - from, size };
@@ -355,7 +347,7 @@ impl Layout {
             needed = needed.max(for_fields);
         }
         let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
-        if span > 0.0 && parts > MOST_PARTS {
+        if plan.span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
             return;
         }
@@ -367,36 +359,62 @@ impl Layout {
             self.stretches.push(Stretch { end, points: points.nodes.len(), width, size });
             self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
             let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
-            let zeta = &self.zeta[first..];
-            let values = panel.map(|panel| panel.values(zeta, at(part), at(part + 1)));
-            for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
-                let (far, start) = (kernel.far(i), own.unit.plain.len());
-                match &values {
-                    Some(values) if from < far.from => {
-                        let excess =
-                            weights.iter().zip(values.unit(i)).map(|(weight, unit)| weight * (unit - far.limit));
-                        own.unit.plain.extend(excess);
-                    }
-                    _ => {
-                        let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.excess(*zeta));
-                        own.unit.plain.extend(excess);
-                        let neighbours = i.saturating_sub(1)..(i + 1).min(n - 1);
-                        for coupling in neighbours.filter_map(|i| values.as_ref().map(|values| values.coupling(i))) {
-                            let excess = own.unit.plain[start..].iter_mut().zip(weights.iter()).zip(coupling);
-                            excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
-                        }
-                    }
+            let values = panel.map(|panel| panel.values(&self.zeta[first..], at(part), at(part + 1)));
+            self.weigh(plan, values.as_ref(), first, &weights, (from, to));
+        }
+    }
+
+    /// Adds the weights of all kernels at the real wavenumbers from number `first` on, within a stretch.
+    fn weigh(&mut self, plan: &Plan, values: Option<&Values>, first: usize, weights: &[f64], (from, to): (f64, f64)) {
+        let (kernel, zeta) = (plan.kernel, &self.zeta[first..]);
+        for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
+            let (far, start) = (kernel.far(i), own.unit.plain.len());
+            match values {
+                Some(values) if from < far.from => {
+                    let excess = weights.iter().zip(values.unit(i)).map(|(weight, unit)| weight * (unit - far.limit));
+                    own.unit.plain.extend(excess);
                 }
-            }
-            for (i, pair) in self.coupling.iter_mut().enumerate().filter(|(i, _)| to <= plan.coupled[*i]) {
-                match &values {
-                    Some(values) => {
-                        let both = weights.iter().zip(values.coupling(i));
-                        pair.plain.extend(both.map(|(weight, coupling)| -weight * coupling));
+                _ => {
+                    let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.excess(*zeta));
+                    own.unit.plain.extend(excess);
+                    let neighbours = i.saturating_sub(1)..(i + 1).min(kernel.contacts() - 1);
+                    for coupling in neighbours.filter_map(|i| values.map(|values| values.coupling(i))) {
+                        let excess = own.unit.plain[start..].iter_mut().zip(weights.iter()).zip(coupling);
+                        excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
                     }
-                    None => pair.plain.resize(pair.plain.len() + weights.len(), 0.0),
                 }
             }
         }
+        for (i, pair) in self.coupling.iter_mut().enumerate().filter(|(i, _)| to <= plan.coupled[*i]) {
+            match values {
+                Some(values) => {
+                    let both = weights.iter().zip(values.coupling(i));
+                    pair.plain.extend(both.map(|(weight, coupling)| -weight * coupling));
+                }
+                None => pair.plain.resize(pair.plain.len() + weights.len(), 0.0),
+            }
+        }
+    }
+}
+
+impl Plan<'_> {
+    /// The highest frequency of integrands within a stretch, and the largest part of a kernel there; `None` if nobody needs it.
+    fn wanted(&self, panel: Option<&Panel>, from: f64, to: f64) -> Option<(f64, f64)> {
+        let (mut frequency, mut size): (f64, f64) = (0.0, 0.0);
+        for (i, (a, reach)) in self.half_lengths.iter().zip(&self.reaches).enumerate() {
+            if to <= *reach {
+                frequency = frequency.max(a + a.max(self.span));
+                let far = self.kernel.far(i);
+                let beyond = if from < far.from { 0.0 } else { far.excess(from).abs() };
+                size = size.max((beyond + panel.map_or(0.0, |panel| panel.excess[i])) / far.limit);
+            }
+        }
+        for (i, (pair, reach)) in self.half_lengths.windows(2).zip(&self.coupled).enumerate() {
+            if to <= *reach {
+                frequency = frequency.max(2.0 * pair[0].max(pair[1])).max(self.span);
+                size = size.max(panel.map_or(0.0, |panel| panel.couplings[i]) / self.kernel.least(i));
+            }
+        }
+        (frequency > 0.0).then_some((frequency, size))
     }
 }

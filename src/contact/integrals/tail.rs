@@ -56,18 +56,27 @@ pub(crate) struct Tail {
     from: f64,
 }
 
+/// Where a tail begins, and where what it consists of ends.
+#[derive(Clone, Copy)]
+pub(crate) struct Ends {
+    /// R.
+    pub(crate) from: f64,
+    /// Beyond this wavenumber contacts do not feel each other.
+    pub(crate) coupled: f64,
+    /// Beyond this one kernels are nothing, or polynomials in 1/ζ next to graded faces.
+    pub(crate) to: f64,
+}
+
 impl Tail {
-    /// For contacts of the given half-lengths and up to the given order; beyond `coupled` they do not feel each other, and
-    /// beyond `to` their kernels are nothing, or polynomials in 1/ζ next to graded faces.
+    /// For contacts of the given half-lengths and up to the given order.
     pub(crate) fn new(
         kernel: &Kernel,
         contacts: &[usize],
         half_lengths: &[f64],
         orders: usize,
-        from: f64,
-        coupled: f64,
-        to: f64,
+        ends: Ends,
     ) -> Option<Self> {
+        let Ends { from, coupled, to } = ends;
         let own = || contacts.iter().map(|i| half_lengths[*i]);
         let (shortest, longest) = own().fold((f64::INFINITY, 0.0_f64), |(s, l), a| (s.min(a), l.max(a)));
         let mut tail = Self { from, ..Self::default() };

@@ -54,8 +54,8 @@ struct Work {
 
 impl Work {
     /// Counts equations with so many pressures on each interval; `None` if they are too many.
-    fn spend(&mut self, count: usize) -> Option<()> {
-        self.solved += (count / COARSEST).pow(2);
+    fn spend(&mut self, count: usize, times: usize) -> Option<()> {
+        self.solved += times * (count / COARSEST).pow(2);
         (self.solved <= MOST_SOLVED).then_some(())
     }
 }
@@ -83,15 +83,16 @@ pub(super) fn solve(problem: &Problem, zones: &[Zones]) -> Option<Solution> {
     let merged = patches(problem, zones, Zones::merged)?;
     let fewer = (merged != all).then_some(merged);
     let starts = [Some(all), fewer].into_iter().flatten();
+    let mut work = Work::default();
     starts
         .flat_map(|patches| [false, true].map(|joint| (patches.clone(), joint)))
-        .find_map(|(patches, joint)| solve_from(problem, patches, joint))
+        .find_map(|(patches, joint)| solve_from(problem, patches, joint, &mut work))
 }
 
 /// The same from given intervals.
-fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool) -> Option<Solution> {
+fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool, work: &mut Work) -> Option<Solution> {
     let negligible = negligible(problem.tolerance);
-    let mut work = Work::default();
+    work.steps.clear();
     let mut before: Option<Level> = None;
     let mut best: Option<([Level; 2], Errors, usize)> = None;
     let mut count = COARSEST;
@@ -100,7 +101,7 @@ fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool) -> Option<Sol
         let level = [true, false]
             .map(|together| Way { together, joint })
             .into_iter()
-            .find_map(|way| converge(problem, start.clone(), count, negligible, way, &mut work));
+            .find_map(|way| converge(problem, start.clone(), count, negligible, way, work));
         let Some(level) = level else {
             // where neither few nor some will do, more will not
             if best.is_some() || count > COARSEST {
@@ -138,7 +139,8 @@ fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool) -> Option<Sol
     // pressures that pull are wrong by that
     errors.peaks.iter_mut().zip(&pulls).for_each(|(error, pull)| *error = error.max(SAFETY * pull));
     let [min_pressure, min_gap] = min;
-    let stats = Stats { modes: vec![count; problem.contacts()], newton_steps: work.steps, ..stats(problem.kernel) };
+    let stats =
+        Stats { modes: vec![count; problem.contacts()], newton_steps: work.steps.clone(), ..stats(problem.kernel) };
     let contacts = found(&level, &errors);
     Some(Answer { contacts, min_pressure, min_gap, stats, warnings }.into_solution(problem))
 }
@@ -251,7 +253,7 @@ fn converge(
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
         let system = |patches: &[Patch]| Equations { kernel, problem, layout: &waves, patches, count }.system();
-        work.spend(count)?;
+        work.spend(count, 1)?;
         let here = system(&patches);
         *work.steps.last_mut()? += 1;
         let (at, rooms) = (ends(&patches), rooms(&patches));
@@ -264,45 +266,26 @@ fn converge(
         let derivatives = match kept.take() {
             Some(kept) => kept,
             None => {
-                let mut derivatives = Mat::zeros(residuals.len(), at.len());
-                for by in 0..at.len() {
-                    let mut moved = at.clone();
-                    moved[by] += DIFFERENCE * rooms[by];
-                    work.spend(count)?;
-                    let there = system(&with_ends(&patches, &moved)?).residuals(&own);
-                    for (row, (there, here)) in there.iter().zip(&residuals).enumerate() {
-                        derivatives[(row, by)] = (there - here) / DIFFERENCE;
-                    }
-                }
-                derivatives
+                work.spend(count, at.len())?;
+                let residuals_at = |ends: &[f64]| Some(system(&with_ends(&patches, ends)?).residuals(&own));
+                derivatives(&at, &rooms, &residuals, residuals_at)?
             }
         };
-        // steps of the ends in units of the intervals next to each of them
-        let size = own.len();
-        let matrix = Mat::from_fn(size + at.len(), size + at.len(), |row, column| match column.checked_sub(size) {
-            None => here.matrix[(row, column)],
-            Some(by) => derivatives[(row, by)],
-        });
-        let right = Mat::from_fn(residuals.len(), 1, |row, _| -residuals[row]);
-        let found = matrix.partial_piv_lu().solve(&right);
-        let (change, step) = found.col_as_slice(0).split_at(size);
+        let (change, step) = newton_step(&here.matrix, &derivatives, &residuals)?;
         let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-        if found.col_as_slice(0).iter().any(|value| !value.is_finite()) {
-            return None;
-        }
         let shorten = if way.together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
-        own.iter_mut().zip(change).for_each(|(own, change)| *own += shorten * change);
+        own.iter_mut().zip(&change).for_each(|(own, change)| *own += shorten * change);
         if longest < SETTLED || last < SHORT && longest > 0.5 * last {
             let left_out =
                 (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
-            let coefficients = own.chunks_exact(count).map(<[f64]>::to_vec).collect();
+            let coefficients = in_equilibrium(&patches, own.chunks_exact(count).map(<[f64]>::to_vec).collect());
             return Some(Level { patches, coefficients, last_step: longest, left_out });
         }
         kept = (longest < KEPT * last && longest < KEPT).then_some(derivatives);
         last = longest;
         // an end where the pressure is next to nothing is known badly, and does not hold up the others; steps back and
         // forth grow shorter
-        let back = moved_by.iter().zip(step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
+        let back = moved_by.iter().zip(&step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
         limit = if back && !way.together { 0.5 * limit } else { (1.5 * limit).min(LONGEST_STEP) };
         moved_by = step.iter().map(|step| (shorten * step).clamp(-limit, limit)).collect();
         let moved: Vec<f64> =
@@ -312,6 +295,52 @@ fn converge(
         layout = Some((waves, about));
     }
     None
+}
+
+/// The pressures with exactly the resultant of the force in each contact: the ends have moved since they were found.
+fn in_equilibrium(patches: &[Patch], mut coefficients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let pairs = || patches.iter().enumerate();
+    let resultants: Vec<f64> = pairs()
+        .map(|(_, patch)| {
+            let own = pairs().filter(|(_, other)| other.contact == patch.contact);
+            own.map(|(k, other)| coefficients[k][0] * other.resultant()).sum()
+        })
+        .collect();
+    for (own, resultant) in coefficients.iter_mut().zip(resultants) {
+        own.iter_mut().for_each(|c| *c /= resultant);
+    }
+    coefficients
+}
+
+/// Derivatives of the residuals with respect to the ends, in units of the intervals next to each of them.
+fn derivatives(
+    ends: &[f64],
+    rooms: &[f64],
+    residuals: &[f64],
+    residuals_at: impl Fn(&[f64]) -> Option<Vec<f64>>,
+) -> Option<Mat<f64>> {
+    let mut derivatives = Mat::zeros(residuals.len(), ends.len());
+    for by in 0..ends.len() {
+        let mut moved = ends.to_vec();
+        moved[by] += DIFFERENCE * rooms[by];
+        for (row, (there, here)) in residuals_at(&moved)?.iter().zip(residuals).enumerate() {
+            derivatives[(row, by)] = (there - here) / DIFFERENCE;
+        }
+    }
+    Some(derivatives)
+}
+
+/// Changes of the pressures, and steps of the ends in units of the intervals next to each of them; `None` if they are no numbers.
+fn newton_step(matrix: &Mat<f64>, derivatives: &Mat<f64>, residuals: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+    let (size, ends) = (matrix.ncols(), derivatives.ncols());
+    let all = Mat::from_fn(size + ends, size + ends, |row, column| match column.checked_sub(size) {
+        None => matrix[(row, column)],
+        Some(by) => derivatives[(row, by)],
+    });
+    let right = Mat::from_fn(residuals.len(), 1, |row, _| -residuals[row]);
+    let found = all.partial_piv_lu().solve(&right);
+    let (change, step) = found.col_as_slice(0).split_at(size);
+    found.col_as_slice(0).iter().all(|value| value.is_finite()).then(|| (change.to_vec(), step.to_vec()))
 }
 
 /// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.

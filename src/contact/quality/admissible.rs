@@ -44,6 +44,10 @@ const NEAR: usize = 4 * PER_MODE;
 /// Pressures under a punch that is not smooth pull by no more than this part of the largest.
 const TENSION: f64 = 1e-6;
 
+/// More modes do not change a tension of more than this part of the largest pressure. Twice as much: non-physical roots are
+/// refined for longer; half as much: admissible ones may be given up, and are found again from the quadratic programme.
+const GROSS: f64 = 0.05;
+
 /// Moments that are smaller, against force times half-length, are next to nothing.
 const LEAST_MOMENT: f64 = 1e-4;
 /// Force by which the end of a beam gives way by 1, times length cubed over bending stiffness.
@@ -167,6 +171,18 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
         tensions.push((-least.pressure / least.largest).max(0.0));
     }
     Ok((min_pressure, tensions))
+}
+
+/// An error if a contact is in such tension that more modes will not change that.
+pub(crate) fn check_gross_tension(problem: &Problem, level: &Level) -> Result<(), ContactError> {
+    for i in problem.unknown().filter(|i| level.remainders[*i].is_none()) {
+        let least = Least::of(level, i);
+        if least.pressure < -GROSS * least.largest {
+            let x = least.s * level.support.half_lengths[i] * problem.kernel.length();
+            return Err(NoSolution::Tension { interface: problem.interfaces[i], x }.into());
+        }
+    }
+    Ok(())
 }
 
 /// The smallest pressure of a contact.

@@ -35,8 +35,10 @@ const LOOSEST: f64 = 1e-10;
 
 /// What is known to begin with.
 pub(crate) enum Start {
-    /// Half-lengths from formulas, and by which factor the first steps are to be finer than usual.
-    Cold { half_lengths: Vec<f64>, finer: usize },
+    /// Half-lengths from formulas: Newton's method may converge to a non-physical root, which is given up as soon as it shows.
+    Guess { half_lengths: Vec<f64> },
+    /// Half-lengths from the quadratic programme, or from another solution.
+    Cold { half_lengths: Vec<f64> },
     /// Half-lengths almost as right as any answer, and how large modes are there.
     Warm { half_lengths: Vec<f64>, modes: Modes },
 }
@@ -75,14 +77,11 @@ struct Levels<'a> {
 
 impl<'a> Levels<'a> {
     fn new(problem: &'a Problem, start: &Start, work: Work) -> Self {
-        let (half_lengths, finer) = match start {
-            Start::Cold { half_lengths, finer } => (half_lengths, *finer),
-            Start::Warm { half_lengths, .. } => (half_lengths, 1),
-        };
+        let (Start::Guess { half_lengths } | Start::Cold { half_lengths } | Start::Warm { half_lengths, .. }) = start;
         let n = half_lengths.len();
         let finest = FINEST.min(MOST / n);
         let mut solved = coarsest(problem.kernel, half_lengths, finest / 2);
-        let coarse = |modes: &usize| (modes / 2 * finer).min(MOST_COARSE.min(finest)).max(COARSEST);
+        let coarse = |modes: &usize| (modes / 2).min(MOST_COARSE.min(finest)).max(COARSEST);
         let mut coarse: Vec<usize> = solved.iter().map(coarse).collect();
         one_where_known(problem, &mut solved);
         one_where_known(problem, &mut coarse);
@@ -95,8 +94,11 @@ impl<'a> Levels<'a> {
     fn run(&mut self, start: Start) -> Result<Refined, ContactError> {
         // a warm start has no coarse level to compare with, so that its error estimate may not be trusted
         let mut is_doubtful = matches!(start, Start::Warm { .. });
+        let is_guess = matches!(start, Start::Guess { .. });
         let (mut half_lengths, rough) = match start {
-            Start::Cold { half_lengths, .. } => self.newton.coarse(half_lengths, &self.coarse, self.tolerance)?,
+            Start::Guess { half_lengths } | Start::Cold { half_lengths } => {
+                self.newton.coarse(half_lengths, &self.coarse, self.tolerance)?
+            }
             Start::Warm { half_lengths, mut modes } => {
                 modes.iter_mut().zip(&self.coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
                 (half_lengths, modes)
@@ -126,6 +128,8 @@ impl<'a> Levels<'a> {
             }
             if level.swept.iter().all(|swept| *swept) {
                 admissible::check_pressures(self.problem, &level, f64::INFINITY)?;
+            } else if is_guess {
+                admissible::check_gross_tension(self.problem, &level)?;
             }
             if !self.grow(&level) {
                 return Ok(self.refined(level));

@@ -9,6 +9,7 @@ use crate::contact::parts;
 use crate::contact::problem::Problem;
 use crate::contact::programme::{self, Zones};
 use crate::contact::quality::estimates::ENDLESS;
+use crate::contact::quality::levels::Start;
 use crate::contact::starts::formulas;
 use crate::numeric::largest;
 use crate::solution::{Interface, Solution};
@@ -37,11 +38,11 @@ impl From<Solution> for Attempt {
     }
 }
 
-/// Tries starting points in order of cost. `solve` goes on from half-lengths; `low_accuracy` is asked in the end, with the
+/// Tries starting points in order of cost. `solve` goes on from one; `low_accuracy` is asked in the end, with the
 /// half-lengths that formulas expect, and how far out bodies would overlap otherwise.
 pub(crate) fn solve_in_order(
     problem: &Problem,
-    solve: impl FnMut(Vec<f64>) -> Result<Attempt, ContactError>,
+    solve: impl FnMut(Start) -> Result<Attempt, ContactError>,
     low_accuracy: impl FnOnce(&[f64], f64) -> Option<Solution>,
 ) -> Result<Solution, ContactError> {
     let expected = formulas::half_lengths(problem)?;
@@ -76,9 +77,9 @@ struct Search<'a, F> {
     far: f64,
 }
 
-impl<F: FnMut(Vec<f64>) -> Result<Attempt, ContactError>> Search<'_, F> {
+impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
     fn run(&mut self) -> Result<Outcome, ContactError> {
-        let mut failure = match self.attempt(self.expected.clone())? {
+        let mut failure = match self.attempt(Start::Guess { half_lengths: self.expected.clone() })? {
             Outcome::Failed(failure) => failure,
             solved => return Ok(solved),
         };
@@ -107,7 +108,7 @@ impl<F: FnMut(Vec<f64>) -> Result<Attempt, ContactError>> Search<'_, F> {
             if let Some(solution) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(solution)));
             }
-            match self.from_ends(self.ends(all))? {
+            match self.solve_from_ends(self.ends(all))? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
             }
@@ -116,9 +117,9 @@ impl<F: FnMut(Vec<f64>) -> Result<Attempt, ContactError>> Search<'_, F> {
         Ok(self.in_intervals(&zones).unwrap_or(Outcome::Failed(failure)))
     }
 
-    /// Newton's method from half-lengths; a solution that may be that of a non-physical root is kept aside.
-    fn attempt(&mut self, half_lengths: Vec<f64>) -> Result<Outcome, ContactError> {
-        let attempt = match (self.solve)(half_lengths) {
+    /// Newton's method from a start; a solution that may be that of a non-physical root is kept aside.
+    fn attempt(&mut self, start: Start) -> Result<Outcome, ContactError> {
+        let attempt = match (self.solve)(start) {
             Ok(attempt) => attempt,
             Err(error @ ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => return Err(error),
             Err(failure @ ContactError::NoSolution(_)) => return Ok(Outcome::Failed(Box::new(failure))),
@@ -168,10 +169,10 @@ impl<F: FnMut(Vec<f64>) -> Result<Attempt, ContactError>> Search<'_, F> {
 
     /// Newton's method from the ends of the quadratic programme; where a contact is in tension there, with that end where the
     /// tension begins: non-physical roots can overestimate the contact.
-    fn from_ends(&mut self, mut half_lengths: Vec<f64>) -> Result<Outcome, ContactError> {
+    fn solve_from_ends(&mut self, mut half_lengths: Vec<f64>) -> Result<Outcome, ContactError> {
         let mut so_far = 0;
         loop {
-            let failure = match self.attempt(half_lengths.clone())? {
+            let failure = match self.attempt(Start::Cold { half_lengths: half_lengths.clone() })? {
                 Outcome::Failed(failure) => failure,
                 solved => return Ok(solved),
             };
