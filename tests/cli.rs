@@ -317,19 +317,6 @@ fn bad_arguments_are_bad_input() {
 }
 
 #[test]
-fn a_punch_too_small_for_its_force_is_named_with_its_place() {
-    let text = "Scene(\n    plane: Strain,\n    punch: Cylinder(radius: 1.0),\n    force: 100.0,\n    \
-                stack: [HalfPlane(shear_modulus: 1.0, poisson: 0.25)],\n)\n";
-    let run = recede(&["solve", "-"], text.as_bytes());
-    assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
-    assert!(
-        run.stderr.starts_with("error: stdin:3:12: the punch Cylinder(radius: 1.0) cannot carry the force"),
-        "{}",
-        run.stderr
-    );
-}
-
-#[test]
 fn help_tells_examples_and_exit_statuses() {
     let help = succeeds(&["--help"]);
     assert!(help.contains("recede solve scene.ron") && help.contains("Exit status"), "{help}");

@@ -250,28 +250,6 @@ fn scenes_name_them_draw_them_and_print_them() {
 }
 
 #[test]
-fn springs_that_are_none_are_refused_where_they_stand() {
-    let said = |from: &str, to: &str| {
-        let scene = Scene::from_ron(&SCENE.replace(from, to));
-        scene.map_err(recede::Error::from).and_then(|scene| scene.stack()).unwrap_err().to_string()
-    };
-    assert_eq!(
-        said("normal: 2", "normal: 0"),
-        "scene:3:80: `normal` of the springs below layer 2: found 0.0, allowed is a finite number > 0"
-    );
-    assert!(
-        said("tangential: 0.5", "tangential: -1").contains("`tangential` of the springs below layer 2: found -1.0")
-    );
-    assert!(said("normal: 2, ", "").contains("`normal` is missing in the springs below layer 2"));
-    assert!(
-        said("(normal: 2, tangential: 0.5)", "(k: 2)").contains("have no field `k`; allowed")
-            || said("(normal: 2, tangential: 0.5)", "(k: 2)").contains("has no field `k`; allowed")
-    );
-    assert!(said("Sliding", "Slidin").contains("no layer or interface is called `Slidin`; allowed are"));
-    assert!(said("Sliding,", "Sliding(friction: 0.1),").contains("`Sliding` has no fields"));
-}
-
-#[test]
 fn without_the_layer_between_jumps_add_up() {
     let spring = |normal| Spring::new(normal, None).unwrap();
     let stack = begin().layer(strip_of(1.0, 1.0)).spring(spring(2.0)).layer(strip_of(0.0, 1.0)).spring(spring(2.0));

@@ -1,5 +1,6 @@
 //! Runs the command `recede` as a user does.
 use std::io::Write;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// How a run of the command ended.
@@ -14,9 +15,14 @@ pub struct Run {
 
 /// Runs `recede` in the folder of the package with these arguments and this standard input.
 pub fn recede(arguments: &[&str], stdin: &[u8]) -> Run {
+    recede_in(Path::new(env!("CARGO_MANIFEST_DIR")), arguments, stdin)
+}
+
+/// The same in another folder.
+pub fn recede_in(folder: &Path, arguments: &[&str], stdin: &[u8]) -> Run {
     let mut child = Command::new(env!("CARGO_BIN_EXE_recede"))
         .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(folder)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
