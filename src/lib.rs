@@ -48,7 +48,7 @@
 //! # Features
 //!
 //! All are on unless `default-features = false` is said: `cli`, the command, with `plot`, pictures; `parallel`, sweeps in
-//! several threads; `stress`, random scenes; and `files`, scenes and sweeps from files. Without any of them nothing here uses
+//! several threads; `selftest`, random scenes; and `files`, scenes and sweeps from files. Without any of them the library does not use
 //! threads, a clock or files.
 //!
 //! # Conventions
@@ -73,10 +73,10 @@ mod options;
 pub mod plot;
 pub mod report;
 mod scene;
+#[cfg(feature = "selftest")]
+pub mod selftest;
 mod solution;
 mod stack;
-#[cfg(feature = "stress")]
-pub mod stress;
 mod sweep;
 mod system;
 
@@ -85,7 +85,7 @@ pub use errors::Error;
 pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Spot};
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
-/// The layers' own crate: for layer types of one's own, and the laws they have to obey.
+/// The crate of the layers: for user-defined layer types, and the laws that they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{
     EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane, Homogeneous,

@@ -29,7 +29,7 @@ const MAY_IMPORT: [(&str, &[&str]); 18] = [
     // put together from the errors of the stages, for all that stands above them
     ("errors", &["contact", "field", "scene", "stack", "sweep", "system"]),
     ("model", &["collocation", "contact", "errors", "field", "kernel", "scene", "stack"]),
-    ("stress", &["contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
+    ("selftest", &["contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
     ("sweep", &["errors", "model", "scene", "stack"]),
     ("plot", &["field", "files", "scene", "stack", "sweep"]),
     ("report", &["errors", "field", "scene", "sweep"]),
@@ -279,7 +279,7 @@ fn exported() -> BTreeMap<String, String> {
     exported
 }
 
-/// The paths that begin with `crate::`. Of a nested list only the first names are told.
+/// The paths that begin with `crate::`. Of a nested list only the first names are returned.
 fn paths(text: &str) -> Vec<String> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut found = Vec::new();

@@ -24,15 +24,13 @@ fn refused(arguments: &[&str]) -> String {
 }
 
 #[test]
-fn where_bodies_are_apart_or_meet_again_stands_under_the_table() {
+fn open_middles_and_re_contacts_stand_under_the_table() {
     let apart =
         "Scene(plane: Strain, load: Several([(at: 30.0, share: 1.0, load: Uniform(half_width: 0.5))]), force: 0.01,
         stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
         HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     let again = fs::read_to_string("tests/data/hard/seed_23_number_1121.ron").unwrap();
-    for (scene, line) in
-        [(apart, "1|2: the bodies are apart for |x| < 28.5475"), (&again, "1|2: the bodies touch again from |x| = ")]
-    {
+    for (scene, line) in [(apart, "1|2: open for |x| < 28.5475"), (&again, "1|2: re-contact from |x| = ")] {
         let Run { status, stdout, stderr } = recede(&["solve", "-"], scene.as_bytes());
         assert_eq!(status, Some(0), "{stderr}");
         assert!(stdout.contains(line), "{stdout}");
@@ -390,30 +388,30 @@ fn names_that_are_nearly_right_are_understood() {
 }
 
 #[test]
-fn stress_tells_what_became_of_random_scenes() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stress");
+fn selftest_reports_the_results_of_random_scenes() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("selftest");
     let folder = folder.to_str().unwrap();
-    let of = ["stress", "--paper-kinds", "--seed", "1", "--first", "1", "--count", "4"];
+    let of = ["selftest", "--paper-kinds", "--seed", "1", "--first", "1", "--count", "4"];
     let said = succeeds(&[&of[..], &["--verify", "--save", folder, "--threads", "1"]].concat());
     for part in ["solved", "100.00 %", "estimated error", "slowest", "4 scenes compared", "0 errors more than 10 times"]
     {
         assert!(said.contains(part), "{part}: {said}");
     }
     // what is saved are the scenes that were solved
-    let saved = format!("{folder}/stress_1_4.ron");
+    let saved = format!("{folder}/selftest_1_4.ron");
     let text = fs::read_to_string(&saved).unwrap();
     assert!(text.starts_with("// solved\n"), "{text}");
     assert!(succeeds(&["solve", &saved, "--format", "csv"]).starts_with("interface,half_length"));
-    // all kinds, to a tolerance of one's own
-    let said = succeeds(&["stress", "--seed", "1", "--first", "1", "--count", "2", "--tolerance", "1e-6"]);
+    // all kinds, to another tolerance
+    let said = succeeds(&["selftest", "--seed", "1", "--first", "1", "--count", "2", "--tolerance", "1e-6"]);
     assert!(said.contains("100.00 %") && !said.contains("compared"), "{said}");
 }
 
 /// A scene that takes too much memory or time ends its own process only.
 #[cfg(unix)]
 #[test]
-fn stress_survives_what_its_scenes_take() {
-    let of = ["stress", "--seed", "1", "--count", "3", "--threads", "1"];
+fn selftest_survives_scenes_that_take_too_much() {
+    let of = ["selftest", "--seed", "1", "--count", "3", "--threads", "1"];
     let run = recede(&[&of[..], &["--memory", "1"]].concat(), b"");
     assert_eq!(run.status, Some(1), "{}", run.stderr);
     assert!(run.stdout.contains("killed   aborted, or more memory than 1 MB"), "{}", run.stdout);

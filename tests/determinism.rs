@@ -9,7 +9,7 @@
 //! ```
 use std::thread;
 
-use recede::stress::{Ranges, scene};
+use recede::selftest::{Ranges, scene};
 use recede::{Error, Model, Punch, Scene, Solution};
 
 /// Multiples of the force of a scene.

@@ -1,7 +1,7 @@
 //! Random scenes that were hard: thin loose layers, stiffnesses that differ by 1e4, starts far from the answer.
 use std::path::Path;
 
-use recede::stress::{Outcome, Trial};
+use recede::selftest::{Check, Outcome};
 use recede::{Error, Interface, NoSolution, Options, Scene};
 
 /// Scenes with an answer, and the largest relative error of a half-length that is still one.
@@ -13,11 +13,11 @@ const SOLVED: [(&str, f64); 18] = [
     ("seed_1_number_67", 1e-9),
     // the same with a graded slab below
     ("seed_1_number_22", 1e-3),
-    // pressures tied together by a thin loose layer
+    // contacts strongly coupled by a thin loose layer
     ("seed_1_number_64", 1e-10),
-    // a root that pulls near the end of a sheet on a soft film is next to the right one
+    // a root with tension near the end of a thin layer on a soft film is next to the physical one
     ("seed_1_number_95", 1e-10),
-    // a sheet a thousandth of the contact on soft ground
+    // a layer a thousand times thinner than the contact is long, on a soft base
     ("seed_2_number_55", 1e-9),
     // laminates of unlike layers, which bend when they are squeezed: what gives way of one face alone is a million times
     // what both together do, and negative on the other
@@ -27,36 +27,36 @@ const SOLVED: [(&str, f64); 18] = [
     ("seed_2_number_91", 1e-10),
     // Newton's method leaves for a receding contact three hundred times too long
     ("seed_2_number_150", 1e-10),
-    // a root of few digits two hundred times too long, which nothing but another start tells from the right one
+    // a root of few digits two hundred times too long, which only another starting point distinguishes from the physical one
     ("seed_9_number_32", 1e-10),
     // a film without weight that comes down again, with a millionth of a millionth of the force
     ("seed_11_number_115", 1e-3),
-    // stiff sheets on soft ground, bent as far as the punch is round: they touch it in two strips
+    // stiff thin layers on a soft base, bent more than the punch is curved: they touch it on two intervals
     ("seed_2_number_70", 1e-5),
     ("seed_21_number_638", 1e-5),
     // parts of a contact that lies under one a thousand times shorter
     ("seed_11_number_107", 1e-5),
     ("seed_23_number_1121", 1e-5),
-    // programmes that rounding, or a laminate that bends when it is squeezed, leaves without a solution unless helped
+    // quadratic programmes that fail by rounding, or by a laminate that bends when it is compressed, unless pressures are differences
     ("seed_30_number_269", 1e-3),
     ("seed_21_number_1389", 1e-3),
 ];
-/// Scenes in which the pressure of the last contact fades before an end is found, on which nothing else depends.
+/// Scenes with a decaying last contact, whose end is frozen since nothing else depends on it.
 const FADING: [&str; 2] = ["seed_1_number_28", "seed_11_number_273"];
 /// Scenes in which bodies touch in several intervals that are not found to more than some per cent, the contact and where
 /// it ends: the far ends are where the pressure is next to nothing.
 const IN_PARTS: [(&str, &str, f64); 2] = [("seed_1_number_42", "5|6", 12.0), ("seed_2_number_108", "1|2", 0.041)];
 
-fn trial(name: &str, tolerance: f64) -> Trial {
+fn check(name: &str, tolerance: f64) -> Check {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::read(Path::new(&path)).unwrap();
-    Trial::of_contacts(&scene, &Options { tolerance, ..Options::default() })
+    Check::of_contacts(&scene, &Options { tolerance, ..Options::default() })
 }
 
 #[test]
 fn hard_scenes_are_solved() {
     for (name, error) in SOLVED {
-        let (best, rough) = (trial(name, 1e-10), trial(name, 1e-5));
+        let (best, rough) = (check(name, 1e-10), check(name, 1e-5));
         let (Outcome::Solved(best), Outcome::Solved(rough)) = (best.outcome, rough.outcome) else {
             panic!("{name} is not solved")
         };
@@ -95,7 +95,7 @@ fn a_trial_without_an_answer_says_why_in_words_that_count() {
         )
     };
     let [one, other] = [1e-2, 2e-2]
-        .map(|radius| Trial::of_contacts(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
+        .map(|radius| Check::of_contacts(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
     assert_eq!((one.status(), one.is_wrong(), one.interface()), ("unsolved", false, None));
     assert!(one.solution().is_none() && one.reason().contains("reach its edge"), "{}", one.reason());
     // the same words for the same cause
@@ -105,7 +105,7 @@ fn a_trial_without_an_answer_says_why_in_words_that_count() {
 #[test]
 fn contacts_of_several_parts_are_found_to_some_per_cent() {
     for (name, place, end) in IN_PARTS {
-        let Outcome::Solved(solution) = trial(name, 1e-10).outcome else { panic!("{name} is not solved") };
+        let Outcome::Solved(solution) = check(name, 1e-10).outcome else { panic!("{name} is not solved") };
         assert!(solution.warnings().iter().any(|warning| warning.contains("in several parts")), "{name}");
         let contact = solution.contacts().iter().find(|contact| contact.interface.to_string() == place).unwrap();
         assert!((contact.half_length - end).abs() < 2.0 * contact.half_length_error, "{name}: {contact:?}");
@@ -122,8 +122,8 @@ fn a_contact_that_fades_is_one_that_cannot_open() {
         let last = receding.rfind("Receding").unwrap();
         let sliding = [&receding[..last], "Sliding", &receding[last + "Receding".len()..]].concat();
         let [receding, sliding] = [receding, sliding].map(|text| {
-            let trial = Trial::of_contacts(&Scene::from_ron(&text).unwrap(), &Options::default());
-            let Outcome::Solved(solution) = trial.outcome else { panic!("{name} is not solved") };
+            let check = Check::of_contacts(&Scene::from_ron(&text).unwrap(), &Options::default());
+            let Outcome::Solved(solution) = check.outcome else { panic!("{name} is not solved") };
             solution
         });
         let fading = receding.contacts().last().unwrap();

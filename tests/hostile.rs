@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use recede::stress::{Outcome, Ranges, Trial, scenes};
+use recede::selftest::{Check, Outcome, Ranges, scenes};
 use recede::{Error, MAX_BYTES, MAX_ITEMS, MAX_LAYERS, MAX_RECEDING, Options, Registry, Scene};
 
 /// Nothing that is only read takes longer, even on a busy machine.
@@ -71,7 +71,7 @@ const PIECES: [&str; 24] = [
     "#![enable(unwrap_newtypes)]",
 ];
 
-/// Reads it and builds the stack, and sees that errors can be told.
+/// Reads it and builds the stack, and formats the error.
 fn read(bytes: &[u8]) -> Result<Scene, Error> {
     let start = Instant::now();
     let scene = Scene::from_reader("hostile", bytes, &Registry::default());
@@ -142,8 +142,8 @@ proptest! {
             }
         }
         if let Ok(scene) = read(text.as_bytes()) {
-            let trial = Trial::run(&scene, &Options::default(), false);
-            let wrong = match &trial.outcome {
+            let check = Check::run(&scene, &Options::default(), false);
+            let wrong = match &check.outcome {
                 Outcome::Wrong(what) | Outcome::Panicked(what) => Some(what),
                 Outcome::Solved(_) | Outcome::Unsolved(_) => None,
             };
@@ -241,16 +241,16 @@ fn stacks_without_measure() {
 /// Scenes of all kinds end with an answer that is not known to be wrong, or with a reason.
 #[test]
 fn punches_loads_and_interfaces_of_all_kinds_do_not_end_in_panic() {
-    use recede::stress::{Outcome, Trial, scene_of_any_kind};
+    use recede::selftest::{Check, Outcome, scene_of_any_kind};
     const SCENES: u64 = 60;
     let mut solved = 0;
     for number in 0..SCENES {
         let scene = scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap();
         let read = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!(read.to_ron(), scene.to_ron());
-        let trial = Trial::run(&read, &recede::Options { tolerance: 1e-8, ..Default::default() }, false);
-        assert!(!trial.outcome.is_wrong(), "{number}: {}\n{}", trial.outcome.reason(), scene.to_ron());
-        solved += u64::from(matches!(trial.outcome, Outcome::Solved(_)));
+        let check = Check::run(&read, &recede::Options { tolerance: 1e-8, ..Default::default() }, false);
+        assert!(!check.outcome.is_wrong(), "{number}: {}\n{}", check.outcome.reason(), scene.to_ron());
+        solved += u64::from(matches!(check.outcome, Outcome::Solved(_)));
     }
     assert!(solved > SCENES * 8 / 10, "{solved} of {SCENES}");
 }

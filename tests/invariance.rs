@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
 use recede::exact::{Elastic, hertz};
-use recede::stress::{Ply, Ranges, Scenario, scene_of_any_kind_in_units};
+use recede::selftest::{Ply, Ranges, Scenario, scene_of_any_kind_in_units};
 use recede::{Error, Interface, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 
 #[path = "support/scenario.rs"]
@@ -24,7 +24,7 @@ mod scenario;
 
 use scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
 
-/// Two answers, each within the tolerance of 1e-10 that it was asked for.
+/// Two answers, each within its tolerance of 1e-10.
 const SAME: f64 = 1e-10;
 
 fn config() -> ProptestConfig {

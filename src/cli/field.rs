@@ -16,7 +16,7 @@ use super::{Failure, SceneFile, tell};
 /// Places along x and depths of a grid that is not specified.
 const LIST: [usize; 2] = [201, 101];
 const MAP: [usize; 2] = [301, 181];
-/// It reaches this many half-lengths of the longest contact to either side, and at most so many down.
+/// It reaches this many half-lengths of the longest contact to either side, and at most this many down.
 const BESIDE: f64 = 2.0;
 const BELOW: f64 = 3.0;
 /// In a half-plane it reaches this many half-lengths down.
@@ -163,11 +163,11 @@ impl Field {
         Ok(field.grid(&xs, &depths)?.points().to_vec())
     }
 
-    /// Places along x and depths, so many unless it is said how many.
+    /// Places along x and depths; the default number of each unless it is given.
     fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
         let (from, to) = field.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
         let layers = if to.is_finite() { to } else { from };
-        // under nothing but a line load: the thickness of the layers, or 1 on a half-plane, which has no length of its own
+        // under a line load alone: the thickness of the layers, or 1 on a half-plane, which has no length of its own
         let longest = solution.extent().unwrap_or(if layers > 0.0 { layers } else { 1.0 });
         let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;

@@ -1,4 +1,4 @@
-//! `recede completions` and `recede man`: what a shell and a reader want to know, from the command itself.
+//! `recede completions` and `recede man`: generated from the definition of the command.
 use std::io::Write;
 
 use clap::CommandFactory;

@@ -7,9 +7,9 @@ mod list;
 mod plot;
 mod progress;
 mod rows_file;
+mod selftest;
 mod show;
 mod solve;
-mod stress;
 mod sweep;
 
 use std::io::{self, Write};
@@ -50,7 +50,7 @@ enum Command {
     Show(show::Show),
     Field(field::Field),
     List(list::List),
-    Stress(stress::Stress),
+    Selftest(selftest::Selftest),
     Sweep(sweep::Command),
     Plot(plot::Plot),
     Init(init::Init),
@@ -124,7 +124,7 @@ impl Failure {
 }
 
 impl Arguments {
-    /// Does what is asked for; data go to standard output.
+    /// Runs the subcommand; data go to standard output.
     pub fn run(&self) -> Result<(), Failure> {
         let mut out = io::BufWriter::new(io::stdout().lock());
         let done = match &self.command {
@@ -133,7 +133,7 @@ impl Arguments {
             Command::Show(command) => command.run(&mut out),
             Command::Field(command) => command.run(&mut out),
             Command::List(command) => command.run(&mut out),
-            Command::Stress(command) => command.run(&mut out),
+            Command::Selftest(command) => command.run(&mut out),
             Command::Sweep(command) => command.run(&mut out),
             Command::Plot(command) => command.run(),
             Command::Init(command) => command.run(),
@@ -141,7 +141,7 @@ impl Arguments {
             Command::Man(command) => command.run(&mut out),
         };
         match done.and_then(|()| Ok(out.flush()?)) {
-            // whoever reads has read enough
+            // the reader has closed the pipe
             Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
             other => other,
         }
@@ -182,7 +182,7 @@ pub fn explain(failure: &Failure) {
     tell(&text);
 }
 
-/// Writes to standard error, in colour on a terminal only. That it cannot be written is nothing to fail for.
+/// Writes to standard error, in colour on a terminal only. A failure to write is ignored.
 fn tell(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }

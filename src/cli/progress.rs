@@ -1,4 +1,4 @@
-//! A bar that tells how far a long run has come.
+//! A progress bar.
 use indicatif::{ProgressBar, ProgressStyle};
 
 const BAR: &str = "{wide_bar} {pos}/{len}  {per_sec}  {eta} left";

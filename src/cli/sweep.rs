@@ -95,7 +95,7 @@ impl Command {
         Ok(())
     }
 
-    /// The sweep that is asked for by file and options together.
+    /// The sweep given by file and options together.
     fn sweep(&self) -> Result<Sweep, Failure> {
         let registry = Registry::default();
         let name = if self.file == Path::new("-") { Path::new("stdin") } else { &self.file };

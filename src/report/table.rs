@@ -53,11 +53,11 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     for contact in solution.contacts() {
         if contact.opening > 0.0 {
             let opening = with_error(contact.opening, contact.opening_error);
-            writeln!(out, "{}: the bodies are apart for |x| < {opening}", report.name(contact))?;
+            writeln!(out, "{}: open for |x| < {opening}", report.name(contact))?;
         }
         for Part { from, from_error, to, to_error } in &contact.parts {
             let (from, to) = (with_error(*from, *from_error), with_error(*to, *to_error));
-            writeln!(out, "{}: the bodies touch again from |x| = {from} to {to}", report.name(contact))?;
+            writeln!(out, "{}: re-contact from |x| = {from} to {to}", report.name(contact))?;
         }
     }
     if solution.contacts().iter().any(|contact| contact.peak_pressure.is_infinite()) {

@@ -1,9 +1,9 @@
 //! Random scenes of moderate numbers, and what a test does with them.
 use proptest::prelude::*;
-use recede::stress::{Ply, Ranges, Scenario, scenes};
+use recede::selftest::{Ply, Ranges, Scenario, scenes};
 use recede::{Error, Item, Model, NoSolution, Options, Solution};
 
-/// A layer is looked at in so many depths.
+/// Number of depths at which the material of a layer is evaluated.
 const PARTS: usize = 100;
 /// Laminates that bend more than this by themselves are left out.
 const STRAIGHT: f64 = 0.05;
@@ -113,7 +113,7 @@ pub fn difference(found: &Solution, length: f64, pressure: f64, expected: &Solut
             let found = found.pressure(s * found.half_length) * pressure;
             (found - expected.pressure(s * expected.half_length)).abs() / expected.peak_pressure
         };
-        // the tolerance is one on half-lengths and on the peak pressure, whose series is averaged: the plain one feels the highest modes
+        // the tolerance is one on half-lengths and on the peak pressure, whose series is averaged: the plain series depends on the highest modes
         let peaks = (found.peak_pressure * pressure / expected.peak_pressure - 1.0).abs();
         let anywhere = [0.0, 0.3, 0.6, 0.9].map(|s| 1e-3 * at(s));
         anywhere.into_iter().fold(half_lengths.max(peaks), f64::max)

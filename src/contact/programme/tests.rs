@@ -2,7 +2,7 @@
 use crate::contact::problem::Problem;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
-use crate::stress::{Ranges, scene};
+use crate::selftest::{Ranges, scene};
 use crate::{Load, Model, Options, Punch, Solution};
 
 use crate::contact::programme::compliances::Compliances;

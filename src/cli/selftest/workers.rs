@@ -1,23 +1,23 @@
-//! Scenes are tried in processes of their own, one after the other in each: what takes too much memory or time ends its
-//! process, and counts as that.
+//! Worker processes, each of which solves scenes one after the other: a scene that takes too much memory or time ends its
+//! worker, and is counted as killed.
 use std::io::{self, BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-use recede::stress::{Comparison, Outcome, Trial, compare};
+use recede::selftest::{Check, Comparison, Outcome, compare};
 use recede::{Options, Scene};
 use serde::{Deserialize, Serialize};
 
 use super::super::Failure;
-use super::Stress;
+use super::Selftest;
 
-/// What is known of a scene afterwards.
+/// The result of one scene.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Ended {
     pub(super) number: u64,
-    /// How it ended, in a word, and why.
+    /// Status in one word, and the reason.
     pub(super) status: String,
     pub(super) reason: String,
     /// The contact that the reason names.
@@ -26,9 +26,9 @@ pub(super) struct Ended {
     pub(super) is_wrong: bool,
     /// How long the contact problem took.
     pub(super) seconds: f64,
-    /// What is known of the answer, if there is one.
+    /// Figures of the answer, if there is one.
     pub(super) answer: Option<Answer>,
-    /// `None` if not asked for, or if there is nothing to compare, or nothing to compare with.
+    /// `None` if not requested, or if there is no answer, or no stricter one.
     pub(super) comparisons: Option<Vec<Compared>>,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct Answer {
     pub(super) warned: bool,
 }
 
-/// A number of an answer against that of the strictest one.
+/// A number of an answer compared with that of the strictest answer.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Compared {
     pub(super) interface: String,
@@ -81,8 +81,8 @@ impl Ended {
     }
 }
 
-impl Stress {
-    /// Tries the scenes whose numbers come in by lines, and tells what became of each in a line.
+impl Selftest {
+    /// Solves the scenes whose numbers are read from standard input, one per line; writes the result of each as a line of JSON.
     pub(super) fn work(&self, out: &mut dyn Write) -> Result<(), Failure> {
         limit_memory(self.memory)?;
         for line in io::stdin().lock().lines() {
@@ -98,12 +98,12 @@ impl Stress {
         let scene = self.scene(number)?;
         let thickness = scene.stack()?.total_thickness();
         let options = Options { tolerance: self.tolerance, ..Options::default() };
-        let trial = Trial::run(&scene, &options, number.is_multiple_of(super::PICTURED));
-        Ok(self.ended(number, &scene, thickness, &trial))
+        let check = Check::run(&scene, &options, number.is_multiple_of(super::PICTURED));
+        Ok(self.ended(number, &scene, thickness, &check))
     }
 
-    fn ended(&self, number: u64, scene: &Scene, thickness: f64, trial: &Trial) -> Ended {
-        let outcome: &Outcome = &trial.outcome;
+    fn ended(&self, number: u64, scene: &Scene, thickness: f64, check: &Check) -> Ended {
+        let outcome: &Outcome = &check.outcome;
         let solution = outcome.solution();
         let answer = solution.map(|solution| {
             let contacts = solution.contacts();
@@ -129,16 +129,16 @@ impl Stress {
             reason: outcome.reason(),
             interface: outcome.interface().map_or(String::new(), |interface| interface.to_string()),
             is_wrong: outcome.is_wrong(),
-            seconds: trial.seconds,
+            seconds: check.seconds,
             answer,
             comparisons: comparisons.map(|all| all.into_iter().map(Compared::from).collect()),
         }
     }
 }
 
-/// A process that tries scenes, begun when it is first needed, and again after it was ended.
+/// A worker process, started when it is first needed, and again after it was ended.
 pub(super) struct Worker<'a> {
-    stress: &'a Stress,
+    selftest: &'a Selftest,
     running: Option<Running>,
 }
 
@@ -149,17 +149,17 @@ struct Running {
 }
 
 impl<'a> Worker<'a> {
-    pub(super) fn new(stress: &'a Stress) -> Self {
-        Self { stress, running: None }
+    pub(super) fn new(selftest: &'a Selftest) -> Self {
+        Self { selftest, running: None }
     }
 
-    /// Tries one scene.
+    /// Solves one scene.
     pub(super) fn run(&mut self, number: u64) -> Result<Ended, Failure> {
         let mut running = match self.running.take() {
             Some(running) => running,
-            None => Running::start(self.stress)?,
+            None => Running::start(self.selftest)?,
         };
-        let limit = Duration::from_secs(self.stress.seconds);
+        let limit = Duration::from_secs(self.selftest.seconds);
         let asked = writeln!(running.numbers, "{number}").and_then(|()| running.numbers.flush());
         let answer =
             if asked.is_ok() { running.lines.recv_timeout(limit) } else { Err(RecvTimeoutError::Disconnected) };
@@ -168,11 +168,11 @@ impl<'a> Worker<'a> {
                 self.running = Some(running);
                 return Ok(serde_json::from_str(&line).map_err(io::Error::from)?);
             }
-            Err(RecvTimeoutError::Timeout) => format!("longer than {} s", self.stress.seconds),
-            Err(RecvTimeoutError::Disconnected) => format!("aborted, or more memory than {} MB", self.stress.memory),
+            Err(RecvTimeoutError::Timeout) => format!("longer than {} s", self.selftest.seconds),
+            Err(RecvTimeoutError::Disconnected) => format!("aborted, or more memory than {} MB", self.selftest.memory),
         };
         running.end();
-        Ok(Ended::killed(number, &reason, self.stress.seconds as f64))
+        Ok(Ended::killed(number, &reason, self.selftest.seconds as f64))
     }
 }
 
@@ -185,9 +185,9 @@ impl Drop for Worker<'_> {
 }
 
 impl Running {
-    fn start(stress: &Stress) -> Result<Self, Failure> {
+    fn start(selftest: &Selftest) -> Result<Self, Failure> {
         let mut process = Command::new(std::env::current_exe()?)
-            .args(stress.arguments())
+            .args(selftest.arguments())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -213,7 +213,7 @@ impl Running {
     }
 }
 
-/// From here on this process has no more memory than so many MB; what asks for more ends it.
+/// Limits the memory of this process; a request for more ends it.
 #[cfg(unix)]
 fn limit_memory(megabytes: u64) -> Result<(), Failure> {
     use rustix::process::{Resource, Rlimit, setrlimit};
@@ -222,7 +222,7 @@ fn limit_memory(megabytes: u64) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where there is no such limit, nothing is limited.
+/// Without such a limit on this operating system, memory is unlimited.
 #[cfg(not(unix))]
 fn limit_memory(_: u64) -> Result<(), Failure> {
     Ok(())

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! m = 1 is the pressure on a half-plane, larger m are pressures on layers thin against the contact. Of all m that which
-//! asks for the largest force is closest to the truth.
+//! needs the largest force is closest to the exact one.
 use std::f64::consts::PI;
 
 use recede_layers::Wave;
@@ -25,12 +25,12 @@ use crate::system::{BaseChain, FreeChain};
 /// The integral over z = λa is summed up in these panels: what lies beyond the last cancels.
 const PANELS: [f64; 14] = [0.0, 1e-3, 1e-2, 0.1, 0.5, 1.0, 2.5, 5.0, 7.5, 10.0, 13.0, 16.0, 20.0, 25.0];
 const NODES: usize = 8;
-/// Orders m that are tried.
+/// Number of orders m.
 const ORDERS: usize = 3;
-/// Places at which the slope of the punch is looked at.
+/// Number of places at which the slope of the punch is evaluated.
 const PLACES: usize = 64;
 
-/// The force; as if the uppermost layer were all, should the compliance of the stack be unknown.
+/// The force; that of the uppermost layer alone if the compliance of the stack cannot be computed.
 pub(super) fn force(scenario: &Scenario, half_length: f64) -> f64 {
     match estimate(scenario, half_length) {
         Ok(Some(force)) if force > 0.0 && force.is_finite() => force,

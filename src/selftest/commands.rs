@@ -7,7 +7,7 @@ use crate::report::{FieldFormat, Format, Report, write_field};
 use crate::scene::Scene;
 use crate::solution::Solution;
 
-/// Places along x, in half-lengths of the longest contact, and depths, in the depth that is looked at, of a coarse grid. None is at
+/// Places along x, in half-lengths of the longest contact, and depths, in units of the deepest one, of a coarse grid. None is at
 /// the end of a contact, where stresses may be infinite.
 const ALONG: [f64; 7] = [-1.7, -0.6, 0.0, 0.13, 0.45, 0.93, 2.1];
 const DOWN: [f64; 6] = [0.0, 0.07, 0.2, 0.45, 0.8, 1.0];
@@ -18,7 +18,7 @@ const LARGER: f64 = 1e-3;
 /// The stress on the loaded face is the pressure to this part of the mean pressure.
 const PRESSED: f64 = 1e-5;
 
-/// Does what `solve`, `field` and `plot` do with a solution, pictures too if asked for; what is wrong, if anything is.
+/// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; returns what is wrong, if anything.
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
     let all = || -> Result<(), String> {
         let field = model.field(solution).map_err(|e| said("field")(&e))?;
@@ -29,7 +29,7 @@ pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: b
     all().err()
 }
 
-fn said(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
+fn context(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
     move |error| format!("{what}: {error}")
 }
 
@@ -39,7 +39,7 @@ fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Stri
         // it is infinite under a line load, at corners, and under some tips
         Ok(found) => Some(found),
         Err(FieldError::TooLong { .. }) => None,
-        Err(error) => return Err(said("largest shear stress")(&error)),
+        Err(error) => return Err(context("largest shear stress")(&error)),
     };
     let report = Report { scene, solution, max_shear: max_shear.filter(|found| found.value.is_finite()), seconds: 0.0 };
     for format in [Format::Table, Format::Json, Format::Csv] {

@@ -1,6 +1,6 @@
-//! `recede stress`: solves random legal scenes and tells what became of them.
+//! `recede selftest`: solves random legal scenes and checks the results.
 mod tables;
-mod trials;
+mod workers;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -10,18 +10,18 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use recede::Scene;
-use recede::stress::{Ranges, scene, scene_of_any_kind, variant};
+use recede::selftest::{Ranges, scene, scene_of_any_kind, variant};
 
 use super::Failure;
 use super::progress::bar;
 use tables::{causes, estimates, list, spread};
-use trials::{Ended, Worker};
+use workers::{Ended, Worker};
 
-/// Solve random legal scenes and tell what became of them
+/// Solve random scenes and check the results: a test of the program itself
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-Every scene is solved, reported in all formats, and its fields are computed and checked; one in sixteen is drawn. It may
-take no more than the memory and the time that are allowed: else it counts as killed.
+Every scene is solved, reported in all formats, and its fields are computed and checked; one in sixteen is drawn. A scene
+that takes more than the allowed memory or time is counted as killed.
 
 Layers: none to 6, homogeneous and graded (beta * thickness -8 to 8), bonded and up to 3 receding, thicknesses and moduli up
 to 1 : 1000 and 1 : 10000, Poisson's ratio -0.5 to 0.5; contacts under the punch from 1e-4 to 10 times the thickness. Some
@@ -29,13 +29,13 @@ of the punches, layers, interfaces and bases are then exchanged for others of al
 examples that ship with the program, with numbers, layers, interfaces, base and punch changed at random.
 
 Examples:
-  recede stress --count 2000 --seed 1
-  recede stress --seed 1 --first 17 --count 1 --save hard     the scene with number 17 alone
-  recede stress --count 2000 --paper-kinds                    circles, parabolas, bonds, half-planes only
-  recede stress --count 1000 --verify                         error estimates against a stricter run
+  recede selftest --count 2000 --seed 1
+  recede selftest --seed 1 --first 17 --count 1 --save hard     the scene with number 17 alone
+  recede selftest --count 2000 --paper-kinds                    circles, parabolas, bonds, half-planes only
+  recede selftest --count 1000 --verify                         error estimates against a stricter run
 
 Exit status: 0 unless an answer was wrong, the program panicked, or a scene was killed.")]
-pub struct Stress {
+pub struct Selftest {
     /// How many scenes to solve
     #[arg(long, default_value_t = 100)]
     count: u64,
@@ -51,13 +51,13 @@ pub struct Stress {
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
-    /// Compare every answer with the strictest one that can be had
+    /// Compare every answer with one at the strictest tolerance
     #[arg(long)]
     verify: bool,
     /// Write every scene that is not solved, and those of the table of the slowest, into this folder
     #[arg(long, value_name = "DIR")]
     save: Option<PathBuf>,
-    /// Scenes tried at the same time; as many as there are processors if not given
+    /// Scenes solved at the same time; the number of processors if not given
     #[arg(long)]
     threads: Option<NonZeroUsize>,
     /// Memory that one scene may take, in MB; only where the operating system can limit it
@@ -66,19 +66,19 @@ pub struct Stress {
     /// Seconds that one scene may take
     #[arg(long, default_value_t = 600)]
     seconds: u64,
-    /// Try the scenes whose numbers come by standard input
+    /// Solve the scenes whose numbers are read from standard input
     #[arg(long, hide = true)]
     worker: bool,
 }
 
-/// So many of the slowest scenes are listed.
+/// The number of slowest scenes that are listed.
 const SLOWEST: usize = 10;
-/// Every so many scenes one is drawn, too.
+/// One scene in this many is drawn, too.
 const PICTURED: u64 = 16;
-/// Every so many scenes one is an example scene that was changed.
+/// One scene in this many is a changed example scene.
 const VARIED: u64 = 3;
 
-impl Stress {
+impl Selftest {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         if self.worker {
             return self.work(out);
@@ -98,7 +98,7 @@ impl Stress {
             std::fs::create_dir_all(folder)?;
             let unsolved = ended.iter().filter(|ended| ended.answer.is_none());
             for ended in unsolved.chain(slowest) {
-                let file = folder.join(format!("stress_{}_{}.ron", self.seed, ended.number));
+                let file = folder.join(format!("selftest_{}_{}.ron", self.seed, ended.number));
                 let first = format!("// {} {}", ended.status, ended.reason);
                 std::fs::write(file, format!("{}\n{}", first.trim_end(), self.scene(ended.number)?.to_ron()))?;
             }
@@ -107,7 +107,7 @@ impl Stress {
         if wrong == 0 { Ok(()) } else { Err(Failure::Wrong(wrong)) }
     }
 
-    /// Tries all scenes, so many at a time.
+    /// Solves all scenes, several at a time.
     fn ended_all(&self) -> Result<Vec<Ended>, Failure> {
         let threads = self.threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
         let (next, end) = (AtomicU64::new(self.first), self.first.saturating_add(self.count));
@@ -146,9 +146,9 @@ impl Stress {
         }
     }
 
-    /// The arguments of a process that tries scenes like this one.
+    /// The arguments of a worker process with the same options.
     fn arguments(&self) -> Vec<OsString> {
-        let mut arguments: Vec<OsString> = ["stress", "--worker"].map(OsString::from).to_vec();
+        let mut arguments: Vec<OsString> = ["selftest", "--worker"].map(OsString::from).to_vec();
         let numbers = [
             ("--seed", self.seed.to_string()),
             ("--tolerance", self.tolerance.to_string()),

@@ -9,7 +9,7 @@ use recede_layers::Plane;
 use super::load;
 use super::scenario::{Ply, Scenario};
 
-/// From where to where the numbers of a random scene go. Ratios are spread evenly on a logarithmic scale, and the ends of
+/// Ranges of the numbers of a random scene. Ratios are spread evenly on a logarithmic scale, and the ends of
 /// a range are drawn more often than their share.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranges {
@@ -26,15 +26,15 @@ pub struct Ranges {
     pub steepness: f64,
     /// Poisson's ratios, dimensionless.
     pub poisson: RangeInclusive<f64>,
-    /// Half-length under the punch over the thickness of all layers, a/H, dimensionless. What comes out differs from
-    /// what is aimed at by some ten per cent.
+    /// Half-length under the punch over the thickness of all layers, a/H, dimensionless. The half-length obtained differs from
+    /// the one aimed at by some ten per cent.
     pub half_length: RangeInclusive<f64>,
     /// Radius of the punch over half-length, R/a, dimensionless.
     pub radius: RangeInclusive<f64>,
 }
 
 impl Default for Ranges {
-    /// What the solver promises to master.
+    /// The ranges that the solver is designed for.
     fn default() -> Self {
         Self {
             layers: 1..=6,

@@ -80,7 +80,7 @@ pub fn variant(seed: u64, number: u64) -> Result<Scene, Error> {
     let (first, structure, numbers) = drawn(&(any::<Index>(), structure, numbers), seed, number);
     let mut scene = example(&first)?;
     for change in &structure {
-        // what is no scene any more stays what it was
+        // a change that makes the scene illegal is left out
         scene = changed(&scene, change).unwrap_or(scene);
     }
     for (place, change) in numbers {

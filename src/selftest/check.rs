@@ -1,4 +1,4 @@
-//! One scene solved, and its answer judged by what can be said without knowing the right one.
+//! One scene solved, and its answer checked by conditions that hold without knowing the exact one.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
@@ -10,43 +10,43 @@ use crate::options::Options;
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Contact, Interface, Solution};
 
-/// Pressures are looked at in this many places per contact.
+/// Number of places per contact at which the sign of the pressure is checked.
 const PLACES: usize = 500;
-/// A pull of this part of the largest pressure is what the highest modes feign.
-const PULL: f64 = 1e-5;
-/// Resultants are those of the force to this relative error.
+/// Tension of this part of the largest pressure is within the truncation error of the highest modes.
+const TENSION: f64 = 1e-5;
+/// Relative error allowed in the resultant of a pressure.
 const RESULTANT: f64 = 1e-9;
 
-/// What became of a scene.
+/// A scene that was solved and checked.
 #[derive(Clone, Debug)]
-pub struct Trial {
-    /// How it ended.
+pub struct Check {
+    /// The result.
     pub outcome: Outcome,
-    /// How long the contact problem took, in seconds, kernels included.
+    /// Time for the contact problem in seconds, kernels included.
     pub seconds: f64,
 }
 
-/// How the solution of a scene ended.
+/// The result of a scene.
 #[derive(Clone, Debug)]
 pub enum Outcome {
-    /// With an answer that is not known to be wrong.
+    /// An answer that passed all checks.
     Solved(Box<Solution>),
-    /// With a reason why there is none.
+    /// No answer, and the reason.
     Unsolved(Error),
-    /// With an answer that cannot be right: a number that is none, a pull, resultants that differ.
+    /// An answer that cannot be right: NaN, tension, a wrong resultant.
     Wrong(String),
-    /// With a panic.
+    /// A panic.
     Panicked(String),
 }
 
-impl Trial {
-    /// Solves a scene with a tolerance, and does what the commands do with the answer: reports, fields, and pictures if they
-    /// are asked for. Come what may.
+impl Check {
+    /// Solves a scene with a tolerance, and does what the commands do with the answer: reports, fields, and pictures if
+    /// requested. A panic is caught.
     pub fn run(scene: &Scene, options: &Options, pictures: bool) -> Self {
         Self::with(scene, options, |model, solution| commands::run(scene, model, solution, pictures))
     }
 
-    /// Solves the contact problem of a scene and judges its answer, without what commands do with it.
+    /// Solves the contact problem of a scene and checks its answer, without what commands do with it.
     pub fn of_contacts(scene: &Scene, options: &Options) -> Self {
         Self::with(scene, options, |_, _| None)
     }
@@ -69,7 +69,7 @@ impl Trial {
             Err(panic) => {
                 let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
                 let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
-                Outcome::Panicked(text.unwrap_or_else(|| "without a word".to_owned()))
+                Outcome::Panicked(text.unwrap_or_else(|| "without a message".to_owned()))
             }
         };
         Self { outcome, seconds }
@@ -122,7 +122,7 @@ impl Outcome {
     }
 }
 
-/// What is wrong with an answer, if that can be told.
+/// What is wrong with an answer, if a check fails.
 fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
     if solution.contacts().is_empty() {
         return Some("there are no contacts".to_owned());
@@ -139,7 +139,7 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     let Contact { half_length, half_length_error, opening, peak_pressure, peak_pressure_error, .. } = *contact;
     if contact.interface == Interface::Punch && scene.punch.load().is_some() {
-        // it is given
+        // the traction is prescribed
         return None;
     }
     let sharp = contact.interface == Interface::Punch && scene.punch.is_sharp();
@@ -171,9 +171,9 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     if pressures.iter().any(|pressure| !pressure.is_finite()) {
         return Some("a pressure is not a number".to_owned());
     }
-    // nor is a pull wrong that the answer's own error covers
-    let feigned = if sharp || opening > 0.0 { PULL } else { PULL.max(peak_pressure_error / peak_pressure) };
-    (smallest < -feigned * largest).then(|| format!("a pull of {:.1e} of the largest pressure", -smallest / largest))
+    // tension below the answer's own error estimate is no error
+    let allowed = if sharp || opening > 0.0 { TENSION } else { TENSION.max(peak_pressure_error / peak_pressure) };
+    (smallest < -allowed * largest).then(|| format!("tension of {:.1e} of the largest pressure", -smallest / largest))
 }
 
 /// A message with `…` for every number, and for every list of them.
@@ -222,17 +222,17 @@ mod tests {
         let text = "(plane: Strain, punch: Parabola(radius: 1), force: 1e-3,
             stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])";
         let mut scene = Scene::from_ron(text).unwrap();
-        let trial = Trial::run(&scene, &Options::default(), false);
-        let solution = trial.outcome.solution().unwrap();
+        let check = Check::run(&scene, &Options::default(), false);
+        let solution = check.outcome.solution().unwrap();
         assert_eq!(wrong(&scene, solution), None);
         scene.force = Force::Given(1e-3 * (1.0 + 1e-6));
         assert!(wrong(&scene, solution).unwrap().ends_with("at contact punch"));
-        let mut pulling = solution.contacts()[0].clone();
-        let first = pulling.strips[0].coefficients[0];
-        pulling.strips[0].coefficients = vec![first, -first];
-        scene.force = pulling.resultant.into();
-        assert!(wrong_contact(&scene, &pulling).unwrap().starts_with("a pull of"));
-        pulling.peak_pressure_error = f64::NAN;
-        assert_eq!(wrong_contact(&scene, &pulling).unwrap(), "the error of the pressure is NaN");
+        let mut tensile = solution.contacts()[0].clone();
+        let first = tensile.strips[0].coefficients[0];
+        tensile.strips[0].coefficients = vec![first, -first];
+        scene.force = tensile.resultant.into();
+        assert!(wrong_contact(&scene, &tensile).unwrap().starts_with("tension of"));
+        tensile.peak_pressure_error = f64::NAN;
+        assert_eq!(wrong_contact(&scene, &tensile).unwrap(), "the error of the pressure is NaN");
     }
 }

@@ -1,16 +1,16 @@
-//! Whether error estimates are honest: an answer against a stricter one.
+//! Error estimates compared with true errors: an answer against a stricter one.
 use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::Scene;
 use crate::solution::{Interface, Solution};
 
-/// Relative error below which an answer to a contact problem is rounding, so that nobody can be asked to estimate it.
+/// Relative error below which an answer to a contact problem is rounding, which no estimate has to cover.
 pub const ROUNDING: f64 = 1e-13;
 /// The strictest tolerance there is.
 const STRICTEST: f64 = 1e-13;
 
-/// One number of an answer: how wrong it was said to be, and how wrong it is.
+/// One number of an answer: its estimated and its true error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// The contact.
@@ -21,14 +21,14 @@ pub struct Comparison {
     pub error: f64,
     /// The answer's own estimate of its error, relative.
     pub estimate: f64,
-    /// The stricter answer's own estimate of its error, relative: smaller errors cannot be seen.
+    /// The stricter answer's own estimate of its error, relative: smaller errors cannot be measured.
     pub blur: f64,
 }
 
 impl Comparison {
     /// True error over estimate, where an error below rounding counts as none.
     pub fn excess(&self) -> f64 {
-        // what is given has no error
+        // a given number has no error
         if self.error <= ROUNDING { 0.0 } else { (self.error - ROUNDING) / self.estimate }
     }
 
@@ -46,14 +46,14 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
     let options = Options { tolerance: STRICTEST, ..Options::default() };
     let strict = Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, &options)?;
     let mut comparisons = Vec::new();
-    // of a load there is nothing to be estimated
+    // a prescribed traction has no error
     let given = usize::from(scene.punch.load().is_some());
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
         let lengths = [found.half_length, found.half_length_error, strict.half_length, strict.half_length_error];
         let pressures =
             [found.peak_pressure, found.peak_pressure_error, strict.peak_pressure, strict.peak_pressure_error];
         for (quantity, [value, estimate, truth, blur]) in [("half-length", lengths), ("pressure", pressures)] {
-            // where the bodies are apart, or pressures infinite, there is nothing to be estimated
+            // an open middle and an infinite pressure have no error
             if value.is_infinite() && truth.is_infinite() || value == 0.0 && truth == 0.0 {
                 continue;
             }

@@ -59,7 +59,7 @@ pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units
 }
 
 impl Kinds {
-    /// As blunt as that of the scenario over about the contact that this has on a half-plane.
+    /// A punch of about the curvature of the scenario's, over the contact that this has on a half-plane.
     fn punch(&self, scenario: &Scenario) -> Result<Punch, ValueError> {
         let (radius, share) = (scenario.radius, self.share);
         let width = (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius);

@@ -1,25 +1,25 @@
-//! What became of many scenes, as tables.
+//! The results of many scenes, as tables.
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use comfy_table::{LineStyle, Table, TableStyle};
 
-use super::trials::{Answer, Compared, Ended};
+use super::workers::{Answer, Compared, Ended};
 
-/// So many numbers of scenes are listed for a cause.
+/// Number of scenes that are listed for a cause.
 const LISTED: usize = 12;
-/// A number of an answer that is wrong by more than this many times its estimate is listed.
+/// Errors of more than this many times their estimate are listed.
 const EXCESS: f64 = 10.0;
 /// An estimate further above the true error than this is counted.
 const CAUTION: f64 = 1000.0;
-/// Scenes with a number that is known no better are counted.
-const ROUGH: f64 = 0.01;
-/// A stricter answer is not surer if its own estimate is larger than this part of the other.
+/// Scenes with a relative error estimate above this are counted as low-accuracy answers.
+const LOW_ACCURACY: f64 = 0.01;
+/// A stricter answer is not more accurate if its own estimate is larger than this part of the other.
 const UNSEEN: f64 = 0.1;
 const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
-/// How many scenes ended how, and why.
+/// The number of scenes for each status and reason.
 pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     let mut causes: BTreeMap<(&str, &str, &str), Vec<u64>> = BTreeMap::new();
     for Ended { number, status, reason, interface, .. } in ended {
@@ -40,7 +40,7 @@ pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{table}")
 }
 
-/// From where to where the figures of the solved scenes go.
+/// Quantiles of the figures of the solved scenes.
 pub(super) fn spread(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     let mut table = table(["solved scenes", "least", "half", "90 %", "99 %", "most"]);
     let answers = || ended.iter().filter_map(|ended| Some((ended, ended.answer.as_ref()?)));
@@ -52,11 +52,11 @@ pub(super) fn spread(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     row(&mut table, "estimated error", answers().filter_map(|(_, answer)| answer.worst).collect());
     writeln!(out, "{table}")?;
     let warned = answers().filter(|(_, answer)| answer.warned).count();
-    let rough = answers().filter(|(_, answer)| answer.worst.is_none_or(|worst| worst > ROUGH)).count();
+    let low_accuracy = answers().filter(|(_, answer)| answer.worst.is_none_or(|worst| worst > LOW_ACCURACY)).count();
     writeln!(
         out,
-        "{warned} of the solved scenes with a warning, {rough} with a number known to {:.0} % or worse",
-        100.0 * ROUGH
+        "{warned} of the solved scenes with a warning, {low_accuracy} with an estimated error above {:.0} %",
+        100.0 * LOW_ACCURACY
     )
 }
 
@@ -78,7 +78,7 @@ pub(super) fn list(slowest: &[&Ended], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{table}")
 }
 
-/// How honest the error estimates are.
+/// Error estimates against true errors.
 pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     let all = || ended.iter().flat_map(|ended| ended.comparisons.iter().flatten().map(|one| (ended.number, one)));
     let mut table = table(["errors", "least", "half", "95 %", "99 %", "most"]);
@@ -98,9 +98,9 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
     let compared = ended.iter().filter(|ended| ended.comparisons.is_some()).count();
     writeln!(out, "{compared} scenes compared, {total} numbers")?;
     writeln!(out, "{cautious} estimates ({:.2} %) too large by > {CAUTION}", 100.0 * cautious as f64 / total as f64)?;
-    // an answer that does not meet the tolerance is no less sure than the stricter one
+    // an answer that does not meet the tolerance may be as accurate as the stricter one
     let unseen = all().filter(|(_, one)| one.caution > CAUTION && one.blur > UNSEEN * one.estimate).count();
-    writeln!(out, "{unseen} of these next to a stricter answer that is not surer of itself")?;
+    writeln!(out, "{unseen} of these where the stricter answer has no smaller estimate")?;
     let mut bold: Vec<_> = all().filter(|(_, one)| excess(one) > EXCESS).collect();
     bold.sort_by(|(_, a), (_, b)| excess(b).total_cmp(&excess(a)));
     writeln!(out, "{} errors more than {EXCESS} times their estimate", bold.len())?;
