@@ -3,8 +3,9 @@
 //!
 //! In a console block a line `$ recede ...` or `$ cargo run ... -- ...` is a command, run in a folder that holds
 //! `examples/` and every scene of the document that begins with a comment such as `// my_scene.ron`. A line `? 2` below
-//! it is its exit status (else 0), the lines below that what it prints. There `...` stands for any lines, and numbers
-//! may differ in the tenth digit; counts and times are not compared.
+//! it is its exit status (else 0), the lines below that what it prints. There `...` stands for any lines. Numbers may
+//! differ in the tenth digit, counts by a quarter, and error estimates by a factor of ten, since rounding differs between
+//! processors; times are not compared.
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -12,8 +13,10 @@ use std::process::{Command, Stdio};
 
 #[path = "docs/library.rs"]
 mod library;
+#[path = "docs/references.rs"]
+mod references;
 
-/// Commands that are shown and not run: what they do is done by whoever runs these tests.
+/// Commands that are shown and not run: building and testing are not repeated within a test.
 const NOT_RUN: [&str; 6] = [
     "cargo bench --bench work_precision",
     "cargo build --release --locked",
@@ -22,12 +25,18 @@ const NOT_RUN: [&str; 6] = [
     "cargo doc --workspace --no-deps --open",
     ".ci/run",
 ];
-/// Numbers agree if they differ by less than this part of them, or are both below it.
+/// Numbers agree if they differ by less than this part of them.
 const SAME: f64 = 1e-9;
-/// What follows a number that is not compared.
-const COUNTS: [&str; 5] = ["ms", "s", "modes,", "wavenumbers,", "Newton"];
-/// JSON keys that stand before a number that is not compared.
-const COUNT_KEYS: [&str; 4] = ["\"seconds\"", "\"modes\"", "\"wavenumbers\"", "\"newton_steps\""];
+/// Numbers below `SAME` are error estimates or rounding: they agree if they differ by less than this factor,
+const ESTIMATE: f64 = 10.0;
+/// or are both below this.
+const ROUNDING: f64 = 1e-13;
+/// Counts agree if they differ by less than this part of them.
+const COUNT: f64 = 0.25;
+/// The word after a time, or the JSON key before it.
+const TIMES: [&str; 3] = ["ms", "s", "\"seconds\""];
+/// The word after a count, or the JSON key before it.
+const COUNTS: [&str; 6] = ["modes,", "wavenumbers,", "Newton", "\"modes\"", "\"wavenumbers\"", "\"newton_steps\""];
 const MARK: &str = "// ---- not shown ----";
 
 /// A fenced block of a document.
@@ -63,6 +72,10 @@ fn scenes_are_legal() {
     for document in documents() {
         for block in blocks(&document).iter().filter(|block| block.language == "ron") {
             let name = format!("{}:{}", document.display(), block.line);
+            if recede::Sweep::begins(&block.text) {
+                assert!(file_name(block).is_some(), "{name}: a name by which a command runs it");
+                continue;
+            }
             let scene = recede::Scene::from_ron(&block.text).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert!(scene.stack().is_ok(), "{name}");
         }
@@ -130,6 +143,52 @@ fn equations_are_numbered_in_order_and_cited_ones_exist() {
             let cited: usize = cited.split(')').next().and_then(|n| n.parse().ok()).expect("a number");
             assert!(numbers.contains(&cited), "{}: eq. ({cited})", file.display());
         }
+    }
+}
+
+#[test]
+fn the_laws_of_a_layer_are_those_that_examine_it() {
+    let document = read(&root().join("docs/adding_a_layer.md"));
+    let table = document.split("| law | what it says |").nth(1).expect("the table of laws");
+    let rows = table.lines().skip(2).map_while(|line| line.strip_prefix("| `")?.split('`').next());
+    assert!(rows.eq(recede::layers::conformance::LAWS.iter().map(|(name, _)| *name)));
+}
+
+/// A message that is quoted in a block of its own is one that the tests of rejected scenes know, but for the name of the file.
+#[test]
+fn messages_are_printed() {
+    let known: String = files(&root().join("tests/rejected"), "txt").iter().map(|file| read(file)).collect();
+    for document in documents() {
+        for block in blocks(&document).iter().filter(|block| block.text.starts_with("error: ")) {
+            let message = block.text.trim_end().split_once(".ron:").expect("a message names a scene").1;
+            assert!(known.contains(message), "{}:{}: {message}", document.display(), block.line);
+        }
+    }
+}
+
+#[test]
+fn keys_of_json_are_explained() {
+    let explained = read(&root().join("docs/formats.md"));
+    let scene = "examples/scenes/two_strips.ron";
+    for command in [format!("solve {scene} --format json --fields"), format!("field {scene} --at 0,0 --format json")] {
+        let shown = run(&format!("recede {command}"), &root()).expect("a command");
+        let mut keys = Vec::new();
+        collect_keys(&serde_json::from_str(&shown).expect("JSON"), &mut keys);
+        for key in keys {
+            let is_explained = [format!("`{key}`"), format!(".{key}`")].iter().any(|name| explained.contains(name));
+            assert!(is_explained, "docs/formats.md does not explain {key} of `recede {command}`");
+        }
+    }
+}
+
+fn collect_keys(value: &serde_json::Value, keys: &mut Vec<String>) {
+    match value {
+        serde_json::Value::Object(fields) => fields.iter().for_each(|(key, value)| {
+            keys.push(key.clone());
+            collect_keys(value, keys);
+        }),
+        serde_json::Value::Array(items) => items.iter().for_each(|item| collect_keys(item, keys)),
+        _ => {}
     }
 }
 
@@ -227,12 +286,17 @@ fn folder(document: &Path, blocks: &[Block]) -> PathBuf {
         }
     }
     for block in blocks {
-        let name = block.text.lines().next().and_then(|line| line.strip_prefix("// "));
-        if let Some(name) = name.filter(|name| name.ends_with(".ron") && !name.contains(['/', ' '])) {
+        if let Some(name) = file_name(block) {
             fs::write(folder.join(name), &block.text).expect("a file to write");
         }
     }
     folder
+}
+
+/// The name of the file that a block shows, in its first line.
+fn file_name(block: &Block) -> Option<&str> {
+    let name = block.text.lines().next()?.strip_prefix("// ")?;
+    (name.ends_with(".ron") && !name.contains(['/', ' '])).then_some(name)
 }
 
 /// Line number, command and what is printed below it.
@@ -295,15 +359,22 @@ fn same_line(found: &str, expected: &str) -> bool {
     let (found, expected) = (words(found), words(expected));
     found.len() == expected.len()
         && found.iter().zip(&expected).enumerate().all(|(i, (a, b))| {
-            let counted = found.get(i + 1).is_some_and(|next| COUNTS.contains(next))
-                || i.checked_sub(1).is_some_and(|before| COUNT_KEYS.contains(&found[before]));
+            let beside = |names: &[&str]| {
+                let neighbours = [i.checked_sub(1), Some(i + 1)];
+                neighbours.into_iter().flatten().any(|k| found.get(k).is_some_and(|word| names.contains(word)))
+            };
             match (a.parse::<f64>(), b.parse::<f64>()) {
-                (Ok(_), Ok(_)) if counted => true,
-                (Ok(a), Ok(b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()) || a.abs().max(b.abs()) < SAME,
+                (Ok(_), Ok(_)) if beside(&TIMES) => true,
+                (Ok(a), Ok(b)) => same_number(a, b, if beside(&COUNTS) { COUNT } else { SAME }),
                 // a rule of a table is as long as its numbers have digits
                 _ => a == b || (is_rule(a) && is_rule(b)),
             }
         })
+}
+
+fn same_number(a: f64, b: f64, part: f64) -> bool {
+    let (least, most) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
+    (a - b).abs() <= part * most || most < ROUNDING || most < SAME && most <= ESTIMATE * least
 }
 
 /// Whether a word is nothing but a horizontal line.

@@ -1,13 +1,13 @@
 //! Closed forms and published constants.
 //!
 //! Goal: half-planes of one material, whatever they are made of, are Hertz's; strips under a punch that is hardly
-//! wider than a line recede as far as the literature says.
+//! longer than a line have the receding contacts of the literature.
 //!
 //! ```text
-//!          P   (_)  R                        P  ↓  a → 0                 source: K. L. Johnson, Contact Mechanics, 1985;
-//!   ░░░░░░░░░░░░░░░░░░░░              ██████████████████████ h          G. M. L. Gladwell, J. Appl. Mech. 43 (1976)
-//!   ░░░░░░░░░░░░░░░░░░░░              ‾‾‾‾‾‾‾╤═════╤‾‾‾‾‾‾‾‾            263-267; constants to twelve digits from a
-//!   a² = P R (κ+1)/(2πμ)              ░░░░░░░  2b   ░░░░░░░░            multiple-precision evaluation
+//!          P   (_)  R                        P  ↓  a → 0                 source: Johnson 1985; Gladwell 1976;
+//!   ░░░░░░░░░░░░░░░░░░░░              ██████████████████████ h          constants to twelve digits from a
+//!   ░░░░░░░░░░░░░░░░░░░░              ‾‾‾‾‾‾‾╤═════╤‾‾‾‾‾‾‾‾            multiple-precision evaluation
+//!   a² = P R (κ+1)/(2πμ)              ░░░░░░░  2b   ░░░░░░░░
 //! ```
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,7 +1,7 @@
 //! A flat punch with sharp corners.
 //!
 //! Goal: on a half-plane its pressure is that of Sadowsky; on layers its face stays flat, whatever else is loose; a punch with
-//! ever sharper round corners comes to it; and where that makes no sense it is said.
+//! ever sharper round corners comes to it; and inconsistent scenes are rejected.
 //!
 //! Source of the closed form: Sadowsky 1928.
 mod support;

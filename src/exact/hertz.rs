@@ -6,14 +6,13 @@
 //! g/π ∫ p(t)/(x - t) dt = f'(x),   |x| < a.
 //! ```
 //!
-//! Its solution that vanishes at both ends, and the force P that it carries (Johnson, Contact Mechanics, 1985,
-//! section 2.7), are
+//! Its solution that vanishes at both ends, and the force P that it carries (Johnson 1985, section 2.7), are
 //!
 //! ```text
 //! p(x) = sqrt(a² - x²)/(π g) ∫ f'(t)/(sqrt(a² - t²) (t - x)) dt,     P = 1/g ∫ x f'(x)/sqrt(a² - x²) dx.
 //! ```
 //!
-//! **Parabola**, f' = x/R (Hertz; Johnson, section 4.2(c)):
+//! **Parabola**, f' = x/R (Hertz 1881; Johnson 1985, section 4.2(c)):
 //!
 //! ```text
 //! a² = P R (κ+1)/(2πμ) = 4 P R/(π E*),     p(x) = p₀ sqrt(1 - x²/a²),     p₀ = 2P/(πa) = a/(gR).

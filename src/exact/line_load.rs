@@ -8,9 +8,7 @@
 //! k = E*₁/E*₂ = [μ₁/(1 - ν₁)]/[μ₂/(1 - ν₂)]   (plane strain).
 //! ```
 //!
-//! The problem is that of L. M. Keer, J. Dundurs and K. C. Tsai, Problems involving a receding contact between a
-//! layer and a half space, J. Appl. Mech. 39 (1972) 1115-1120, and G. M. L. Gladwell, On some unbonded contact
-//! problems in plane elasticity theory, J. Appl. Mech. 43 (1976) 263-267. The constants are those of a
+//! The problem is that of Keer, Dundurs and Tsai 1972 and of Gladwell 1976. The constants are those of a
 //! multiple-precision evaluation, and are solved for again by this module's tests.
 
 use super::Elastic;

@@ -1,7 +1,6 @@
 //! Stresses in a half-plane under the pressure of Hertz's contact.
 //!
-//! E. McEwen, Stresses in elastic cylinders in contact along a generatrix, Philosophical Magazine 40, 1949, 454-459; here
-//! as in K. L. Johnson, Contact Mechanics, Cambridge University Press, 1985, section 4.2.
+//! Source: McEwen 1949; here as in Johnson 1985, section 4.2.
 
 /// σ_xx, σ_yy and σ_xy (tension positive, y upwards) at x and a depth z below the face of a homogeneous half-plane
 /// under the pressure p₀ √(1 − (x/a)²) on |x| < a.

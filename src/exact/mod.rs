@@ -11,7 +11,7 @@
 //! | [`punches`] | powers, wedge, flat punches with round and with sharp corners on a half-plane |
 //! | [`strip`] | flexibility of a free strip |
 //!
-//! The theory is that of K. L. Johnson, Contact Mechanics, Cambridge University Press, 1985.
+//! The theory is that of Johnson 1985; the publications are listed in `docs/references.md`.
 
 pub mod hertz;
 pub mod line_load;
@@ -45,7 +45,7 @@ impl Elastic {
         Self { shear_modulus, kappa: (3.0 - poisson) / (1.0 + poisson) }
     }
 
-    /// E* = 8μ/(κ + 1), in plane strain 2μ/(1 - ν) = E/(1 - ν²): the only constant that frictionless contact feels.
+    /// E* = 8μ/(κ + 1), in plane strain 2μ/(1 - ν) = E/(1 - ν²): the only constant that frictionless contact depends on.
     pub fn plane_modulus(&self) -> f64 {
         8.0 * self.shear_modulus / (self.kappa + 1.0)
     }

@@ -7,28 +7,28 @@
 //! P = 1/g ∫ x f'(x)/sqrt(a² - x²) dx,     p(0) = 1/(πg) ∫ a f'(x)/(x sqrt(a² - x²)) dx     over |x| < a.
 //! ```
 //!
-//! **Power** f = c |x|^n (E. Steuermann, 1939; Johnson, Contact Mechanics, 1985, section 5.3, for even n), with
+//! **Power** f = c |x|^n (Steuermann 1939; Johnson 1985, section 5.3, for even n), with
 //! w(ν) = ∫ cos^ν θ dθ from 0 to π/2:
 //!
 //! ```text
 //! P = 2 n c a^n w(n)/g,     p(0) = 2 n c a^(n-1) w(n-2)/(πg).
 //! ```
 //!
-//! **Wedge** f = s |x|, n = 1 (Johnson, section 5.2):
+//! **Wedge** f = s |x|, n = 1 (Johnson 1985, section 5.2):
 //!
 //! ```text
 //! P = 2 s a/g,     p(x) = 2s/(πg) arcosh(a/|x|).
 //! ```
 //!
-//! **Flat punch with rounded corners**, f' = (|x| - c)/R from |x| = c on (G. Schubert, 1942; M. Ciavarella, D. A. Hills,
-//! G. Monno, 1998), with sin φ₀ = c/a and x = a sin φ:
+//! **Flat punch with rounded corners**, f' = (|x| - c)/R from |x| = c on (Schubert 1942; Ciavarella,
+//! Hills and Monno 1998), with sin φ₀ = c/a and x = a sin φ:
 //!
 //! ```text
 //! P = a² [(π - 2φ₀) - sin 2φ₀]/(2 R g)
 //! p(x) = a/(πRg) {(π - 2φ₀) cos φ + sin φ ln|sin(φ + φ₀)/sin(φ - φ₀)| + sin φ₀ ln|tan((φ + φ₀)/2) tan((φ - φ₀)/2)|}.
 //! ```
 //!
-//! **Flat punch with sharp corners** (M. A. Sadowsky, 1928): p(x) = P/(π sqrt(a² - x²)).
+//! **Flat punch with sharp corners** (Sadowsky 1928): p(x) = P/(π sqrt(a² - x²)).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

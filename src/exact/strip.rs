@@ -1,7 +1,7 @@
 //! A free homogeneous strip, shear-free on both faces, under loads that vary like cos(λx).
 //!
-//! Loads on the two faces are either equal (both press: the strip is squeezed, the faces move towards each other) or
-//! opposite (one presses, the other pulls: the strip is bent, the faces move together). With z = λh,
+//! Loads on the two faces are either equal (both press: the strip is compressed, the faces move towards each other) or
+//! opposite (one presses, the other is in tension: the strip is bent, the faces move together). With z = λh,
 //!
 //! ```text
 //! equal:     λC = (κ+1)/(4μ) (cosh z - 1)/(sinh z + z)    -> (κ+1)/(4μ) z/4,    compression, for z -> 0
@@ -11,8 +11,7 @@
 //! and both tend to the half-plane's (κ+1)/(4μ) for z -> ∞. C is the deflection of a face, positive in the direction in
 //! which its own load pushes the strip's material, per unit of load.
 //!
-//! Source: L. N. G. Filon, Phil. Trans. R. Soc. A 201 (1903) 63-155; S. P. Timoshenko and J. N. Goodier, Theory of
-//! Elasticity, article on Fourier series solutions of the strip.
+//! Source: Filon 1903; Timoshenko and Goodier 1951, article on Fourier series solutions of the strip.
 
 use super::Elastic;
 
@@ -35,7 +34,7 @@ pub fn equal_loads(material: Elastic, thickness: f64, wavenumber: f64) -> f64 {
 /// ```
 /// use recede::exact::{Elastic, strip};
 /// let material = Elastic::plane_strain(2.0, 0.25);
-/// // A short wave does not feel the other face.
+/// // A short wave does not reach the other face.
 /// assert_eq!(strip::opposite_loads(material, 1.0, 100.0), material.flexibility());
 /// ```
 pub fn opposite_loads(material: Elastic, thickness: f64, wavenumber: f64) -> f64 {

@@ -9,7 +9,7 @@
 //!   arguments below the highest order;
 //! * upwards from orders 0 and 1, given by Hankel's expansion, for arguments above it.
 //!
-//! Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
+//! Source: Abramowitz and Stegun 1964, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
 
 mod deficit;
 mod start;
@@ -31,7 +31,7 @@ pub const ASYMPTOTIC_FROM: f64 = 25.0;
 const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
-/// Arguments below this are told from zero by J1 alone, which is then negligible as well.
+/// Arguments below this differ from zero in J1 alone, which is then negligible as well.
 const TINY: f64 = 1e-290;
 /// Where the downward recurrence starts; J may grow by `exp(DEEPEST)` from there without overflow.
 const SEED: f64 = 1e-280;

@@ -14,7 +14,7 @@ const TAIL: usize = 3;
 
 /// Weights of the barycentric formula for distinct nodes, the largest of magnitude one.
 ///
-/// Source: J.-P. Berrut and L. N. Trefethen, Barycentric Lagrange interpolation, SIAM Review 46 (2004), (3.2).
+/// Source: Berrut and Trefethen 2004, (3.2).
 pub fn barycentric_weights(nodes: &[f64]) -> Vec<f64> {
     let (lo, hi) = nodes.iter().fold((f64::MAX, f64::MIN), |(lo, hi), &x| (x.min(lo), x.max(hi)));
     // Distances in quarters of the span: their products neither overflow nor underflow.

@@ -1,4 +1,4 @@
-//! Tools of numerical analysis that know nothing of mechanics: Bessel functions, quadrature, interpolation.
+//! Numerical analysis without mechanics: Bessel functions, quadrature, interpolation.
 
 pub mod bessel;
 pub(crate) mod buffer;

@@ -65,7 +65,7 @@ pub fn laguerre_rule(n: usize) -> &'static Rule {
 ///
 /// Works with the angle t = arccos x, in which neither the nodes nor the weights lose digits at the ends.
 ///
-/// Source: F. G. Tricomi (1950) for the start; G. Szegő, Orthogonal Polynomials, (4.2.1) and (15.3.1).
+/// Source: Tricomi 1950 for the start; Szegő 1939, (4.2.1) and (15.3.1).
 pub fn gauss_legendre(n: usize) -> Rule {
     let half = n.div_ceil(2);
     let order = n as f64 + 0.5;
@@ -124,14 +124,14 @@ fn legendre(n: usize, angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
 /// Gauss-Laguerre rule with `n` nodes, for integrals of exp(-s) f(s) over s > 0. Meant for n up to 40.
 ///
 /// The nodes are separated by the sign changes of L_0, L_1, ... (a Sturm sequence) and refined by Newton's method.
-/// Source: Szegő, Orthogonal Polynomials, (5.1.10), (5.1.14), (15.3.5).
+/// Source: Szegő 1939, (5.1.10), (5.1.14), (15.3.5).
 pub fn gauss_laguerre(n: usize) -> Rule {
     let mut rule = Rule { nodes: vec![0.0; n], weights: vec![0.0; n] };
     fill_laguerre(&mut rule.nodes, &mut rule.weights);
     rule
 }
 
-/// Nodes and weights of [`gauss_laguerre`] for a number of nodes that the compiler knows.
+/// Nodes and weights of [`gauss_laguerre`] for a constant number of nodes.
 const fn laguerre_arrays<const N: usize>() -> [[f64; N]; 2] {
     let (mut nodes, mut weights) = ([0.0; N], [0.0; N]);
     fill_laguerre(&mut nodes, &mut weights);
@@ -171,7 +171,7 @@ const fn fill_laguerre(nodes: &mut [f64], weights: &mut [f64]) {
     }
 }
 
-/// What the recurrence of the Laguerre polynomials tells at one point.
+/// The recurrence of the Laguerre polynomials at one point.
 struct Laguerre {
     /// L_n
     value: f64,

@@ -1,6 +1,6 @@
 //! Sines and cosines of several arguments at once, without branches, so that loops of them compile to vector instructions.
 //!
-//! Source: Cody and Waite, Software Manual for the Elementary Functions, 1980, chapter 8 (reduction); polynomials of
+//! Source: Cody and Waite 1980, chapter 8 (reduction); polynomials of
 //! the kernels of fdlibm (Sun Microsystems, 1993).
 
 /// Arguments beyond this are left to the system's functions: multiples of π/2 are no longer exact.

@@ -222,7 +222,7 @@ pub(crate) fn smooth(rows: &[(f64, f64)]) -> Vec<Piece> {
 }
 
 /// Makes slopes so small that the cubic polynomials between heights that do not fall do not fall either: (m₀, m₁) on a
-/// circle about 0 of three times the secant at most (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980).
+/// circle about 0 of three times the secant at most (Fritsch and Carlson 1980).
 fn limit(rows: &[(f64, f64)], slopes: &mut [f64]) {
     for (i, pair) in rows.windows(2).enumerate() {
         let most = 3.0 * (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
