@@ -1,4 +1,4 @@
-//! A layer type of one's own, in one file: a case-hardened layer, stiff at its face and soft in its core.
+//! A user-defined layer type, in one file: a case-hardened layer, stiff at its face and soft in its core.
 //!
 //! `cargo run --release --example custom_layer`
 use recede::layers::{Poisson, Positive, Thickness, conformance};

@@ -1,4 +1,5 @@
-//! The paper's Figures 3 to 12, drawn again into docs/figures, with what they show and whether what the paper says holds.
+//! Figures 3 to 12 of "Double contact analysis of multilayered elastic structures involving functionally graded materials",
+//! drawn again into docs/figures, with what they show and whether what the paper says holds.
 //!
 //! `cargo run --release --example figures`
 #[path = "figures/page.rs"]

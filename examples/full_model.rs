@@ -1,4 +1,5 @@
-//! The paper's full model: what its text says about the half-lengths, and what is computed here.
+//! The full model of "Double contact analysis of multilayered elastic structures involving functionally graded materials":
+//! what its text says about the half-lengths, and what is computed here.
 //!
 //! `cargo run --release --example full_model`
 //!

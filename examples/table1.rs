@@ -1,4 +1,4 @@
-//! The paper's Table 1, a strip on a half-plane: its values, those computed here, and the differences.
+//! Table 1 of the source paper (`docs/references.md`), a strip on a half-plane: its values, those computed here, and the differences.
 //!
 //! `cargo run --release --example table1`
 mod paper;

@@ -30,7 +30,7 @@ pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>
     let mut out = BufWriter::new(file);
     let written = write(&mut out).and_then(|()| out.into_inner()?.sync_all()).and_then(|()| fs::rename(&part, path));
     if written.is_err() {
-        // the error of writing is the one to be told
+        // the error of writing is the one to report
         let _ = fs::remove_file(&part);
     }
     written

@@ -1,4 +1,4 @@
-//! The command `recede`: reads a scene, does what the subcommand says, and tells by its exit status how it went.
+//! The command `recede`: reads a scene, runs the subcommand, and returns its exit status.
 mod cli;
 
 use std::process::ExitCode;

@@ -85,7 +85,7 @@ impl Model {
     /// # Errors
     /// [`Error::Value`] or [`Error::Options`] if a number is not legal; [`Error::Stack`] if an elastic punch is stiffer
     /// or softer than the layers beyond [`MAX_CONTRAST`](crate::MAX_CONTRAST); [`Error::NoSolution`] if no contact
-    /// lengths were found for which all pressures push and nothing overlaps.
+    /// lengths were found that satisfy the Signorini conditions (no tension, no penetration).
     pub fn press_with(&self, punch: &Punch, force: impl Into<Force>, options: &Options) -> Result<Solution, Error> {
         let force = force.into().checked()?;
         options.check()?;

@@ -77,7 +77,7 @@ fn a_long_contact_far_below_takes_no_waves_from_a_short_one() {
     }
 }
 
-/// The estimated errors of fields cover what conditions on the faces and stricter solutions tell, and are small.
+/// The estimated errors of fields cover the differences from face conditions and from stricter solutions, and are small.
 #[test]
 fn the_errors_of_stresses_are_estimated() {
     let ground = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 1, poisson: 0.25)";

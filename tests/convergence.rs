@@ -1,6 +1,6 @@
 //! Tolerances are kept, error estimates are honest, and models forget nothing and remember nothing.
 //!
-//! Goal: whatever tolerance is asked for, the estimated error is below it and the true error below ten times the
+//! Goal: whatever the tolerance, the estimated error is below it and the true error below ten times the
 //! estimate; more digits take more modes.
 //!
 //! ```text

@@ -4,7 +4,7 @@
 //! # When a test of this file fails
 //!
 //! It says which count of which scene has grown. If what was changed was not meant to cost more, find out why it does:
-//! `recede solve SCENE --stats` tells the counts, `cargo bench --bench stages` the times of the stages. If it is worth its
+//! `recede solve SCENE --stats` prints the counts, `cargo bench --bench stages` the times of the stages. If it is worth its
 //! cost, or costs less, write the new count into the table; all are printed.
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -28,7 +28,7 @@ struct Effort {
     interpolated: usize,
     /// Systems factorised.
     factorisations: usize,
-    /// Newton steps and rounds, all levels together.
+    /// Newton steps and sweeps, all refinement levels together.
     steps: usize,
     /// Allocations while the kernels are made, and while the contact is solved.
     allocations: [usize; 2],

@@ -1,7 +1,7 @@
-//! Given pressures in place of a punch.
+//! Prescribed tractions in place of a punch.
 //!
 //! Goal: under a line load a loose strip has the contacts of the literature, whatever the force; wider loads come from and go
-//! to what they must; fields are those of the given pressure; and mistakes are told where they are.
+//! to what they must; fields are those of the prescribed traction.
 //!
 //! Source of the numbers: `recede::exact::line_load`.
 #[path = "support/mod.rs"]
@@ -109,7 +109,7 @@ fn fields_are_those_of_the_given_pressure() {
     close(found.sigma_xx, expected.sigma_xx, 1e-6);
 }
 
-/// A uniform load as so many next to each other.
+/// A uniform load as a number of narrower ones next to each other.
 fn slices(half_width: f64, count: usize) -> Load {
     let width = half_width / count as f64;
     let slice = |k: usize| ((k as f64 + 0.5) * width, 1.0, Load::uniform(0.5 * width).unwrap());
@@ -271,7 +271,7 @@ fn loads_far_apart_open_the_contact_between_them() {
         let off = (0.5 * (contact.half_length - contact.opening) / alone - 1.0).abs();
         assert!(off < 0.3 * before && off < 0.03, "{at}: {off}");
         before = off;
-        // where the bodies touch, both faces move alike, and outside they do not overlap
+        // where the bodies touch, both faces move alike, and outside there is no penetration
         let field = model.field(&solution).unwrap();
         let gap = |x: f64| {
             let [upper, lower] = [1, 2].map(|layer| field.at_layer(x, 2.0, layer).unwrap());

@@ -13,7 +13,7 @@ use std::fs;
 use recede::{Model, Punch, Scene, Solution};
 
 const PARTS: [f64; 4] = [1.0, 0.04, 0.3, 5.0];
-/// Half-lengths differ by no more than so many times what they claim, relative, or by rounding.
+/// Half-lengths differ by at most this many error estimates, relative, or by rounding.
 const CLAIMED: f64 = 2.0;
 const ROUNDING: f64 = 1e-13;
 const TOLERANCE: f64 = 1e-10;

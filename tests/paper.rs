@@ -5,7 +5,7 @@
 //! model hold.
 //!
 //! ```text
-//!             P                        source: the tables and section 4 of the paper whose model this is;
+//!             P                        source: the tables and section 4 of the source paper;
 //!            (_)  R                    tests/data/paper_tables.ron, tests/data/contact.json
 //!   ████████████████████  h1, μ1
 //!   ▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓  h2, μ3 exp(β depth)      Table 1: h2 = 0, Table 2: h1 = 0

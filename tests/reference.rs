@@ -136,7 +136,7 @@ fn flexibilities_of_laminates() {
         let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
         let thickness = stack.total_thickness();
         for row in &laminate.rows {
-            // most numbers are strings, so that no reader rounds them; where the faces do not feel each other, some are
+            // most numbers are strings, so that no reader rounds them; where the coupling of the faces vanishes, some are
             // missing
             let number = |k: usize| row[k].as_f64().or_else(|| row[k].as_str()?.parse().ok());
             let wavenumber = number(0).unwrap();

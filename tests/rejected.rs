@@ -144,7 +144,8 @@ fn endless_texts_nesting_and_stacks() {
 
 #[test]
 fn files_that_cannot_be_read() {
-    for (arguments, name) in [(["solve", "no/such/scene.ron"], "no/such/scene.ron"), (["check", "examples"], "examples")]
+    for (arguments, name) in
+        [(["solve", "no/such/scene.ron"], "no/such/scene.ron"), (["check", "examples"], "examples")]
     {
         let Run { status, stderr, .. } = recede(&arguments, b"");
         assert_eq!(status, Some(2));

@@ -20,7 +20,7 @@ use recede::{
 /// Two ways to compute the same, each to its last digits.
 const SAME: f64 = 1e-12;
 
-/// A layer that tells neither that it continues nor that it is like another one.
+/// A layer that claims neither to continue nor to be like another one.
 #[derive(Debug)]
 struct Apart<L>(L);
 
@@ -162,7 +162,7 @@ fn layers_that_a_wave_does_not_reach_do_not_matter() {
     };
     let whole = chain(60);
     for z in [2.1, 3.3, 4.9, 8.0, 13.0, 30.0] {
-        // the last number of layers of which all are evaluated: the faces still feel each other
+        // the last number of layers of which all are evaluated: the coupling of the faces does not vanish
         let all = (2.0 * 40.0 / z) as usize;
         let wave = Wave { wavenumber: z / thickness, modulus: 1.0, plane: Plane::Strain };
         let [found, expected] = [&whole, &chain(all)].map(|chain| chain.flexibility(&wave).expect("finite"));

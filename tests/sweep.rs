@@ -1,4 +1,4 @@
-//! Sweeps: the same numbers whoever computes them, a file that survives interruption, rows for scenes without solution.
+//! Sweeps: the same numbers on any thread, a file that survives interruption, rows for scenes without solution.
 mod support;
 
 use std::fs;
@@ -81,7 +81,7 @@ fn numbers_do_not_depend_on_threads_nor_on_where_one_begins() {
         let rows = sweep.parallel_rows(first, NonZeroUsize::MIN);
         assert!(rows.map(|row| csv.line(&row).unwrap()).eq(alone[first..].iter().cloned()));
     }
-    // whoever has seen enough goes away
+    // the receiver may stop at any row
     assert_eq!(sweep.parallel_rows(0, NonZeroUsize::new(2).unwrap()).take(3).count(), 3);
 }
 

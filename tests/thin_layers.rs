@@ -116,7 +116,7 @@ fn loose_sheets_matter_the_less_the_thinner_they_are() {
 
 #[test]
 fn a_loose_sheet_is_one_with_the_contact_below_as_far_as_is_said() {
-    // answers that modes resolve are proportional to the thickness: what they tell of thinner sheets, these confirm
+    // answers that modes resolve are proportional to the thickness: extrapolated to thinner layers they agree with these
     let half_plane = solve(GROUND).contacts()[0].half_length;
     for modulus in [0.1, 1.0, 10.0, 100.0] {
         let sheet = |power: i32| {

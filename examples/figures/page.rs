@@ -16,7 +16,7 @@ const CONTACTS: [&str; 2] = ["advancing contact, under the punch", "receding con
 const HEAD: &str = "\
 # The paper's figures, drawn again
 
-Made by `cargo run --release --example figures`, which also tests what the paper says of them. Where a figure does not vary
+Of the [source paper](../references.md#the-source-paper). Made by `cargo run --release --example figures`, which also tests what the paper says of them. Where a figure does not vary
 it, h₁ = h₂, μ₁ = μ₃, μ₁h₁/P = 500, R/h₁ = 500, and ν = 1/4 in plane strain. The figures of the full model are not available as
 numbers, so radii and ranges are those of the paper's text where it gives them, and a choice where it does not.
 ";

@@ -1,4 +1,5 @@
-//! The paper's model with one of its two layers missing, and what the paper prints for it.
+//! "Double contact analysis of multilayered elastic structures involving functionally graded materials": its model with one
+//! of the two layers missing, and what it prints for it.
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -9,7 +9,7 @@ use super::surface::Surface;
 use crate::stack::{Foundation, Placed, Stack};
 use crate::system::{BaseChain, FreeChain, Load, slowest_decay};
 
-/// What is left of a half-plane's fields is nothing if it is below this.
+/// The remainder of a half-plane's fields counts as zero below this.
 const NOTHING: f64 = 1e-13;
 /// Wavenumbers, in terms of the shift of a [`Surface`], from which on what is left is looked at.
 const SHORT: f64 = 36.0;

@@ -44,7 +44,7 @@ impl Decay<'_> {
         amplitude * (1.0 + t) * (1.0 + t) * (-t).exp()
     }
 
-    /// The wavenumber beyond which nothing is felt; `most` if there is none below.
+    /// The wavenumber beyond which fields are negligible; `most` if there is none below.
     fn end(&self, precision: &Precision, most: f64) -> f64 {
         let exponential = precision.felt / self.distance;
         if self.left.is_none() {
@@ -70,7 +70,7 @@ impl Decay<'_> {
 }
 
 impl Field {
-    /// How fields decay with the wavenumber at a depth, for the contacts next to its body; `None` where closed forms leave nothing.
+    /// How fields decay with the wavenumber at a depth, for the contacts next to its body; `None` where closed forms have no remainder.
     fn decays(&self, row: &Row) -> impl Iterator<Item = (usize, Option<Decay<'_>>)> {
         let stratum = &self.strata[row.stratum];
         let (body, depth) = (&self.bodies[stratum.body], row.depth);
@@ -99,7 +99,7 @@ impl Field {
         })
     }
 
-    /// The wavenumbers beyond which a depth feels nothing of the contacts next to its body, besides what closed forms tell;
+    /// The cut-off wavenumbers of a depth for the contacts next to its body, closed forms aside;
     /// no farther than `most` of each contact.
     pub(super) fn ends(
         &self,
@@ -142,7 +142,7 @@ impl Field {
         Some(self.pressures[contact].half_length).filter(|own| *own > 0.0).unwrap_or_else(all)
     }
 
-    /// Up to which x all wavenumbers of a contact can be summed that some rows feel; `None` if there are too many even at x = 0.
+    /// The largest x up to which all wavenumbers of a contact below the cut-offs of the rows can be summed; `None` if there are too many even at x = 0.
     pub(super) fn nearest(&self, rows: &[Row], precision: &Precision, contact: usize) -> Option<f64> {
         // without a length no wave is too short
         let length = Some(self.length(contact)).filter(|length| *length > 0.0)?;

@@ -36,7 +36,7 @@ use waves::Origin;
 const ROUNDING: f64 = 1e-12;
 /// A depth is on an interface if it is as close to it as this, in parts of the depth.
 const ON_INTERFACE: f64 = 1e-12;
-/// Long waves change nothing below this part of 1/(thickness · ratio of the stiffnesses).
+/// Long waves are negligible below this part of 1/(thickness · ratio of the stiffnesses).
 const LONG: f64 = 0.25;
 
 /// Waves this much longer than any length see of a graded half-plane a power of λ, and three terms more of a series.

@@ -14,7 +14,7 @@ const BELOW: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 0.8, 1.3];
 const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
 /// So many strips of one pressure are looked at one by one.
 const APART: usize = 16;
-/// A half-plane is searched down to so many half-lengths of the longest contact.
+/// Depth to which a half-plane is searched, in half-lengths of the longest contact.
 const FAR: f64 = 3.0;
 /// Peaks of the coarse mesh are followed if they reach this part of the highest one, so many of each layer and so many in
 /// all: on a plateau of one layer there may be any number of them.

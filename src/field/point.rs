@@ -7,7 +7,7 @@ use super::Field;
 use super::potentials::Components;
 use super::sum::Row;
 
-/// Where a field is asked for.
+/// A point at which a field is requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot {
     /// Along the layers, from the centre of the contact, in length.
@@ -45,7 +45,7 @@ pub struct FieldPoint {
     /// Shear stress, with y upwards.
     pub sigma_xy: f64,
     /// Normal stress out of the plane: that for which ε_zz = 0 in plane strain, ν(σ_xx + σ_yy) of an isotropic material; 0 in
-    /// plane stress. NaN in a layer whose material does not tell it, see
+    /// plane stress. NaN in a layer whose material does not give it, see
     /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane).
     pub sigma_zz: f64,
 }
@@ -70,7 +70,7 @@ impl FieldPoint {
     }
 }
 
-/// What a point of a field may be asked for.
+/// The quantities at a point of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FieldQuantity {
     /// Normal stress along the layers.

@@ -1,4 +1,4 @@
-//! A contact pressure as the bodies below and above it feel it: its transform, and potentials in closed form.
+//! A contact pressure as a load on the bodies below and above it: its transform, and potentials in closed form.
 use num_complex::Complex64;
 
 use super::potentials::Potentials;

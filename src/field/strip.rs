@@ -12,7 +12,7 @@ const NEGLIGIBLE: f64 = 1e-18;
 /// Squares of w below this are terms of a series.
 const SMALL: f64 = 1e-6;
 
-/// Terms of the series that are together below this part of the largest one change nothing.
+/// Terms of the series whose sum is below this part of the largest one are left out.
 const ROUNDED: f64 = 1e-16;
 
 /// p(x) = Σ c_j sin jφ, x = a cos φ, j = 2m + 1.
@@ -189,7 +189,7 @@ impl Image {
         plain + self.tip * self.half_length * (1.0 - z * artanh_twice(z, w) + w.ln())
     }
 
-    /// What series do not tell close to the ends of strips where the pressure ends abruptly, or with a kink: below
+    /// Remainder of the series close to the ends of strips where the pressure ends abruptly, or with a kink: below
     /// eq. (26).
     fn closed(&self, z: Complex64) -> Option<Closed> {
         let (upper, lower) = (logarithm(z + Complex64::I), logarithm(z - Complex64::I));

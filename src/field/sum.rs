@@ -28,9 +28,9 @@ pub(super) struct Row {
 /// A row on its way through the wavenumbers.
 struct Active {
     row: Row,
-    /// Where it goes in the order asked for.
+    /// Its place in the requested order.
     index: usize,
-    /// The wavenumber beyond which it feels nothing.
+    /// Its cut-off wavenumber.
     end: f64,
     /// ∫ (V at the depth − V at the reference point) dλ/π
     lift: f64,
@@ -217,7 +217,7 @@ impl Field {
         Some(Row { stratum, depth, set: 0 })
     }
 
-    /// The transformed components, times weights, in all rows that feel a panel.
+    /// The transformed components, times weights, in all rows whose cut-off is beyond a panel.
     fn block(
         &self,
         panel: &Panel,

@@ -229,7 +229,7 @@ mod tests {
             let simple = Roots::new(&material, 2.0).expect("decays");
             let double = Surface::new(&|_| isotropic, 1.0, 2.0).expect("isotropic");
             for t in [0.0, 0.4, 3.0] {
-                // waves so short that nothing is left out of the displacements
+                // waves so short that the displacements have no remainder
                 let (found, expected) = (simple.transformed(t, 1.0), double.transformed(100.0, 0.01 * t));
                 for (found, expected) in found.iter().zip(expected) {
                     assert!((found - expected).abs() < tolerance, "{stretch} {t}: {found} {expected}");

@@ -118,7 +118,7 @@ impl Panel {
     }
 }
 
-/// How far a pressure is felt.
+/// The cut-off of a pressure.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Felt {
     /// The wavenumber beyond which it is not.
@@ -127,7 +127,7 @@ pub(super) struct Felt {
     pub(super) reach: f64,
 }
 
-/// Panels from 0 to where no pressure is felt any more, growing in width up to what cos λx and p̂ of those that still are
+/// Panels from 0 to the largest cut-off of all pressures, growing in width up to what cos λx and p̂ of those below their cut-off
 /// allow; `None` if there would be too many.
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next

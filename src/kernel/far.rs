@@ -1,4 +1,4 @@
-//! Large wavenumbers: a contact feels nothing but the grading at its own faces.
+//! Large wavenumbers: the short-wave asymptote of a kernel and the terms due to the grading at its own faces.
 use crate::numeric::chebyshev::{self, Series};
 use crate::system::Unresolved;
 
@@ -17,7 +17,7 @@ pub(crate) struct Far {
     pub(crate) from: f64,
     /// The limit g∞ for ζ → ∞, which makes the Cauchy kernel.
     pub(crate) limit: f64,
-    /// The kernel less its limit, in u = from/ζ; `None` if that is nothing.
+    /// The kernel minus its short-wave asymptote, in u = from/ζ; `None` if that vanishes.
     pub(super) excess: Option<Series>,
     /// The same over u, at most.
     pub(super) rate: f64,
@@ -31,7 +31,7 @@ impl Far {
         let mut values = Vec::with_capacity(POINTS);
         let points = chebyshev::points(0.0, 1.0, POINTS);
         for u in &points {
-            // the point u = 0 is a wavenumber so large that nothing but the face itself is felt
+            // the point u = 0 is a wavenumber so large that only the face itself matters
             chains.sample(from / u.max(1e-25), &wanted, &mut components, work)?;
             values.push(components[contact]);
         }

@@ -1,4 +1,4 @@
-//! Kernels: what the contact equations need to know of a stack, as functions of the wavenumber.
+//! Kernels: the stack in the contact equations, as functions of the wavenumber.
 //!
 //! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, or the length over which
 //! a half-plane without layers is graded, flexibilities λμ₀C with μ₀ the shear modulus at the top face. Nothing depends on
@@ -20,7 +20,7 @@ pub(crate) use far::Far;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
 
-/// Beyond this λh a face does not feel the other side of its layer: e^(−2·18.5) is below rounding.
+/// Beyond this λh the two faces of a layer do not interact: e^(−2·18.5) is below rounding.
 const UNFELT: f64 = 18.5;
 /// Panels double in width; more than 2^60 times the first is no stack that doubles can describe.
 const DOUBLINGS: u32 = 60;
@@ -58,7 +58,7 @@ pub(crate) struct Work {
     pub(crate) layers: usize,
     /// Layers in sequences that repeat others.
     pub(crate) repeated: usize,
-    /// Layers of the same bodies that were too deep to be felt.
+    /// Layers of the same bodies below the depth at which the wave has decayed.
     pub(crate) unfelt: usize,
 }
 
@@ -207,7 +207,7 @@ impl Kernel {
                     }
                 }
             }
-            // a contact feels its neighbours twice as far as the other side of its own laminate
+            // the coupling to a neighbour extends twice as far as the response of the other side of its own laminate
             let felt = |i: usize| kernel.panels.last().is_none_or(|panel| panel.coupled[i]);
             let wanted: Vec<bool> =
                 (0..n).map(|i| far[i].is_none() || i > 0 && felt(i - 1) || i + 1 < n && felt(i)).collect();
@@ -224,7 +224,7 @@ impl Kernel {
         Err(Unresolved { wavenumber: edge / kernel.chains.length })
     }
 
-    /// The same with a half-plane of another material on contact 0: all wavenumbers feel the same of it.
+    /// The same with a half-plane of another material on contact 0: its compliance is the same for all wavenumbers.
     pub(crate) fn under_half_plane(&self, material: &Isotropic) -> Self {
         self.clone().under_punch(
             0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus,
@@ -318,7 +318,7 @@ impl Kernel {
     }
 
     /// The wavenumber beyond which the kernel of contact i under equal neighbouring pressures equals its limit up to
-    /// `negligible` of it, as far as a contact of this half-length feels it.
+    /// `negligible` of it, weighted as for a contact of this half-length.
     pub(crate) fn vanishes(&self, contact: usize, half_length: f64, negligible: f64) -> f64 {
         let far = &self.far[contact];
         self.last_panel(|panel| panel.excess[contact] > negligible * far.limit * felt(half_length, panel.from))
@@ -334,7 +334,7 @@ impl Kernel {
     }
 
     /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of what it couples, as
-    /// far as contacts of this half-length and longer ones feel it.
+    /// far as it enters contacts of this half-length and longer ones.
     pub(crate) fn uncoupled(&self, i: usize, half_length: f64, negligible: f64) -> f64 {
         let least = self.least(i);
         self.last_panel(|panel| panel.couplings[i] > negligible * least * felt(half_length, panel.from))
@@ -345,7 +345,7 @@ impl Kernel {
         self.far[i].limit.min(self.far[i + 1].limit)
     }
 
-    /// The wavenumber beyond which contact i feels little else than its own faces: its kernel is its limit up to a third.
+    /// The wavenumber beyond which contact i depends on little else than its own faces: its kernel is within a third of its short-wave asymptote.
     pub(crate) fn settles(&self, contact: usize) -> f64 {
         const LITTLE: f64 = 0.33;
         let far = &self.far[contact];
@@ -354,7 +354,7 @@ impl Kernel {
         last.unwrap_or(0.0)
     }
 
-    /// How much more easily the laminate between the contacts i and i + 1 bends than both together are squeezed, at one
+    /// Ratio of the bending compliance of the laminate between the contacts i and i + 1 to the compression of both, at one
     /// wavenumber.
     pub(crate) fn ties(&self, i: usize, zeta: f64) -> f64 {
         let Some(at) = self.at(zeta) else { return 0.0 };
@@ -405,7 +405,7 @@ impl Kernel {
         for i in (0..self.contacts() - 1).rev() {
             let bending = -at.as_ref().map_or(0.0, |at| at.coupling(i));
             let below = compliances[i + 1];
-            // springs in series; a laminate that bends when it is squeezed may have a negative one, as far as it bends
+            // springs in series; a laminate that bends when it is compressed may have a negative one, as far as it bends
             // more easily
             compliances[i] +=
                 if bending > 0.0 && bending + below > 0.0 { bending / (bending + below) * below } else { 0.0 };
@@ -413,7 +413,7 @@ impl Kernel {
         compliances
     }
 
-    /// How much the lower face of a laminate gives way, λμ₀C, if both faces are pressed alike, at one wavenumber.
+    /// Compliance λμ₀C of the lower face of a laminate under equal pressures on both faces, at one wavenumber.
     pub(crate) fn squeezed(&self, laminate: usize, zeta: f64) -> f64 {
         self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta)).map_or(0.0, |c| -c.equal_bottom)
     }

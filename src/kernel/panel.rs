@@ -16,7 +16,7 @@ const RESOLVED: f64 = 1e-13;
 /// below this wavenumber, is rounding.
 const NARROWEST: f64 = 1.0 / 16.0;
 const LOWEST: f64 = 1e-9;
-/// A coupling below this part of the kernels that it couples, under their own pressure or equal ones, is nothing.
+/// A coupling below this part of the kernels that it couples, under their own pressure or equal ones, counts as zero.
 const NOTHING: f64 = 1e-17;
 
 /// Kernel values at the Gauss points of one panel.
@@ -28,7 +28,7 @@ pub(crate) struct Panel {
     pub(crate) to: f64,
     /// Component by component, `POINTS` values each, multiplied by the power of ζ that makes them smooth at ζ = 0.
     values: Vec<[f64; POINTS]>,
-    /// Which couplings are felt on this panel.
+    /// The couplings that do not vanish on this panel.
     pub(crate) coupled: Vec<bool>,
     /// Per contact: by how much its kernel under equal neighbouring pressures differs here from its limit at most, or
     /// where the polynomial for large wavenumbers holds, from that.
@@ -59,7 +59,7 @@ fn power(zeta: f64, power: i32) -> f64 {
 
 /// Adds panels for [from, to], halved until every component is resolved, and says whether that took more than one. Where
 /// this is `expected` both halves are sampled at once, since samples of a panel that is not resolved are lost; from those of
-/// the halves it can be told whether one panel would have done.
+/// the halves it follows whether one panel would have sufficed.
 pub(super) fn resolve(
     chains: &Chains,
     [from, to]: [f64; 2],
@@ -144,7 +144,7 @@ impl Panel {
         let mut panel = Self { from, to, values, coupled, excess, couplings, contacts };
         panel.coupled = (0..contacts - 1)
             .map(|i| {
-                // bending of another sheet is not what it acts on, nor what equal pressures bend
+                // it acts neither on the bending of another layer nor on bending by equal pressures
                 let own = |i: usize| panel.size(i).min(from * from * panel.size(contacts + i));
                 panel.size(2 * contacts + i) > NOTHING * own(i).min(own(i + 1))
             })
@@ -295,7 +295,7 @@ impl Values {
     }
 }
 
-/// The components of a panel at one wavenumber, each evaluated when it is asked for.
+/// The components of a panel at one wavenumber, each evaluated on demand.
 pub(super) struct At<'a> {
     pub(super) panel: &'a Panel,
     zeta: f64,
@@ -313,7 +313,7 @@ impl At<'_> {
         self.component(self.panel.contacts + i)
     }
 
-    /// The coupling of the contacts `i` and `i + 1`, 0 where it is not felt.
+    /// The coupling of the contacts `i` and `i + 1`, 0 where it vanishes.
     pub(super) fn coupling(&self, i: usize) -> f64 {
         if self.panel.coupled[i] { self.component(2 * self.panel.contacts + i) } else { 0.0 }
     }
@@ -326,7 +326,7 @@ mod tests {
     use crate::kernel::{Kernel, Work};
     use crate::stack::Stack;
 
-    /// Next to a loose sheet that bends very easily kernels under equal pressures are known as well as without it.
+    /// Next to a loose thin layer that bends very easily equal-pressure responses keep their accuracy.
     #[test]
     fn kernels_next_to_thin_sheets_are_resolved() {
         let layer = |thickness: f64, modulus: f64| Homogeneous::new(thickness, modulus, 0.3).unwrap();

@@ -3,7 +3,7 @@ use recede_layers::{Layer, Plane};
 
 use crate::stack::{Foundation, Stack};
 
-/// Relative changes of the moduli with the depth that tell the length of a graded half-plane, the first that is reached
+/// Relative changes of the moduli with the depth that define the length of a graded half-plane, the first that is reached
 /// anywhere: the length only scales the wavenumber axis, on which panels double in width, so that other values give the same
 /// kernels. What changes less than the last of them is homogeneous to rounding.
 const CHANGES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];

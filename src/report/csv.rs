@@ -7,7 +7,7 @@ use super::sweep::number;
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "interface,half_length,half_length_error,peak_pressure,peak_pressure_error,resultant")?;
     for contact in report.solution.contacts() {
-        // neither names nor numbers need quotes; `{:?}` prints as many digits as tell the number from all others
+        // neither names nor numbers need quotes; `{:?}` prints as many digits as identify the number
         writeln!(
             out,
             "{},{:?},{:?},{},{},{:?}",

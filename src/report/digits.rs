@@ -1,6 +1,6 @@
 //! Numbers with as many digits as their errors justify.
 
-/// Most digits that tell one double from another.
+/// Number of digits that identify a double.
 const ALL: i32 = 17;
 
 /// A value and its absolute error, e.g. `0.7370 ± 2e-4`; all digits and no error if the error is not positive.
@@ -24,7 +24,7 @@ pub(super) fn plain(value: f64) -> String {
     }
 }
 
-/// A value to twelve digits: what differs from round numbers by rounding only looks round.
+/// A value to twelve digits: a number that differs from a round one by rounding only is printed as that one.
 pub(super) fn rounded(value: f64) -> String {
     format!("{value:.11e}").parse().map_or_else(|_| plain(value), plain)
 }

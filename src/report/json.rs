@@ -136,7 +136,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     writeln!(out)
 }
 
-/// JSON knows no infinite numbers.
+/// JSON has no infinite numbers.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }

@@ -45,7 +45,7 @@ pub struct Report<'a> {
     pub scene: &'a Scene,
     /// Its solution.
     pub solution: &'a Solution,
-    /// The largest shear stress, if it was asked for: see [`crate::Field::max_shear`].
+    /// The largest shear stress, if it was requested: see [`crate::Field::max_shear`].
     pub max_shear: Option<MaxShear>,
     /// Time it took, in seconds.
     pub seconds: f64,

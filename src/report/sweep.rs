@@ -6,10 +6,10 @@ use crate::scene::Force;
 use crate::solution::{Contact, Interface};
 use crate::sweep::{Row, Sweep};
 
-/// What is told of each contact.
+/// The columns of each contact.
 const OF_A_CONTACT: [&str; 4] = ["half_length", "half_length_error", "peak_pressure", "peak_pressure_error"];
 
-/// What is told besides where the force is found.
+/// Additional columns where the force is an unknown.
 const FOUND: [&str; 2] = ["force", "force_error"];
 
 /// Lines of comma-separated values for the rows of a sweep, the same columns for all.
@@ -68,7 +68,7 @@ impl<'a> SweepCsv<'a> {
             Ok(solution) => ("solved", solution.warnings().join(" ")),
             Err(error) => (status(error), error.to_string()),
         };
-        // whoever counts lines counts rows
+        // one line for each row
         let message = message.replace(|c: char| c.is_control(), " ");
         let numbers = self.numbers(row).into_iter().map(number);
         line(numbers.chain([status.to_owned(), message, self.fingerprint.clone()]))
@@ -111,7 +111,7 @@ fn status(error: &Error) -> &'static str {
     if error.is_input() { "bad_input" } else { "no_solution" }
 }
 
-/// With as many digits as tell the number from all others; empty if there is none, or if it is infinite.
+/// With as many digits as identify the number; empty if there is none, or if it is infinite.
 pub(super) fn number(value: f64) -> String {
     if !value.is_finite() { String::new() } else { format!("{value:?}") }
 }

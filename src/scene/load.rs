@@ -99,7 +99,7 @@ impl Load {
         Ok(Self::Elliptic { half_width: ValueError::checked("half_width", half_width)? })
     }
 
-    /// Half-width of what is loaded, in length; 0 of a line. Of several loads, as far as the farthest of them reaches.
+    /// Half-width of the loaded part of the face, in length; 0 of a line load. Of several loads, the outer end of the farthest.
     pub fn half_width(&self) -> f64 {
         match self {
             Self::Line => 0.0,

@@ -69,7 +69,7 @@ pub enum Punch {
         /// Radius of curvature R of the corners, in length.
         radius: Positive,
     },
-    /// A flat punch with sharp corners: the contact is as wide as the punch, and the pressure is infinite at its corners, like
+    /// A flat punch with sharp corners: the contact is as long as the punch, and the pressure is infinite at its corners, like
     /// an inverse root.
     Flat {
         /// Half-width of the punch, in length.
@@ -87,7 +87,7 @@ pub enum Punch {
         /// Poisson's ratio of the cylinder, dimensionless.
         poisson: Poisson,
     },
-    /// No punch, but a given pressure; in a scene written as `load: ...` in place of `punch: ...`.
+    /// No punch, but a prescribed traction; in a scene written as `load: ...` in place of `punch: ...`.
     #[serde(skip)]
     Given(Load),
 }
@@ -184,7 +184,7 @@ impl Punch {
         })
     }
 
-    /// The given pressure, if there is no punch.
+    /// The prescribed traction, if there is no punch.
     pub fn load(&self) -> Option<&Load> {
         match self {
             Self::Given(load) => Some(load),
@@ -218,7 +218,7 @@ impl Punch {
         }
     }
 
-    /// Of what a punch is that is not rigid.
+    /// The material of an elastic punch; `None` if it is rigid.
     pub fn material(&self) -> Option<Isotropic> {
         match self {
             Self::ElasticCylinder { shear_modulus, poisson, .. } => {
@@ -264,7 +264,7 @@ impl Punch {
     }
 
     /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, where a polynomial begins to fall for
-    /// good, half the width of a flat punch with sharp corners; `None` if there is no such limit.
+    /// good, the half-width of a flat punch with sharp corners; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {
         self.shape().edge()
     }

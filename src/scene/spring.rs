@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Spring {
-    /// Stress σ_yy per length by which the layers are pulled apart.
+    /// Stress σ_yy per length by which the layers separate.
     normal: Positive,
     /// Stress σ_xy per length by which the layers slide on each other; none if it is not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -1,4 +1,4 @@
-//! All that may be written in a scene, told by what reads it.
+//! All that may be written in a scene, from the definitions that read it.
 use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value};
 

@@ -8,7 +8,7 @@ use super::Scene;
 impl Scene {
     /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
     ///
-    /// A layer is written as its [`notation`](crate::Layer::notation) says, so a layer type of one's own is read again
+    /// A layer is written as its [`notation`](crate::Layer::notation) says, so a user-defined layer type is read again
     /// if its notation names the fields that it is read from, as those of the layers that ship do.
     ///
     /// ```

@@ -37,13 +37,13 @@ struct Groups {
     open: Vec<Placed>,
     /// What joins the layers of `open`.
     joints: Vec<Joint>,
-    /// Below the last layer of `open`, while nothing is known to lie on its other side.
+    /// Below the last layer of `open`, while the layer on its other side is not known yet.
     below: Option<Between>,
     dropped: Vec<Placed>,
 }
 
 impl Groups {
-    /// One interface more; `None` if springs are left with nothing to hold.
+    /// One interface more; `None` if springs are left without a layer on one side.
     fn interface(&mut self, next: Between) -> Option<()> {
         // above the first layer that is there, there is nothing
         if self.open.is_empty() {

@@ -1,4 +1,4 @@
-//! Ratios of moduli: beyond what double precision, and any two materials, can be told apart by, a stack is refused.
+//! Ratios of moduli: a stack whose ratio is beyond double precision, and beyond any two materials, is rejected.
 use recede_layers::{Layer, Material, Plane};
 
 use super::{Foundation, MAX_CONTRAST, Placed, Stack, StackProblem};

@@ -89,7 +89,7 @@ pub enum StackProblem {
         /// The layer of thickness 0.
         layer: String,
     },
-    /// A thickness that is negative or not finite, reported by a layer type of one's own.
+    /// A thickness that is negative or not finite, reported by a user-defined layer type.
     #[error("{layer} has thickness {found:?}; allowed is a finite number >= 0")]
     Thickness {
         /// The layer.

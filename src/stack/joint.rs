@@ -1,14 +1,14 @@
 //! What joins two layers of a laminate.
 use std::fmt;
 
-/// An interface that does not open, told by two stiffnesses: how the jump of the displacements across it follows from the
+/// An interface that does not open, given by two stiffnesses: how the jump of the displacements across it follows from the
 /// stresses, σ_yy = normal times the jump of v, σ_xy = tangential times that of u. Bonded layers, layers that slide, and springs are the same
 /// with other numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
     /// Stress per length; infinite where v is continuous.
     pub normal: f64,
-    /// Stress per length; infinite where u is continuous, 0 where nothing hinders sliding.
+    /// Stress per length; infinite where u is continuous, 0 where sliding is free.
     pub tangential: f64,
 }
 

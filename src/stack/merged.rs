@@ -1,4 +1,4 @@
-//! Neighbours that are one body: bonded layers of one material, which only the scene tells apart.
+//! Neighbours that are one body: bonded layers of one material, separate in the scene only.
 use super::{Base, Foundation, Joint, Laminate, Placed, Stack};
 
 impl Stack {

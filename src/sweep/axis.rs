@@ -102,12 +102,12 @@ impl Axis {
         &self.path
     }
 
-    /// The values, in order, each computed when it is asked for.
+    /// The values, in order, each computed on demand.
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> {
         (0..self.count()).map(|index| self.at(index))
     }
 
-    /// The value with this number, from 0; `None` if there are not so many.
+    /// The value with this number, from 0; `None` beyond the last.
     pub fn value(&self, index: usize) -> Option<f64> {
         (index < self.count()).then(|| self.at(index))
     }
@@ -147,7 +147,7 @@ impl Axis {
         extremes
     }
 
-    /// Adds to a fingerprint what tells this axis from others.
+    /// Adds this axis to a fingerprint.
     pub(super) fn write_to(&self, hasher: &mut impl Hasher) {
         hasher.write(format!("{}={}", self.path, self.count()).as_bytes());
         match &self.values {

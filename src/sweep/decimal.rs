@@ -3,7 +3,7 @@
 /// Integers up to this can be multiplied by numbers of values up to 1e8, and added, within 128 bits: 8.5e29.
 const LARGEST: i128 = i128::MAX / 200_000_000;
 /// Digits after the point that are handed to the reader of decimals, which rounds correctly; whatever lies beyond is one
-/// digit more. With 22 or more before the point there are three times as many as a number can tell apart.
+/// digit more. With 22 or more before the point there are three times as many as a double has.
 const AFTER: u32 = 30;
 
 /// digits · 10^exponent.
@@ -47,7 +47,7 @@ impl Decimal {
 /// The number nearest to (start (last − index) + stop index)/last, where `start` and `stop` are the decimals that one reads.
 pub(super) fn linear(start: f64, stop: f64, index: usize, last: usize) -> f64 {
     let (start, stop) = (Decimal::of(start), Decimal::of(stop));
-    // of what is 1e29 times smaller than the other end nothing is seen
+    // a number 1e29 times smaller than the other end is below its last digit
     let exponent = start.lowest_exponent().max(stop.lowest_exponent());
     if exponent == i32::MIN {
         return 0.0;

@@ -13,10 +13,10 @@ const KEPT: usize = 512;
 /// Fewer where they have more numbers than these in all, 256 MB of them: then some are made more than once.
 const MOST_NUMBERS: usize = 1 << 25;
 
-/// From so many rows per stack on it pays to keep answers to start from.
+/// Rows per stack from which on a table of solutions to start from saves time.
 const MANY: usize = 100;
 
-/// What is made once for many rows, and waited for by whoever needs it.
+/// A value that is computed once for many rows; rows that need it wait.
 type Slot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 
 /// The last things made, by their numbers: models of stacks, or punches.

@@ -86,7 +86,7 @@ impl Sweep {
     /// [`Error::Scene`] if there is no quantity at the path of an axis; [`Error::Axis`] if a value is not legal for its
     /// quantity, a quantity has two axes, or the grid has too many points; [`Error::Stack`] if no combination of values is
     /// a stack. A combination that is illegal where each value is legal is a row without solution. What is looked at of an
-    /// axis are its smallest and its largest value, and the one nearest to zero: where a layer type of one's own
+    /// axis are its smallest and its largest value, and the one nearest to zero: where a user-defined layer type
     /// refuses others only, it does so in rows without solution.
     pub fn new(scene: Scene, axes: Vec<Axis>) -> Result<Self, Error> {
         let mut slots = Vec::with_capacity(axes.len());
@@ -175,7 +175,7 @@ impl Sweep {
         Ok(self.scene.with_changes(&changes)?)
     }
 
-    /// The rows in the order of the grid, each solved when it is asked for.
+    /// The rows in the order of the grid, each solved on demand.
     pub fn rows(&self) -> impl Iterator<Item = Row> {
         self.rows_from(0)
     }
@@ -185,14 +185,14 @@ impl Sweep {
         (first..self.rows).map(|index| self.row(index))
     }
 
-    /// The rows from number `first` on in the order of the grid, solved by so many threads ahead of who asks for them.
+    /// The rows from number `first` on in the order of the grid, solved by this many threads ahead of the caller.
     /// They are the same, bit by bit, for any number of threads.
     #[cfg(feature = "parallel")]
     pub fn parallel_rows(self: &Arc<Self>, first: usize, threads: NonZeroUsize) -> ParallelRows {
         ParallelRows::new(Arc::clone(self), first, threads)
     }
 
-    /// A number that tells this sweep from others: of another scene, other values, or another tolerance.
+    /// A number that identifies this sweep: of another scene, other values, or another tolerance.
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = fnv::FnvHasher::default();
         let Scene { plane, punch, force, stack, .. } = &self.scene;

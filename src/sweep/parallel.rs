@@ -9,7 +9,7 @@ use std::thread;
 
 use super::{Row, Sweep};
 
-/// Chunks per thread that may be solved before they are asked for.
+/// Chunks per thread that may be solved ahead of the caller.
 const AHEAD: usize = 16;
 /// Rows of a chunk, at most: more would keep one thread busy when the others have finished.
 const LONGEST: usize = 32;
@@ -23,7 +23,7 @@ const FEWEST: usize = 64;
 #[derive(Debug)]
 pub struct ParallelRows {
     sweep: Arc<Sweep>,
-    /// Rows still to be asked for.
+    /// Rows not requested yet.
     rows: Range<usize>,
     /// Rows of a chunk; depends on the grid alone.
     chunk: usize,
@@ -92,7 +92,7 @@ impl Iterator for ParallelRows {
     }
 }
 
-/// What a thread does until there is nothing left to do, or nobody to do it for.
+/// Solves chunks until none is left, or the receiver is gone.
 fn work(sweep: &Sweep, todo: &Mutex<Receiver<Range<usize>>>, done: &Sender<Solved>) {
     let next = || todo.lock().unwrap_or_else(PoisonError::into_inner).recv();
     while let Ok(rows) = next() {

@@ -1,4 +1,4 @@
-//! Values between two ends, each computed when it is asked for: the decimals that one would write.
+//! Values between two ends, each computed on demand: exact decimals, rounded once.
 use std::fmt;
 
 use super::decimal::{Decimal, linear};

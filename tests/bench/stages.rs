@@ -67,7 +67,7 @@ fn skips(criterion: &mut Criterion) {
     group.bench_function("fifty pairs of layers", |b| b.iter(|| kernels(&alike)));
     group.bench_function("fifty pairs of layers, no two alike", |b| b.iter(|| kernels(&unlike)));
 
-    // a wave that is felt by a tenth of a hundred layers, and one that is felt by all
+    // a wave that reaches a tenth of a hundred layers, and one that reaches all
     let layers = (1..100).fold(Stack::builder(Plane::Strain).layer(strip(0.1, 1.0)), |stack, i| {
         stack.bonded().layer(strip(0.1, [1.0, 2.0][i % 2] * (1.0 + 1e-15 * i as f64)))
     });
@@ -78,7 +78,7 @@ fn skips(criterion: &mut Criterion) {
         group.bench_function(name, |b| b.iter(|| chain.flexibility(black_box(&wave))));
     }
 
-    // a thick leaf uncouples the contacts on its faces but for long waves, a thin one does not
+    // a thick layer uncouples the contacts on its faces but for long waves, a thin one does not
     for (name, thickness) in [("thick leaf between", 10.0), ("thin leaf between", 0.1)] {
         let stack = Stack::builder(Plane::Strain).layer(strip(1.0, 1.0)).receding().layer(strip(thickness, 1.0));
         let model = Model::new(stack.receding().layer(ground()).build().expect("a stack")).expect("a model");

@@ -13,7 +13,7 @@ type Matrix = [[Real; 4]; 4];
 const BITS: usize = 1200;
 /// Terms of the exponential series of a matrix of norm below 1/2.
 const TERMS: usize = 160;
-/// Beyond this λh the strip is felt like a half-plane of its material.
+/// Beyond this λh the strip responds like a half-plane of its material.
 const THICK: f64 = 60.0;
 
 /// λμ₁C_tt of a free strip bonded to a graded layer of the same thickness, κ = 2.

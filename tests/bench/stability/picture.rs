@@ -25,7 +25,7 @@ const COLOURS: [RGBColor; 3] = [RGBColor(213, 94, 0), RGBColor(0, 114, 178), RGB
 const WIDTH: u32 = 460;
 const HEIGHT: u32 = 320;
 
-/// Draws diagrams into one picture, so many in a row.
+/// Draws diagrams into one picture, a given number in a row.
 pub fn draw(path: &std::path::Path, diagrams: &[Diagram], columns: u32) -> Result<(), Box<dyn Error>> {
     let rows = (diagrams.len() as u32).div_ceil(columns);
     let root = SVGBackend::new(path, (WIDTH * columns, HEIGHT * rows)).into_drawing_area();

@@ -33,7 +33,7 @@ pub fn time<T>(mut call: impl FnMut() -> T) -> (f64, T) {
     }
 }
 
-/// Seconds for which this thread has had a processor, where the system tells (Linux): on an idle machine wall time, and on a
+/// Seconds for which this thread has had a processor, where the system reports it (Linux): on an idle machine wall time, and on a
 /// busy one what wall time would be. Else wall time.
 fn now() -> f64 {
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
