@@ -21,7 +21,7 @@ const PRESSED: f64 = 1e-5;
 /// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; returns what is wrong, if anything.
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
     let all = || -> Result<(), String> {
-        let field = model.field(solution).map_err(|e| said("field")(&e))?;
+        let field = model.field(solution).map_err(|e| context("field")(&e))?;
         reports(scene, solution, &field)?;
         fields(solution, &field)?;
         if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
@@ -44,13 +44,13 @@ fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Stri
     let report = Report { scene, solution, max_shear: max_shear.filter(|found| found.value.is_finite()), seconds: 0.0 };
     for format in [Format::Table, Format::Json, Format::Csv] {
         let mut text = Vec::new();
-        report.write(format, &mut text).map_err(|e| said("report")(&e))?;
-        let text = String::from_utf8(text).map_err(|e| said("report")(&e))?;
+        report.write(format, &mut text).map_err(|e| context("report")(&e))?;
+        let text = String::from_utf8(text).map_err(|e| context("report")(&e))?;
         if text.contains("NaN") {
             return Err(format!("{format:?} report: not a number"));
         }
         if format == Format::Json {
-            serde_json::from_str::<serde_json::Value>(&text).map_err(|e| said("JSON report")(&e))?;
+            serde_json::from_str::<serde_json::Value>(&text).map_err(|e| context("JSON report")(&e))?;
         }
     }
     match max_shear {
@@ -80,7 +80,7 @@ fn grid(solution: &Solution, field: &Field) -> [Vec<f64>; 2] {
 
 fn nowhere_larger(solution: &Solution, field: &Field, largest: f64) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
-    let grids = field.by_layer(&xs, &depths).map_err(|e| said("field")(&e))?;
+    let grids = field.by_layer(&xs, &depths).map_err(|e| context("field")(&e))?;
     for point in grids.iter().flat_map(|grid| grid.points()) {
         let here = point.max_shear();
         if here > largest * (1.0 + LARGER) {
@@ -96,7 +96,7 @@ fn nowhere_larger(solution: &Solution, field: &Field, largest: f64) -> Result<()
 /// Fields on a grid and their files; on the loaded face they carry the pressure.
 fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
-    let grid = field.grid(&xs, &depths).map_err(|e| said("field")(&e))?;
+    let grid = field.grid(&xs, &depths).map_err(|e| context("field")(&e))?;
     let top = &solution.contacts()[0];
     for point in grid.points() {
         for quantity in FieldQuantity::ALL {
@@ -118,7 +118,7 @@ fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
     }
     for format in [FieldFormat::Csv, FieldFormat::Json] {
         let mut text = Vec::new();
-        write_field(grid.points(), format, &mut text).map_err(|e| said("field file")(&e))?;
+        write_field(grid.points(), format, &mut text).map_err(|e| context("field file")(&e))?;
     }
     let mean = 0.5 * top.resultant / top.reach();
     for point in grid.rows().next().unwrap_or_default() {
@@ -142,15 +142,15 @@ fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
 #[cfg(feature = "plot")]
 fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
-    let stack = crate::plot::stack(scene, model.stack(), solution).map_err(|e| said("picture of the stack")(&e))?;
-    let grids = field.by_layer(&xs, &depths).map_err(|e| said("field")(&e))?;
+    let stack = crate::plot::stack(scene, model.stack(), solution).map_err(|e| context("picture of the stack")(&e))?;
+    let grids = field.by_layer(&xs, &depths).map_err(|e| context("field")(&e))?;
     let map = crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear);
-    let map = map.map_err(|e| said("map")(&e))?;
+    let map = map.map_err(|e| context("map")(&e))?;
     for (name, picture) in [("stack", stack), ("map", map)] {
         if picture.contains("NaN") || picture.contains("inf\"") {
             return Err(format!("the picture of the {name} has a number that is none"));
         }
-        crate::plot::png(&picture).map_err(|e| said("PNG")(&e))?;
+        crate::plot::png(&picture).map_err(|e| context("PNG")(&e))?;
     }
     Ok(())
 }
