@@ -1,8 +1,9 @@
 //! Receding and advancing contact of layered elastic stacks.
 //!
-//! A stack of elastic layers lies on a half-plane or a rigid base. Neighbours are bonded, or merely rest on each other:
-//! there the contact *recedes* under load to an unknown length. A rigid punch presses on top over another unknown length.
-//! `recede` finds these lengths and the pressures, with error estimates.
+//! Plane frictionless unilateral contact: a stack of elastic layers, homogeneous, functionally graded or orthotropic, on a
+//! half-plane or a rigid base. Neighbours are bonded, or rest on each other and may separate: there the contact *recedes*
+//! under load to an unknown half-length. A punch presses on top over another unknown half-length. `recede` computes
+//! the half-lengths and the pressures, with error estimates.
 //!
 //! ```
 //! use recede::{Exponential, HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
@@ -37,17 +38,17 @@
 //! | [`Stack`] | its checked structure: free laminates and the base below them |
 //! | [`BlockSystem`] | the boundary conditions as a symbolic block matrix |
 //! | [`FreeChain`], [`BaseChain`] | its numbers: flexibilities at a wavenumber, eliminated layer by layer |
-//! | [`Model`] | flexibilities at all wavenumbers that matter, ready to be pressed |
+//! | [`Model`] | kernels: flexibilities at all wavenumbers, ready for any punch and force |
 //! | [`Solution`] | half-lengths, pressures, error estimates |
 //! | [`Field`] | stresses and displacements inside the stack |
 //! | [`report`] | tables, JSON and CSV |
 //!
-//! Layer types live in a crate of their own, [`layers`], with the laws they obey; anyone may add to them through a
+//! Layer types are in a crate of their own, [`layers`], with the laws they obey; others are added through a
 //! [`Registry`]. Published closed forms for comparison are in [`exact`].
 //!
 //! # Features
 //!
-//! All are on unless `default-features = false` is said: `cli`, the command, with `plot`, pictures; `parallel`, sweeps in
+//! All are on unless `default-features = false` is set: `cli`, the command, with `plot`, pictures; `parallel`, sweeps in
 //! several threads; `selftest`, random scenes; and `files`, scenes and sweeps from files. Without any of them the library does not use
 //! threads, a clock or files.
 //!

@@ -1,4 +1,4 @@
-//! A stack made ready to be pressed: kernels computed once, used for any punch and load.
+//! A stack with its kernels, computed once and used for any punch and load.
 use std::fmt::{self, Write};
 use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
@@ -56,7 +56,7 @@ impl Model {
         Ok(Self { key: Some(key(&stack)), interfaces: stack.contacts(), stack, kernel, table: None })
     }
 
-    /// The same model for many loads: answers at some of them are kept to start others from, each of them found when it is
+    /// The same model for many loads: it keeps a table of solutions to start others from, each of them computed when it is
     /// first needed. Pressing cylinders and parabolas then takes about half the time.
     ///
     /// Numbers differ from those of the model as it was in digits beyond the tolerance only, and like those they depend

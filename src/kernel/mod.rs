@@ -25,7 +25,7 @@ const UNFELT: f64 = 18.5;
 /// Panels double in width; more than 2^60 times the first is no stack that doubles can describe.
 const DOUBLINGS: u32 = 60;
 /// Most wavenumbers for each contact, so that the time is bounded for any layer: the hardest scenes known take less than half of
-/// them in all. With twice as many, what is not resolved takes twice as long to be refused.
+/// them in all. With twice as many, an unresolved stack takes twice as long to be rejected.
 const MOST_WAVENUMBERS: usize = 5000;
 
 /// The kernels of one stack.
@@ -34,7 +34,7 @@ const MOST_WAVENUMBERS: usize = 5000;
 /// laminate i − 1 above it. Components, all λμ₀C:
 ///
 /// * `diagonal` i: response of the gap of contact i to its own pressure, C_tt below minus C_bb above;
-/// * `unit` i: the same if the neighbouring contacts carry the same pressure, (C_tt + C_tb) − (C_bt + C_bb);
+/// * `unit` i: the equal-pressure response, if the neighbouring contacts carry the same pressure, (C_tt + C_tb) − (C_bt + C_bb);
 /// * `coupling` i: response of contact i to the pressure of contact i + 1, C_tb of laminate i.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
@@ -45,7 +45,7 @@ pub(crate) struct Kernel {
     /// Layers of no thickness, and layers that were one with a neighbour.
     dropped: usize,
     merged: usize,
-    /// λμ₀C of an elastic punch, which is flattened like a half-plane; part of contact 0.
+    /// Compliance λμ₀C of an elastic punch, which deforms like a half-plane; part of contact 0.
     punch: f64,
 }
 
