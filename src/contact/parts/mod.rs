@@ -25,8 +25,11 @@ const COARSEST: usize = 12;
 const FINEST: usize = 96;
 /// Steps of Newton's method for one number of pressures.
 const STEPS: usize = 30;
-/// Equations that are solved at most, with the first number of pressures; one with twice as many counts for four.
-const MOST_SOLVED: usize = 3000;
+/// Multiplications at most, all starts together, until two numbers of pressures agree: a second or two. Random scenes that were
+/// solved at all did so within half of it; with twice as many, those that are not take twice the time.
+const UNTIL_AGREED: f64 = 2e10;
+/// The same for the digits that follow: with half as many, random scenes lost one digit in ten.
+const MOST_OPERATIONS: f64 = 1e11;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
 /// Derivatives are kept as long as steps, in units of those intervals, are shorter than this, and become so many times shorter.
@@ -48,15 +51,17 @@ const SAFETY: f64 = 2.0;
 struct Work {
     /// Steps for each number of pressures.
     steps: Vec<usize>,
-    /// Equations solved, see [`MOST_SOLVED`].
-    solved: usize,
+    /// Multiplications, about, and whether two numbers of pressures have agreed.
+    operations: f64,
+    has_agreed: bool,
 }
 
 impl Work {
-    /// Counts equations with so many pressures on each interval; `None` if they are too many.
-    fn spend(&mut self, count: usize, times: usize) -> Option<()> {
-        self.solved += times * (count / COARSEST).pow(2);
-        (self.solved <= MOST_SOLVED).then_some(())
+    /// Counts equations of a size, with integrals over so many wavenumbers; `None` if they are too many.
+    fn spend(&mut self, size: usize, wavenumbers: usize, times: usize) -> Option<()> {
+        self.operations += times as f64 * (wavenumbers + size) as f64 * (size * size) as f64;
+        let most = if self.has_agreed { MOST_OPERATIONS } else { UNTIL_AGREED };
+        (self.operations <= most).then_some(())
     }
 }
 
@@ -116,6 +121,7 @@ fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool, work: &mut Wo
             let done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
             if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
                 best = Some(([level, before], errors, count));
+                work.has_agreed = true;
             }
             if done {
                 break;
@@ -253,7 +259,7 @@ fn converge(
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
         let system = |patches: &[Patch]| Equations { kernel, problem, layout: &waves, patches, count }.system();
-        work.spend(count, 1)?;
+        work.spend(patches.len() * count, waves.zeta.len(), 1)?;
         let here = system(&patches);
         *work.steps.last_mut()? += 1;
         let (at, rooms) = (ends(&patches), rooms(&patches));
@@ -266,7 +272,7 @@ fn converge(
         let derivatives = match kept.take() {
             Some(kept) => kept,
             None => {
-                work.spend(count, at.len())?;
+                work.spend(patches.len() * count, waves.zeta.len(), at.len())?;
                 let residuals_at = |ends: &[f64]| Some(system(&with_ends(&patches, ends)?).residuals(&own));
                 derivatives(&at, &rooms, &residuals, residuals_at)?
             }
