@@ -50,6 +50,25 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         ]);
     }
     writeln!(out, "{table}")?;
+    notes(report, out)?;
+    if let Some(MaxShear { value, x, depth, layer }) = max_shear {
+        let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
+        let stress = unit(&|length, force| format!(" {force}/{length}²"));
+        writeln!(out, "largest shear stress {value}{stress} at x = {x}, depth {depth} in layer {layer}")?;
+    }
+    writeln!(
+        out,
+        "{} modes, {} wavenumbers, {} Newton steps, {}",
+        solution.modes(),
+        solution.wavenumbers(),
+        solution.newton_steps(),
+        duration(*seconds)
+    )
+}
+
+/// Below the table: open middles and re-contact intervals, and what an infinite pressure means.
+fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
+    let solution = report.solution;
     for contact in solution.contacts() {
         if contact.opening > 0.0 {
             let opening = with_error(contact.opening, contact.opening_error);
@@ -66,19 +85,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
             "infinite: under a line load, and next to a sharp tip, where it grows like the logarithm of 1/|x|"
         )?;
     }
-    if let Some(MaxShear { value, x, depth, layer }) = max_shear {
-        let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
-        let stress = unit(&|length, force| format!(" {force}/{length}²"));
-        writeln!(out, "largest shear stress {value}{stress} at x = {x}, depth {depth} in layer {layer}")?;
-    }
-    writeln!(
-        out,
-        "{} modes, {} wavenumbers, {} Newton steps, {}",
-        solution.modes(),
-        solution.wavenumbers(),
-        solution.newton_steps(),
-        duration(*seconds)
-    )
+    Ok(())
 }
 
 /// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.
