@@ -7,6 +7,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use nalgebra::Matrix4;
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -33,7 +34,8 @@ const EQUAL: f64 = 4.0 * f64::EPSILON;
 /// assert!((1.0 / bottom.shear_compliance - (-1.0f64).exp()).abs() < 1e-15);
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, try_from = "Fields")]
 pub struct Exponential {
     thickness: Thickness,
@@ -43,7 +45,8 @@ pub struct Exponential {
 }
 
 /// The fields as written in a scene, before they are checked together.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "Exponential")]
 struct Fields {
     /// Thickness h, in length.

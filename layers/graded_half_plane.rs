@@ -1,4 +1,5 @@
 //! An exponentially graded half-plane, μ(d) = μ_top e^(βd) with β ≥ 0.
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -19,7 +20,8 @@ const RIGID: f64 = 300.0;
 /// assert!(GradedHalfPlane::new(1.0, 0.25, -0.5).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct GradedHalfPlane {
     /// Shear modulus at the face, in stress.

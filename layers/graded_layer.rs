@@ -1,9 +1,11 @@
 //! An isotropic layer graded in any way, left to the general body.
 use std::any::Any;
+#[cfg(feature = "read")]
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
+#[cfg(feature = "read")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 
@@ -53,7 +55,8 @@ impl PartialEq for Variation {
 }
 
 /// The fields as written in a scene, before they are checked together.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "Graded")]
 struct Fields {
     /// Thickness h, in length.
@@ -68,6 +71,7 @@ struct Fields {
     poisson_profile: Option<Profile<Poisson>>,
 }
 
+#[cfg(feature = "read")]
 impl JsonSchema for Graded {
     fn schema_name() -> Cow<'static, str> {
         "Graded".into()

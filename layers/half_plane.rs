@@ -1,5 +1,6 @@
 //! A homogeneous half-plane: everything below its top face.
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -16,7 +17,8 @@ use crate::{
 /// assert!(HalfPlane::new(-1.0, 0.25).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct HalfPlane {
     /// Shear modulus μ, in stress.

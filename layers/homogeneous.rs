@@ -3,6 +3,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector4};
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -22,7 +23,8 @@ const THIN: f64 = 2.0;
 /// assert_eq!(strip.thickness(), Some(1.0));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Homogeneous {
     /// Thickness h, in length.

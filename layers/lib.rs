@@ -20,9 +20,16 @@
 //!
 //! Displacements are exchanged as **λ μ₀ U, λ μ₀ V** ([`Wave::modulus`] is μ₀), so that all four components of a
 //! [`State`] are stresses and do not depend on the units of length.
+//!
+//! # Features
+//!
+//! `read`, on unless default features are switched off, reads layers from RON by name ([`Registry`]) and describes their
+//! fields ([`description`]). Without it the crate has the trait, the materials and the layers only; these derive
+//! `serde::Deserialize` all the same.
 #![deny(missing_docs)]
 
 pub mod conformance;
+#[cfg(feature = "read")]
 pub mod description;
 mod error;
 mod exponential;
@@ -39,6 +46,7 @@ mod orthotropic;
 mod power_half_plane;
 mod profile;
 mod quantity;
+#[cfg(feature = "read")]
 mod registry;
 mod stable;
 mod state;
@@ -58,12 +66,14 @@ pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, P
 pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table, TableError};
 pub use quantity::{Carrying, Exponent, Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
+#[cfg(feature = "read")]
 pub use registry::{Entry, ReadError, ReadLayer, Registry, read_ron};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
 pub use winkler::Winkler;
 
 /// Registers the layer types that ship with `recede`: the one list that feeds the RON reader, its error
 /// messages, and the tests of the laws.
+#[cfg(feature = "read")]
 fn register_shipped(registry: &mut Registry) {
     registry.register_described::<Homogeneous>("Homogeneous", "One isotropic material through the thickness.");
     registry.register_described::<Exponential>("Exponential", "Shear modulus varies as exp(beta d) with the depth d.");

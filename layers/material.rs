@@ -1,12 +1,14 @@
 //! What the state equations need to know of a material at one depth.
 use num_complex::Complex64;
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{LayerError, Poisson, Positive};
 
 /// Whether the plane problem is one of plane strain or of plane stress.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 pub enum Plane {
     /// Plane strain, ε_zz = 0: κ = 3 − 4ν.
     #[default]

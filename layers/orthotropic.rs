@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::Matrix4;
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +17,8 @@ use crate::{
 const ROUNDING: f64 = 1e-12;
 
 /// Young's moduli of an orthotropic material: x along the layers, y across them, z out of the plane.
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Young {
     /// E_x, in stress.
@@ -28,7 +30,8 @@ pub struct Young {
 }
 
 /// Poisson's ratios of an orthotropic material: ν_ij is −ε_j/ε_i under a stress along i, so that ν_ij/E_i = ν_ji/E_j.
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PoissonRatios {
     /// ν_xy, dimensionless.
@@ -138,7 +141,8 @@ impl EngineeringConstants {
 /// assert_eq!(Orthotropic::new(0.125, ply)?.thickness(), Some(0.125));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(try_from = "LayerFields")]
 pub struct Orthotropic {
     thickness: Thickness,
@@ -148,7 +152,8 @@ pub struct Orthotropic {
 }
 
 /// The fields as written in a scene, before they are checked together.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "Orthotropic")]
 struct LayerFields {
     /// Thickness h, in length.
@@ -220,7 +225,8 @@ impl Layer for Orthotropic {
 /// let wood = OrthotropicHalfPlane::new(EngineeringConstants::new([12.0, 0.8, 0.5], [0.4, 0.45, 0.6], 0.7)?);
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(try_from = "HalfPlaneFields")]
 pub struct OrthotropicHalfPlane {
     young: Young,
@@ -229,7 +235,8 @@ pub struct OrthotropicHalfPlane {
 }
 
 /// The fields as written in a scene, before they are checked together.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "OrthotropicHalfPlane")]
 struct HalfPlaneFields {
     /// Young's moduli.

@@ -1,4 +1,5 @@
 //! A half-plane graded by a power law, μ(d) = μ_top (1 + d/l)^m with m > −1.
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -15,7 +16,8 @@ use crate::{Carrying, Isotropic, Layer, LayerError, Material, Plane, Poisson, Po
 /// assert!(PowerHalfPlane::new(1.0, 0.3, 2.0, -1.0).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PowerHalfPlane {
     /// Shear modulus at the face, in stress.

@@ -1,10 +1,13 @@
 //! How a quantity varies with depth, as written in a scene.
+#[cfg(feature = "read")]
 use std::borrow::Cow;
 use std::fmt;
 
+#[cfg(feature = "read")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
+#[cfg(feature = "read")]
 use crate::description::Value;
 use crate::{Finite, LayerError, OutOfRange, Positive, Thickness};
 
@@ -25,7 +28,8 @@ const REACHED: f64 = 1.0 - 1e-12;
 /// assert_eq!(table.at(0.75, 1.0), 2.5);
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub enum Profile<Q> {
     /// The same at any depth.
@@ -73,6 +77,7 @@ pub enum Profile<Q> {
 #[serde(try_from = "Vec<(Thickness, Q)>", bound(deserialize = "Q: Deserialize<'de>"))]
 pub struct Table<Q>(Vec<(Thickness, Q)>);
 
+#[cfg(feature = "read")]
 impl<Q> JsonSchema for Table<Q> {
     fn schema_name() -> Cow<'static, str> {
         "Table".into()

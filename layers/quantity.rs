@@ -1,10 +1,13 @@
 //! Checked numbers: rejected with a reason where they are read, so that a scene's error names its column.
+#[cfg(feature = "read")]
 use std::borrow::Cow;
 use std::fmt;
 
+#[cfg(feature = "read")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
+#[cfg(feature = "read")]
 use crate::description::Value;
 
 /// A number outside the range of its quantity.
@@ -24,6 +27,7 @@ macro_rules! quantity {
         #[serde(try_from = "f64", into = "f64")]
         pub struct $name(f64);
 
+        #[cfg(feature = "read")]
         impl JsonSchema for $name {
             fn schema_name() -> Cow<'static, str> {
                 stringify!($name).into()

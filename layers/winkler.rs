@@ -2,6 +2,7 @@
 use std::fmt;
 
 use nalgebra::{Matrix4, Matrix4x2};
+#[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -21,7 +22,8 @@ use crate::{FaceStates, InnerStates, Layer, LayerError, LayerStates, Material, P
 /// assert!(springs.thickness().is_none() && !springs.has_material());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Winkler {
     /// Stiffness k, in stress/length.
