@@ -4,7 +4,9 @@ mod support;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use recede::plot::{self, Anchor, Picture, style};
 use support::recede;
+use tiny_skia::Pixmap;
 
 const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
 
@@ -59,13 +61,13 @@ fn pictures_leave_the_files_beside_them_alone() {
     assert_eq!(fs::read(beside).unwrap(), b"mine");
     // threads that draw the same picture do not take away each other's unfinished one
     let shared = file("shared.svg");
-    let svg = recede::plot::svg(10.0, 10.0, |_| Ok(())).unwrap();
+    let picture = Picture::new(10.0, 10.0);
     std::thread::scope(|scope| {
-        let draw = || (0..50).try_for_each(|_| recede::plot::save(&shared, &svg));
+        let draw = || (0..50).try_for_each(|_| plot::save(&shared, &picture));
         let threads = [scope.spawn(draw), scope.spawn(draw)];
         threads.into_iter().for_each(|thread| thread.join().unwrap().unwrap());
     });
-    assert_eq!(fs::read_to_string(&shared).unwrap(), svg);
+    assert_eq!(fs::read_to_string(&shared).unwrap(), picture.svg());
 }
 
 #[test]
@@ -84,14 +86,36 @@ fn pixels_are_those_of_the_drawing() {
     assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
     let size = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
     assert!(size(16) > 1200 && size(20) > 900, "{} x {}", size(16), size(20));
-    // letters are there, whatever fonts the computer has
-    let pixmap = resvg::tiny_skia::Pixmap::decode_png(&png).unwrap();
-    let dark = pixmap.pixels().iter().filter(|pixel| pixel.red() < 100).count();
-    let without =
-        String::from_utf8(plot(SCENE, "again.svg")).unwrap().replace("<text", "<desc").replace("</text>", "</desc>");
-    let without = resvg::tiny_skia::Pixmap::decode_png(&recede::plot::png(&without).unwrap()).unwrap();
-    let lines = without.pixels().iter().filter(|pixel| pixel.red() < 100).count();
-    assert!(dark > lines + 2000, "{dark} {lines}");
+}
+
+#[test]
+fn letters_are_there_whatever_fonts_the_computer_has() {
+    let dark = |anchor: Anchor, text: &str| {
+        let mut picture = Picture::new(60.0, 60.0);
+        picture.text((30.0, 30.0), text, 10.0, style::INK, anchor);
+        let pixmap = Pixmap::decode_png(&picture.png().unwrap()).unwrap();
+        let dark: Vec<(u32, u32)> = (0..180)
+            .flat_map(|x| (0..180).map(move |y| (x, y)))
+            .filter(|(x, y)| pixmap.pixel(*x, *y).unwrap().red() < 128)
+            .collect();
+        let ends = |pick: fn(&(u32, u32)) -> u32| [dark.iter().map(pick).min(), dark.iter().map(pick).max()];
+        (dark.len(), ends(|(x, _)| *x).map(Option::unwrap), ends(|(_, y)| *y).map(Option::unwrap))
+    };
+    // three pixels to a point; a small letter is 5.5 points high, and so are its pixels about the middle
+    let (count, x, y) = dark(Anchor::Centre, "xxxx");
+    assert!(count > 300, "{count}");
+    assert!(x[0].abs_diff(180 - x[1]) < 6 && x[1] - x[0] > 60, "{x:?}");
+    assert!(y[0].abs_diff(90 - 8) < 3 && y[1].abs_diff(90 + 8) < 3, "{y:?}");
+    let (_, left, _) = dark(Anchor::Left, "xxxx");
+    let (_, right, _) = dark(Anchor::Right, "xxxx");
+    assert!(left[0].abs_diff(90) < 4 && right[1].abs_diff(90) < 4, "{left:?} {right:?}");
+    // turned, it is as wide as it was high
+    let (_, turned_x, turned_y) = dark(Anchor::Upwards, "xxxx");
+    assert!(turned_x[1] - turned_x[0] < 24 && (turned_y[1] - turned_y[0]).abs_diff(x[1] - x[0]) < 4);
+    // an index is smaller and lower, a symbol leans
+    let (_, _, low) = dark(Anchor::Centre, &plot::subscript("xxxx"));
+    assert!(low[1] > y[1] - 4 && low[0] > y[0] + 3, "{low:?} {y:?}");
+    assert_ne!(dark(Anchor::Centre, &plot::italic("l")), dark(Anchor::Centre, "l"));
 }
 
 #[test]
@@ -187,7 +211,7 @@ fn any_quantity_of_any_layer_can_be_mapped() {
 #[test]
 fn a_map_is_dark_where_the_stress_is_large() {
     let png = map("examples/scenes/hertz.ron", "map.png", &["--x", "-1:1:101", "--depth", "0:1:81"]);
-    let pixmap = resvg::tiny_skia::Pixmap::decode_png(&png).unwrap();
+    let pixmap = Pixmap::decode_png(&png).unwrap();
     // the map begins 62 points from the left and 72 from above, is 340 points wide and as high as it is deep, 3 pixels each
     let light = |x: f64, depth: f64| {
         let place = |at: f64| (3.0 * at) as u32;

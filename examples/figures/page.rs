@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use recede::plot::{self, Chart, Curve, Frame, Labels, Scale, style};
+use recede::plot::{self, Chart, Curve, Frame, Labels, Picture, Scale, style};
 use recede::{Axis, FieldQuantity, Model, Scene, Solution};
 
 const FRAME: Frame = Frame { left: 58.0, top: 12.0, right: 318.0, bottom: 192.0 };
@@ -50,7 +50,7 @@ impl Page {
 
     /// Draws the scene itself.
     pub fn stack(&self, file: &str) -> Result<(), Box<dyn Error>> {
-        let picture = plot::stack(&self.scene, &self.scene.stack()?, &recede::solve(&self.scene)?)?;
+        let picture = plot::stack(&self.scene, &self.scene.stack()?, &recede::solve(&self.scene)?);
         Ok(plot::save(&self.folder.join(file), &picture)?)
     }
 
@@ -170,7 +170,8 @@ impl Page {
             labels,
         };
         let file = format!("figure_{number:02}.svg");
-        let picture = plot::svg(SIZE.0, SIZE.1, |canvas| chart.draw(canvas))?;
+        let mut picture = Picture::new(SIZE.0, SIZE.1);
+        chart.draw(&mut picture);
         plot::save(&self.folder.join(&file), &picture)?;
         let caption = caption.trim().trim_end_matches('.');
         self.texts.insert(number, format!("## Figure {number}\n\n![Figure {number}]({file})\n\n{caption}.\n\n"));

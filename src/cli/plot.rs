@@ -32,6 +32,6 @@ impl Plot {
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
         let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
-        Ok(plot::save(&self.out, &plot::stack(&scene, model.stack(), &solution)?)?)
+        Ok(plot::save(&self.out, &plot::stack(&scene, model.stack(), &solution))?)
     }
 }

@@ -1,8 +1,7 @@
 //! Curves in a frame with axes.
-use super::canvas::{Anchor, Canvas, Stroke};
+use super::picture::{Anchor, Picture, Stroke};
 use super::scale::{Scale, ten_to};
 use super::style::{FAINT, INK, SMALL, TEXT, hair};
-use super::target::PlotError;
 
 /// Length of the mark of a tick, in points.
 const TICK: f64 = 4.0;
@@ -77,67 +76,63 @@ impl Chart {
     }
 
     /// Draws all of it.
-    ///
-    /// # Errors
-    /// Those of the canvas.
-    pub fn draw(&self, canvas: &Canvas) -> Result<(), PlotError> {
-        self.axes(canvas)?;
+    pub fn draw(&self, picture: &mut Picture) {
+        self.axes(picture);
         for curve in &self.curves {
             for part in curve.points.split(|(x, y)| !x.is_finite() || !y.is_finite()) {
                 let points: Vec<(f64, f64)> = part.iter().map(|point| self.place(*point)).collect();
                 if let [(x, y)] = points[..] {
-                    canvas.line(&[(x - 1.0, y), (x + 1.0, y)], Stroke { dash: None, ..curve.stroke })?;
+                    picture.line(&[(x - 1.0, y), (x + 1.0, y)], Stroke { dash: None, ..curve.stroke });
                 } else if !points.is_empty() {
-                    canvas.line(&points, curve.stroke)?;
+                    picture.line(&points, curve.stroke);
                 }
             }
         }
         match self.labels {
-            Labels::AtEnds => self.labels_at_ends(canvas),
-            Labels::Listed => self.list_of_labels(canvas),
+            Labels::AtEnds => self.labels_at_ends(picture),
+            Labels::Listed => self.list_of_labels(picture),
         }
     }
 
-    fn axes(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn axes(&self, picture: &mut Picture) {
         let Frame { left, top, right, bottom } = self.frame;
         for tick in self.x.ticks() {
             let (x, _) = self.place((tick.value, self.y.ends().0));
             let length = if tick.label.is_empty() { 0.6 * TICK } else { TICK };
-            canvas.line(&[(x, bottom), (x, bottom + length)], hair(INK))?;
-            canvas.text((x, bottom + TICK + 0.8 * SMALL), &tick.label, SMALL, INK, Anchor::Centre)?;
+            picture.line(&[(x, bottom), (x, bottom + length)], hair(INK));
+            picture.text((x, bottom + TICK + 0.8 * SMALL), &tick.label, SMALL, INK, Anchor::Centre);
         }
         for tick in self.y.ticks() {
             let (_, y) = self.place((self.x.ends().0, tick.value));
-            canvas.line(&[(left - TICK, y), (left, y)], hair(INK))?;
-            canvas.text((left - TICK - 3.0, y), &tick.label, SMALL, INK, Anchor::Right)?;
+            picture.line(&[(left - TICK, y), (left, y)], hair(INK));
+            picture.text((left - TICK - 3.0, y), &tick.label, SMALL, INK, Anchor::Right);
         }
         let (low, high) = self.y.ends();
         if low < 0.0 && high > 0.0 {
             let (_, y) = self.place((self.x.ends().0, 0.0));
-            canvas.line(&[(left, y), (right, y)], hair(FAINT))?;
+            picture.line(&[(left, y), (right, y)], hair(FAINT));
         }
-        canvas.line(&[(left, top), (left, bottom), (right, bottom)], hair(INK))?;
+        picture.line(&[(left, top), (left, bottom), (right, bottom)], hair(INK));
         let widest = self.y.ticks().iter().map(|tick| tick.label.chars().count()).max().unwrap_or(0);
         let beside = left - TICK - 9.0 - 0.62 * SMALL * widest as f64 - 0.5 * TEXT;
         let below = bottom + TICK + 2.4 * TEXT;
         let x_label = with_unit(&self.x_label, self.x_unit.as_deref(), self.x.power());
         let y_label = with_unit(&self.y_label, self.y_unit.as_deref(), self.y.power());
-        canvas.text((0.5 * (left + right), below), &x_label, TEXT, INK, Anchor::Centre)?;
-        canvas.text((beside, 0.5 * (top + bottom)), &y_label, TEXT, INK, Anchor::Upwards)
+        picture.text((0.5 * (left + right), below), &x_label, TEXT, INK, Anchor::Centre);
+        picture.text((beside, 0.5 * (top + bottom)), &y_label, TEXT, INK, Anchor::Upwards);
     }
 
-    fn list_of_labels(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn list_of_labels(&self, picture: &mut Picture) {
         let (left, mut y) = (self.frame.right + 8.0, self.frame.top + 0.5 * TEXT);
         for curve in self.curves.iter().filter(|curve| !curve.label.is_empty()) {
-            canvas.line(&[(left, y), (left + SAMPLE, y)], curve.stroke)?;
-            canvas.text((left + SAMPLE + 5.0, y), &curve.label, TEXT, INK, Anchor::Left)?;
+            picture.line(&[(left, y), (left + SAMPLE, y)], curve.stroke);
+            picture.text((left + SAMPLE + 5.0, y), &curve.label, TEXT, INK, Anchor::Left);
             y += 1.5 * TEXT;
         }
-        Ok(())
     }
 
     /// What the curves are called, beside their right ends, apart from each other.
-    fn labels_at_ends(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn labels_at_ends(&self, picture: &mut Picture) {
         let end = |curve: &Curve| curve.points.iter().rev().find(|(x, y)| x.is_finite() && y.is_finite()).copied();
         let named = self.curves.iter().filter(|curve| !curve.label.is_empty());
         let mut ends: Vec<_> = named.filter_map(|curve| Some((self.place(end(curve)?), curve))).collect();
@@ -147,11 +142,10 @@ impl Chart {
         for (y, ((x, from), curve)) in apart(&wanted, top, bottom).into_iter().zip(&ends) {
             let right = self.frame.right.max(*x);
             if (y - from).abs() > 1.0 || right - x > 1.0 {
-                canvas.line(&[(x + 2.0, *from), (right + 8.0, y)], hair(FAINT))?;
+                picture.line(&[(x + 2.0, *from), (right + 8.0, y)], hair(FAINT));
             }
-            canvas.text((right + 11.0, y), &curve.label, TEXT, INK, Anchor::Left)?;
+            picture.text((right + 11.0, y), &curve.label, TEXT, INK, Anchor::Left);
         }
-        Ok(())
     }
 }
 

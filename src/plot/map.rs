@@ -1,14 +1,13 @@
 //! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
-use contour::ContourBuilder;
-
-use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
 use super::chart::{Chart, Frame, Labels, apart, with_unit};
+use super::contour::rings;
+use super::file::PlotError;
 use super::ground::hatching;
 use super::names::{self, Dimension, symbols, unit};
+use super::picture::{Anchor, Colour, Picture, Stroke, WHITE, italic};
 use super::punch::{ABOVE, Punch};
 use super::scale::{Scale, label};
 use super::style::{FAINT, INK, SMALL, TEXT, hair, heat};
-use super::target::PlotError;
 use crate::field::{Field, FieldPoint, FieldQuantity, Grid};
 use crate::scene::Scene;
 use crate::solution::{Contact, Interface, Solution};
@@ -35,19 +34,18 @@ const BEYOND: f64 = 0.01;
 /// Fewest bands of colour.
 const BANDS: usize = 10;
 
-/// A quantity on grids that reach the faces of the layers, see [`Field::by_layer`], as SVG: bands of colour, which become
+/// A quantity on grids that reach the faces of the layers, see [`Field::by_layer`], as bands of colour, which become
 /// darker as the quantity grows, the interfaces, contacts in bold, and a ring where the quantity is largest.
 ///
 /// # Errors
-/// [`PlotError::Empty`] if the grids have fewer than two places and depths; [`PlotError::Drawing`] if the drawing library
-/// fails.
+/// [`PlotError::Empty`] if the grids have fewer than two places and depths, or the quantity is nowhere finite.
 pub fn map(
     scene: &Scene,
     solution: &Solution,
     field: &Field,
     grids: &[Grid],
     quantity: FieldQuantity,
-) -> Result<String, PlotError> {
+) -> Result<Picture, PlotError> {
     let points = || grids.iter().flat_map(|grid| grid.points());
     let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick)).ends();
     let (x, depth) = (over(|point| point.x), over(|point| point.depth));
@@ -91,18 +89,18 @@ pub fn map(
     let lowest = (frame.bottom + BELOW).max(top + BAR[1] + TOP);
     let right = BETWEEN + BAR[0] + RIGHT;
     let name = if begins_on_top { 9.0 + 0.58 * SMALL * scene.punch.label().chars().count() as f64 } else { 0.0 };
-    svg(LEFT + WIDTH + right.max(name), lowest, |canvas| {
-        for grid in grids {
-            map.bands(canvas, grid)?;
-        }
-        if begins_on_top {
-            map.punch().draw(canvas)?;
-        }
-        map.interfaces(canvas)?;
-        map.chart.draw(canvas)?;
-        map.largest(canvas, frame.bottom + BELOW - 12.0, height / true_height)?;
-        map.bar(canvas)
-    })
+    let mut picture = Picture::new(LEFT + WIDTH + right.max(name), lowest);
+    for grid in grids {
+        map.bands(&mut picture, grid);
+    }
+    if begins_on_top {
+        map.punch().draw(&mut picture);
+    }
+    map.interfaces(&mut picture);
+    map.chart.draw(&mut picture);
+    map.largest(&mut picture, frame.bottom + BELOW - 12.0, height / true_height);
+    map.bar(&mut picture);
+    Ok(picture)
 }
 
 /// Whether a quantity is infinite or not defined because stresses are infinite at this point.
@@ -163,40 +161,30 @@ struct Map<'a> {
 
 impl Map<'_> {
     /// From the lowest band up, each over all that is higher: so no seams remain.
-    fn bands(&self, canvas: &Canvas, grid: &Grid) -> Result<(), PlotError> {
+    fn bands(&self, picture: &mut Picture, grid: &Grid) {
         let xs = grid.xs();
         let depths: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
-        let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return Ok(()) };
+        let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return };
         let [from, to] = [(xs[0], *first), (xs[xs.len() - 1], *last)].map(|corner| self.chart.place(corner));
         let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of(point)).collect();
         if values.iter().all(|value| value.is_nan()) {
             // not known in this layer: left white
-            return Ok(());
+            return;
         }
         let values = within(values, xs.len(), self.colours.scale.ends());
-        canvas.rectangle(from, to, self.colours.band(0))?;
-        let failed = |error: contour::Error| PlotError::Drawing(error.to_string());
-        let contours =
-            ContourBuilder::new(xs.len(), depths.len(), true).contours(&values, &self.colours.edges).map_err(failed)?;
-        for (index, contour) in contours.iter().enumerate() {
-            for polygon in contour.geometry() {
-                // holes are reached by a cut that has no width
-                let rings = [polygon.exterior()].into_iter().chain(polygon.interiors());
-                let mut outline = Vec::new();
-                for ring in rings {
-                    let start = outline.first().copied();
-                    let within = |x: f64, y: f64| (between(xs, x - 0.5), between(&depths, y - 0.5));
-                    outline.extend(ring.0.iter().map(|point| self.chart.place(within(point.x, point.y))));
-                    outline.extend(start);
-                }
-                canvas.area(&outline, self.colours.band(index + 1), 1.0)?;
+        picture.rectangle(from, to, self.colours.band(0));
+        let within = |(x, y): (f64, f64)| self.chart.place((between(xs, x), between(&depths, y)));
+        for (index, edge) in self.colours.edges.iter().enumerate() {
+            let rings = rings(&values, xs.len(), *edge).into_iter();
+            let rings: Vec<Vec<_>> = rings.map(|ring| ring.into_iter().map(within).collect()).collect();
+            if !rings.is_empty() {
+                picture.rings(rings, self.colours.band(index + 1));
             }
         }
-        Ok(())
     }
 
     /// Bonded ones thin; receding ones bold where there is contact, dashed where they have opened.
-    fn interfaces(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn interfaces(&self, picture: &mut Picture) {
         let Frame { left, right, top, bottom } = self.chart.frame;
         let symbols = symbols(&self.contacts.iter().map(|contact| contact.interface).collect::<Vec<_>>());
         let length = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
@@ -214,7 +202,7 @@ impl Map<'_> {
                 Interface::Between { below, .. } => below == *number,
             });
             if visible(upper) {
-                self.interface(canvas, upper, contact.map(|(contact, _)| contact))?;
+                self.interface(picture, upper, contact.map(|(contact, _)| contact));
                 if let Some((contact, (symbol, _))) = contact {
                     labels.push((upper, format!("{symbol} = {}{length}", short(contact.half_length))));
                 }
@@ -224,8 +212,8 @@ impl Map<'_> {
                 let last = self.contacts.iter().zip(&symbols).find(
                     |(contact, _)| matches!(contact.interface, Interface::Between { above, .. } if above == *number),
                 );
-                hatching(canvas, (left, right), lower)?;
-                self.interface(canvas, lower, last.map(|(contact, _)| contact))?;
+                hatching(picture, (left, right), lower);
+                self.interface(picture, lower, last.map(|(contact, _)| contact));
                 if let Some((contact, (symbol, _))) = last {
                     labels.push((lower, format!("{symbol} = {}{length}", short(contact.half_length))));
                 }
@@ -234,21 +222,20 @@ impl Map<'_> {
         labels.sort_by(|a, b| a.0.total_cmp(&b.0));
         let wanted: Vec<f64> = labels.iter().map(|(y, _)| *y).collect();
         for (y, (at, text)) in apart(&wanted, top, f64::INFINITY).into_iter().zip(&labels) {
-            canvas.line(&[(right + 1.0, *at), (right + 6.0, y)], hair(FAINT))?;
-            canvas.text((right + 9.0, y), text, SMALL, INK, Anchor::Left)?;
+            picture.line(&[(right + 1.0, *at), (right + 6.0, y)], hair(FAINT));
+            picture.text((right + 9.0, y), text, SMALL, INK, Anchor::Left);
         }
-        Ok(())
     }
 
     /// One interface, dark on a light seam, so that it is seen on any colour.
-    fn interface(&self, canvas: &Canvas, y: f64, contact: Option<&Contact>) -> Result<(), PlotError> {
+    fn interface(&self, picture: &mut Picture, y: f64, contact: Option<&Contact>) {
         let Frame { left, right, .. } = self.chart.frame;
-        let seam = |width: f64| Stroke { colour: plotters::style::WHITE, width, dash: None };
+        let seam = |width: f64| Stroke { colour: WHITE, width, dash: None };
         let inside = contact.is_none_or(|contact| contact.interface != Interface::Punch);
         if inside {
-            canvas.line(&[(left, y), (right, y)], seam(2.2))?;
+            picture.line(&[(left, y), (right, y)], seam(2.2));
         }
-        let Some(contact) = contact else { return canvas.line(&[(left, y), (right, y)], hair(INK)) };
+        let Some(contact) = contact else { return picture.line(&[(left, y), (right, y)], hair(INK)) };
         let end = |x: f64| self.chart.place((x, 0.0)).0.clamp(left, right);
         let open = match contact.interface {
             Interface::Punch => hair(INK),
@@ -258,18 +245,17 @@ impl Map<'_> {
         let mut before = left;
         for [from, to] in contact.intervals().map(|interval| interval.map(end)).chain([[right, right]]) {
             if before < from {
-                canvas.line(&[(before, y), (from, y)], open)?;
+                picture.line(&[(before, y), (from, y)], open);
             }
             touching.push((from, to));
             before = to;
         }
         for (from, to) in touching.into_iter().filter(|(from, to)| from < to) {
             if inside {
-                canvas.line(&[(from, y), (to, y)], seam(4.0))?;
+                picture.line(&[(from, y), (to, y)], seam(4.0));
             }
-            canvas.line(&[(from, y), (to, y)], Stroke { colour: INK, width: 2.4, dash: None })?;
+            picture.line(&[(from, y), (to, y)], Stroke { colour: INK, width: 2.4, dash: None });
         }
-        Ok(())
     }
 
     fn punch(&self) -> Punch<'_> {
@@ -279,7 +265,7 @@ impl Map<'_> {
     }
 
     /// A ring at the largest value, and what it is.
-    fn largest(&self, canvas: &Canvas, y: f64, stretch: f64) -> Result<(), PlotError> {
+    fn largest(&self, picture: &mut Picture, y: f64, stretch: f64) {
         let points = self.grids.iter().flat_map(|grid| grid.points());
         let value = |point: &FieldPoint| self.quantity.of(point);
         // of two that are the same the one on the right, and the one above
@@ -290,14 +276,14 @@ impl Map<'_> {
             let upper = b.depth.total_cmp(&a.depth).then(b.layer.cmp(&a.layer));
             if same { a.x.total_cmp(&b.x).then(upper) } else { p.total_cmp(&q) }
         };
-        let Some(point) = points.max_by(larger) else { return Ok(()) };
+        let Some(point) = points.max_by(larger) else { return };
         let (x, at) = self.chart.place((point.x, point.depth));
         let ring: Vec<(f64, f64)> = (0..=24)
             .map(|k| std::f64::consts::TAU * f64::from(k) / 24.0)
             .map(|phi| (x + 3.2 * phi.cos(), at + 3.2 * phi.sin()))
             .collect();
-        canvas.line(&ring, Stroke { colour: plotters::style::WHITE, width: 2.4, dash: None })?;
-        canvas.line(&ring, Stroke { colour: INK, width: 1.0, dash: None })?;
+        picture.line(&ring, Stroke { colour: WHITE, width: 2.4, dash: None });
+        picture.line(&ring, Stroke { colour: INK, width: 1.0, dash: None });
         let with = |dimension| unit(self.scene, dimension).map_or(String::new(), |unit| format!(" {unit}"));
         let (_, dimension) = names::of_quantity(self.quantity);
         let (stress, length) = (with(dimension), with(Dimension::Length));
@@ -316,11 +302,11 @@ impl Map<'_> {
         if (stretch - 1.0).abs() > 1e-6 {
             text += &format!("; depths drawn × {}", label(format!("{stretch:.1e}").parse().unwrap_or(1.0)));
         }
-        canvas.text((self.chart.frame.left, y), &text, SMALL, INK, Anchor::Left)
+        picture.text((self.chart.frame.left, y), &text, SMALL, INK, Anchor::Left);
     }
 
     /// The scale of colours.
-    fn bar(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn bar(&self, picture: &mut Picture) {
         let Frame { top, right, bottom, .. } = self.chart.frame;
         let (left, bottom) = (right + BETWEEN, bottom.max(top + BAR[1]));
         let right = left + BAR[0];
@@ -328,19 +314,19 @@ impl Map<'_> {
         let height = |value: f64| bottom - scale.share(value) * (bottom - top);
         for index in 0..=edges.len() {
             let from = if index == 0 { bottom } else { height(edges[index - 1]) };
-            canvas.rectangle((left, from), (right, top), self.colours.band(index))?;
+            picture.rectangle((left, from), (right, top), self.colours.band(index));
         }
-        canvas.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], hair(INK))?;
+        picture.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], hair(INK));
         for tick in scale.ticks() {
             let y = height(tick.value);
-            canvas.line(&[(right, y), (right + 3.0, y)], hair(INK))?;
-            canvas.text((right + 6.0, y), &tick.label, SMALL, INK, Anchor::Left)?;
+            picture.line(&[(right, y), (right + 3.0, y)], hair(INK));
+            picture.text((right + 6.0, y), &tick.label, SMALL, INK, Anchor::Left);
         }
         let (name, dimension) = names::of_quantity(self.quantity);
         let title = with_unit(&name, unit(self.scene, dimension).as_deref(), scale.power());
         let widest = scale.ticks().iter().map(|tick| tick.label.chars().count()).max().unwrap_or(0);
         let beside = right + 12.0 + 0.62 * SMALL * widest as f64 + 0.5 * TEXT;
-        canvas.text((beside, 0.5 * (top + bottom)), &title, TEXT, INK, Anchor::Upwards)
+        picture.text((beside, 0.5 * (top + bottom)), &title, TEXT, INK, Anchor::Upwards);
     }
 }
 

@@ -1,10 +1,10 @@
 //! Pictures of scenes, solutions, fields and sweeps, as SVG or PNG.
 //!
-//! A picture is drawn on a [`Canvas`], in points, by [`svg`], and written by [`save`]; a PNG is made from the SVG, so both
-//! look alike on any computer. [`style`] has the colours and lines of all pictures, [`Chart`] the axes.
+//! A [`Picture`] is drawn in points and written by [`save`]; SVG and PNG are made from the same shapes, so both look alike on
+//! any computer. [`style`] has the colours and lines of all pictures, [`Chart`] the axes.
 //!
 //! ```
-//! use recede::plot::{self, Chart, Curve, Frame, Labels, Scale, style};
+//! use recede::plot::{self, Chart, Curve, Frame, Labels, Picture, Scale, style};
 //! let curve: Vec<(f64, f64)> = (0..=50).map(|i| 0.02 * f64::from(i)).map(|x| (x, (1.0 - x * x).sqrt())).collect();
 //! let chart = Chart {
 //!     frame: Frame { left: 60.0, top: 15.0, right: 330.0, bottom: 200.0 },
@@ -17,27 +17,30 @@
 //!     curves: vec![Curve { points: curve, stroke: style::curve(0, 1), label: plot::italic("p") }],
 //!     labels: Labels::AtEnds,
 //! };
-//! let picture = plot::svg(380.0, 240.0, |canvas| chart.draw(canvas))?;
-//! assert!(picture.contains("N/mm²"));
-//! # Ok::<(), recede::plot::PlotError>(())
+//! let mut picture = Picture::new(380.0, 240.0);
+//! chart.draw(&mut picture);
+//! assert!(picture.svg().contains("N/mm²"));
 //! ```
-mod canvas;
 mod chart;
+mod contour;
+mod file;
 mod ground;
 mod map;
 mod names;
+mod picture;
+mod png;
 mod pressure;
 mod punch;
 mod scale;
 mod stack;
 pub mod style;
+mod svg;
 mod sweep;
-mod target;
 
-pub use canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
 pub use chart::{Chart, Curve, Frame, Labels, with_unit};
+pub use file::{Kind, PlotError, save};
 pub use map::map;
+pub use picture::{Anchor, Colour, Picture, Stroke, italic, subscript};
 pub use scale::{Scale, Tick, label, ten_to};
 pub use stack::stack;
 pub use sweep::{is_drawn, sweep};
-pub use target::{Kind, PlotError, png, save};

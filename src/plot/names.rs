@@ -1,5 +1,5 @@
 //! What quantities are called in pictures, and their units.
-use super::canvas::{italic, subscript};
+use super::picture::{italic, subscript};
 use crate::field::FieldQuantity;
 use crate::scene::{Scene, Units};
 use crate::solution::Interface;

@@ -1,10 +1,9 @@
 //! The punch above a stack, and the force on it; or the load in its place.
-use super::canvas::{Anchor, Canvas, Stroke, italic};
 use super::names::{Dimension, unit};
+use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, pressure};
 use super::scale::label;
 use super::style::{FAINT, INK, SMALL, TEXT};
-use super::target::PlotError;
 use crate::scene::{Force, Load, Scene};
 use crate::solution::Contact;
 
@@ -31,14 +30,14 @@ pub(super) struct Punch<'a> {
 }
 
 impl Punch<'_> {
-    pub(super) fn draw(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    pub(super) fn draw(&self, picture: &mut Picture) {
         let (left, right) = self.ends;
         let punch = &self.scene.punch;
         let [along, across] = self.scale;
         let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| along * edge);
         let (from, to) = (left.max(self.middle - edge), right.min(self.middle + edge));
         if let Some(load) = punch.load() {
-            return self.load(load, canvas);
+            return self.load(load, picture);
         }
         let touching = self.contact.map_or(0.0, |contact| contact.half_length);
         let rise = |x: f64| {
@@ -50,17 +49,17 @@ impl Punch<'_> {
             let outline: Vec<(f64, f64)> = (0..=POINTS).map(at).map(|x| (x, self.top - rise(x))).collect();
             let upper = [(to, self.top - HIGHEST), (from, self.top - HIGHEST)];
             let body: Vec<_> = outline.iter().copied().chain(upper).collect();
-            canvas.area(&body, FAINT, 0.8)?;
-            canvas.line(&outline, Stroke { colour: INK, width: 1.0, dash: None })?;
+            picture.area(&body, FAINT, 0.8);
+            picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
         }
         if (left..=right).contains(&self.middle) {
-            self.force(canvas)?;
+            self.force(picture);
         }
-        canvas.text((right + 9.0, self.top - 0.5 * HIGHEST), &punch.label(), SMALL, INK, Anchor::Left)
+        picture.text((right + 9.0, self.top - 0.5 * HIGHEST), &punch.label(), SMALL, INK, Anchor::Left);
     }
 
     /// Pressures as curves, lines as arrows.
-    fn load(&self, load: &Load, canvas: &Canvas) -> Result<(), PlotError> {
+    fn load(&self, load: &Load, picture: &mut Picture) {
         let (left, right) = self.ends;
         let curve = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curve);
@@ -73,24 +72,24 @@ impl Punch<'_> {
                 outline.insert(0, (first, self.top));
                 outline.push((last, self.top));
             }
-            canvas.area(&outline, FAINT, 0.8)?;
-            canvas.line(&outline, Stroke { colour: INK, width: 1.0, dash: None })?;
+            picture.area(&outline, FAINT, 0.8);
+            picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
         }
         for (at, _, _) in load.parts().into_iter().filter(|(_, _, part)| part.half_width() == 0.0) {
             for x in [at, -at] {
-                arrow(canvas, place(x), self.top - 3.0, HIGHEST - 3.0)?;
+                arrow(picture, place(x), self.top - 3.0, HIGHEST - 3.0);
             }
         }
-        self.number(canvas)?;
-        canvas.text((right + 9.0, self.top - 0.5 * HIGHEST), &self.scene.punch.label(), SMALL, INK, Anchor::Left)
+        self.number(picture);
+        picture.text((right + 9.0, self.top - 0.5 * HIGHEST), &self.scene.punch.label(), SMALL, INK, Anchor::Left);
     }
 
-    fn force(&self, canvas: &Canvas) -> Result<(), PlotError> {
-        arrow(canvas, self.middle, self.top - HIGHEST - 4.0, 18.0)?;
-        self.number(canvas)
+    fn force(&self, picture: &mut Picture) {
+        arrow(picture, self.middle, self.top - HIGHEST - 4.0, 18.0);
+        self.number(picture);
     }
 
-    fn number(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn number(&self, picture: &mut Picture) {
         let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
         let tip = self.top - HIGHEST - 4.0;
         let number = match (self.scene.force, self.contact) {
@@ -98,12 +97,12 @@ impl Punch<'_> {
             (force, _) => label(force.number()),
         };
         let force = format!("{} = {number}{line_load}", italic("P"));
-        canvas.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left)
+        picture.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left);
     }
 }
 
 /// An arrow that points down to a tip.
-fn arrow(canvas: &Canvas, x: f64, tip: f64, length: f64) -> Result<(), PlotError> {
-    canvas.line(&[(x, tip - length), (x, tip)], Stroke { colour: INK, width: 1.2, dash: None })?;
-    canvas.area(&[(x, tip + 3.0), (x - 3.2, tip - 5.0), (x + 3.2, tip - 5.0)], INK, 1.0)
+fn arrow(picture: &mut Picture, x: f64, tip: f64, length: f64) {
+    picture.line(&[(x, tip - length), (x, tip)], Stroke { colour: INK, width: 1.2, dash: None });
+    picture.area(&[(x, tip + 3.0), (x - 3.2, tip - 5.0), (x + 3.2, tip - 5.0)], INK, 1.0);
 }

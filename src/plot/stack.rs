@@ -1,13 +1,12 @@
 //! A stack drawn to scale with its punch and contacts, and the pressures below it.
-use super::canvas::{Anchor, Canvas, Colour, Stroke, italic, svg};
 use super::chart::{Chart, Curve, Frame, Labels, apart};
 use super::ground::hatching;
 use super::names::{Dimension, index, symbols, unit};
+use super::picture::{Anchor, Colour, Picture, Stroke, italic};
 use super::pressure::{highest, pressure};
 use super::punch::{ABOVE, Punch};
 use super::scale::{Scale, label};
 use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
-use super::target::PlotError;
 use crate::scene::{Load, Scene};
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::{Foundation, Placed, Stack};
@@ -32,11 +31,8 @@ const SLICE: f64 = 0.5;
 /// Names of layers, written below each other: of more layers the first and the last ones are named.
 const NAMES: usize = 40;
 
-/// The stack of a solved scene drawn to scale, with punch and contacts, and the contact pressures below it, as SVG.
-///
-/// # Errors
-/// [`PlotError::Drawing`] if the drawing library fails.
-pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String, PlotError> {
+/// The stack of a solved scene drawn to scale, with punch and contacts, and the contact pressures below it.
+pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let contacts = solution.contacts();
     let total = stack.total_thickness();
     let longest = solution.extent().unwrap_or(if total > 0.0 { total } else { 1.0 });
@@ -51,12 +47,12 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Result<String
     let peaks = contacts.iter().map(|contact| format!("123456789012345{}", short(contact.peak_pressure)));
     let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
-    svg(SIDES.0 + WIDTH + right, height, |canvas| {
-        drawing.layers(canvas)?;
-        drawing.punch().draw(canvas)?;
-        drawing.contacts(canvas)?;
-        drawing.pressures(canvas, bottom + 22.0)
-    })
+    let mut picture = Picture::new(SIDES.0 + WIDTH + right, height);
+    drawing.layers(&mut picture);
+    drawing.punch().draw(&mut picture);
+    drawing.contacts(&mut picture);
+    drawing.pressures(&mut picture, bottom + 22.0);
+    picture
 }
 
 /// What is drawn, and where.
@@ -75,7 +71,7 @@ impl Drawing<'_> {
     }
 
     /// The layers from the top down, grey where they are stiff, with what they are called at their right.
-    fn layers(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn layers(&self, picture: &mut Picture) {
         let (left, right) = self.ends();
         let layers = self.layers_in_order();
         let stiffness = Stiffness::of(self.scene, self.stack, &layers);
@@ -88,25 +84,24 @@ impl Drawing<'_> {
                 let share = |i: usize| y + height * i as f64 / slices as f64;
                 let depth = thickness * (slice as f64 + 0.5) / slices as f64;
                 // down to the bottom, so that no line remains between slices
-                canvas.rectangle((left, share(slice)), (right, y + height), stiffness.grey(placed, depth))?;
+                picture.rectangle((left, share(slice)), (right, y + height), stiffness.grey(placed, depth));
             }
             y += height;
         }
         match elastic_base(self.stack) {
-            Some(placed) => canvas.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0))?,
-            None => hatching(canvas, (left, right), y)?,
+            Some(placed) => picture.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0)),
+            None => hatching(picture, (left, right), y),
         }
         for y in self.bonds() {
-            canvas.line(&[(left, y), (right, y)], hair(INK))?;
+            picture.line(&[(left, y), (right, y)], hair(INK));
         }
-        canvas.line(&[(left, self.top), (right, self.top)], hair(INK))?;
+        picture.line(&[(left, self.top), (right, self.top)], hair(INK));
         for (at, y, text) in self.labels() {
             if y - at > 2.0 {
-                canvas.line(&[(right + 1.0, at), (right + 7.0, y)], hair(FAINT))?;
+                picture.line(&[(right + 1.0, at), (right + 7.0, y)], hair(FAINT));
             }
-            canvas.text((right + 9.0, y), &text, SMALL, INK, Anchor::Left)?;
+            picture.text((right + 9.0, y), &text, SMALL, INK, Anchor::Left);
         }
-        Ok(())
     }
 
     /// What layers and ground are called, the height of each, and the height at which that is written: below each other.
@@ -167,7 +162,7 @@ impl Drawing<'_> {
     }
 
     /// A thick line where bodies touch, and its half-length.
-    fn contacts(&self, canvas: &Canvas) -> Result<(), PlotError> {
+    fn contacts(&self, picture: &mut Picture) {
         let symbols = self.symbols();
         let heights = self.heights();
         let unit = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
@@ -182,22 +177,21 @@ impl Drawing<'_> {
                 let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
                 let mut from = left;
                 for [start, end] in contact.intervals() {
-                    canvas.line(&[(from, y), (self.middle + self.scale * start, y)], open)?;
+                    picture.line(&[(from, y), (self.middle + self.scale * start, y)], open);
                     from = self.middle + self.scale * end;
                 }
-                canvas.line(&[(from, y), (right, y)], open)?;
+                picture.line(&[(from, y), (right, y)], open);
             }
             for interval in contact.intervals() {
                 let [from, to] = interval.map(|x| self.middle + self.scale * x);
-                canvas.line(&[(from, y), (to, y)], touching)?;
+                picture.line(&[(from, y), (to, y)], touching);
                 for end in [from, to] {
-                    canvas.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching })?;
+                    picture.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching });
                 }
             }
             let text = format!("{symbol} = {}{unit}", short(contact.half_length));
-            canvas.text((left - 6.0, label), &text, SMALL, INK, Anchor::Right)?;
+            picture.text((left - 6.0, label), &text, SMALL, INK, Anchor::Right);
         }
-        Ok(())
     }
 
     /// Heights of the bonded interfaces in the drawing; a rigid base has an outline in any case.
@@ -240,7 +234,7 @@ impl Drawing<'_> {
     }
 
     /// The pressures over x, below the contacts where they act.
-    fn pressures(&self, canvas: &Canvas, top: f64) -> Result<(), PlotError> {
+    fn pressures(&self, picture: &mut Picture, top: f64) {
         let longest = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
         let mut half = 0.5 * WIDTH / self.scale;
         if longest > 0.0 && longest < SMALLEST * half {
@@ -276,7 +270,7 @@ impl Drawing<'_> {
             curves: curves.chain(lines).collect(),
             labels: Labels::Listed,
         };
-        chart.draw(canvas)
+        chart.draw(picture);
     }
 }
 
@@ -328,6 +322,6 @@ impl<'a> Stiffness<'a> {
         let span = (self.stiffest / self.softest).ln();
         let share = if span > 1e-6 { (self.modulus(placed, depth) / self.softest).ln() / span } else { 0.5 };
         let grey = (244.0 - 46.0 * share.clamp(0.0, 1.0)) as u8;
-        plotters::prelude::RGBColor(grey, grey, grey)
+        Colour { r: grey, g: grey, b: grey }
     }
 }

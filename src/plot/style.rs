@@ -1,12 +1,10 @@
 //! Colours, lines and letters of all pictures: legible in print, in grey, and for the colour-blind.
-use plotters::prelude::{ColorMap, RGBColor, ViridisRGB};
-
-use super::canvas::{Colour, Stroke};
+use super::picture::{Colour, Stroke};
 
 /// Text, axes and outlines.
-pub const INK: Colour = RGBColor(26, 26, 26);
+pub const INK: Colour = Colour { r: 26, g: 26, b: 26 };
 /// What stands back: grids, help lines.
-pub const FAINT: Colour = RGBColor(170, 170, 170);
+pub const FAINT: Colour = Colour { r: 170, g: 170, b: 170 };
 /// Letters of axes and labels, in points.
 pub const TEXT: f64 = 10.0;
 /// Letters of numbers at axes, in points.
@@ -31,14 +29,18 @@ pub fn curve(index: usize, count: usize) -> Stroke {
 
 /// A colour from dark (0) to bright (1), brightness changing evenly.
 pub fn shade(share: f64) -> Colour {
-    ViridisRGB.get_color(share.clamp(0.0, 1.0))
+    of_map(colorous::VIRIDIS, share)
 }
 
 /// A colour for an area, from light (0) to dark (1), brightness changing evenly: the map "magma" from its light end on, as
 /// far as dark lines are still seen on it.
 pub fn heat(share: f64) -> Colour {
-    let colour = colorous::MAGMA.eval_continuous(1.0 - DARKEST * share.clamp(0.0, 1.0));
-    RGBColor(colour.r, colour.g, colour.b)
+    of_map(colorous::MAGMA, 1.0 - DARKEST * share.clamp(0.0, 1.0))
+}
+
+fn of_map(map: colorous::Gradient, share: f64) -> Colour {
+    let colorous::Color { r, g, b } = map.eval_continuous(share.clamp(0.0, 1.0));
+    Colour { r, g, b }
 }
 
 /// A thin line.

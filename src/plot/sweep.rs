@@ -1,10 +1,10 @@
 //! The curves of a sweep: half-lengths above, pressures below, one column for each contact.
-use super::canvas::{Anchor, svg};
 use super::chart::{Chart, Curve, Frame, Labels};
+use super::file::PlotError;
 use super::names::{Dimension, of_path, symbols, unit};
+use super::picture::{Anchor, Picture};
 use super::scale::{Scale, label};
 use super::style::{INK, TEXT, curve};
-use super::target::PlotError;
 use crate::solution::Interface;
 use crate::sweep::{Axis, Sweep};
 
@@ -59,14 +59,14 @@ fn along(sweep: &Sweep) -> Option<usize> {
     counts.filter(|(_, count)| *count > 1).max_by_key(|(_, count)| *count).map(|(i, _)| i)
 }
 
-/// Curves of a sweep over the axis with most values, one for each combination of the others, as SVG.
+/// Curves of a sweep over the axis with most values, one for each combination of the others.
 ///
 /// `rows` are those of the sweep in order, as [`SweepCsv::numbers`](crate::report::SweepCsv::numbers) has them; those that
 /// [are not drawn](is_drawn) may be left out.
 ///
 /// # Errors
 /// [`PlotError::Empty`] if no axis has two values.
-pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<String, PlotError> {
+pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<Picture, PlotError> {
     let axes = sweep.axes();
     let Some(along) = along(sweep) else {
         return Err(PlotError::Empty("a curve needs a quantity that takes two values".into()));
@@ -83,61 +83,54 @@ pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<String, PlotError> {
     let symbols = symbols(interfaces);
     let (left, above, below) = AROUND;
     let (width, height) = (interfaces.len() as f64 * (left + PLANE.0) + beside, 2.0 * (above + PLANE.1 + below));
-    svg(width, height, |canvas| {
-        let scene = sweep.scene();
-        if !others.is_empty() {
-            let right = width - beside + 11.0;
-            canvas.text((right, 0.5 * above), &title, TEXT, INK, Anchor::Left)?;
-        }
-        for (column, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate() {
-            let frame_left = left + column as f64 * (left + PLANE.0);
-            let what = match interface {
-                Interface::Punch => "under the punch".to_owned(),
-                between => format!("contact {between}"),
+    let mut picture = Picture::new(width, height);
+    let scene = sweep.scene();
+    if !others.is_empty() {
+        let right = width - beside + 11.0;
+        picture.text((right, 0.5 * above), &title, TEXT, INK, Anchor::Left);
+    }
+    for (column, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate() {
+        let frame_left = left + column as f64 * (left + PLANE.0);
+        let what = match interface {
+            Interface::Punch => "under the punch".to_owned(),
+            between => format!("contact {between}"),
+        };
+        let quantities =
+            [(0, format!("half-length {length}"), Dimension::Length), (2, format!("{pressure}(0)"), Dimension::Stress)];
+        for (line, (offset, y_label, dimension)) in quantities.into_iter().enumerate() {
+            let at = axes.len() + 4 * column + offset;
+            let named = column + 1 == interfaces.len() && !others.is_empty();
+            let curves = families.iter().enumerate().map(|(i, family)| Curve {
+                points: family.rows.iter().map(|row| (number(&rows[*row], along), number(&rows[*row], at))).collect(),
+                stroke: curve(i, families.len()),
+                label: if named && labelled(i, families.len()) { family.label.clone() } else { String::new() },
+            });
+            let frame_top = above + line as f64 * (above + PLANE.1 + below);
+            let (x_label, x_dimension) = of_path(axes[along].path());
+            let chart = Chart {
+                frame: Frame {
+                    left: frame_left,
+                    top: frame_top,
+                    right: frame_left + PLANE.0,
+                    bottom: frame_top + PLANE.1,
+                },
+                x: along_x(&axes[along]),
+                y: Scale::around(rows.iter().map(|row| number(row, at))).rounded(),
+                x_label,
+                x_unit: unit(scene, x_dimension),
+                y_label,
+                y_unit: unit(scene, dimension),
+                curves: curves.collect(),
+                labels: Labels::AtEnds,
             };
-            let quantities = [
-                (0, format!("half-length {length}"), Dimension::Length),
-                (2, format!("{pressure}(0)"), Dimension::Stress),
-            ];
-            for (line, (offset, y_label, dimension)) in quantities.into_iter().enumerate() {
-                let at = axes.len() + 4 * column + offset;
-                let named = column + 1 == interfaces.len() && !others.is_empty();
-                let curves = families.iter().enumerate().map(|(i, family)| Curve {
-                    points: family
-                        .rows
-                        .iter()
-                        .map(|row| (number(&rows[*row], along), number(&rows[*row], at)))
-                        .collect(),
-                    stroke: curve(i, families.len()),
-                    label: if named && labelled(i, families.len()) { family.label.clone() } else { String::new() },
-                });
-                let frame_top = above + line as f64 * (above + PLANE.1 + below);
-                let (x_label, x_dimension) = of_path(axes[along].path());
-                let chart = Chart {
-                    frame: Frame {
-                        left: frame_left,
-                        top: frame_top,
-                        right: frame_left + PLANE.0,
-                        bottom: frame_top + PLANE.1,
-                    },
-                    x: along_x(&axes[along]),
-                    y: Scale::around(rows.iter().map(|row| number(row, at))).rounded(),
-                    x_label,
-                    x_unit: unit(scene, x_dimension),
-                    y_label,
-                    y_unit: unit(scene, dimension),
-                    curves: curves.collect(),
-                    labels: Labels::AtEnds,
-                };
-                if line == 0 {
-                    let middle = frame_left + 0.5 * PLANE.0;
-                    canvas.text((middle, frame_top - 0.5 * above), &what, TEXT, INK, Anchor::Centre)?;
-                }
-                chart.draw(canvas)?;
+            if line == 0 {
+                let middle = frame_left + 0.5 * PLANE.0;
+                picture.text((middle, frame_top - 0.5 * above), &what, TEXT, INK, Anchor::Centre);
             }
+            chart.draw(&mut picture);
         }
-        Ok(())
-    })
+    }
+    Ok(picture)
 }
 
 /// Rows that differ in the value on axis `along` only, in the order of the grid.

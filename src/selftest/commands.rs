@@ -142,15 +142,15 @@ fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
 #[cfg(feature = "plot")]
 fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
-    let stack = crate::plot::stack(scene, model.stack(), solution).map_err(|e| context("picture of the stack")(&e))?;
+    let stack = crate::plot::stack(scene, model.stack(), solution);
     let grids = field.by_layer(&xs, &depths).map_err(|e| context("field")(&e))?;
     let map = crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear);
     let map = map.map_err(|e| context("map")(&e))?;
     for (name, picture) in [("stack", stack), ("map", map)] {
-        if picture.contains("NaN") || picture.contains("inf\"") {
+        if !picture.is_finite() {
             return Err(format!("the picture of the {name} has a number that is none"));
         }
-        crate::plot::png(&picture).map_err(|e| context("PNG")(&e))?;
+        picture.png().map_err(|e| context("PNG")(&e))?;
     }
     Ok(())
 }

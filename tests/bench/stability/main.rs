@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = folder.ok_or("which folder are the pictures to be written to?")?;
     let diagrams: Vec<Diagram> = STEEPNESS.into_iter().map(flexibility).collect::<Result<_, _>>()?;
     draw(&folder.join("stability_flexibility.svg"), &diagrams, 2)?;
-    draw(&folder.join("stability_cutoff.svg"), &[cut_off()?], 1)
+    Ok(draw(&folder.join("stability_cutoff.svg"), &[cut_off()?], 1)?)
 }
 
 /// Relative error of λC_tt over λH.

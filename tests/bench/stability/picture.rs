@@ -1,8 +1,8 @@
 //! Curves on doubly logarithmic axes, as SVG.
-use std::error::Error;
 use std::ops::Range;
+use std::path::Path;
 
-use plotters::prelude::*;
+use recede::plot::{self, Anchor, Chart, Colour, Frame, Labels, Picture, PlotError, Scale, Stroke, style};
 
 /// A curve and its name.
 pub struct Curve {
@@ -21,61 +21,53 @@ pub struct Diagram {
 }
 
 /// Distinct also without colours by their order of darkness.
-const COLOURS: [RGBColor; 3] = [RGBColor(213, 94, 0), RGBColor(0, 114, 178), RGBColor(20, 20, 20)];
-const WIDTH: u32 = 460;
-const HEIGHT: u32 = 320;
+const COLOURS: [Colour; 3] =
+    [Colour { r: 213, g: 94, b: 0 }, Colour { r: 0, g: 114, b: 178 }, Colour { r: 20, g: 20, b: 20 }];
+/// Size of a diagram with its labels, in points.
+const SIZE: (f64, f64) = (400.0, 250.0);
+/// The part of it that the curves have.
+const FRAME: Frame = Frame { left: 64.0, top: 26.0, right: 265.0, bottom: 205.0 };
 
 /// Draws diagrams into one picture, a given number in a row.
-pub fn draw(path: &std::path::Path, diagrams: &[Diagram], columns: u32) -> Result<(), Box<dyn Error>> {
-    let rows = (diagrams.len() as u32).div_ceil(columns);
-    let root = SVGBackend::new(path, (WIDTH * columns, HEIGHT * rows)).into_drawing_area();
-    root.fill(&WHITE)?;
-    for (diagram, area) in diagrams.iter().zip(root.split_evenly((rows as usize, columns as usize))) {
-        let power = |exponent: i32| 10f64.powi(exponent);
-        let mut chart = ChartBuilder::on(&area)
-            .caption(&diagram.title, ("sans-serif", 15))
-            .margin(10)
-            .x_label_area_size(40)
-            .y_label_area_size(58)
-            .build_cartesian_2d(
-                (power(diagram.x.start)..power(diagram.x.end)).log_scale(),
-                (power(diagram.y.start)..power(diagram.y.end)).log_scale(),
-            )?;
-        chart
-            .configure_mesh()
-            .x_desc(diagram.x_name)
-            .y_desc(diagram.y_name)
-            .x_labels(9)
-            .y_labels(10)
-            .x_label_formatter(&exponent)
-            .y_label_formatter(&exponent)
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(RGBColor(220, 220, 220))
-            .label_style(("sans-serif", 12))
-            .draw()?;
-        let (low, high) = (power(diagram.y.start), power(diagram.y.end));
-        for (curve, colour) in diagram.curves.iter().zip(COLOURS) {
-            // what is no number is as wrong as can be
-            let shown = curve.points.iter().map(|(x, y)| (*x, if y.is_nan() { high } else { y.clamp(low, high) }));
-            let line = PathElement::new(shown.collect::<Vec<_>>(), colour.stroke_width(2));
-            chart
-                .draw_series([line])?
-                .label(curve.name)
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2)));
-        }
-        if diagram.curves.len() > 1 {
-            chart
-                .configure_series_labels()
-                .position(SeriesLabelPosition::MiddleLeft)
-                .background_style(WHITE.mix(0.0))
-                .label_font(("sans-serif", 12))
-                .draw()?;
-        }
+pub fn draw(path: &Path, diagrams: &[Diagram], columns: usize) -> Result<(), PlotError> {
+    let mut picture = Picture::new(SIZE.0 * columns as f64, SIZE.1 * diagrams.len().div_ceil(columns) as f64);
+    for (i, diagram) in diagrams.iter().enumerate() {
+        let (left, top) = (SIZE.0 * (i % columns) as f64, SIZE.1 * (i / columns) as f64);
+        let frame = Frame {
+            left: left + FRAME.left,
+            top: top + FRAME.top,
+            right: left + FRAME.right,
+            bottom: top + FRAME.bottom,
+        };
+        let middle = 0.5 * (frame.left + frame.right);
+        picture.text((middle, frame.top - 12.0), &diagram.title, style::TEXT, style::INK, Anchor::Centre);
+        diagram.chart(frame).draw(&mut picture);
     }
-    root.present()?;
-    Ok(())
+    plot::save(path, &picture)
 }
 
-fn exponent(value: &f64) -> String {
-    format!("1e{}", value.log10().round() as i32)
+impl Diagram {
+    fn chart(&self, frame: Frame) -> Chart {
+        let power = |exponent: i32| 10f64.powi(exponent);
+        let scale = |range: &Range<i32>| Scale::around([power(range.start), power(range.end)]).logarithmic();
+        let (low, high) = (power(self.y.start), power(self.y.end));
+        // what is no number is as wrong as can be
+        let shown = |(x, y): &(f64, f64)| (*x, if y.is_nan() { high } else { y.clamp(low, high) });
+        let curves = self.curves.iter().zip(COLOURS).map(|(curve, colour)| plot::Curve {
+            points: curve.points.iter().map(shown).collect(),
+            stroke: Stroke { colour, width: style::BOLD, dash: None },
+            label: if self.curves.len() > 1 { curve.name.to_owned() } else { String::new() },
+        });
+        Chart {
+            frame,
+            x: scale(&self.x),
+            y: scale(&self.y),
+            x_label: self.x_name.to_owned(),
+            x_unit: None,
+            y_label: self.y_name.to_owned(),
+            y_unit: None,
+            curves: curves.collect(),
+            labels: Labels::Listed,
+        }
+    }
 }

@@ -1,0 +1,74 @@
+//! From a picture to a file.
+use std::path::{Path, PathBuf};
+
+use super::picture::Picture;
+use crate::files;
+
+/// Why a picture could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// The file's name does not say what kind of picture it is to be.
+    #[error("{}: a picture is a file that ends in .svg or .png", file.display())]
+    Ending {
+        /// The file.
+        file: PathBuf,
+    },
+    /// The file cannot be written.
+    #[error("{}: {cause}", file.display())]
+    File {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        #[source]
+        cause: std::io::Error,
+    },
+    /// There is nothing that could be drawn.
+    #[error("nothing to draw: {0}")]
+    Empty(String),
+    /// A picture without a size cannot be one of pixels.
+    #[error("the picture cannot be drawn: {0}")]
+    Drawing(String),
+}
+
+/// What kind of picture a file is to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Scalable vector graphics.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+impl Kind {
+    /// The kind that a file's name asks for.
+    ///
+    /// ```
+    /// use recede::plot::Kind;
+    /// assert_eq!(Kind::of("stack.PNG".as_ref())?, Kind::Png);
+    /// assert!(Kind::of("stack.pdf".as_ref()).is_err());
+    /// # Ok::<(), recede::plot::PlotError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PlotError::Ending`] if it ends neither in `.svg` nor in `.png`.
+    pub fn of(file: &Path) -> Result<Self, PlotError> {
+        let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            _ => Err(PlotError::Ending { file: file.to_owned() }),
+        }
+    }
+}
+
+/// Writes a picture to a file that ends in `.svg` or `.png`. The file appears when it is complete.
+///
+/// # Errors
+/// [`PlotError`] if the ending is another one, or the file cannot be written.
+pub fn save(file: &Path, picture: &Picture) -> Result<(), PlotError> {
+    let bytes = match Kind::of(file)? {
+        Kind::Svg => picture.svg().into_bytes(),
+        Kind::Png => picture.png()?,
+    };
+    files::replace(file, |out| out.write_all(&bytes)).map_err(|cause| PlotError::File { file: file.to_owned(), cause })
+}

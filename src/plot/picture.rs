@@ -1,0 +1,155 @@
+//! What is drawn on: lines, areas and text, in points, y downwards.
+/// Begin and end of what is set in italics.
+const ITALIC: [char; 2] = ['\u{e000}', '\u{e001}'];
+/// The same for an index.
+const INDEX: [char; 2] = ['\u{e002}', '\u{e003}'];
+
+/// A colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Colour {
+    /// Red, from 0 to 255; so the others.
+    pub r: u8,
+    /// Green.
+    pub g: u8,
+    /// Blue.
+    pub b: u8,
+}
+
+/// White.
+pub(super) const WHITE: Colour = Colour { r: 255, g: 255, b: 255 };
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub colour: Colour,
+    /// Its width, in points.
+    pub width: f64,
+    /// Length of dashes and of the space between, in points.
+    pub dash: Option<(f64, f64)>,
+}
+
+/// Which point of a text is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// Middle of its left end.
+    Left,
+    /// Its middle.
+    Centre,
+    /// Middle of its right end.
+    Right,
+    /// Its middle, and it runs upwards.
+    Upwards,
+}
+
+/// A picture: its size, and all that is drawn on a white ground, the last on top.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    pub(super) size: (f64, f64),
+    pub(super) shapes: Vec<Shape>,
+}
+
+/// One thing that is drawn.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    Line { points: Vec<(f64, f64)>, stroke: Stroke },
+    Area { rings: Vec<Vec<(f64, f64)>>, colour: Colour, opacity: f64 },
+    Text { at: (f64, f64), text: String, size: f64, colour: Colour, anchor: Anchor },
+}
+
+/// A symbol, set in italics.
+pub fn italic(symbol: &str) -> String {
+    let [begin, end] = ITALIC;
+    format!("{begin}{symbol}{end}")
+}
+
+/// An index, set small and low.
+pub fn subscript(index: &str) -> String {
+    let [begin, end] = INDEX;
+    format!("{begin}{index}{end}")
+}
+
+/// How a piece of a text is set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Face {
+    pub(super) italic: bool,
+    pub(super) index: bool,
+}
+
+/// The pieces of a text that are set alike, none of them empty.
+pub(super) fn pieces(text: &str) -> impl Iterator<Item = (Face, &str)> {
+    let mut face = Face::default();
+    let is_mark = |c: char| ITALIC.contains(&c) || INDEX.contains(&c);
+    let pieces = text.split_inclusive(is_mark).map(move |piece| {
+        let own = face;
+        let mark = piece.chars().next_back().filter(|c| is_mark(*c));
+        match mark {
+            Some(mark) if ITALIC.contains(&mark) => face.italic = mark == ITALIC[0],
+            Some(mark) => face.index = mark == INDEX[0],
+            None => (),
+        }
+        (own, piece.trim_end_matches(is_mark))
+    });
+    pieces.filter(|(_, piece)| !piece.is_empty())
+}
+
+impl Picture {
+    /// An empty one of this size, in points.
+    pub fn new(width: f64, height: f64) -> Self {
+        Self { size: (width, height), shapes: Vec::new() }
+    }
+
+    /// A line through points.
+    pub fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
+        self.shapes.push(Shape::Line { points: points.to_vec(), stroke });
+    }
+
+    /// A filled area; `opacity` from 0 to 1.
+    pub fn area(&mut self, points: &[(f64, f64)], colour: Colour, opacity: f64) {
+        self.shapes.push(Shape::Area { rings: vec![points.to_vec()], colour, opacity });
+    }
+
+    /// The area inside an odd number of rings.
+    pub fn rings(&mut self, rings: Vec<Vec<(f64, f64)>>, colour: Colour) {
+        self.shapes.push(Shape::Area { rings, colour, opacity: 1.0 });
+    }
+
+    /// A filled rectangle from one corner to the other.
+    pub fn rectangle(&mut self, from: (f64, f64), to: (f64, f64), colour: Colour) {
+        self.area(&[from, (to.0, from.1), to, (from.0, to.1)], colour, 1.0);
+    }
+
+    /// A text of letters `size` points high.
+    pub fn text(&mut self, at: (f64, f64), text: &str, size: f64, colour: Colour, anchor: Anchor) {
+        self.shapes.push(Shape::Text { at, text: text.to_owned(), size, colour, anchor });
+    }
+
+    /// Whether all coordinates are numbers.
+    pub fn is_finite(&self) -> bool {
+        let all = |points: &[(f64, f64)]| points.iter().all(|(x, y)| x.is_finite() && y.is_finite());
+        self.shapes.iter().all(|shape| match shape {
+            Shape::Line { points, .. } => all(points),
+            Shape::Area { rings, .. } => rings.iter().all(|ring| all(ring)),
+            Shape::Text { at, .. } => all(&[*at]),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_falls_into_pieces_that_are_set_alike() {
+        let text = format!("half-length {}{} = 1", italic("b"), subscript("12"));
+        let face = |italic, index| Face { italic, index };
+        let expected = [
+            (face(false, false), "half-length "),
+            (face(true, false), "b"),
+            (face(false, true), "12"),
+            (face(false, false), " = 1"),
+        ];
+        assert_eq!(pieces(&text).collect::<Vec<_>>(), expected);
+        assert_eq!(pieces("").count(), 0);
+    }
+}
