@@ -140,6 +140,13 @@ mod tests {
         picture.line(&[(0.004, -0.001), (1.0 / 3.0, 2.0)], Stroke { colour: ink, width: 0.7, dash: Some((1.6, 2.4)) });
         picture.area(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], ink, 0.8);
         picture.text((1.0, 2.0), &format!("{} < 1 & \u{7}", italic("x")), 9.0, ink, Anchor::Upwards);
-        insta::assert_snapshot!(picture.svg(), @r##""##);
+        insta::assert_snapshot!(picture.svg(), @r##"
+        <svg xmlns="http://www.w3.org/2000/svg" width="30" height="20.5" viewBox="0 0 30 20.5" font-family="DejaVu Sans, Verdana, sans-serif">
+        <rect width="100%" height="100%" fill="#ffffff"/>
+        <path d="M0 0 0.33 2" fill="none" stroke="#0114ff" stroke-width="0.7" stroke-dasharray="1.6 2.4"/>
+        <path d="M0 0 1 0 1 1Z" fill="#0114ff" fill-rule="evenodd" fill-opacity="0.8"/>
+        <text x="1" y="2" dy="0.5ex" font-size="9" text-anchor="middle" transform="rotate(270 1 2)" fill="#0114ff"><tspan font-style="italic">x</tspan> &lt; 1 &amp;  </text>
+        </svg>
+        "##);
     }
 }
