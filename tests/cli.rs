@@ -1,5 +1,5 @@
 //! The command as scripts and people use it: what it prints where, and its exit status.
-mod support;
+use crate::support;
 
 use std::fs;
 use std::io::{BufRead, BufReader};

@@ -4,8 +4,7 @@
 //! Galerkin solver and the independent values of tests/data/contact.json.
 use recede::{Method, Model, Options, Scene, Solution};
 
-#[path = "support/contact.rs"]
-mod contact;
+use crate::contact;
 
 use contact::{known, scene_file};
 

@@ -4,7 +4,7 @@
 //! ever sharper round corners comes to it; and inconsistent scenes are rejected.
 //!
 //! Source of the closed form: Sadowsky 1928.
-mod support;
+use crate::support;
 
 use std::f64::consts::PI;
 

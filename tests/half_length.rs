@@ -5,8 +5,7 @@
 //! they are wrong.
 //!
 //! Source of the numbers: Hertz's formula, and the solver pressed with the force that was found.
-#[path = "support/mod.rs"]
-mod support;
+use crate::support;
 
 use recede::{
     ContactError, Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane, Punch, Scene,

@@ -19,8 +19,7 @@ use recede::exact::{Elastic, hertz};
 use recede::selftest::{Ply, Ranges, Scenario, scene_of_any_kind_in_units};
 use recede::{Error, Interface, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 
-#[path = "support/scenario.rs"]
-mod scenario;
+use crate::scenario;
 
 use scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
 

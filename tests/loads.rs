@@ -4,8 +4,7 @@
 //! to what they must; fields are those of the prescribed traction.
 //!
 //! Source of the numbers: `recede::exact::line_load`.
-#[path = "support/mod.rs"]
-mod support;
+use crate::support;
 
 use recede::exact::line_load;
 use recede::{

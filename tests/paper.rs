@@ -12,8 +12,7 @@
 //!   ════════╤══╤════════
 //!   ░░░░░░░░░░░░░░░░░░░░  μ3
 //! ```
-#[path = "support/contact.rs"]
-mod contact;
+use crate::contact;
 #[path = "../examples/paper/mod.rs"]
 mod paper;
 

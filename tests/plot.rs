@@ -1,5 +1,5 @@
 //! Pictures: SVG and PNG appear whole, name what they show with units, and show the numbers that were solved.
-mod support;
+use crate::support;
 
 use std::fs;
 use std::path::{Path, PathBuf};

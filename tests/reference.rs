@@ -15,8 +15,7 @@ use std::collections::BTreeMap;
 
 use recede::{Exponential, FreeChain, HalfPlane, Homogeneous, Item, Model, Plane, Punch, Scene, Solution, Stack, Wave};
 
-#[path = "support/contact.rs"]
-mod contact;
+use crate::contact;
 
 use contact::{known, scene_file};
 

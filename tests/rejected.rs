@@ -6,11 +6,11 @@
 //! After a deliberate change of messages, or for a new scene, run
 //!
 //! ```text
-//! RECEDE_REWRITE=1 cargo test --locked --test rejected
+//! RECEDE_REWRITE=1 cargo test --locked --test all rejected::
 //! ```
 //!
 //! which writes every `NAME.txt` again, and read the difference before committing it. Where `CI` is set this is an error.
-mod support;
+use crate::support;
 
 use std::env;
 use std::fmt::Write;

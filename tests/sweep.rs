@@ -1,5 +1,5 @@
 //! Sweeps: the same numbers on any thread, a file that survives interruption, rows for scenes without solution.
-mod support;
+use crate::support;
 
 use std::fs;
 use std::num::NonZeroUsize;

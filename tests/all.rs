@@ -1,0 +1,56 @@
+//! All tests that can share a program, so that the library is linked once: one file is one promise.
+//!
+//! `cargo test --test all NAME::` runs those of the file `NAME.rs`.
+#![allow(clippy::duplicate_mod, reason = "examples and tests bring along what they share")]
+
+#[path = "support/contact.rs"]
+mod contact;
+#[path = "support/scenario.rs"]
+mod scenario;
+mod support;
+
+mod boundary_layers;
+mod cli;
+mod collocation;
+mod convergence;
+mod determinism;
+mod docs;
+mod exact;
+mod examples;
+mod field;
+mod flat;
+mod half_length;
+mod half_planes;
+mod hard_scenes;
+mod hostile;
+mod interfaces;
+mod invariance;
+mod kinds;
+mod layers;
+mod list;
+mod loads;
+mod many_loads;
+mod paper;
+mod parts;
+mod plot;
+mod punches;
+mod reference;
+mod rejected;
+mod rival;
+mod singular;
+mod skips;
+mod sweep;
+mod system;
+mod thin_layers;
+
+#[test]
+fn every_file_is_run() {
+    let (together, manifest) = (include_str!("all.rs"), include_str!("../Cargo.toml"));
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    for file in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        let name = file.file_stem().unwrap().to_string_lossy().into_owned();
+        let shared = together.contains(&format!("\nmod {name};\n"));
+        let alone = manifest.contains(&format!("\n[[test]]\nname = \"{name}\"\n"));
+        assert!(shared || alone || file.is_dir(), "{name} is neither in tests/all.rs nor a test in Cargo.toml");
+    }
+}
