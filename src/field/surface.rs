@@ -3,7 +3,7 @@
 //! Short waves see a half-plane of the material at the face, whose modulus may vary. Per unit of p̂ the fields at the
 //! depth d are e^(−t) times polynomials in t = λd, and those of the variation have a factor 1/λ more. Each term has a
 //! closed form in x, see [`super::pressure`], and what is left is small and integrated: eq. (24).
-use nalgebra::{DMatrix, DVector, Matrix4, Vector4};
+use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use num_complex::Complex64;
 use recede_layers::Material;
 
@@ -180,25 +180,24 @@ fn polynomials(
     forcing: &[Vector4<f64>],
     load: Option<f64>,
 ) -> Option<Vec<Vector4<f64>>> {
-    let mut system = DMatrix::zeros(4 * terms + 2, 4 * terms);
-    let mut rest = DVector::zeros(4 * terms + 2);
+    // y_(k+1) = (N y_k + f_k)/(k + 1), as a part for each unknown component U, V of y_0 and a part that is known
+    let force = |k: usize| forcing.get(k).copied().unwrap_or_else(Vector4::zeros);
+    let mut known = vec![Vector4::new(0.0, 0.0, load.unwrap_or(0.0), 0.0)];
+    let mut parts = vec![Matrix4x2::identity()];
     for k in 0..terms {
-        system.view_mut((4 * k, 4 * k), (4, 4)).copy_from(&-matrix);
-        if k + 1 < terms {
-            system.view_mut((4 * k, 4 * k + 4), (4, 4)).fill_diagonal((k + 1) as f64);
-        }
-        if let Some(force) = forcing.get(k) {
-            rest.rows_mut(4 * k, 4).copy_from(force);
-        }
+        let share = ((k + 1) as f64).recip();
+        known.push((matrix * known[k] + force(k)) * share);
+        parts.push(matrix * parts[k] * share);
     }
-    system[(4 * terms, 2)] = 1.0;
-    system[(4 * terms + 1, 3)] = 1.0;
-    rest[4 * terms] = load.unwrap_or(0.0);
-    let solution = system.clone().svd(true, true).solve(&rest, SOLVED).ok()?;
-    let missed = (&system * &solution - &rest).amax();
+    // the polynomial ends there: four equations for two unknowns
+    let (rest, part) = (-known.pop()?, parts.pop()?);
+    let unknown = part.svd(true, true).solve(&rest, SOLVED).ok()?;
+    let found: Vec<Vector4<f64>> = known.iter().zip(&parts).map(|(known, part)| known + part * unknown).collect();
+    let largest = |vectors: &[Vector4<f64>]| vectors.iter().map(Vector4::amax).fold(0.0, f64::max);
+    let missed = terms as f64 * (part * unknown - rest).amax();
     // not "missed > ...", which a NaN would pass
-    let solved = missed <= SOLVED * rest.amax().max(solution.amax());
-    solved.then(|| (0..terms).map(|k| solution.fixed_rows::<4>(4 * k).into_owned()).collect())
+    let solved = missed <= SOLVED * largest(forcing).max(load.map_or(0.0, f64::abs)).max(largest(&found));
+    solved.then_some(found)
 }
 
 #[cfg(test)]
