@@ -4,9 +4,7 @@
 //! Galerkin solver and the independent values of tests/data/contact.json.
 use recede::{Method, Model, Options, Scene, Solution};
 
-use crate::contact;
-
-use contact::{known, scene_file};
+use crate::contact::{known, scene_file};
 
 /// Scenes with one contact, two and three, next to homogeneous and to graded faces.
 const SCENES: [&str; 9] = [

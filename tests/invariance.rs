@@ -19,9 +19,7 @@ use recede::exact::{Elastic, hertz};
 use recede::selftest::{Ply, Ranges, Scenario, scene_of_any_kind_in_units};
 use recede::{Error, Interface, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 
-use crate::scenario;
-
-use scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
+use crate::scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
 
 /// Two answers, each within its tolerance of 1e-10.
 const SAME: f64 = 1e-10;

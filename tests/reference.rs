@@ -15,9 +15,7 @@ use std::collections::BTreeMap;
 
 use recede::{Exponential, FreeChain, HalfPlane, Homogeneous, Item, Model, Plane, Punch, Scene, Solution, Stack, Wave};
 
-use crate::contact;
-
-use contact::{known, scene_file};
+use crate::contact::{known, scene_file};
 
 /// Relative error allowed in a half-length, or ten times what the reference is good for.
 const HALF_LENGTH: f64 = 1e-9;
