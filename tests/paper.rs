@@ -14,7 +14,7 @@
 //! ```
 use crate::contact;
 #[path = "../examples/paper/mod.rs"]
-mod paper;
+mod tables;
 
 use contact::{known, scene_file};
 
@@ -22,7 +22,7 @@ use contact::{known, scene_file};
 const TIGHT: f64 = 1e-9;
 
 fn examine(name: &str, entries: usize) {
-    let (table, known) = (paper::table(name).unwrap(), known());
+    let (table, known) = (tables::table(name).unwrap(), known());
     assert_eq!(table.rows.len(), entries);
     assert!(table.wrong().is_empty(), "{:#?}", table.wrong());
     let mut worst = 0.0f64;
@@ -51,9 +51,9 @@ fn table2() {
 
 #[test]
 fn the_misprint_is_one() {
-    let table = paper::table("table2").unwrap();
+    let table = tables::table("table2").unwrap();
     let find = |radius: f64, load: f64| {
-        let same = |(entry, _): &&(paper::Entry, [f64; 2])| {
+        let same = |(entry, _): &&(tables::Entry, [f64; 2])| {
             (entry.radius, entry.load, entry.graded) == (radius, load, Some(1.0))
         };
         table.rows.iter().find(same).unwrap()

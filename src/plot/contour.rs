@@ -67,7 +67,7 @@ impl Squares<'_> {
     fn crossing(&self, side: usize) -> (f64, f64) {
         let (corner, width) = (side / 2, self.columns + 2);
         let (i, j) = (corner % width, corner / width);
-        let (right, down) = if side % 2 == 0 { (1, 0) } else { (0, 1) };
+        let (right, down) = if side.is_multiple_of(2) { (1, 0) } else { (0, 1) };
         let margin = i == 0 || j == 0 || i + right > self.columns || j + down > self.rows;
         let share = if margin {
             0.0

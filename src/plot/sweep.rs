@@ -90,7 +90,6 @@ pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<Picture, PlotError> {
         picture.text((right, 0.5 * above), &title, TEXT, INK, Anchor::Left);
     }
     for (column, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate() {
-        let frame_left = left + column as f64 * (left + PLANE.0);
         let what = match interface {
             Interface::Punch => "under the punch".to_owned(),
             between => format!("contact {between}"),
@@ -105,15 +104,10 @@ pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<Picture, PlotError> {
                 stroke: curve(i, families.len()),
                 label: if named && labelled(i, families.len()) { family.label.clone() } else { String::new() },
             });
-            let frame_top = above + line as f64 * (above + PLANE.1 + below);
+            let frame = frame(column, line);
             let (x_label, x_dimension) = of_path(axes[along].path());
             let chart = Chart {
-                frame: Frame {
-                    left: frame_left,
-                    top: frame_top,
-                    right: frame_left + PLANE.0,
-                    bottom: frame_top + PLANE.1,
-                },
+                frame,
                 x: along_x(&axes[along]),
                 y: Scale::around(rows.iter().map(|row| number(row, at))).rounded(),
                 x_label,
@@ -124,13 +118,21 @@ pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<Picture, PlotError> {
                 labels: Labels::AtEnds,
             };
             if line == 0 {
-                let middle = frame_left + 0.5 * PLANE.0;
-                picture.text((middle, frame_top - 0.5 * above), &what, TEXT, INK, Anchor::Centre);
+                let middle = 0.5 * (frame.left + frame.right);
+                picture.text((middle, frame.top - 0.5 * above), &what, TEXT, INK, Anchor::Centre);
             }
             chart.draw(&mut picture);
         }
     }
     Ok(picture)
+}
+
+/// The plane of curves in a column and a line of the picture.
+fn frame(column: usize, line: usize) -> Frame {
+    let (beside, above, below) = AROUND;
+    let left = beside + column as f64 * (beside + PLANE.0);
+    let top = above + line as f64 * (above + PLANE.1 + below);
+    Frame { left, top, right: left + PLANE.0, bottom: top + PLANE.1 }
 }
 
 /// Rows that differ in the value on axis `along` only, in the order of the grid.
