@@ -37,7 +37,7 @@
 //! | [`Scene`] | a text in RON: punch, force, layers and interfaces from the top down |
 //! | [`Stack`] | its checked structure: free laminates and the base below them |
 //! | [`BlockSystem`] | the boundary conditions as a symbolic block matrix |
-//! | [`FreeChain`], [`BaseChain`] | its numbers: flexibilities at a wavenumber, eliminated layer by layer |
+//! | [`FreeChain`], [`BaseChain`] | its connected components in numbers: flexibilities at a wavenumber, eliminated layer by layer |
 //! | [`Model`] | kernels: flexibilities at all wavenumbers, ready for any punch and force |
 //! | [`Solution`] | half-lengths, pressures, error estimates |
 //! | [`Field`] | stresses and displacements inside the stack |
@@ -106,4 +106,6 @@ pub use stack::{
 pub use sweep::ParallelRows;
 pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep};
 pub use system::{BaseChain, FreeChain, Unresolved};
-pub use system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+pub use system::{
+    Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Row, Side,
+};

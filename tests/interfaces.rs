@@ -22,7 +22,7 @@ fn strip_of(thickness: f64, modulus: f64) -> Homogeneous {
 }
 
 fn base(stack: StackBuilder, wavenumber: f64) -> f64 {
-    BaseChain::new(stack.build().unwrap().base()).flexibility(&wave(wavenumber)).unwrap()
+    BaseChain::of(&BlockSystem::new(&stack.build().unwrap())).flexibility(&wave(wavenumber)).unwrap()
 }
 
 fn close(found: f64, expected: f64, error: f64, what: &str) {
@@ -81,7 +81,7 @@ fn three(join: &dyn Fn(StackBuilder) -> StackBuilder) -> [StackBuilder; 2] {
 }
 
 fn free(stack: &Stack, wavenumber: f64) -> [f64; 5] {
-    let c = FreeChain::new(&stack.laminates()[0], Plane::Strain).flexibility(&wave(wavenumber)).unwrap();
+    let c = FreeChain::all(&BlockSystem::new(stack))[0].flexibility(&wave(wavenumber)).unwrap();
     [c.top, c.coupling, c.bottom, c.equal_top, c.equal_bottom]
 }
 

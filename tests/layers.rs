@@ -8,9 +8,9 @@
 //! ```
 use recede::layers::{Poisson, Positive};
 use recede::{
-    BaseChain, EngineeringConstants, Exponential, Force, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic,
-    Layer, Model, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Punch, Stack, StackBuilder, Wave,
-    Winkler,
+    BaseChain, BlockSystem, EngineeringConstants, Exponential, Force, Graded, GradedHalfPlane, HalfPlane, Homogeneous,
+    Isotropic, Layer, Model, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Punch, Stack,
+    StackBuilder, Wave, Winkler,
 };
 
 /// Half-lengths of ten digits.
@@ -190,7 +190,7 @@ fn springs_have_a_closed_form() {
     let strip = Homogeneous::new(0.8, 2.0, 0.3).expect("legal");
     for stiffness in [1e-6, 0.1, 3.0, 1e6] {
         let stack = stack().layer(strip).bonded().layer(Winkler::new(stiffness).expect("legal")).build();
-        let chain = BaseChain::new(stack.expect("legal").base());
+        let chain = BaseChain::of(&BlockSystem::new(&stack.expect("legal")));
         for wavenumber in [1e-3, 0.1, 1.0, 4.0, 30.0] {
             let wave = Wave { wavenumber, modulus: 2.0, plane: Plane::Strain };
             let c = strip.flexibility(&wave).expect("finite");

@@ -13,7 +13,10 @@
 //! ```
 use std::collections::BTreeMap;
 
-use recede::{Exponential, FreeChain, HalfPlane, Homogeneous, Item, Model, Plane, Punch, Scene, Solution, Stack, Wave};
+use recede::{
+    BlockSystem, Exponential, FreeChain, HalfPlane, Homogeneous, Item, Model, Plane, Punch, Scene, Solution, Stack,
+    Wave,
+};
 
 use crate::contact::{known, scene_file};
 
@@ -130,7 +133,7 @@ fn flexibilities_of_laminates() {
         let layers = laminate.layers_top_down[1..].iter();
         let builder = layers.fold(builder, |builder, layer| builder.bonded().item(layer.item()));
         let stack = builder.receding().rigid().build().unwrap();
-        let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
+        let chain = FreeChain::all(&BlockSystem::new(&stack)).remove(0);
         let thickness = stack.total_thickness();
         for row in &laminate.rows {
             // most numbers are strings, so that no reader rounds them; where the coupling of the faces vanishes, some are

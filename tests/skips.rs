@@ -13,8 +13,8 @@
 //! ```
 use recede::layers::LayerStates;
 use recede::{
-    EngineeringConstants, Exponential, FaceStates, Flexibility, FreeChain, Graded, HalfPlane, Homogeneous, Item, Layer,
-    Material, Model, Orthotropic, Plane, Profile, Punch, Solution, Stack, StackBuilder, Wave,
+    BlockSystem, EngineeringConstants, Exponential, FaceStates, Flexibility, FreeChain, Graded, HalfPlane, Homogeneous,
+    Item, Layer, Material, Model, Orthotropic, Plane, Profile, Punch, Solution, Stack, StackBuilder, Wave,
 };
 
 /// Two ways to compute the same, each to its last digits.
@@ -158,7 +158,7 @@ fn layers_that_a_wave_does_not_reach_do_not_matter() {
     let chain = |count: usize| {
         let stack = (1..count).fold(builder().item(layer(0)), |stack, i| stack.bonded().item(layer(i)));
         let stack = stack.receding().rigid().build().expect("a stack");
-        FreeChain::new(&stack.laminates()[0], Plane::Strain)
+        FreeChain::all(&BlockSystem::new(&stack)).remove(0)
     };
     let whole = chain(60);
     for z in [2.1, 3.3, 4.9, 8.0, 13.0, 30.0] {

@@ -25,12 +25,7 @@ const SAME: f64 = 1e-9;
 
 /// A quantity at a face as a linear function of the layer's amplitudes.
 fn row(layer: &Arc<dyn Layer>, face: Face, quantity: Quantity, wave: &Wave) -> RowDVector<f64> {
-    let index = match quantity {
-        Quantity::U => 0,
-        Quantity::V => 1,
-        Quantity::S => 2,
-        Quantity::T => 3,
-    };
+    let index = quantity.index();
     match (layer.face_states(wave), face) {
         (FaceStates::Finite { top, .. }, Face::Top) => RowDVector::from_iterator(4, top.row(index).iter().copied()),
         (FaceStates::Finite { bottom, .. }, Face::Bottom) => {
@@ -54,7 +49,7 @@ impl<'a> Dense<'a> {
         let mut matrix = DMatrix::<f64>::zeros(n, n);
         let mut loads = DMatrix::zeros(n, contacts);
         for (i, row_) in system.rows().iter().enumerate() {
-            for block in &row_.blocks {
+            for block in row_.blocks.iter() {
                 let column = &system.columns()[block.column];
                 assert_eq!(column.layer().number, block.layer);
                 let states = row(&column.layer().layer, block.face, block.quantity, &wave);
@@ -99,8 +94,10 @@ fn examine(stack: &Stack, wavenumber: f64) -> Result<(), String> {
         let legal = error <= SAME * scale;
         legal.then_some(()).ok_or(format!("λ = {wavenumber}: {what}: {found:e} is not {expected:e}\n{system}"))
     };
+    let free = FreeChain::all(&system);
+    assert_eq!(free.len(), stack.laminates().len());
     for (i, laminate) in stack.laminates().iter().enumerate() {
-        let chain = FreeChain::new(laminate, stack.plane()).flexibility(&wave).expect("finite");
+        let chain = free[i].flexibility(&wave).expect("finite");
         let (first, last) = (laminate.layers()[0].number, laminate.layers().last().expect("a layer").number);
         // pressure p = 1 is S = −1
         let c_tt = -dense.deflection(first, Face::Top, i);
@@ -116,7 +113,7 @@ fn examine(stack: &Stack, wavenumber: f64) -> Result<(), String> {
         same("bottom under equal loads", c_bt + c_bb, chain.equal_bottom, chain.bottom.abs())?;
     }
     let base = stack.base();
-    let expected = BaseChain::new(base).flexibility(&wave).expect("finite");
+    let expected = BaseChain::of(&system).flexibility(&wave).expect("finite");
     let top = match (base.layers().first(), base.foundation()) {
         (Some(layer), _) => layer.number,
         (None, Foundation::HalfPlane(ground)) => ground.number,

@@ -6,8 +6,8 @@ use recede_layers::{Layer, Material, Plane, State, Wave};
 use super::potentials::Components;
 use super::pressure::Pressure;
 use super::surface::Surface;
-use crate::stack::{Foundation, Placed, Stack};
-use crate::system::{BaseChain, FreeChain, Load, slowest_decay};
+use crate::stack::{Placed, Stack};
+use crate::system::{BaseChain, BlockSystem, FreeChain, Load, slowest_decay};
 
 /// The remainder of a half-plane's fields counts as zero below this.
 const NOTHING: f64 = 1e-13;
@@ -93,9 +93,7 @@ pub(super) fn strata(stack: &Stack) -> Vec<Stratum> {
     }
     let (body, base) = (stack.laminates().len(), stack.base());
     base.layers().iter().enumerate().for_each(|(place, placed)| add(body, place, placed));
-    if let Foundation::HalfPlane(placed) = base.foundation()
-        && placed.layer.has_material()
-    {
+    if let Some(placed) = base.foundation().half_plane() {
         add(body, base.layers().len(), placed);
     }
     strata
@@ -105,8 +103,9 @@ impl Body {
     /// The bodies from the top down; a rigid base without layers is none.
     pub(super) fn all(stack: &Stack, strata: &[Stratum], pressures: &[Pressure], modulus: f64) -> Vec<Self> {
         let plane = stack.plane();
-        let laminates = stack.laminates().iter().map(|laminate| Chain::Free(FreeChain::new(laminate, plane)));
-        let chains = laminates.chain([Chain::Base(BaseChain::new(stack.base()))]);
+        let system = BlockSystem::new(stack);
+        let laminates = FreeChain::all(&system).into_iter().map(Chain::Free);
+        let chains = laminates.chain([Chain::Base(BaseChain::of(&system))]);
         let bodies = chains.enumerate().filter_map(|(i, chain)| {
             let own: Vec<&Stratum> = strata.iter().filter(|stratum| stratum.body == i).collect();
             let (first, last) = (*own.first()?, *own.last()?);

@@ -12,9 +12,9 @@ use std::sync::Arc;
 
 use recede_layers::{Flexibility, Isotropic, Layer, Plane, Wave};
 
-use crate::stack::{Foundation, Stack};
+use crate::stack::Stack;
 use crate::system::Unresolved;
-use crate::system::{BaseChain, FreeChain, Taken};
+use crate::system::{BaseChain, BlockSystem, FreeChain, Taken};
 
 pub(crate) use far::Far;
 use panel::At;
@@ -65,8 +65,8 @@ pub(crate) struct Work {
 impl Work {
     fn add(&mut self, taken: Taken, layers: usize) {
         self.layers += taken.evaluated;
-        self.repeated += taken.felt - taken.evaluated;
-        self.unfelt += layers - taken.felt;
+        self.repeated += taken.reached - taken.evaluated;
+        self.unfelt += layers - taken.reached;
     }
 
     /// What two evaluations took.
@@ -93,14 +93,9 @@ struct Chains {
 impl Chains {
     fn new(stack: &Stack) -> Self {
         let plane = stack.plane();
-        let laminates: Vec<FreeChain> =
-            stack.laminates().iter().map(|laminate| FreeChain::new(laminate, plane)).collect();
-        let base = BaseChain::new(stack.base());
-        let top = laminates.first().map_or(base.layers(), FreeChain::layers).first();
-        let top = top.or(match base.foundation() {
-            Foundation::HalfPlane(placed) => Some(&placed.layer),
-            Foundation::Rigid { .. } => None,
-        });
+        let system = BlockSystem::new(stack);
+        let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
+        let top = laminates.first().map_or(base.top_layer(), |laminate| laminate.layers().first());
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
         let length = unit::intrinsic_length(stack).unwrap_or(1.0);
         Self { laminates, base, plane, length, modulus }

@@ -1,7 +1,7 @@
 //! The unit of length of a stack, which makes wavenumbers dimensionless.
 use recede_layers::{Layer, Plane};
 
-use crate::stack::{Foundation, Stack};
+use crate::stack::Stack;
 
 /// Relative changes of the moduli with the depth that define the length of a graded half-plane, the first that is reached
 /// anywhere: the length only scales the wavenumber axis, on which panels double in width, so that other values give the same
@@ -19,10 +19,7 @@ pub(super) fn intrinsic_length(stack: &Stack) -> Option<f64> {
     if total > 0.0 {
         return Some(total);
     }
-    match stack.base().foundation() {
-        Foundation::HalfPlane(placed) if placed.layer.has_material() => variation(&*placed.layer, stack.plane()),
-        _ => None,
-    }
+    variation(&*stack.base().foundation().half_plane()?.layer, stack.plane())
 }
 
 /// The depth over which the moduli of a half-plane would change by all of themselves, at the rate at which they begin to.

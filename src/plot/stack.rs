@@ -9,7 +9,7 @@ use super::scale::{Scale, label};
 use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::scene::{Load, Scene};
 use crate::solution::{Contact, Interface, Solution};
-use crate::stack::{Foundation, Placed, Stack};
+use crate::stack::{Placed, Stack};
 
 /// Width of the drawing, without what is left and right of it, in points.
 const WIDTH: f64 = 340.0;
@@ -39,7 +39,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     // points per length
     let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
     let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: ABOVE };
-    let rigid = elastic_base(stack).is_none();
+    let rigid = stack.base().foundation().half_plane().is_none();
     let labels = drawing.labels().last().map_or(0.0, |(_, y, _)| y + TEXT);
     let bottom = labels.max(drawing.top + scale * total + if rigid { 12.0 } else { BASE });
     let height = bottom + 22.0 + PRESSURES + 38.0;
@@ -88,7 +88,7 @@ impl Drawing<'_> {
             }
             y += height;
         }
-        match elastic_base(self.stack) {
+        match self.stack.base().foundation().half_plane() {
             Some(placed) => picture.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0)),
             None => hatching(picture, (left, right), y),
         }
@@ -113,11 +113,9 @@ impl Drawing<'_> {
             labels.push((y + 0.5 * height, self.name(placed)));
             y += height;
         }
-        labels.push(match self.stack.base().foundation() {
-            Foundation::HalfPlane(placed) if placed.layer.has_material() => (y + 0.4 * BASE, self.name(placed)),
-            Foundation::HalfPlane(support) => (y + 6.0, self.name(support)),
-            Foundation::Rigid { .. } => (y + 6.0, "rigid".to_owned()),
-        });
+        let foundation = self.stack.base().foundation();
+        let depth = if foundation.half_plane().is_some() { 0.4 * BASE } else { 6.0 };
+        labels.push((y + depth, foundation.placed().map_or("rigid".to_owned(), |placed| self.name(placed))));
         if let Some(more) = labels.len().checked_sub(NAMES).filter(|more| *more > 1) {
             let left_out: Vec<(f64, String)> = labels.drain(NAMES / 2..NAMES / 2 + more).collect();
             let middle = left_out[more / 2].0;
@@ -203,7 +201,7 @@ impl Drawing<'_> {
             y += self.scale * placed.layer.thickness().unwrap_or(0.0);
             bonds.push(y);
         }
-        let rigid = elastic_base(self.stack).is_none();
+        let rigid = self.stack.base().foundation().half_plane().is_none();
         let last = bonds.len();
         let is_bond = |(i, y): (usize, f64)| {
             let contact = contacts.iter().any(|contact| (contact - y).abs() < 1e-6);
@@ -279,14 +277,6 @@ fn short(value: f64) -> String {
     label(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
-/// The half-plane below the layers, if the foundation is one.
-fn elastic_base(stack: &Stack) -> Option<&Placed> {
-    match stack.base().foundation() {
-        Foundation::HalfPlane(placed) => Some(placed).filter(|placed| placed.layer.has_material()),
-        Foundation::Rigid { .. } => None,
-    }
-}
-
 /// How stiff the layers are compared with each other.
 struct Stiffness<'a> {
     scene: &'a Scene,
@@ -297,7 +287,7 @@ struct Stiffness<'a> {
 impl<'a> Stiffness<'a> {
     fn of(scene: &'a Scene, stack: &Stack, layers: &[&Placed]) -> Self {
         let mut found = Self { scene, softest: f64::INFINITY, stiffest: 0.0 };
-        for placed in layers.iter().copied().chain(elastic_base(stack)) {
+        for placed in layers.iter().copied().chain(stack.base().foundation().half_plane()) {
             let thickness = placed.layer.thickness().unwrap_or(0.0);
             for depth in [0.0, 0.5 * thickness, thickness] {
                 let modulus = found.modulus(placed, depth);

@@ -20,7 +20,7 @@ use super::scenario::Scenario;
 use crate::errors::Error;
 use crate::numeric::{bessel, quadrature};
 use crate::stack::Stack;
-use crate::system::{BaseChain, FreeChain};
+use crate::system::{BaseChain, BlockSystem, FreeChain};
 
 /// The integral over z = λa is summed up in these panels: what lies beyond the last cancels.
 const PANELS: [f64; 14] = [0.0, 1e-3, 1e-2, 0.1, 0.5, 1.0, 2.5, 5.0, 7.5, 10.0, 13.0, 16.0, 20.0, 25.0];
@@ -79,8 +79,8 @@ struct Compliance {
 impl Compliance {
     fn new(scenario: &Scenario) -> Result<Self, Error> {
         let stack = Stack::from_items(scenario.plane, &scenario.items()?)?;
-        let laminates = stack.laminates().iter().map(|laminate| FreeChain::new(laminate, scenario.plane)).collect();
-        Ok(Self { laminates, base: BaseChain::new(stack.base()), scenario: scenario.clone() })
+        let system = BlockSystem::new(&stack);
+        Ok(Self { laminates: FreeChain::all(&system), base: BaseChain::of(&system), scenario: scenario.clone() })
     }
 
     /// In 1/stress.

@@ -1,7 +1,7 @@
 //! Ratios of moduli: a stack whose ratio is beyond double precision, and beyond any two materials, is rejected.
 use recede_layers::{Layer, Material, Plane};
 
-use super::{Foundation, MAX_CONTRAST, Placed, Stack, StackProblem};
+use super::{MAX_CONTRAST, Placed, Stack, StackProblem};
 
 /// Parts of the thickness at which the material of a layer is looked at, besides its kinks.
 const DEPTHS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -36,11 +36,7 @@ pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), (Stack
         look(1, moduli(&material), &|| "the punch".to_owned());
     }
     let laminates = stack.laminates.iter().flat_map(|laminate| &laminate.layers);
-    let foundation = match &stack.base.foundation {
-        Foundation::HalfPlane(placed) if placed.layer.has_material() => Some(placed),
-        _ => None,
-    };
-    for placed in laminates.chain(&stack.base.layers).chain(foundation) {
+    for placed in laminates.chain(&stack.base.layers).chain(stack.base.foundation.half_plane()) {
         look(placed.number, range(placed, stack.plane), &|| placed.name());
     }
     let (Some(soft), Some(stiff)) = (softest, stiffest) else { return Ok(()) };

@@ -1,7 +1,7 @@
 //! The small drawing of a stack.
 use std::fmt;
 
-use super::{Foundation, Joint, Placed, Stack};
+use super::{Joint, Placed, Stack};
 
 /// Columns between the borders, at least.
 const NARROWEST: usize = 50;
@@ -31,15 +31,8 @@ impl Stack {
     /// │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
     /// ```
     pub fn drawing(&self, punch: Option<&str>) -> String {
-        let half_plane = match &self.base.foundation {
-            Foundation::HalfPlane(placed) => Some(placed),
-            Foundation::Rigid { .. } => None,
-        };
-        let mut joints: Vec<&[Joint]> = self.laminates.iter().map(|laminate| &laminate.joints[..]).collect();
-        joints.push(&self.base.joints);
-        let mut groups: Vec<Vec<String>> =
-            self.laminates.iter().map(|laminate| laminate.layers.iter().map(label).collect()).collect();
-        groups.push(self.base.layers.iter().chain(half_plane).map(label).collect());
+        let joints: Vec<&[Joint]> = self.groups().map(|group| group.joints()).collect();
+        let groups: Vec<Vec<String>> = self.groups().map(|group| group.layers().map(label).collect()).collect();
         let widths = groups.iter().flatten().map(|text| text.chars().count());
         let width = widths.chain([NARROWEST]).max().unwrap_or(NARROWEST).min(WIDEST);
 
@@ -62,7 +55,7 @@ impl Stack {
                 lines.push(format!("│{text:width$}│"));
             }
         }
-        if let Foundation::Rigid { number } = self.base.foundation {
+        if let Some(number) = self.groups().find_map(|group| group.rigid()) {
             if !self.base.layers.is_empty() {
                 lines.push(joined(self.base.joints.last(), width));
             }

@@ -2,7 +2,7 @@
 use recede_layers::Plane;
 use recede_layers::conformance::rough_face;
 
-use super::{Foundation, Placed, Stack, StackError, StackProblem};
+use super::{Placed, Stack, StackError, StackProblem};
 
 impl Stack {
     /// Looks at the material next to all loaded faces, since no wavenumber would be large enough for the kernels otherwise.
@@ -10,11 +10,7 @@ impl Stack {
     pub(crate) fn check_faces(&self) -> Result<(), StackError> {
         let laminates = self.laminates.iter().map(|laminate| &laminate.layers);
         let bottoms = laminates.clone().filter_map(|layers| layers.last()).map(|layer| (layer, true));
-        let foundation = match &self.base.foundation {
-            Foundation::HalfPlane(placed) => Some(placed),
-            Foundation::Rigid { .. } => None,
-        };
-        let top_of_base = self.base.layers.first().or(foundation);
+        let top_of_base = self.base.layers.first().or(self.base.foundation.placed());
         let tops = laminates.filter_map(|layers| layers.first()).chain(top_of_base).map(|layer| (layer, false));
         tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane, bottom, self.length()))
     }

@@ -143,7 +143,44 @@ pub enum Foundation {
     },
 }
 
+/// Layers joined to each other: a laminate, or the base with its foundation.
+pub(crate) struct Group<'a> {
+    layers: &'a [Placed],
+    joints: &'a [Joint],
+    foundation: Option<&'a Foundation>,
+}
+
+impl<'a> Group<'a> {
+    /// The layers from the top down, an elastic foundation as the last one.
+    pub(crate) fn layers(&self) -> impl Iterator<Item = &'a Placed> + use<'a> {
+        self.layers.iter().chain(self.foundation.and_then(Foundation::placed))
+    }
+
+    /// What joins each layer to the next, and the last one to a rigid foundation.
+    pub(crate) fn joints(&self) -> &'a [Joint] {
+        self.joints
+    }
+
+    /// The number of a rigid foundation, if there is one.
+    pub(crate) fn rigid(&self) -> Option<usize> {
+        self.foundation.filter(|foundation| foundation.placed().is_none()).map(Foundation::number)
+    }
+}
+
 impl Foundation {
+    /// The layer that it is, unless it is rigid.
+    pub fn placed(&self) -> Option<&Placed> {
+        match self {
+            Self::HalfPlane(placed) => Some(placed),
+            Self::Rigid { .. } => None,
+        }
+    }
+
+    /// The half-plane that it is, unless it is rigid or a support without an inside.
+    pub fn half_plane(&self) -> Option<&Placed> {
+        self.placed().filter(|placed| placed.layer.has_material())
+    }
+
     /// The foundation's number, counted with the layers.
     pub fn number(&self) -> usize {
         match self {
@@ -187,6 +224,14 @@ impl Stack {
     /// The base below the laminates.
     pub fn base(&self) -> &Base {
         &self.base
+    }
+
+    /// The laminates from the top down, then the base.
+    pub(crate) fn groups(&self) -> impl Iterator<Item = Group<'_>> {
+        let Base { layers, joints, foundation } = &self.base;
+        let base = Group { layers, joints, foundation: Some(foundation) };
+        let free = self.laminates.iter().map(|Laminate { layers, joints }| Group { layers, joints, foundation: None });
+        free.chain([base])
     }
 
     /// Layers left out because their thickness is zero.

@@ -1,7 +1,8 @@
-//! The block system of a stack: which conditions its interfaces impose on which layers' amplitudes.
+//! The block system of a stack: which conditions its interfaces impose on which layers' amplitudes, and what follows from
+//! them at one wavenumber.
 //!
 //! A layer of finite thickness has four amplitudes, a half-plane two. Every interface contributes conditions, each of
-//! them a row that involves a face quantity of one or two neighbouring layers:
+//! them a row that involves face quantities of one or two neighbouring layers:
 //!
 //! | interface            | conditions                                        |
 //! |----------------------|---------------------------------------------------|
@@ -13,18 +14,15 @@
 //! | bonded to rigid      | U = V = 0                                         |
 //! | receding on rigid    | S = −p, T = 0 above                               |
 //!
-//! Any legal stack gives as many conditions as amplitudes.
-mod across;
-mod block;
+//! Any legal stack gives as many conditions as amplitudes. They are written in `symbols/conditions.rs` and nowhere else: what
+//! is printed and what is eliminated are the same rows.
+mod elimination;
 mod error;
-mod evaluate;
-mod inside;
-mod latex;
-mod repeats;
-mod text;
+mod print;
+mod symbols;
 
-pub use block::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+pub use elimination::{BaseChain, FreeChain};
+pub(crate) use elimination::{Load, Taken, slowest_decay};
 pub use error::Unresolved;
-pub use evaluate::{BaseChain, FreeChain};
-pub(crate) use evaluate::{Taken, slowest_decay};
-pub(crate) use inside::Load;
+pub use symbols::components::Component;
+pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

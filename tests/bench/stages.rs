@@ -7,7 +7,9 @@ use std::path::Path;
 #[path = "work_precision/timing.rs"]
 mod timing;
 
-use recede::{BaseChain, FreeChain, HalfPlane, Homogeneous, Method, Model, Options, Plane, Punch, Scene, Stack, Wave};
+use recede::{
+    BaseChain, BlockSystem, FreeChain, HalfPlane, Homogeneous, Method, Model, Options, Plane, Punch, Scene, Stack, Wave,
+};
 use timing::{seconds, time};
 
 const SCENES: [(&str, &str); 3] =
@@ -45,7 +47,7 @@ fn stages(all: &Stages) {
         let scene = read(name);
         let stack = scene.stack().expect("a stack");
         let model = Model::new(stack.clone()).expect("a model");
-        let laminate = FreeChain::new(&stack.laminates()[0], stack.plane());
+        let laminate = FreeChain::all(&BlockSystem::new(&stack)).remove(0);
         let name = |stage: &str| format!("{short}: {stage}");
         let wave = Wave { wavenumber: 1.7, modulus: 1.0, plane: stack.plane() };
         all.time(&name("flexibility"), || laminate.flexibility(black_box(&wave)));
@@ -91,7 +93,7 @@ fn skips(all: &Stages) {
         stack.bonded().layer(strip(0.1, [1.0, 2.0][i % 2] * (1.0 + 1e-15 * i as f64)))
     });
     let layers = layers.bonded().layer(ground()).build().expect("a stack");
-    let chain = BaseChain::new(layers.base());
+    let chain = BaseChain::of(&BlockSystem::new(&layers));
     for (name, wavenumber) in [("a hundred layers, short wave", 40.0), ("a hundred layers, longest wave cut", 3.9)] {
         let wave = Wave { wavenumber, modulus: 1.0, plane: Plane::Strain };
         all.time(name, || chain.flexibility(black_box(&wave)));

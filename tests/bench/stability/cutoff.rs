@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 use recede::numeric::quadrature;
-use recede::{BaseChain, FreeChain, Scene, Wave};
+use recede::{BaseChain, BlockSystem, FreeChain, Scene, Wave};
 
 /// A homogeneous strip of thickness 1 on a half-plane of the same material.
 pub const SCENE: &str = "Scene(
@@ -41,7 +41,8 @@ struct Sample {
 pub fn receding_half_length(lowest: f64, start: [f64; 2]) -> Option<f64> {
     let scene = Scene::from_ron(SCENE).ok()?;
     let stack = scene.stack().ok()?;
-    let (strip, base) = (FreeChain::new(&stack.laminates()[0], scene.plane), BaseChain::new(stack.base()));
+    let system = BlockSystem::new(&stack);
+    let (strip, base) = (FreeChain::all(&system).remove(0), BaseChain::of(&system));
     // (κ + 1)/(4μ) with κ = 2
     let limit = 0.75;
     let mut samples = Vec::new();

@@ -12,7 +12,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use picture::{Curve, Diagram, draw};
-use recede::{Exponential, FreeChain, Homogeneous, Options, Plane, Scene, Stack, Wave};
+use recede::{BlockSystem, Exponential, FreeChain, Homogeneous, Options, Plane, Scene, Stack, Wave};
 
 /// A homogeneous strip bonded to a graded layer of the same thickness; μ = 1 in the strip and at the upper face of the
 /// layer.
@@ -50,7 +50,7 @@ fn flexibility(steepness: f64) -> Result<Diagram, Box<dyn Error>> {
         .receding()
         .rigid()
         .build()?;
-    let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
+    let chain = FreeChain::all(&BlockSystem::new(&stack)).remove(0);
     let ours = |lambda: f64| {
         let wave = Wave { wavenumber: lambda, modulus: 1.0, plane: Plane::Strain };
         chain.flexibility(&wave).map_or(f64::NAN, |flexibility| flexibility.top)

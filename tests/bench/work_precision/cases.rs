@@ -2,7 +2,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use recede::{BaseChain, Flexibility, FreeChain, Item, Method, Model, Options, Plane, Scene, Stack, Wave};
+use recede::{BaseChain, BlockSystem, Flexibility, FreeChain, Item, Method, Model, Options, Plane, Scene, Stack, Wave};
 
 use super::literal::Transforms;
 use super::literal::determinants::Paper;
@@ -128,9 +128,8 @@ pub struct Chains {
 
 impl Chains {
     pub fn new(stack: &Stack) -> Self {
-        let plane = stack.plane();
-        let laminates = stack.laminates().iter().map(|laminate| FreeChain::new(laminate, plane)).collect();
-        Self { laminates, base: BaseChain::new(stack.base()), plane }
+        let system = BlockSystem::new(stack);
+        Self { laminates: FreeChain::all(&system), base: BaseChain::of(&system), plane: system.plane() }
     }
 }
 

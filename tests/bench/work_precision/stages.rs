@@ -5,7 +5,7 @@ use std::path::Path;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use recede::numeric::bessel;
-use recede::{BaseChain, FreeChain, Model, Punch, Scene, Solution, Stack, Wave};
+use recede::{BaseChain, BlockSystem, FreeChain, Model, Punch, Scene, Solution, Stack, Wave};
 
 use super::cases::bonded_layers;
 use super::timing::{seconds, time};
@@ -67,8 +67,8 @@ fn read(name: &str) -> Scene {
 /// modes there for the final half-lengths, once, and one factorisation for the final number of modes.
 fn bare_minimum(stack: &Stack, solution: &Solution) -> f64 {
     let plane = stack.plane();
-    let chains: Vec<FreeChain> = stack.laminates().iter().map(|laminate| FreeChain::new(laminate, plane)).collect();
-    let base = BaseChain::new(stack.base());
+    let system = BlockSystem::new(stack);
+    let (chains, base) = (FreeChain::all(&system), BaseChain::of(&system));
     let length = stack.total_thickness();
     let wavenumbers: Vec<f64> = (0..solution.wavenumbers())
         .map(|k| 64.0 * (k as f64 + 0.5) / (solution.wavenumbers() as f64 * length))

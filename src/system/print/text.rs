@@ -3,7 +3,7 @@ use std::fmt;
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use super::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+use crate::system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
 
 /// Most columns of a table.
 pub(super) const MAX_COLUMNS: usize = 12;
@@ -61,10 +61,12 @@ impl fmt::Display for Column {
 impl Row {
     /// Place and condition, e.g. `1|2 U continuous`.
     pub fn name(&self) -> String {
-        match (self.place, self.condition) {
-            (Place::Punch, Condition::Zero(quantity, _)) => format!("punch {quantity}"),
-            (Place::Punch, Condition::Pressed(_)) => "punch S".into(),
-            (place, condition) => format!("{place} {condition}"),
+        match (self.place, self.condition()) {
+            (place, None) => place.to_string(),
+            // the top face has one side only
+            (Place::Punch, Some(Condition::Zero(quantity, _))) => format!("punch {quantity}"),
+            (Place::Punch, Some(Condition::Pressed(_))) => "punch S".into(),
+            (place, Some(condition)) => format!("{place} {condition}"),
         }
     }
 
@@ -76,7 +78,7 @@ impl Row {
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:", self.name())?;
-        for block in &self.blocks {
+        for block in self.blocks.iter() {
             let sign = if block.negative { '-' } else { '+' };
             write!(f, " {sign}{}{}({} of {})", stiffness(block), block.quantity, block.face, block.layer)?;
         }

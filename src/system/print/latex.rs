@@ -2,7 +2,7 @@
 use std::fmt::Write;
 
 use super::text::MAX_COLUMNS;
-use super::{Block, BlockSystem, Condition, Face, Place, Quantity, Row, Side};
+use crate::system::{Block, BlockSystem, Condition, Face, Place, Quantity, Row, Side};
 
 impl BlockSystem {
     /// The block matrix in LaTeX, to stand in a document that uses `amsmath`.
@@ -92,11 +92,12 @@ impl Row {
             (_, Side::Above) => r"\ \text{above}",
             (_, Side::Below) => r"\ \text{below}",
         };
-        match self.condition {
-            Condition::Continuous(quantity) => format!(r"{place}:\ {quantity}\ \text{{continuous}}"),
-            Condition::Zero(quantity, at) => format!(r"{place}:\ {quantity}{}", side(at)),
-            Condition::Sprung(quantity) => format!(r"{place}:\ {quantity}\ \text{{springs}}"),
-            Condition::Pressed(at) => format!(r"{place}:\ S{}", side(at)),
+        match self.condition() {
+            None => place,
+            Some(Condition::Continuous(quantity)) => format!(r"{place}:\ {quantity}\ \text{{continuous}}"),
+            Some(Condition::Zero(quantity, at)) => format!(r"{place}:\ {quantity}{}", side(at)),
+            Some(Condition::Sprung(quantity)) => format!(r"{place}:\ {quantity}\ \text{{springs}}"),
+            Some(Condition::Pressed(at)) => format!(r"{place}:\ S{}", side(at)),
         }
     }
 

@@ -1,11 +1,17 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
+use std::ops::Deref;
+
+use recede_layers::Plane;
+
+use super::conditions::{self, Relation, Term};
 use crate::solution::Interface;
-use crate::stack::{Foundation, Joint, Laminate, Placed, Stack};
+use crate::stack::{Joint, Placed, Stack};
 
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// Of the displacement u along the layers.
+    #[default]
     U,
     /// Of the displacement v upwards.
     V,
@@ -15,10 +21,23 @@ pub enum Quantity {
     T,
 }
 
+impl Quantity {
+    /// The place of the quantity in a [`State`](recede_layers::State).
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Whether it is a stress.
+    pub fn is_stress(self) -> bool {
+        matches!(self, Self::S | Self::T)
+    }
+}
+
 /// Face of a layer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Face {
     /// The upper face.
+    #[default]
     Top,
     /// The lower face.
     Bottom,
@@ -47,7 +66,7 @@ pub enum Place {
     },
 }
 
-/// What is asked at an interface.
+/// What a row asks at an interface, as its blocks tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
     /// The quantity is the same on both sides.
@@ -81,7 +100,7 @@ impl Column {
 }
 
 /// A face quantity of one layer, as a linear function of the layer's amplitudes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Block {
     /// Index of the column, from 0.
     pub column: usize,
@@ -97,6 +116,16 @@ pub struct Block {
     pub stiffness: Option<f64>,
 }
 
+impl Block {
+    /// On which side of its interface the layer lies.
+    pub fn side(&self) -> Side {
+        match self.face {
+            Face::Top => Side::Below,
+            Face::Bottom => Side::Above,
+        }
+    }
+}
+
 /// Right-hand side of a row that is loaded: minus the transformed pressure of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pressure {
@@ -104,17 +133,55 @@ pub struct Pressure {
     pub contact: usize,
 }
 
+/// The blocks of a row from left to right: at most four, and one or two for most conditions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Blocks {
+    // in place, since a stack of many layers has many rows
+    list: [Block; 4],
+    count: usize,
+}
+
+impl Deref for Blocks {
+    type Target = [Block];
+
+    fn deref(&self) -> &[Block] {
+        &self.list[..self.count]
+    }
+}
+
+impl FromIterator<Block> for Blocks {
+    fn from_iter<I: IntoIterator<Item = Block>>(blocks: I) -> Self {
+        let mut own = Self::default();
+        for (place, block) in own.list.iter_mut().zip(blocks) {
+            *place = block;
+            own.count += 1;
+        }
+        own
+    }
+}
+
 /// One scalar condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Where the condition holds.
     pub place: Place,
-    /// What is asked.
-    pub condition: Condition,
-    /// The blocks from left to right, one or two, at springs up to three; everywhere else there is nothing.
-    pub blocks: Vec<Block>,
+    /// The blocks from left to right; everywhere else there is nothing.
+    pub blocks: Blocks,
     /// The right-hand side; `None` is zero.
     pub pressure: Option<Pressure>,
+}
+
+impl Row {
+    /// What is asked; `None` of a row without blocks.
+    pub fn condition(&self) -> Option<Condition> {
+        let first = self.blocks.first()?;
+        Some(match (self.blocks.iter().find(|block| block.stiffness.is_some()), self.blocks.len(), self.pressure) {
+            (Some(sprung), ..) => Condition::Sprung(sprung.quantity),
+            (None, 1, Some(_)) => Condition::Pressed(first.side()),
+            (None, 1, None) => Condition::Zero(first.quantity, first.side()),
+            (None, ..) => Condition::Continuous(first.quantity),
+        })
+    }
 }
 
 /// The block matrix of a stack. Prints as a table, rows named by condition, columns by layer.
@@ -133,6 +200,7 @@ pub struct Row {
 /// ```
 #[derive(Clone, Debug)]
 pub struct BlockSystem {
+    plane: Plane,
     columns: Vec<Column>,
     rows: Vec<Row>,
 }
@@ -140,28 +208,38 @@ pub struct BlockSystem {
 impl BlockSystem {
     /// The block system of a stack, from the top down.
     pub fn new(stack: &Stack) -> Self {
-        let mut system = Self { columns: Vec::new(), rows: Vec::new() };
-        for (contact, interface) in stack.contacts().into_iter().enumerate() {
-            system.contact(contact, interface, stack);
-        }
-        if let (Foundation::Rigid { number }, Some(last)) = (stack.base().foundation(), stack.base().layers().last()) {
-            let place = Place::Between { above: last.number, below: *number };
-            let column = system.columns.len() - 1;
-            let joint = stack.base().joints().last().copied().unwrap_or(Joint::BONDED);
-            for (quantity, stress, stiffness) in pairs(&joint) {
-                let block = |quantity| system.block(column, Face::Bottom, quantity);
-                let (condition, blocks) = if stiffness == 0.0 {
-                    (Condition::Zero(stress, Side::Above), vec![block(stress)])
-                } else if stiffness.is_finite() {
-                    let jump = Block { stiffness: Some(stiffness), ..block(quantity) };
-                    (Condition::Sprung(quantity), vec![jump, Block { negative: true, ..block(stress) }])
-                } else {
-                    (Condition::Zero(quantity, Side::Above), vec![block(quantity)])
-                };
-                system.row(place, condition, blocks, None);
+        Self::with(stack, conditions::joint)
+    }
+
+    /// The same, with what holds at the joints told by the caller.
+    pub(in crate::system) fn with(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
+        let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
+        let mut last: Option<usize> = None;
+        for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
+            for (i, layer) in group.layers().enumerate() {
+                let (above, below) = (last, system.column(layer));
+                match i.checked_sub(1) {
+                    None => system.interface(interface.into(), [above, Some(below)], conditions::contact(contact)),
+                    Some(i) => system.interface(
+                        system.place(above, layer.number),
+                        [above, Some(below)],
+                        joint(group.joints().get(i).unwrap_or(&Joint::BONDED)),
+                    ),
+                }
+                last = Some(below);
+            }
+            // a rigid base has no column
+            if let Some(rigid) = group.rigid() {
+                let relations = group.joints().last().map_or_else(|| conditions::contact(contact), &joint);
+                system.interface(system.place(last, rigid), [last, None], relations);
             }
         }
         system
+    }
+
+    /// Plane strain or plane stress.
+    pub fn plane(&self) -> Plane {
+        self.plane
     }
 
     /// The layers from the top down; zero-thickness layers and a rigid base have no column.
@@ -179,85 +257,50 @@ impl BlockSystem {
         self.columns.last().map_or(0, |last| *last.amplitudes().end())
     }
 
-    /// The conditions of a contact, and the group of bonded layers below it.
-    fn contact(&mut self, contact: usize, interface: Interface, stack: &Stack) {
-        let place = match interface {
-            Interface::Punch => Place::Punch,
-            Interface::Between { above, below } => Place::Between { above, below },
-        };
-        if let Some(above) = self.columns.len().checked_sub(1) {
-            self.free_face(contact, place, Side::Above, above, Face::Bottom);
-        }
-        let below = self.columns.len();
-        let joints = stack.laminates().get(contact).map_or(stack.base().joints(), Laminate::joints);
-        let layers: Vec<&Placed> = match (stack.laminates().get(contact), stack.base().foundation()) {
-            (Some(laminate), _) => laminate.layers().iter().collect(),
-            (None, Foundation::HalfPlane(ground)) => stack.base().layers().iter().chain([ground]).collect(),
-            (None, Foundation::Rigid { .. }) => stack.base().layers().iter().collect(),
-        };
-        for (i, layer) in layers.iter().enumerate() {
-            let first = self.unknowns() + 1;
-            let count = if layer.layer.thickness().is_some() { 4 } else { 2 };
-            self.columns.push(Column { layer: (*layer).clone(), first, count });
-            match i.checked_sub(1) {
-                None => self.free_face(contact, place, Side::Below, below, Face::Top),
-                Some(above) => {
-                    let place = Place::Between { above: layers[above].number, below: layer.number };
-                    self.joined(place, below + i, &joints[above]);
-                }
+    /// A column for a layer: its index.
+    fn column(&mut self, layer: &Placed) -> usize {
+        let first = self.unknowns() + 1;
+        let count = if layer.layer.thickness().is_some() { 4 } else { 2 };
+        self.columns.push(Column { layer: layer.clone(), first, count });
+        self.columns.len() - 1
+    }
+
+    /// The place below a column.
+    fn place(&self, above: Option<usize>, below: usize) -> Place {
+        above.map_or(Place::Punch, |above| Place::Between { above: self.columns[above].layer.number, below })
+    }
+
+    /// The rows of an interface between two columns. What has no column is rigid: its displacements are zero, and its
+    /// stresses are whatever they need to be.
+    fn interface(&mut self, place: Place, columns: [Option<usize>; 2], relations: [Relation; 4]) {
+        let [above, below] = columns;
+        for Relation { terms, pressure } in relations {
+            let there = |term: &Term| match term.side {
+                Side::Above => above.map(|column| (column, Face::Bottom)),
+                Side::Below => below.map(|column| (column, Face::Top)),
+            };
+            let mut terms = terms.iter().flatten();
+            if terms.clone().any(|term| term.quantity.is_stress() && there(term).is_none()) {
+                continue;
             }
+            let block = |term: &Term| {
+                let (column, face) = there(term)?;
+                let Term { quantity, negative, stiffness, .. } = *term;
+                Some(Block { column, layer: self.columns[column].layer.number, face, quantity, negative, stiffness })
+            };
+            let blocks = Blocks::from_iter(terms.by_ref().filter_map(block));
+            self.rows.push(Row { place, blocks, pressure });
         }
-    }
-
-    /// A face without shear, under the pressure of a contact.
-    fn free_face(&mut self, contact: usize, place: Place, side: Side, column: usize, face: Face) {
-        let pressed = vec![self.block(column, face, Quantity::S)];
-        self.row(place, Condition::Pressed(side), pressed, Some(Pressure { contact }));
-        let sheared = vec![self.block(column, face, Quantity::T)];
-        self.row(place, Condition::Zero(Quantity::T, side), sheared, None);
-    }
-
-    /// The conditions between a column and the one to its left: displacements first, then stresses.
-    fn joined(&mut self, place: Place, column: usize, joint: &Joint) {
-        for (quantity, stress, stiffness) in pairs(joint) {
-            let above = |quantity| self.block(column - 1, Face::Bottom, quantity);
-            let below = |quantity| Block { negative: true, ..self.block(column, Face::Top, quantity) };
-            if stiffness == 0.0 {
-                let blocks = vec![above(stress)];
-                self.row(place, Condition::Zero(stress, Side::Above), blocks, None);
-            } else if stiffness.is_finite() {
-                let jump =
-                    [above(quantity), below(quantity)].map(|block| Block { stiffness: Some(stiffness), ..block });
-                let blocks = vec![jump[0], Block { negative: true, ..above(stress) }, jump[1]];
-                self.row(place, Condition::Sprung(quantity), blocks, None);
-            } else {
-                let blocks = vec![above(quantity), below(quantity)];
-                self.row(place, Condition::Continuous(quantity), blocks, None);
-            }
-        }
-        for (stress, stiffness) in [(Quantity::S, joint.normal), (Quantity::T, joint.tangential)] {
-            let below = Block { negative: stiffness != 0.0, ..self.block(column, Face::Top, stress) };
-            if stiffness == 0.0 {
-                self.row(place, Condition::Zero(stress, Side::Below), vec![below], None);
-            } else {
-                let blocks = vec![self.block(column - 1, Face::Bottom, stress), below];
-                self.row(place, Condition::Continuous(stress), blocks, None);
-            }
-        }
-    }
-
-    fn row(&mut self, place: Place, condition: Condition, blocks: Vec<Block>, pressure: Option<Pressure>) {
-        self.rows.push(Row { place, condition, blocks, pressure });
-    }
-
-    fn block(&self, column: usize, face: Face, quantity: Quantity) -> Block {
-        Block { column, layer: self.columns[column].layer.number, face, quantity, negative: false, stiffness: None }
     }
 }
 
-/// Displacement, the stress that belongs to it, and the stiffness that relates them.
-fn pairs(joint: &Joint) -> [(Quantity, Quantity, f64); 2] {
-    [(Quantity::U, Quantity::T, joint.tangential), (Quantity::V, Quantity::S, joint.normal)]
+impl From<Interface> for Place {
+    fn from(interface: Interface) -> Self {
+        match interface {
+            Interface::Punch => Self::Punch,
+            Interface::Between { above, below } => Self::Between { above, below },
+        }
+    }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix4, Vector4};
 use recede_layers::{FaceStates, Layer, Plane, Wave};
 
-use crate::stack::Joint;
+use super::junction::Junction;
 
 /// Longest sequence that is looked for, in layers.
 const LONGEST: usize = 16;
@@ -54,9 +54,9 @@ struct Transfer {
 }
 
 /// Finds repeated sequences in a chain of layers.
-pub(super) fn find(layers: &[Arc<dyn Layer>], joints: &[Joint]) -> Vec<Repeat> {
+pub(super) fn find(layers: &[Arc<dyn Layer>], junctions: &[Junction]) -> Vec<Repeat> {
     let kinds = kinds(layers);
-    let bonded = |i: usize| joints[i] == Joint::BONDED;
+    let bonded = |i: usize| junctions[i].is_bonded();
     let mut repeats = Vec::new();
     let mut first = 0;
     while first + FEWEST <= layers.len() {
@@ -132,9 +132,9 @@ impl<'a> Bodies<'a> {
         if count < FEWEST || wave.wavenumber * repeat.thickness > 1.0 {
             return;
         }
-        let unit = Transfer::of(&self.layers[first..first + repeat.period], wave);
+        let once = Transfer::of(&self.layers[first..first + repeat.period], wave);
         let own = self.powers.len();
-        let doubled = std::iter::successors(unit, |power| Some(power.after(power)));
+        let doubled = std::iter::successors(once, |power| Some(power.after(power)));
         let most = (count / 2).ilog2() as usize + 1;
         self.powers.extend(doubled.take(most).take_while(|power| power.matrix.trace() <= LARGEST));
         if self.powers.len() == own {
@@ -175,12 +175,12 @@ impl Transfer {
                 return None;
             };
             let form = adjoint(&bottom) * bottom;
-            let unit = form[(0, 0)];
-            let off = (form - Matrix4::identity() * unit).amax();
-            if off > RECIPROCAL * unit.abs() || !off.is_finite() {
+            let size = form[(0, 0)];
+            let off = (form - Matrix4::identity() * size).amax();
+            if off > RECIPROCAL * size.abs() || !off.is_finite() {
                 return None;
             }
-            let matrix = top * adjoint(&bottom) / unit;
+            let matrix = top * adjoint(&bottom) / size;
             let own = Self { matrix, uniform: at_top - matrix * at_bottom };
             all = Some(all.map_or(own, |above| above.after(&own)));
         }
@@ -214,6 +214,11 @@ mod tests {
     use super::*;
     use crate::scene::Item;
     use crate::stack::Stack;
+    use crate::system::BlockSystem;
+
+    fn free(stack: &Stack) -> FreeChain {
+        FreeChain::all(&BlockSystem::new(stack)).remove(0)
+    }
 
     /// So many layers bonded to each other, of the kinds of the sequence in turn.
     fn layers(count: usize, sequence: &[Item]) -> crate::stack::StackBuilder {
@@ -234,8 +239,8 @@ mod tests {
         let [a, b, c] = [strip(0.01, 1.0, 0.3), strip(0.02, 3.0, 0.2), strip(0.01, 1.0, 0.31)];
         let found = |items: &[Item]| {
             let stack = layers(items.len(), items).receding().rigid().build().unwrap();
-            let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
-            find(&chain.layers, &chain.joints).iter().map(|repeat| (repeat.layers.clone(), repeat.period)).collect()
+            let chain = free(&stack);
+            find(&chain.layers, &chain.junctions).iter().map(|repeat| (repeat.layers.clone(), repeat.period)).collect()
         };
         let of = |names: &str| -> Vec<(Range<usize>, usize)> {
             let item = |name| match name {
@@ -254,8 +259,8 @@ mod tests {
         let stack = layers(4, &[a.clone(), b.clone()]).item(spring).item(a.clone());
         let stack = (1..4).fold(stack, |stack, i| stack.bonded().item([&a, &b][i % 2].clone()));
         let stack = stack.receding().rigid().build().unwrap();
-        let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
-        assert!(find(&chain.layers, &chain.joints).is_empty());
+        let chain = free(&stack);
+        assert!(find(&chain.layers, &chain.junctions).is_empty());
     }
 
     #[test]
@@ -267,15 +272,15 @@ mod tests {
             (64, vec![graded(20.0), strip(0.01, 3.0, 0.3)]),
         ] {
             let stack = layers(count, &sequence).receding().rigid().build().unwrap();
-            let chain = FreeChain::new(&stack.laminates()[0], Plane::Strain);
+            let chain = free(&stack);
             let plain = FreeChain { repeats: Vec::new(), ..chain.clone() };
             let on_ground = layers(count, &sequence).bonded().layer(HalfPlane::new(0.7, 0.3).unwrap()).build().unwrap();
-            let base = BaseChain::new(on_ground.base());
+            let base = BaseChain::of(&BlockSystem::new(&on_ground));
             let plain_base = BaseChain { repeats: Vec::new(), ..base.clone() };
             for wave in waves() {
                 let (found, taken) = chain.flexibility_and_taken(&wave).unwrap();
                 let (expected, all) = plain.flexibility_and_taken(&wave).unwrap();
-                assert!(all.evaluated == all.felt && taken.felt == all.felt);
+                assert!(all.evaluated == all.reached && taken.reached == all.reached);
                 if wave.wavenumber < 1.0 {
                     assert!(3 * taken.evaluated < all.evaluated, "{taken:?}");
                 }

@@ -1,0 +1,192 @@
+//! The chain of a base: layers joined to what holds them.
+use std::sync::Arc;
+
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Matrix6, SMatrix, Vector2};
+use recede_layers::{FaceStates, Layer, Wave, solve_equilibrated};
+
+use super::free::{junctions, layers};
+use super::half::{Half, displacement, stacked, stress};
+use super::junction::{Junction, Rows};
+use super::reach::{Taken, reached};
+use super::repeats::{self, Bodies, Repeat};
+use crate::system::{BlockSystem, Component, Side};
+
+/// Layers joined to each other and to a foundation, top down, with a shear-free top face: the component of the block system
+/// that nothing presses on from below.
+#[derive(Clone, Debug)]
+pub struct BaseChain {
+    /// Those of finite thickness.
+    pub(super) layers: Vec<Arc<dyn Layer>>,
+    /// Between each layer and the next, and above an elastic foundation.
+    pub(super) junctions: Vec<Junction>,
+    /// The stresses (S, T) on the top face under a unit load.
+    pub(super) load: Vector2<f64>,
+    pub(super) foot: Foot,
+    pub(super) repeats: Vec<Repeat>,
+}
+
+/// What ends a base.
+#[derive(Clone, Debug)]
+pub(super) enum Foot {
+    /// A column of two amplitudes.
+    Column(Arc<dyn Layer>),
+    /// Rows on the bottom face of the last layer.
+    Held(Box<Rows<2>>),
+}
+
+/// What lies below an interface of a base, eliminated.
+pub(super) enum Below {
+    /// Two states, of which those on the upper side of what lies below are made.
+    Allows(Matrix4x2<f64>),
+    /// Two rows on the states at the bottom face of the layer above.
+    Holds(Matrix2x4<f64>),
+}
+
+/// A layer of a base under unit stresses S and T on its top face.
+pub(super) struct UnitStresses {
+    /// Its amplitudes.
+    pub(super) amplitudes: Matrix4x2<f64>,
+    /// The shares of the states that [`Below::Allows`].
+    pub(super) below: Option<Matrix2<f64>>,
+}
+
+impl BaseChain {
+    /// The base of a block system; it has no layers where everything lies loose on a rigid base.
+    pub fn of(system: &BlockSystem) -> Self {
+        let components = system.components();
+        components.iter().find(|own| !own.is_free()).map_or_else(Self::rigid, Self::new)
+    }
+
+    fn new(component: &Component<'_>) -> Self {
+        let mut layers = layers(component);
+        let junctions = junctions(component);
+        let held = Rows::new(component.rows_at(layers.len()));
+        let foot = match layers.pop_if(|last| last.thickness().is_none()) {
+            Some(column) => Foot::Column(column),
+            None => Foot::Held(Box::new(held)),
+        };
+        let repeats = repeats::find(&layers, &junctions);
+        Self { layers, junctions, load: Half::of_face(component.rows_at(0), Side::Below).by_load, foot, repeats }
+    }
+
+    /// Nothing that gives way.
+    fn rigid() -> Self {
+        let foot = Foot::Held(Box::new(Rows::new(std::iter::empty())));
+        Self { layers: Vec::new(), junctions: Vec::new(), load: Vector2::new(1.0, 0.0), foot, repeats: Vec::new() }
+    }
+
+    /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` if a layer's states are not
+    /// finite or do not determine its fields.
+    pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
+        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
+    }
+
+    /// The same, and how many of the layers it took, the foundation not counted.
+    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(f64, Taken)> {
+        let reached = reached(self.layers.iter(), wave);
+        let states = |column: &dyn Layer| match column.face_states(wave) {
+            FaceStates::HalfPlane { top } => Some(top),
+            FaceStates::Finite { .. } => None,
+        };
+        let mut below = self.below(reached, wave, states)?;
+        let bodies = Bodies::new(&self.layers, &self.repeats, 0..reached, wave);
+        for body in bodies.iter(wave).rev() {
+            let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
+            let across = self.across(body.layers.end, reached, wave);
+            let amplitudes = UnitStresses::new(&below, across, &top, &bottom)?.amplitudes;
+            below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
+        }
+        let Below::Allows(allowed) = below else { return Some((0.0, Taken { reached, evaluated: 0 })) };
+        let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
+        let unit = solve_equilibrated(stress, self.load)?;
+        Some(((allowed.row(1) * unit)[0], Taken { reached, evaluated: bodies.evaluated }))
+    }
+
+    /// What lies below the layers that a wave reaches; `states` gives those at the face of a foundation.
+    pub(super) fn below(
+        &self,
+        reached: usize,
+        wave: &Wave,
+        states: impl FnOnce(&dyn Layer) -> Option<Matrix4x2<f64>>,
+    ) -> Option<Below> {
+        Some(match &self.foot {
+            // too deep to matter: as good as rigid
+            _ if reached < self.layers.len() => Below::Allows(with_unit_stress(&Matrix2::zeros())),
+            Foot::Column(column) => Below::Allows(states(&**column)?),
+            Foot::Held(rows) => Below::Holds(rows.at(wave)[0]),
+        })
+    }
+
+    /// The rows below so many layers, for the states above and below; `None` if these are the same, or if no wave gets there.
+    pub(super) fn across(&self, layers: usize, reached: usize, wave: &Wave) -> Option<[Matrix4<f64>; 2]> {
+        let last = layers == reached && reached < self.layers.len();
+        self.junctions.get(layers - 1).filter(|_| !last)?.at(wave, Side::Above)
+    }
+
+    /// The layers of finite thickness, top down.
+    pub fn layers(&self) -> &[Arc<dyn Layer>] {
+        &self.layers
+    }
+
+    /// The layer with the top face: the foundation, if it is one and there are no others.
+    pub fn top_layer(&self) -> Option<&Arc<dyn Layer>> {
+        self.layers.first().or(match &self.foot {
+            Foot::Column(column) => Some(column),
+            Foot::Held(_) => None,
+        })
+    }
+}
+
+impl UnitStresses {
+    /// Of a layer with these states at its faces; `across` are the rows below it, `None` if states are the same on both sides.
+    pub(super) fn new(
+        below: &Below,
+        across: Option<[Matrix4<f64>; 2]>,
+        top: &Matrix4<f64>,
+        bottom: &Matrix4<f64>,
+    ) -> Option<Self> {
+        let condition = match (below, across) {
+            (Below::Allows(allowed), Some(rows)) => return Self::across_rows(allowed, &rows, top, bottom),
+            (Below::Allows(allowed), None) => reciprocal(allowed),
+            (Below::Holds(rows), _) => *rows,
+        };
+        let amplitudes = solve_equilibrated(
+            stacked(&(condition * bottom), &stress(top)),
+            Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
+        )?;
+        Some(Self { amplitudes, below: None })
+    }
+
+    /// Four amplitudes and the shares of two states below from the rows of the interface, filled with the states on both sides,
+    /// and the stresses on the top face.
+    fn across_rows(
+        allowed: &Matrix4x2<f64>,
+        rows: &[Matrix4<f64>; 2],
+        top: &Matrix4<f64>,
+        bottom: &Matrix4<f64>,
+    ) -> Option<Self> {
+        let [above, below] = rows;
+        let mut matrix = Matrix6::zeros();
+        matrix.fixed_view_mut::<4, 4>(0, 0).copy_from(&(above * bottom));
+        matrix.fixed_view_mut::<4, 2>(0, 4).copy_from(&(below * allowed));
+        matrix.fixed_view_mut::<2, 4>(4, 0).copy_from(&stress(top));
+        let loads = SMatrix::<f64, 6, 2>::from_fn(|i, j| if i == j + 4 { 1.0 } else { 0.0 });
+        let solved = solve_equilibrated(matrix, loads)?;
+        let amplitudes = solved.fixed_rows::<4>(0).into_owned();
+        Some(Self { amplitudes, below: Some(solved.fixed_rows::<2>(4).into_owned()) })
+    }
+}
+
+/// The states for S = 1 and for T = 1, from the displacements under them.
+pub(super) fn with_unit_stress(flexibility: &Matrix2<f64>) -> Matrix4x2<f64> {
+    let mut states = Matrix4x2::zeros();
+    states.fixed_rows_mut::<2>(0).copy_from(flexibility);
+    states.fixed_rows_mut::<2>(2).fill_with_identity();
+    states
+}
+
+/// Two rows that vanish on what a base allows, and on nothing else: by reciprocity its states do no work on each other,
+/// U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂ = 0. Unlike a flexibility they exist for any base, be it rigid or free to slide.
+pub(super) fn reciprocal(allowed: &Matrix4x2<f64>) -> Matrix2x4<f64> {
+    Matrix2x4::from_fn(|i, j| if j < 2 { -allowed[(3 - j, i)] } else { allowed[(3 - j, i)] })
+}

@@ -1,0 +1,204 @@
+//! The part of a free chain between a loaded face and an interface, with the amplitudes eliminated.
+use nalgebra::{Matrix2, Matrix2x3, Matrix2x4, Matrix4, Matrix4x3, Matrix6, RowVector2, SMatrix, Vector2, Vector4};
+use recede_layers::{Flexibility, State, Wave, solve_equilibrated};
+
+use super::junction::{Junction, Rows};
+use crate::system::{Row, Side};
+
+/// What the amplitudes eliminated so far make of the other ones: the stresses (S, T) at the interface and V at the face, as
+/// functions of the displacements w = (U, V) at the interface and of the load. Under equal loads on both faces of the
+/// chain, S means the excess over the load.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Half {
+    pub(super) stiffness: Matrix2<f64>,
+    pub(super) by_load: Vector2<f64>,
+    pub(super) by_equal: Vector2<f64>,
+    pub(super) face: RowVector2<f64>,
+    pub(super) face_by_load: f64,
+    pub(super) face_by_equal: f64,
+}
+
+/// A layer put back: its amplitudes and, where the interface before it is not bonded, the displacements on the other side of
+/// that. Columns for the displacements w at its far face, for the load and for equal loads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PutBack {
+    pub(super) amplitudes: Matrix4<f64>,
+    pub(super) before: Option<Matrix2x4<f64>>,
+}
+
+/// A face of a layer: its states, and the deviation from uniform pressure there.
+pub(super) type FaceOf<'a> = (&'a Matrix4<f64>, &'a State);
+
+impl Half {
+    /// Nothing yet: the interface is the loaded face itself, at which these rows hold for the layer on this side.
+    pub(super) fn of_face<'a>(rows: impl Iterator<Item = &'a Row> + Clone, side: Side) -> Self {
+        let mut loads = Vector2::zeros();
+        loads
+            .iter_mut()
+            .zip(rows.clone())
+            .for_each(|(load, row)| *load = if row.pressure.is_some() { 1.0 } else { 0.0 });
+        let [above, below] = Rows::<2>::new(rows).plain();
+        let own = if side == Side::Above { above } else { below };
+        // without springs on it a face has no stiffness of its own
+        let by_load = own.fixed_columns::<2>(2).into_owned().try_inverse().map(|inverse| inverse * loads);
+        let by_load = by_load.unwrap_or(Vector2::repeat(f64::NAN));
+        Self {
+            stiffness: Matrix2::zeros(),
+            by_load,
+            by_equal: by_load - uniform(),
+            face: RowVector2::new(0.0, 1.0),
+            face_by_load: 0.0,
+            face_by_equal: 0.0,
+        }
+    }
+
+    /// One layer more: `near` is its face at the present interface, `far` the one that becomes the interface. `across` are the
+    /// rows at the present one, for the states on this side and on that of the layer; `None` if these are the same.
+    pub(super) fn through(
+        &self,
+        across: Option<[Matrix4<f64>; 2]>,
+        near: FaceOf<'_>,
+        far: FaceOf<'_>,
+    ) -> Option<(Self, PutBack)> {
+        match across {
+            None => self.through_bonded(near, far),
+            Some(rows) => self.through_rows(&rows, near, far),
+        }
+    }
+
+    /// Four amplitudes from the stresses at the near face and the displacements at the far one.
+    fn through_bonded(&self, near: FaceOf<'_>, far: FaceOf<'_>) -> Option<(Self, PutBack)> {
+        let [(near, near_uniform), (far, far_uniform)] = [near, far];
+        let condition = stress(near) - self.stiffness * displacement(near);
+        let uniform_condition =
+            self.by_equal - (near_uniform.fixed_rows::<2>(2) - self.stiffness * near_uniform.fixed_rows::<2>(0));
+        let mut loads = Matrix4::zeros();
+        loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
+        loads.fixed_view_mut::<2, 1>(0, 2).copy_from(&self.by_load);
+        loads.fixed_view_mut::<2, 1>(0, 3).copy_from(&uniform_condition);
+        loads.fixed_view_mut::<2, 1>(2, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
+        let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
+        let mut at_near = self.face * displacement(near) * amplitudes;
+        at_near[3] += (self.face * near_uniform.fixed_rows::<2>(0))[0];
+        Some((self.beyond(far, far_uniform, &amplitudes, &at_near), PutBack { amplitudes, before: None }))
+    }
+
+    /// The displacements on this side and four amplitudes from the rows of the interface, filled with the states on both of its
+    /// sides, and the displacements at the far face.
+    fn through_rows(&self, rows: &[Matrix4<f64>; 2], near: FaceOf<'_>, far: FaceOf<'_>) -> Option<(Self, PutBack)> {
+        let [(near, near_uniform), (far, far_uniform)] = [near, far];
+        let [own, other] = rows;
+        let own_stress = own.fixed_columns::<2>(2);
+        let mut matrix = Matrix6::zeros();
+        matrix.fixed_view_mut::<4, 2>(0, 0).copy_from(&(own.fixed_columns::<2>(0) + own_stress * self.stiffness));
+        matrix.fixed_view_mut::<4, 4>(0, 2).copy_from(&(other * near));
+        matrix.fixed_view_mut::<2, 4>(4, 2).copy_from(&displacement(far));
+        let mut loads = SMatrix::<f64, 6, 4>::zeros();
+        loads.fixed_view_mut::<2, 2>(4, 0).fill_with_identity();
+        loads.fixed_view_mut::<4, 1>(0, 2).copy_from(&-(own_stress * self.by_load));
+        let equal = own_stress * self.by_equal + other * near_uniform + of_uniform(rows);
+        loads.fixed_view_mut::<4, 1>(0, 3).copy_from(&-equal);
+        loads.fixed_view_mut::<2, 1>(4, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
+        let solved = solve_equilibrated(matrix, loads)?;
+        let before: Matrix2x4<f64> = solved.fixed_rows::<2>(0).into_owned();
+        let amplitudes: Matrix4<f64> = solved.fixed_rows::<4>(2).into_owned();
+        let half = self.beyond(far, far_uniform, &amplitudes, &(self.face * before));
+        Some((half, PutBack { amplitudes, before: Some(before) }))
+    }
+
+    /// The half with one layer more, from the amplitudes of that and V at the loaded face.
+    fn beyond(
+        &self,
+        far: &Matrix4<f64>,
+        far_uniform: &State,
+        amplitudes: &Matrix4<f64>,
+        face: &nalgebra::RowVector4<f64>,
+    ) -> Self {
+        let at_far = stress(far) * amplitudes;
+        Self {
+            stiffness: at_far.fixed_columns::<2>(0).into_owned(),
+            by_load: at_far.column(2).into_owned(),
+            by_equal: at_far.column(3) + far_uniform.fixed_rows::<2>(2),
+            face: face.fixed_columns::<2>(0).into_owned(),
+            face_by_load: self.face_by_load + face[2],
+            face_by_equal: self.face_by_equal + face[3],
+        }
+    }
+}
+
+/// Two halves at the interface where they meet.
+pub(super) struct Meeting {
+    pub(super) above: Half,
+    pub(super) below: Half,
+    /// Displacements (U, V) above and below the interface, columns for a load on top, on the bottom, and on both.
+    pub(super) displacements: [Matrix2x3<f64>; 2],
+}
+
+impl Meeting {
+    /// `junction` is the interface; `None` if one of the halves is nothing but a loaded face.
+    pub(super) fn of(above: Half, below: Half, junction: Option<&Junction>, wave: &Wave) -> Option<Self> {
+        let displacements = match junction.and_then(|junction| junction.at(wave, Side::Above)) {
+            None => {
+                // stresses are continuous: K_above w + ... = K_below w + ...
+                let zero = Vector2::zeros();
+                let loads =
+                    Matrix2x3::from_columns(&[zero - above.by_load, below.by_load, below.by_equal - above.by_equal]);
+                [solve_equilibrated(above.stiffness - below.stiffness, loads)?; 2]
+            }
+            Some(rows) => {
+                let mut matrix = Matrix4::zeros();
+                let mut loads = Matrix4x3::zeros();
+                let equal = of_uniform(&rows);
+                loads.set_column(2, &-equal);
+                for (i, (rows, half)) in rows.iter().zip([&above, &below]).enumerate() {
+                    let stress = rows.fixed_columns::<2>(2);
+                    let own = rows.fixed_columns::<2>(0) + stress * half.stiffness;
+                    matrix.fixed_view_mut::<4, 2>(0, 2 * i).copy_from(&own);
+                    loads.set_column(i, &-(stress * half.by_load));
+                    let equal = loads.column(2) - stress * half.by_equal;
+                    loads.set_column(2, &equal);
+                }
+                let solved = solve_equilibrated(matrix, loads)?;
+                [solved.fixed_rows::<2>(0).into_owned(), solved.fixed_rows::<2>(2).into_owned()]
+            }
+        };
+        Some(Self { above, below, displacements })
+    }
+
+    /// How far the faces move.
+    pub(super) fn flexibility(&self) -> Flexibility {
+        let Self { above, below, displacements: [at_above, at_below] } = self;
+        let (top, bottom) = (above.face * at_above, below.face * at_below);
+        let (top_by_top, bottom_by_bottom) = (top[0] + above.face_by_load, bottom[1] + below.face_by_load);
+        Flexibility {
+            top: top_by_top,
+            coupling: Flexibility::coupling(top_by_top, top[1], bottom[0], bottom_by_bottom),
+            bottom: bottom_by_bottom,
+            equal_top: top[2] + above.face_by_equal,
+            equal_bottom: bottom[2] + below.face_by_equal,
+        }
+    }
+}
+
+/// The stresses (S, T) of uniform pressure.
+fn uniform() -> Vector2<f64> {
+    Vector2::new(1.0, 0.0)
+}
+
+/// What the rows of an interface make of uniform pressure on both of its sides.
+fn of_uniform(rows: &[Matrix4<f64>; 2]) -> Vector4<f64> {
+    let [above, below] = rows;
+    (above + below).fixed_columns::<2>(2) * uniform()
+}
+
+pub(super) fn displacement(states: &Matrix4<f64>) -> Matrix2x4<f64> {
+    states.fixed_rows::<2>(0).into_owned()
+}
+
+pub(super) fn stress(states: &Matrix4<f64>) -> Matrix2x4<f64> {
+    states.fixed_rows::<2>(2).into_owned()
+}
+
+pub(super) fn stacked(upper: &Matrix2x4<f64>, lower: &Matrix2x4<f64>) -> Matrix4<f64> {
+    Matrix4::from_rows(&[upper.row(0), upper.row(1), lower.row(0), lower.row(1)])
+}

@@ -1,0 +1,172 @@
+//! Fields inside the chains at one wavenumber: what was eliminated, put back layer by layer.
+use std::ops::Range;
+
+use nalgebra::{Matrix2, Vector2, Vector3, Vector4};
+use recede_layers::{FaceStates, InnerStates, LayerStates, State, Wave, solve_equilibrated};
+
+use super::base::{BaseChain, Below, UnitStresses, with_unit_stress};
+use super::free::FreeChain;
+use super::half::{FaceOf, Meeting, PutBack, displacement, stacked, stress};
+use super::reach::reached;
+use crate::system::Side;
+
+/// Amplitudes S of loads on the shear-free faces of a chain.
+///
+/// Nearly equal loads on both faces of a thin laminate are to be given as `equal` and the small rest: the answer to
+/// that keeps its digits, and the answers to either load alone would cancel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// On the top face alone.
+    pub top: f64,
+    /// On the bottom face alone; of no meaning for a base.
+    pub bottom: f64,
+    /// On both faces.
+    pub equal: f64,
+}
+
+/// Depths in ascending order for each layer of a chain; the foundation counts as one.
+pub type Depths = [Vec<f64>];
+
+impl FreeChain {
+    /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers, in the order of the depths; `None`
+    /// if a layer's states are not finite or do not determine its fields.
+    pub fn states(&self, wave: &Wave, depths: &Depths, load: &Load) -> Option<Vec<Vec<State>>> {
+        let count = self.layers.len();
+        let above = reached(self.layers.iter(), wave);
+        let below = reached(self.layers.iter().rev(), wave);
+        if above + below <= count && above < count {
+            // a load on one face does not reach the other one, nor what lies between
+            let split = count - below;
+            let from_top = Load { top: load.top + load.equal, ..Load::default() };
+            let from_bottom = Load { bottom: load.bottom + load.equal, ..Load::default() };
+            let mut states = self.states_of(0..above, 0, wave, depths, &from_top)?;
+            states.extend(depths[above..split].iter().map(|depths| vec![State::zeros(); depths.len()]));
+            states.extend(self.states_of(split..count, count, wave, depths, &from_bottom)?);
+            return Some(states);
+        }
+        self.states_of(0..count, self.meeting, wave, depths, load)
+    }
+
+    /// Some of the layers, eliminated from both faces to the interface above layer `meeting` and put back.
+    fn states_of(
+        &self,
+        range: Range<usize>,
+        meeting: usize,
+        wave: &Wave,
+        depths: &Depths,
+        load: &Load,
+    ) -> Option<Vec<Vec<State>>> {
+        let states: Vec<LayerStates> = range.clone().map(|i| self.layers[i].states(wave, &depths[i])).collect();
+        if let [single] = &states[..] {
+            return Some(vec![single_layer(single, load)?]);
+        }
+        let of = |i: usize| &states[i - range.start];
+        let junction =
+            |interface: usize| self.junction(interface).filter(|_| range.start < interface && interface < range.end);
+        let order: [Vec<usize>; 2] = [(range.start..meeting).collect(), (meeting..range.end).rev().collect()];
+        let mut halves = self.faces;
+        let mut eliminated: [Vec<PutBack>; 2] = [Vec::new(), Vec::new()];
+        for (side, order) in order.iter().enumerate() {
+            for i in order {
+                let [near, far] = faces(of(*i), side)?;
+                let across = if side == 0 {
+                    junction(*i).and_then(|junction| junction.at(wave, Side::Above))
+                } else {
+                    junction(i + 1).and_then(|junction| junction.at(wave, Side::Below))
+                };
+                let (half, put_back) = halves[side].through(across, near, far)?;
+                halves[side] = half;
+                eliminated[side].push(put_back);
+            }
+        }
+        let [above, below] = halves;
+        let meet = Meeting::of(above, below, junction(meeting), wave)?;
+        let loads = Vector3::new(load.top, load.bottom, load.equal);
+        let mut found = vec![Vec::new(); range.len()];
+        for (side, order) in order.iter().enumerate() {
+            let own = if side == 0 { load.top } else { load.bottom };
+            let mut w: Vector2<f64> = meet.displacements[side] * loads;
+            for (i, PutBack { amplitudes, before }) in order.iter().zip(&eliminated[side]).rev() {
+                let by = Vector4::new(w[0], w[1], own, load.equal);
+                let own_amplitudes = amplitudes * by;
+                let [(near, uniform), _] = faces(of(*i), side)?;
+                w = match before {
+                    Some(before) => before * by,
+                    None => displacement(near) * own_amplitudes + uniform.fixed_rows::<2>(0) * load.equal,
+                };
+                found[i - range.start] = combine(&of(*i).inside, &own_amplitudes, load.equal)?;
+            }
+        }
+        Some(found)
+    }
+}
+
+/// The faces of a layer, first the one that is nearer to the loaded face of the upper half, 0, or the lower half, 1.
+fn faces(states: &LayerStates, side: usize) -> Option<[FaceOf<'_>; 2]> {
+    let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = &states.faces else { return None };
+    let mut faces = [(top, at_top), (bottom, at_bottom)];
+    faces.swap(0, side);
+    Some(faces)
+}
+
+/// One layer alone: its amplitudes from the stresses on both faces.
+fn single_layer(states: &LayerStates, load: &Load) -> Option<Vec<State>> {
+    let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = &states.faces else { return None };
+    let rows = stacked(&stress(top), &stress(bottom));
+    #[rustfmt::skip]
+    let loads = Vector4::new(
+        load.top - load.equal * at_top[2],
+        -load.equal * at_top[3],
+        load.bottom - load.equal * at_bottom[2],
+        -load.equal * at_bottom[3],
+    );
+    combine(&states.inside, &solve_equilibrated(rows, loads)?, load.equal)
+}
+
+/// The field of some amplitudes, and that close to uniform pressure.
+fn combine(inside: &[InnerStates], amplitudes: &Vector4<f64>, equal: f64) -> Option<Vec<State>> {
+    let states = inside.iter().map(|states| states.columns * amplitudes + (State::z() + states.uniform) * equal);
+    let states: Vec<State> = states.collect();
+    states.iter().all(|state| state.iter().all(|x| x.is_finite())).then_some(states)
+}
+
+impl BaseChain {
+    /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers and, if it is elastic, of the
+    /// foundation, under a load S on the top face; `None` as for a laminate.
+    pub fn states(&self, wave: &Wave, depths: &Depths, load: f64) -> Option<Vec<Vec<State>>> {
+        let reached = reached(self.layers.iter(), wave);
+        let mut found: Vec<Vec<State>> = depths.iter().map(|depths| vec![State::zeros(); depths.len()]).collect();
+        let mut ground = None;
+        let mut below = self.below(reached, wave, |column| {
+            let depths = depths.get(self.layers.len()).map_or(&[][..], Vec::as_slice);
+            let states = column.states(wave, depths);
+            let FaceStates::HalfPlane { top } = states.faces else { return None };
+            if !column.has_material() {
+                return Some(top);
+            }
+            // in terms of the stresses on its face
+            let amplitudes = solve_equilibrated(top.fixed_rows::<2>(2).into_owned(), Matrix2::identity())?;
+            ground = Some((states.inside, amplitudes));
+            Some(top * amplitudes)
+        })?;
+        let mut eliminated = Vec::with_capacity(reached);
+        for i in (0..reached).rev() {
+            let states = self.layers[i].states(wave, &depths[i]);
+            let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
+            let own = UnitStresses::new(&below, self.across(i + 1, reached, wave), top, bottom)?;
+            below = Below::Allows(with_unit_stress(&(displacement(top) * own.amplitudes)));
+            let handed_on = own.below.unwrap_or(stress(bottom) * own.amplitudes);
+            eliminated.push((states.inside, own.amplitudes, handed_on));
+        }
+        let mut at_top = self.load * load;
+        for (i, (inside, amplitudes, handed_on)) in eliminated.iter().rev().enumerate() {
+            found[i] = combine(inside, &(amplitudes * at_top), 0.0)?;
+            at_top = handed_on * at_top;
+        }
+        if let (Some((inside, amplitudes)), Some(last)) = (ground, found.last_mut()) {
+            let two: Vector2<f64> = amplitudes * at_top;
+            *last = combine(&inside, &Vector4::new(two[0], two[1], 0.0, 0.0), 0.0)?;
+        }
+        Some(found)
+    }
+}

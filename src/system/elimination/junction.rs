@@ -1,0 +1,127 @@
+//! The rows at an interface as matrices over the states (λμ₀U, λμ₀V, S, T) on its two sides.
+use nalgebra::{Matrix4, SMatrix};
+use recede_layers::Wave;
+
+use crate::system::{Row, Side};
+
+/// Places of the stresses in a state.
+const STRESSES: [usize; 2] = [2, 3];
+
+/// N rows over the state above an interface and that below it.
+#[derive(Clone, Debug)]
+pub(super) struct Rows<const N: usize> {
+    /// Factors ±1.
+    plain: [SMatrix<f64, N, 4>; 2],
+    /// Stiffnesses, in stress per length.
+    stiffness: [SMatrix<f64, N, 4>; 2],
+}
+
+impl<const N: usize> Rows<N> {
+    /// Rows that are missing stay zero, which makes whatever they hold singular.
+    pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
+        let mut own = Self { plain: [SMatrix::zeros(); 2], stiffness: [SMatrix::zeros(); 2] };
+        for (i, row) in rows.take(N).enumerate() {
+            for block in row.blocks.iter() {
+                let sign = if block.negative { -1.0 } else { 1.0 };
+                let (matrices, factor) = match block.stiffness {
+                    Some(stiffness) => (&mut own.stiffness, sign * stiffness),
+                    None => (&mut own.plain, sign),
+                };
+                matrices[index(block.side())][(i, block.quantity.index())] += factor;
+            }
+        }
+        own
+    }
+
+    /// The rows at one wavenumber, for the states above and below.
+    pub(super) fn at(&self, wave: &Wave) -> [SMatrix<f64, N, 4>; 2] {
+        let mut filled = self.plain;
+        // states hold λμ₀ times the displacements
+        let unit = wave.wavenumber * wave.modulus;
+        for i in 0..N {
+            let stiffness = self.stiffness.iter().fold(0.0, |most: f64, matrix| most.max(matrix.row(i).amax()));
+            if stiffness > 0.0 {
+                // λμ₀ and the stiffness may be of any size: only their ratio counts
+                let largest = unit.max(stiffness);
+                for (filled, own) in filled.iter_mut().zip(&self.stiffness) {
+                    let row = filled.row(i) * (unit / largest) + own.row(i) / largest;
+                    filled.set_row(i, &row);
+                }
+            }
+        }
+        filled
+    }
+
+    /// The factors that are no stiffnesses.
+    pub(super) fn plain(&self) -> [SMatrix<f64, N, 4>; 2] {
+        self.plain
+    }
+
+    /// Whether no row has a stiffness.
+    pub(super) fn are_plain(&self) -> bool {
+        self.stiffness.iter().all(|matrix| matrix.amax() == 0.0)
+    }
+}
+
+/// An interface between two layers of a chain.
+#[derive(Clone, Debug)]
+pub(super) struct Junction {
+    /// The rows as they are used from above and from below; `None` if they say that the states on both sides are the same.
+    rows: Option<Box<[Rows<4>; 2]>>,
+}
+
+impl Junction {
+    pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
+        let rows = Rows::<4>::new(rows);
+        let [above, below] = &rows.plain;
+        if rows.are_plain() && *above == -below && above.determinant() != 0.0 {
+            return Self { rows: None };
+        }
+        Self { rows: Some(Box::new([Side::Above, Side::Below].map(|near| with_far_stresses(rows.clone(), near)))) }
+    }
+
+    /// Whether the states on both sides are the same.
+    pub(super) fn is_bonded(&self) -> bool {
+        self.rows.is_none()
+    }
+
+    /// The rows at one wavenumber for the state on the near side, which is this one, and for that on the far side; `None` if
+    /// both states are the same.
+    pub(super) fn at(&self, wave: &Wave, near: Side) -> Option<[Matrix4<f64>; 2]> {
+        let own = index(near);
+        let mut rows = self.rows.as_ref()?[own].at(wave);
+        rows.swap(0, own);
+        Some(rows)
+    }
+}
+
+fn index(side: Side) -> usize {
+    match side {
+        Side::Above => 0,
+        Side::Below => 1,
+    }
+}
+
+/// The same rows with stresses of the near side replaced by those of the far side, where a row says that both are equal. What
+/// springs carry then follows from their jump: the stress on the near side, as it is known from a stiffness and a load, would
+/// cancel where the springs are soft.
+fn with_far_stresses(mut rows: Rows<4>, near: Side) -> Rows<4> {
+    let (near, far) = (index(near), 1 - index(near));
+    for stress in STRESSES {
+        let entries = |i: usize| {
+            let all = rows.plain.iter().chain(&rows.stiffness).flat_map(|matrix| (0..4).map(move |j| matrix[(i, j)]));
+            all.filter(|factor| *factor != 0.0).count()
+        };
+        let equates = |i: usize| {
+            let factors = [near, far].map(|side| rows.plain[side][(i, stress)]);
+            factors[0] != 0.0 && factors[1] == -factors[0] && entries(i) == 2
+        };
+        let Some(equal) = (0..4).find(|i| equates(*i)) else { continue };
+        for i in (0..4).filter(|i| *i != equal) {
+            let factor = rows.plain[near][(i, stress)];
+            rows.plain[near][(i, stress)] = 0.0;
+            rows.plain[far][(i, stress)] += factor;
+        }
+    }
+    rows
+}

@@ -1,0 +1,86 @@
+//! What holds at each kind of interface: the one place where it is written.
+//!
+//! A relation is written over both sides. Where there is no layer on one side the body there is rigid:
+//! [`BlockSystem`](super::matrix::BlockSystem) takes its displacements for zero, and leaves out the relations that only
+//! tell its stresses. So a base needs no relations of its own.
+use std::ops::Neg;
+
+use super::matrix::{Pressure, Quantity, Side};
+use crate::stack::Joint;
+use Quantity::{S, T, U, V};
+use Side::{Above, Below};
+
+/// A quantity on one side of an interface, with its sign and factor.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::system) struct Term {
+    pub(super) side: Side,
+    pub(super) quantity: Quantity,
+    pub(super) negative: bool,
+    pub(super) stiffness: Option<f64>,
+}
+
+/// One scalar condition: up to four terms whose sum is zero, or minus the pressure of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::system) struct Relation {
+    pub(super) terms: [Option<Term>; 4],
+    pub(super) pressure: Option<Pressure>,
+}
+
+impl Side {
+    /// The quantity on this side.
+    pub(in crate::system) fn of(self, quantity: Quantity) -> Term {
+        Term { side: self, quantity, negative: false, stiffness: None }
+    }
+}
+
+impl Term {
+    /// The term times the stiffness of springs.
+    pub(in crate::system) fn times(self, stiffness: f64) -> Self {
+        Self { stiffness: Some(stiffness), ..self }
+    }
+}
+
+impl Neg for Term {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { negative: !self.negative, ..self }
+    }
+}
+
+impl Relation {
+    /// The sum of these terms is zero.
+    pub(in crate::system) fn zero<const N: usize>(terms: [Term; N]) -> Self {
+        Self { terms: std::array::from_fn(|i| terms.get(i).copied()), pressure: None }
+    }
+}
+
+/// A contact, of the punch or at a receding interface: no shear, and the same pressure on both sides.
+pub(super) fn contact(contact: usize) -> [Relation; 4] {
+    let pressed = |side: Side| Relation { pressure: Some(Pressure { contact }), ..Relation::zero([side.of(S)]) };
+    let sheared = |side: Side| Relation::zero([side.of(T)]);
+    [pressed(Above), sheared(Above), pressed(Below), sheared(Below)]
+}
+
+/// An interface that stays closed: the jump of each displacement, then the stresses that are handed on.
+pub(super) fn joint(joint: &Joint) -> [Relation; 4] {
+    let jump = |displacement: Quantity, stress: Quantity, stiffness: f64| {
+        let [above, below] = [Above.of(displacement), Below.of(displacement)];
+        if stiffness == 0.0 {
+            Relation::zero([Above.of(stress)])
+        } else if stiffness.is_finite() {
+            Relation::zero([above.times(stiffness), -Above.of(stress), -below.times(stiffness)])
+        } else {
+            Relation::zero([above, -below])
+        }
+    };
+    let handed_on = |stress: Quantity, stiffness: f64| {
+        // nothing is handed on where nothing hinders the jump
+        if stiffness == 0.0 {
+            Relation::zero([Below.of(stress)])
+        } else {
+            Relation::zero([Above.of(stress), -Below.of(stress)])
+        }
+    };
+    [jump(U, T, joint.tangential), jump(V, S, joint.normal), handed_on(S, joint.normal), handed_on(T, joint.tangential)]
+}
