@@ -107,5 +107,6 @@ pub use sweep::ParallelRows;
 pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep};
 pub use system::{BaseChain, FreeChain, Unresolved};
 pub use system::{
-    Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Row, Side,
+    Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,
+    Term,
 };

@@ -25,4 +25,5 @@ pub use elimination::{BaseChain, FreeChain};
 pub(crate) use elimination::{Load, Taken, slowest_decay};
 pub use error::Unresolved;
 pub use symbols::components::Component;
+pub use symbols::conditions::{Relation, Term};
 pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};

@@ -1,11 +1,11 @@
 //! The chain of a base: layers joined to what holds them.
 use std::sync::Arc;
 
-use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Matrix6, SMatrix, Vector2};
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Vector2};
 use recede_layers::{FaceStates, Layer, Wave, solve_equilibrated};
 
 use super::free::{junctions, layers};
-use super::half::{Half, displacement, stacked, stress};
+use super::half::{Eliminated, Half, displacement, eliminate_two, stacked, stress};
 use super::junction::{Junction, Rows};
 use super::reach::{Taken, reached};
 use super::repeats::{self, Bodies, Repeat};
@@ -92,7 +92,7 @@ impl BaseChain {
         let bodies = Bodies::new(&self.layers, &self.repeats, 0..reached, wave);
         for body in bodies.iter(wave).rev() {
             let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
-            let across = self.across(body.layers.end, reached, wave);
+            let across = self.across(body.layers.end, wave);
             let amplitudes = UnitStresses::new(&below, across, &top, &bottom)?.amplitudes;
             below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
         }
@@ -117,10 +117,9 @@ impl BaseChain {
         })
     }
 
-    /// The rows below so many layers, for the states above and below; `None` if these are the same, or if no wave gets there.
-    pub(super) fn across(&self, layers: usize, reached: usize, wave: &Wave) -> Option<[Matrix4<f64>; 2]> {
-        let last = layers == reached && reached < self.layers.len();
-        self.junctions.get(layers - 1).filter(|_| !last)?.at(wave, Side::Above)
+    /// The rows below so many layers, for the states above and below; `None` if these are the same.
+    pub(super) fn across(&self, layers: usize, wave: &Wave) -> Option<[Matrix4<f64>; 2]> {
+        self.junctions.get(layers.checked_sub(1)?)?.at(wave, Side::Above)
     }
 
     /// The layers of finite thickness, top down.
@@ -145,35 +144,19 @@ impl UnitStresses {
         top: &Matrix4<f64>,
         bottom: &Matrix4<f64>,
     ) -> Option<Self> {
-        let condition = match (below, across) {
-            (Below::Allows(allowed), Some(rows)) => return Self::across_rows(allowed, &rows, top, bottom),
-            (Below::Allows(allowed), None) => reciprocal(allowed),
-            (Below::Holds(rows), _) => *rows,
+        let (condition, shares) = match (below, across) {
+            (Below::Holds(rows), _) => (*rows, None),
+            (Below::Allows(allowed), None) => (reciprocal(allowed), None),
+            (Below::Allows(allowed), Some([above, below])) => {
+                let Eliminated { left, solved } = eliminate_two(below * allowed, above)?;
+                (left, Some(solved))
+            }
         };
-        let amplitudes = solve_equilibrated(
+        let amplitudes: Matrix4x2<f64> = solve_equilibrated(
             stacked(&(condition * bottom), &stress(top)),
             Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
         )?;
-        Some(Self { amplitudes, below: None })
-    }
-
-    /// Four amplitudes and the shares of two states below from the rows of the interface, filled with the states on both sides,
-    /// and the stresses on the top face.
-    fn across_rows(
-        allowed: &Matrix4x2<f64>,
-        rows: &[Matrix4<f64>; 2],
-        top: &Matrix4<f64>,
-        bottom: &Matrix4<f64>,
-    ) -> Option<Self> {
-        let [above, below] = rows;
-        let mut matrix = Matrix6::zeros();
-        matrix.fixed_view_mut::<4, 4>(0, 0).copy_from(&(above * bottom));
-        matrix.fixed_view_mut::<4, 2>(0, 4).copy_from(&(below * allowed));
-        matrix.fixed_view_mut::<2, 4>(4, 0).copy_from(&stress(top));
-        let loads = SMatrix::<f64, 6, 2>::from_fn(|i, j| if i == j + 4 { 1.0 } else { 0.0 });
-        let solved = solve_equilibrated(matrix, loads)?;
-        let amplitudes = solved.fixed_rows::<4>(0).into_owned();
-        Some(Self { amplitudes, below: Some(solved.fixed_rows::<2>(4).into_owned()) })
+        Some(Self { amplitudes, below: shares.map(|shares| shares * bottom * amplitudes) })
     }
 }
 

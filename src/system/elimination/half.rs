@@ -1,5 +1,8 @@
 //! The part of a free chain between a loaded face and an interface, with the amplitudes eliminated.
-use nalgebra::{Matrix2, Matrix2x3, Matrix2x4, Matrix4, Matrix4x3, Matrix6, RowVector2, SMatrix, Vector2, Vector4};
+use nalgebra::{
+    Matrix2, Matrix2x3, Matrix2x4, Matrix4, Matrix4x2, Matrix4x3, Matrix4x6, RowVector2, RowVector4, SMatrix, Vector2,
+    Vector4,
+};
 use recede_layers::{Flexibility, State, Wave, solve_equilibrated};
 
 use super::junction::{Junction, Rows};
@@ -78,30 +81,34 @@ impl Half {
         loads.fixed_view_mut::<2, 1>(0, 3).copy_from(&uniform_condition);
         loads.fixed_view_mut::<2, 1>(2, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
         let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
-        let mut at_near = self.face * displacement(near) * amplitudes;
-        at_near[3] += (self.face * near_uniform.fixed_rows::<2>(0))[0];
-        Some((self.beyond(far, far_uniform, &amplitudes, &at_near), PutBack { amplitudes, before: None }))
+        let mut half = self.beyond(far, far_uniform, &amplitudes, &(self.face * displacement(near) * amplitudes));
+        half.face_by_equal += (self.face * near_uniform.fixed_rows::<2>(0))[0];
+        Some((half, PutBack { amplitudes, before: None }))
     }
 
-    /// The displacements on this side and four amplitudes from the rows of the interface, filled with the states on both of its
-    /// sides, and the displacements at the far face.
+    /// The same where rows hold in place of continuity: they are filled with the state on this side, a function of two
+    /// displacements, and these are eliminated, which leaves two rows on the state of the layer.
     fn through_rows(&self, rows: &[Matrix4<f64>; 2], near: FaceOf<'_>, far: FaceOf<'_>) -> Option<(Self, PutBack)> {
         let [(near, near_uniform), (far, far_uniform)] = [near, far];
         let [own, other] = rows;
         let own_stress = own.fixed_columns::<2>(2);
-        let mut matrix = Matrix6::zeros();
-        matrix.fixed_view_mut::<4, 2>(0, 0).copy_from(&(own.fixed_columns::<2>(0) + own_stress * self.stiffness));
-        matrix.fixed_view_mut::<4, 4>(0, 2).copy_from(&(other * near));
-        matrix.fixed_view_mut::<2, 4>(4, 2).copy_from(&displacement(far));
-        let mut loads = SMatrix::<f64, 6, 4>::zeros();
-        loads.fixed_view_mut::<2, 2>(4, 0).fill_with_identity();
-        loads.fixed_view_mut::<4, 1>(0, 2).copy_from(&-(own_stress * self.by_load));
-        let equal = own_stress * self.by_equal + other * near_uniform + of_uniform(rows);
-        loads.fixed_view_mut::<4, 1>(0, 3).copy_from(&-equal);
-        loads.fixed_view_mut::<2, 1>(4, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
-        let solved = solve_equilibrated(matrix, loads)?;
-        let before: Matrix2x4<f64> = solved.fixed_rows::<2>(0).into_owned();
-        let amplitudes: Matrix4<f64> = solved.fixed_rows::<4>(2).into_owned();
+        // columns for the state of the layer, for the load and for equal loads
+        let mut rest = Matrix4x6::zeros();
+        rest.fixed_view_mut::<4, 4>(0, 0).copy_from(other);
+        rest.set_column(4, &(own_stress * self.by_load));
+        rest.set_column(5, &(own_stress * self.by_equal + other * near_uniform + of_uniform(rows)));
+        let Eliminated { left, solved } = eliminate_two(own.fixed_columns::<2>(0) + own_stress * self.stiffness, rest)?;
+        let condition: Matrix2x4<f64> = left.fixed_columns::<4>(0) * near;
+        let mut loads = Matrix4::zeros();
+        loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
+        loads.fixed_view_mut::<2, 2>(0, 2).copy_from(&-left.fixed_columns::<2>(4));
+        loads.fixed_view_mut::<2, 1>(2, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
+        let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
+        let mut before: Matrix2x4<f64> = solved.fixed_columns::<4>(0) * near * amplitudes;
+        for case in [0, 1] {
+            let own = before.column(2 + case) + solved.column(4 + case);
+            before.set_column(2 + case, &own);
+        }
         let half = self.beyond(far, far_uniform, &amplitudes, &(self.face * before));
         Some((half, PutBack { amplitudes, before: Some(before) }))
     }
@@ -112,7 +119,7 @@ impl Half {
         far: &Matrix4<f64>,
         far_uniform: &State,
         amplitudes: &Matrix4<f64>,
-        face: &nalgebra::RowVector4<f64>,
+        face: &RowVector4<f64>,
     ) -> Self {
         let at_far = stress(far) * amplitudes;
         Self {
@@ -183,6 +190,72 @@ impl Meeting {
 /// The stresses (S, T) of uniform pressure.
 fn uniform() -> Vector2<f64> {
     Vector2::new(1.0, 0.0)
+}
+
+/// Four rows after the elimination of two unknowns.
+pub(super) struct Eliminated<const M: usize> {
+    /// Two rows without the unknowns.
+    pub(super) left: SMatrix<f64, 2, M>,
+    /// The unknowns as functions of the rest.
+    pub(super) solved: SMatrix<f64, 2, M>,
+}
+
+/// Eliminates two unknowns from four rows, of which `rest` are the other columns; `None` if the rows do not determine them.
+///
+/// Written out on arrays of known sizes, as [`solve_equilibrated`] is.
+pub(super) fn eliminate_two<const M: usize>(
+    unknowns: Matrix4x2<f64>,
+    rest: SMatrix<f64, 4, M>,
+) -> Option<Eliminated<M>> {
+    let sizes = [unknowns.column(0).amax().recip(), unknowns.column(1).amax().recip()];
+    let mut own: [[f64; 2]; 4] = std::array::from_fn(|i| [unknowns[(i, 0)], unknowns[(i, 1)]]);
+    let mut rest: [[f64; M]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| rest[(i, j)]));
+    // the largest entry, columns measured by their largest, then the largest that is left of the other column
+    let mut largest = (0.0, 0, 0);
+    for (i, row) in own.iter().enumerate() {
+        for (column, size) in sizes.iter().enumerate() {
+            let found = row[column].abs() * size;
+            if found > largest.0 {
+                largest = (found, i, column);
+            }
+        }
+    }
+    let (_, first, column) = largest;
+    eliminate(&mut own, &mut rest, first, column);
+    let left = |row: usize| if row == first { 0.0 } else { own[row][1 - column].abs() };
+    let second = (1..4).fold(0, |best, row| if left(row) > left(best) { row } else { best });
+    if largest.0 == 0.0 || left(second) == 0.0 {
+        return None;
+    }
+    eliminate(&mut own, &mut rest, second, 1 - column);
+    let (mut left, mut solved) = (SMatrix::<f64, 2, M>::zeros(), SMatrix::<f64, 2, M>::zeros());
+    for (row, column) in [(first, column), (second, 1 - column)] {
+        let factor = -own[row][column].recip();
+        for j in 0..M {
+            solved[(column, j)] = factor * rest[row][j];
+        }
+    }
+    for (i, row) in (0..4).filter(|row| *row != first && *row != second).enumerate() {
+        for j in 0..M {
+            left[(i, j)] = rest[row][j];
+        }
+    }
+    Some(Eliminated { left, solved })
+}
+
+/// Takes a row, times what makes the entries of a column vanish, from all others.
+#[inline(always)]
+fn eliminate<const M: usize>(own: &mut [[f64; 2]; 4], rest: &mut [[f64; M]; 4], row: usize, column: usize) {
+    let (pivot, other) = (own[row], rest[row]);
+    let divided = pivot[column].recip();
+    for i in (0..4).filter(|i| *i != row) {
+        let factor = own[i][column] * divided;
+        own[i][1 - column] -= factor * pivot[1 - column];
+        own[i][column] = 0.0;
+        for j in 0..M {
+            rest[i][j] -= factor * other[j];
+        }
+    }
 }
 
 /// What the rows of an interface make of uniform pressure on both of its sides.

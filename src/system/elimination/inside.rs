@@ -153,7 +153,7 @@ impl BaseChain {
         for i in (0..reached).rev() {
             let states = self.layers[i].states(wave, &depths[i]);
             let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
-            let own = UnitStresses::new(&below, self.across(i + 1, reached, wave), top, bottom)?;
+            let own = UnitStresses::new(&below, self.across(i + 1, wave), top, bottom)?;
             below = Below::Allows(with_unit_stress(&(displacement(top) * own.amplitudes)));
             let handed_on = own.below.unwrap_or(stress(bottom) * own.amplitudes);
             eliminated.push((states.inside, own.amplitudes, handed_on));

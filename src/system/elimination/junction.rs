@@ -14,12 +14,15 @@ pub(super) struct Rows<const N: usize> {
     plain: [SMatrix<f64, N, 4>; 2],
     /// Stiffnesses, in stress per length.
     stiffness: [SMatrix<f64, N, 4>; 2],
+    /// The largest stiffness in each row.
+    largest: [f64; N],
 }
 
 impl<const N: usize> Rows<N> {
     /// Rows that are missing stay zero, which makes whatever they hold singular.
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
-        let mut own = Self { plain: [SMatrix::zeros(); 2], stiffness: [SMatrix::zeros(); 2] };
+        let zeros = [SMatrix::zeros(); 2];
+        let mut own = Self { plain: zeros, stiffness: zeros, largest: [0.0; N] };
         for (i, row) in rows.take(N).enumerate() {
             for block in row.blocks.iter() {
                 let sign = if block.negative { -1.0 } else { 1.0 };
@@ -27,6 +30,7 @@ impl<const N: usize> Rows<N> {
                     Some(stiffness) => (&mut own.stiffness, sign * stiffness),
                     None => (&mut own.plain, sign),
                 };
+                own.largest[i] = own.largest[i].max(block.stiffness.map_or(0.0, f64::abs));
                 matrices[index(block.side())][(i, block.quantity.index())] += factor;
             }
         }
@@ -38,8 +42,7 @@ impl<const N: usize> Rows<N> {
         let mut filled = self.plain;
         // states hold λμ₀ times the displacements
         let unit = wave.wavenumber * wave.modulus;
-        for i in 0..N {
-            let stiffness = self.stiffness.iter().fold(0.0, |most: f64, matrix| most.max(matrix.row(i).amax()));
+        for (i, stiffness) in self.largest.into_iter().enumerate() {
             if stiffness > 0.0 {
                 // λμ₀ and the stiffness may be of any size: only their ratio counts
                 let largest = unit.max(stiffness);
@@ -59,7 +62,7 @@ impl<const N: usize> Rows<N> {
 
     /// Whether no row has a stiffness.
     pub(super) fn are_plain(&self) -> bool {
-        self.stiffness.iter().all(|matrix| matrix.amax() == 0.0)
+        self.largest.iter().all(|stiffness| *stiffness == 0.0)
     }
 }
 

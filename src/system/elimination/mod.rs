@@ -11,6 +11,8 @@ mod inside;
 mod junction;
 mod reach;
 mod repeats;
+#[cfg(test)]
+mod tests;
 
 pub use base::BaseChain;
 pub use free::FreeChain;

@@ -11,31 +11,40 @@ use Quantity::{S, T, U, V};
 use Side::{Above, Below};
 
 /// A quantity on one side of an interface, with its sign and factor.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::system) struct Term {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
     pub(super) side: Side,
     pub(super) quantity: Quantity,
     pub(super) negative: bool,
     pub(super) stiffness: Option<f64>,
 }
 
-/// One scalar condition: up to four terms whose sum is zero, or minus the pressure of a contact.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::system) struct Relation {
+/// One scalar condition at an interface: up to four terms whose sum is zero, or minus the pressure of a contact.
+///
+/// ```
+/// use recede::{Quantity, Relation, Side};
+/// // fibres at the interface, held by springs: u is continuous, and they take up the difference of the shear stresses
+/// let continuous = Relation::zero([Side::Above.of(Quantity::U), -Side::Below.of(Quantity::U)]);
+/// let held = Side::Above.of(Quantity::U).times(2.0);
+/// let taken_up = Relation::zero([Side::Above.of(Quantity::T), -Side::Below.of(Quantity::T), -held]);
+/// assert_ne!(continuous, taken_up);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Relation {
     pub(super) terms: [Option<Term>; 4],
     pub(super) pressure: Option<Pressure>,
 }
 
 impl Side {
     /// The quantity on this side.
-    pub(in crate::system) fn of(self, quantity: Quantity) -> Term {
+    pub fn of(self, quantity: Quantity) -> Term {
         Term { side: self, quantity, negative: false, stiffness: None }
     }
 }
 
 impl Term {
-    /// The term times the stiffness of springs.
-    pub(in crate::system) fn times(self, stiffness: f64) -> Self {
+    /// The term, a displacement, times the stiffness of springs, in stress per length.
+    pub fn times(self, stiffness: f64) -> Self {
         Self { stiffness: Some(stiffness), ..self }
     }
 }
@@ -49,8 +58,8 @@ impl Neg for Term {
 }
 
 impl Relation {
-    /// The sum of these terms is zero.
-    pub(in crate::system) fn zero<const N: usize>(terms: [Term; N]) -> Self {
+    /// The sum of these terms, four at most, is zero.
+    pub fn zero<const N: usize>(terms: [Term; N]) -> Self {
         Self { terms: std::array::from_fn(|i| terms.get(i).copied()), pressure: None }
     }
 }

@@ -208,11 +208,12 @@ pub struct BlockSystem {
 impl BlockSystem {
     /// The block system of a stack, from the top down.
     pub fn new(stack: &Stack) -> Self {
-        Self::with(stack, conditions::joint)
+        Self::with_joints(stack, conditions::joint)
     }
 
-    /// The same, with what holds at the joints told by the caller.
-    pub(in crate::system) fn with(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
+    /// The same, with what holds at each joint told by the caller: four relations that connect the layers on both sides. On a
+    /// rigid base those that tell its stresses are left out.
+    pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
@@ -279,7 +280,7 @@ impl BlockSystem {
                 Side::Above => above.map(|column| (column, Face::Bottom)),
                 Side::Below => below.map(|column| (column, Face::Top)),
             };
-            let mut terms = terms.iter().flatten();
+            let terms = terms.iter().flatten();
             if terms.clone().any(|term| term.quantity.is_stress() && there(term).is_none()) {
                 continue;
             }
@@ -288,8 +289,11 @@ impl BlockSystem {
                 let Term { quantity, negative, stiffness, .. } = *term;
                 Some(Block { column, layer: self.columns[column].layer.number, face, quantity, negative, stiffness })
             };
-            let blocks = Blocks::from_iter(terms.by_ref().filter_map(block));
-            self.rows.push(Row { place, blocks, pressure });
+            let blocks: Blocks = terms.filter_map(block).collect();
+            // what only a rigid body is asked for holds of itself
+            if !blocks.is_empty() {
+                self.rows.push(Row { place, blocks, pressure });
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
 //! The symbolic form: which conditions hold, between which layers, and which layers they hold together.
 pub(super) mod components;
-mod conditions;
+pub(super) mod conditions;
 pub(super) mod matrix;
