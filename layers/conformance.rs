@@ -7,11 +7,11 @@
 //! recede_layers::layer_laws!(strip, Homogeneous::new(1.0, 1.0, 0.25).expect("legal numbers"));
 //! ```
 //!
-//! Three properties make a layer what it is, and each law looks at one of them from one side: the fields obey the state
+//! Four properties make a layer what it is, and each law looks at one of them from one side: the fields obey the state
 //! equations of its [`Layer::material`] ([`general_body`], [`inside`], [`split_in_two`], [`continues`], [`mirror`],
 //! [`long_wave`], [`short_wave`]), the material is elastic and smooth at its faces ([`reciprocity`],
-//! [`positive_energy`], [`smooth_faces`]), and numbers keep their digits
-//! ([`free_body`], [`uniform_pressure`], [`finite`]).
+//! [`positive_energy`], [`smooth_faces`]), numbers keep their digits
+//! ([`free_body`], [`uniform_pressure`], [`finite`]), and its key tells it from others ([`identity`]).
 //!
 //! # Tolerances
 //!
@@ -25,6 +25,7 @@ mod beam;
 mod bonded;
 mod cut;
 mod faces;
+mod identity;
 mod inside;
 mod laws;
 mod limits;
@@ -32,6 +33,7 @@ mod trial;
 
 pub use self::cut::{continues, one_body};
 pub use self::faces::{RoughFace, rough_face, smooth_faces};
+pub use self::identity::{identity, same_key};
 pub use self::inside::inside;
 pub use self::laws::{finite, general_body, mirror, positive_energy, reciprocity, split_in_two, uniform_pressure};
 pub use self::limits::{free_body, long_wave, short_wave};
@@ -71,7 +73,7 @@ pub struct Violation {
 pub type Law = (&'static str, fn(&dyn Layer, Plane) -> Result<(), Violation>);
 
 /// All laws, in the order in which to read their violations: the first one broken is the likely cause of the others.
-pub const LAWS: [Law; 13] = [
+pub const LAWS: &[Law] = &[
     ("finite", finite),
     ("reciprocity", reciprocity),
     ("positive_energy", positive_energy),
@@ -85,6 +87,7 @@ pub const LAWS: [Law; 13] = [
     ("split_in_two", split_in_two),
     ("inside", inside),
     ("continues", continues),
+    ("identity", identity),
 ];
 
 /// Examines a layer by all laws.
@@ -106,7 +109,7 @@ pub fn examine(layer: &dyn Layer, plane: Plane) -> Result<(), Vec<Violation>> {
 macro_rules! layer_laws {
     ($name:ident, $layer:expr) => {
         $crate::layer_laws!($name, $layer => finite, reciprocity, positive_energy, smooth_faces, general_body, uniform_pressure,
-            free_body, long_wave, short_wave, mirror, split_in_two, inside, continues);
+            free_body, long_wave, short_wave, mirror, split_in_two, inside, continues, identity);
     };
     ($name:ident, $layer:expr => $($law:ident),*) => {
         mod $name {

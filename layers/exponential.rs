@@ -12,8 +12,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Finite, Flexibility, Isotropic, Layer, LayerError, LayerStates, Material, Plane, Poisson, Positive,
-    Thickness, Wave, graded,
+    ClosedForm, FaceStates, Finite, Flexibility, Isotropic, Key, Layer, LayerError, LayerStates, Material, Plane,
+    Poisson, Positive, Thickness, Wave,
 };
 
 /// Up to this λh the amplitudes are the state at one depth; beyond, solutions that decay from either face.
@@ -141,13 +141,17 @@ impl Layer for Exponential {
         self.at(depth).material(plane)
     }
 
-    fn has_closed_form(&self) -> bool {
-        true
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
     }
 
-    fn is_like(&self, other: &dyn Layer) -> bool {
-        let other: &dyn Any = other;
-        other.downcast_ref() == Some(self)
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with([
+            self.thickness.get(),
+            self.shear_modulus.get(),
+            self.poisson.get(),
+            self.beta.get(),
+        ]))
     }
 
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
@@ -161,7 +165,9 @@ impl Layer for Exponential {
         let one = equal && (self.poisson, self.beta) == (other.poisson, other.beta);
         one.then(whole).flatten().map(|whole| Arc::new(whole) as _)
     }
+}
 
+impl ClosedForm for Exponential {
     fn face_states(&self, wave: &Wave) -> FaceStates {
         if wave.wavenumber * self.thickness.get() > THIN {
             self.thick(wave)
@@ -172,13 +178,13 @@ impl Layer for Exponential {
         }
     }
 
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         if wave.wavenumber * self.thickness.get() > THIN {
-            LayerStates { faces: self.thick(wave), inside: self.thick_inside(wave, depths) }
+            Some(LayerStates { faces: self.thick(wave), inside: self.thick_inside(wave, depths) })
         } else if self.steepness().abs() <= MILD {
-            LayerStates { faces: self.mild(wave).face_states(), inside: self.mild_inside(wave, depths) }
+            Some(LayerStates { faces: self.mild(wave).face_states(), inside: self.mild_inside(wave, depths) })
         } else {
-            graded::states(self, wave, depths)
+            None
         }
     }
 

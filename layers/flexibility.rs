@@ -58,7 +58,7 @@ impl Flexibility {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{HalfPlane, Homogeneous, Layer, Plane, Wave};
+    use crate::{ClosedForm, HalfPlane, Homogeneous, Plane, Wave};
 
     #[test]
     fn a_half_plane_has_one_face_only() {

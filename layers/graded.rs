@@ -35,7 +35,7 @@ const THIN: f64 = 1.25;
 const FELT: f64 = 30.0;
 
 /// Face states of any layer, from [`Layer::thickness`] and [`Layer::material`]: the provided body of
-/// [`Layer::face_states`], and what an override is examined against.
+/// `face_states` of `dyn Layer`, and what a [closed form](Layer::closed_form) is examined against.
 ///
 /// Relative accuracy of the flexibility: 1e-12 for any λh and a smooth modulus that varies by up to e^±30; of the
 /// response to equal loads 1e-10, or 1e-8 if the layer is as steep as that and incompressible. Jumps of the material
@@ -43,7 +43,7 @@ const FELT: f64 = 30.0;
 /// than h/200 is found only where it meets a face.
 ///
 /// ```
-/// use recede_layers::{Exponential, Flexibility, Layer, Plane, Wave, graded};
+/// use recede_layers::{ClosedForm, Exponential, Flexibility, Plane, Wave, graded};
 /// let layer = Exponential::new(1.0, 1.0, 0.25, -2.0)?;
 /// let wave = Wave { wavenumber: 3.0, modulus: 1.0, plane: Plane::Strain };
 /// let general = Flexibility::of_face_states(&graded::face_states(&layer, &wave)).expect("has two faces");
@@ -64,7 +64,7 @@ pub(crate) fn of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) 
 }
 
 /// States of any layer at its faces and at `depths` in ascending order, in common amplitudes: the provided body of
-/// [`Layer::states`]. Slices end at these depths, so that their number adds to the cost.
+/// `states` of `dyn Layer`. Slices end at these depths, so that their number adds to the cost.
 pub fn states(layer: &(impl Layer + ?Sized), wave: &Wave, depths: &[f64]) -> LayerStates {
     states_of_layer(layer, wave, &Tree::default(), depths, depths)
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Isotropic, Layer, LayerError, Material, Plane, Poisson, Positive, Stiffening};
+use crate::{Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Stiffening};
 
 /// So deep a material is rigid, and its modulus still a finite number.
 const RIGID: f64 = 300.0;
@@ -55,5 +55,9 @@ impl Layer for GradedHalfPlane {
     fn material(&self, depth: f64, plane: Plane) -> Material {
         let growth = (self.beta.get() * depth).min(RIGID).exp();
         Isotropic { shear_modulus: self.shear_modulus.get() * growth, poisson: self.poisson.get() }.material(plane)
+    }
+
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with([self.shear_modulus.get(), self.poisson.get(), self.beta.get()]))
     }
 }

@@ -1,5 +1,4 @@
 //! An isotropic layer graded in any way, left to the general body.
-use std::any::Any;
 #[cfg(feature = "read")]
 use std::borrow::Cow;
 use std::fmt;
@@ -9,7 +8,7 @@ use std::sync::Arc;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 
-use crate::{Isotropic, Layer, LayerError, Material, Plane, Poisson, Positive, Profile, Thickness};
+use crate::{Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Profile, Thickness};
 
 /// Layers whose modulus varies by a larger factor are refused: digits would be lost where they are soft.
 const MOST: f64 = 1e13;
@@ -38,20 +37,6 @@ pub struct Graded {
 enum Variation {
     Written { shear_modulus: Profile<Positive>, poisson: Profile<Poisson> },
     Function(Arc<dyn Fn(f64) -> Isotropic + Send + Sync>),
-}
-
-/// Two functions are known to be the same only if they are one object.
-impl PartialEq for Variation {
-    fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (
-                Self::Written { shear_modulus, poisson },
-                Self::Written { shear_modulus: other_modulus, poisson: other_poisson },
-            ) => shear_modulus == other_modulus && poisson == other_poisson,
-            (Self::Function(own), Self::Function(other)) => Arc::ptr_eq(own, other),
-            _ => false,
-        }
-    }
 }
 
 /// The fields as written in a scene, before they are checked together.
@@ -177,8 +162,12 @@ impl Layer for Graded {
         }
     }
 
-    fn is_like(&self, other: &dyn Layer) -> bool {
-        let other: &dyn Any = other;
-        other.downcast_ref::<Self>().is_some_and(|o| self.thickness == o.thickness && self.variation == o.variation)
+    /// Two functions are known to be the same only if they are one object.
+    fn key(&self) -> Option<Key> {
+        let key = Key::of::<Self>().with([self.thickness.get()]);
+        Some(match &self.variation {
+            Variation::Written { shear_modulus, poisson } => key.with_debug(&(shear_modulus, poisson)),
+            Variation::Function(material) => key.with_debug(&Arc::as_ptr(material)),
+        })
     }
 }

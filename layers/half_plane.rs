@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Plane, Poisson, Positive, Wave,
-    homogeneous,
+    ClosedForm, FaceStates, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates, Material, Plane, Poisson,
+    Positive, Wave, homogeneous,
 };
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
@@ -53,20 +53,26 @@ impl Layer for HalfPlane {
         self.isotropic().material(plane)
     }
 
-    fn has_closed_form(&self) -> bool {
-        true
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
     }
 
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with([self.shear_modulus.get(), self.poisson.get()]))
+    }
+}
+
+impl ClosedForm for HalfPlane {
     fn face_states(&self, wave: &Wave) -> FaceStates {
         let [first, second] = homogeneous::decaying_downwards(&self.isotropic(), wave, 0.0);
         FaceStates::HalfPlane { top: Matrix4x2::from_columns(&[first, second]) }
     }
 
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let inside = depths.iter().map(|depth| {
             let [a, b] = homogeneous::decaying_downwards(&self.isotropic(), wave, wave.wavenumber * depth);
             InnerStates::thick(Matrix4::from_columns(&[a, b, Vector4::zeros(), Vector4::zeros()]))
         });
-        LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
+        Some(LayerStates { inside: inside.collect(), faces: self.face_states(wave) })
     }
 }

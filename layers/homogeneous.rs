@@ -8,8 +8,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    FaceStates, Flexibility, HalfPlane, InnerStates, Isotropic, Layer, LayerError, LayerStates, Material, Plane,
-    Poisson, Positive, State, Thickness, Wave, stable,
+    ClosedForm, FaceStates, Flexibility, HalfPlane, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates,
+    Material, Plane, Poisson, Positive, State, Thickness, Wave, stable,
 };
 
 /// Up to this λh the amplitudes are the state at mid-depth; beyond, solutions that decay from either face.
@@ -63,8 +63,8 @@ impl Layer for Homogeneous {
         self.isotropic().material(plane)
     }
 
-    fn has_closed_form(&self) -> bool {
-        true
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
     }
 
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
@@ -77,17 +77,18 @@ impl Layer for Homogeneous {
         Some(Arc::new(*ground))
     }
 
-    fn is_like(&self, other: &dyn Layer) -> bool {
-        let other: &dyn Any = other;
-        other.downcast_ref() == Some(self)
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with([self.thickness.get(), self.shear_modulus.get(), self.poisson.get()]))
     }
+}
 
+impl ClosedForm for Homogeneous {
     fn face_states(&self, wave: &Wave) -> FaceStates {
         let depth = wave.wavenumber * self.thickness.get();
         if depth < THIN { thin(&self.isotropic(), wave, depth) } else { thick(&self.isotropic(), wave, depth) }
     }
 
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let (material, z) = (self.isotropic(), wave.wavenumber * self.thickness.get());
         let inside = depths.iter().map(|depth| {
             let below = (wave.wavenumber * depth).min(z);
@@ -97,7 +98,7 @@ impl Layer for Homogeneous {
                 thick_inside(&material, wave, below, z)
             }
         });
-        LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
+        Some(LayerStates { inside: inside.collect(), faces: self.face_states(wave) })
     }
 
     /// With z = λh and g = (κ + 1)/(4μ), the half sum and half difference of the responses to equal loads,

@@ -3,7 +3,7 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::{FaceStates, Flexibility, LayerStates, Material, Plane, Wave, graded};
+use crate::{FaceStates, Flexibility, Key, LayerStates, Material, Plane, Wave, graded};
 
 /// How a layer is written in drawings and messages.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,8 +48,8 @@ impl Notation {
 ///
 /// # Laws
 ///
-/// 1. **Same thing.** Whatever is overridden must agree with what is provided, for λh from 1e-8 to 1e8 to eleven
-///    digits.
+/// 1. **Same thing.** A closed form must agree with what the material gives, for λh from 1e-8 to 1e8 to eleven digits, and
+///    layers with equal [keys](Layer::key) with each other.
 /// 2. **No time, no state.** The same question always gets the same answer.
 /// 3. **Elastic.** All four coefficients of the [`Material`] are finite, `shear_compliance` and `axial_stiffness` are
 ///    positive, and `coupling`² + `axial_stiffness` · `normal_compliance` is.
@@ -59,16 +59,14 @@ impl Notation {
 /// [`conformance`](crate::conformance) puts these laws, and what mechanics concludes from them, to any layer; one line,
 /// [`layer_laws!`](crate::layer_laws), makes tests of them.
 ///
-/// # When to override a provided method
+/// # When to offer a closed form
 ///
-/// The provided [`face_states`](Layer::face_states) integrates the state equations, to twelve digits. A stack remembers
-/// what it has integrated, and then needs some ten microseconds per wavenumber. Override it, and
-/// [`has_closed_form`](Layer::has_closed_form) with it, when there is a closed form *that keeps its digits at both ends*: for λh → 0, where a free layer bends with λ⁻⁴, and for λh → ∞, where only decaying
-/// exponentials may be formed. Where there is a closed form of the [`flexibility`](Layer::flexibility) too, e.g. for
-/// the symmetric and the antisymmetric load of a homogeneous strip, override it as well; else it is solved for.
-///
-/// Who overrides `face_states` and wants fields inside to be as fast overrides [`states`](Layer::states) too: the same
-/// closed form at any depth.
+/// [`face_states`](#method.face_states) integrates the state equations, to twelve digits. A stack remembers
+/// what it has integrated, and then needs some ten microseconds per wavenumber. Offer a [`ClosedForm`] by
+/// [`closed_form`](Layer::closed_form) where there is one *that keeps its digits at both ends*: for λh → 0, where a free layer
+/// bends with λ⁻⁴, and for λh → ∞, where only decaying exponentials may be formed. Nobody but the layer's own
+/// `closed_form` decides which is used: what is asked of a layer, [`face_states`](#method.face_states),
+/// [`states`](#method.states) and [`flexibility`](#method.flexibility) of `dyn Layer`, cannot be overridden.
 ///
 /// # Example: a layer of one's own
 ///
@@ -122,15 +120,21 @@ pub trait Layer: Debug + Send + Sync + Any {
     }
 
     /// Whether this is an elastic body, as is provided. A support such as springs, without a thickness, is none: it
-    /// overrides [`face_states`](Layer::face_states), and its material is [`Material::NONE`].
+    /// offers a [`closed_form`](Layer::closed_form), and its material is [`Material::NONE`].
     fn has_material(&self) -> bool {
         true
     }
 
-    /// Whether [`face_states`](Layer::face_states) is overridden; if not, as is provided, a stack keeps what the general
-    /// body computes of the layer, see [`graded::Remembering`].
-    fn has_closed_form(&self) -> bool {
-        false
+    /// The layer itself, if its fields are known in closed form; `None`, as is provided, leaves them to the general body,
+    /// of which a stack keeps what it computes, see [`graded::Remembering`].
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        None
+    }
+
+    /// What tells this layer from others: its type and all of its parameters. A stack evaluates sequences of layers that are
+    /// repeated only once. Provided: `None`, it is the same as no other.
+    fn key(&self) -> Option<Key> {
+        None
     }
 
     /// This layer and the one bonded below it as one layer, if both are one body cut in two: it fills both and is, at any
@@ -150,29 +154,49 @@ pub trait Layer: Debug + Send + Sync + Any {
         let _ = below;
         None
     }
+}
 
-    /// Whether another layer is the same, wherever it lies: a stack evaluates sequences of layers that are repeated only once.
-    /// Provided: nothing is known, `false`.
-    fn is_like(&self, other: &dyn Layer) -> bool {
-        let _ = other;
-        false
+/// Fields of a layer in closed form, in place of the general body.
+///
+/// Only [`face_states`](ClosedForm::face_states) is required. [`conformance`](crate::conformance) compares each of these with
+/// what the material gives.
+pub trait ClosedForm {
+    /// States at the faces as functions of the layer's amplitudes.
+    fn face_states(&self, wave: &Wave) -> FaceStates;
+
+    /// States at the faces and at `depths` below the top face, in ascending order from 0 to the thickness, in amplitudes
+    /// common to all of them, which need not be those of [`face_states`](ClosedForm::face_states): what the fields inside a
+    /// stack are made of. `None`, as is provided, leaves them to the general body.
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
+        let _ = (wave, depths);
+        None
     }
 
-    /// States at the faces as functions of the layer's amplitudes; provided by [`graded::face_states`].
-    fn face_states(&self, wave: &Wave) -> FaceStates {
-        graded::face_states(self, wave)
+    /// Flexibility of the layer alone with shear-free faces, e.g. for the symmetric and the antisymmetric load of a
+    /// homogeneous strip; provided by solving for it with the face states.
+    fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
+        Flexibility::of_face_states(&self.face_states(wave))
+    }
+}
+
+/// What is asked of a layer.
+impl dyn Layer {
+    /// States at the faces as functions of the layer's amplitudes: the layer's closed form, or [`graded::face_states`].
+    pub fn face_states(&self, wave: &Wave) -> FaceStates {
+        self.closed_form().map_or_else(|| graded::face_states(self, wave), |closed| closed.face_states(wave))
     }
 
     /// States at the faces and at `depths` below the top face, in ascending order from 0 to the thickness, in amplitudes
-    /// common to all of them: what the fields inside a stack are made of. The amplitudes need not be those of
-    /// [`face_states`](Layer::face_states). Provided by [`graded::states`].
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
-        graded::states(self, wave, depths)
+    /// common to all of them; they need not be those of [`face_states`](#method.face_states). The layer's closed form, or
+    /// [`graded::states`].
+    pub fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+        let closed = self.closed_form().and_then(|closed| closed.states(wave, depths));
+        closed.unwrap_or_else(|| graded::states(self, wave, depths))
     }
 
-    /// Flexibility of the layer alone with shear-free faces; `None` for a half-plane, see [`Flexibility`]. Provided by
-    /// solving for it with the face states.
-    fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        Flexibility::of_face_states(&self.face_states(wave))
+    /// Flexibility of the layer alone with shear-free faces; `None` for a half-plane, see [`Flexibility`].
+    pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
+        let general = || Flexibility::of_face_states(&graded::face_states(self, wave));
+        self.closed_form().map_or_else(general, |closed| closed.flexibility(wave))
     }
 }

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::graded::surface_states;
 use crate::{
-    FaceStates, Finite, InnerStates, Layer, LayerError, LayerStates, Material, Plane, Positive, Thickness, Wave,
+    ClosedForm, FaceStates, Finite, InnerStates, Key, Layer, LayerError, LayerStates, Material, Plane, Positive,
+    Thickness, Wave,
 };
 
 /// By how much the determinant of a material on the verge of instability may be negative for rounding.
@@ -200,9 +201,8 @@ impl Layer for Orthotropic {
         EngineeringConstants { young, poisson, shear_modulus }.material(plane)
     }
 
-    fn is_like(&self, other: &dyn Layer) -> bool {
-        let other: &dyn Any = other;
-        other.downcast_ref() == Some(self)
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with_debug(self))
     }
 
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
@@ -274,22 +274,28 @@ impl Layer for OrthotropicHalfPlane {
         EngineeringConstants { young, poisson, shear_modulus }.material(plane)
     }
 
-    fn has_closed_form(&self) -> bool {
-        true
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
     }
 
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with_debug(self))
+    }
+}
+
+impl ClosedForm for OrthotropicHalfPlane {
     /// Amplitudes = (S, T) on the face.
     fn face_states(&self, wave: &Wave) -> FaceStates {
         FaceStates::HalfPlane { top: surface_states(&self.material(0.0, wave.plane), wave.modulus, 0.0) }
     }
 
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let material = self.material(0.0, wave.plane);
         let inside = depths.iter().map(|depth| {
             let states = surface_states(&material, wave.modulus, wave.wavenumber * depth);
             InnerStates::thick(Matrix4::from_fn(|i, j| if j < 2 { states[(i, j)] } else { 0.0 }))
         });
-        LayerStates { inside: inside.collect(), faces: self.face_states(wave) }
+        Some(LayerStates { inside: inside.collect(), faces: self.face_states(wave) })
     }
 }
 

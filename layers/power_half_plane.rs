@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Carrying, Isotropic, Layer, LayerError, Material, Plane, Poisson, Positive};
+use crate::{Carrying, Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive};
 
 /// Isotropic half-plane of constant Poisson's ratio whose shear modulus is μ_top (1 + d/l)^m at depth d below its face,
 /// m > −1: like soil, which stiffens under its own weight, or like ground that was compacted from above and softens.
@@ -54,5 +54,14 @@ impl Layer for PowerHalfPlane {
     fn material(&self, depth: f64, plane: Plane) -> Material {
         let growth = (self.exponent.get() * (depth / self.length.get()).ln_1p()).exp();
         Isotropic { shear_modulus: self.shear_modulus.get() * growth, poisson: self.poisson.get() }.material(plane)
+    }
+
+    fn key(&self) -> Option<Key> {
+        Some(Key::of::<Self>().with([
+            self.shear_modulus.get(),
+            self.poisson.get(),
+            self.length.get(),
+            self.exponent.get(),
+        ]))
     }
 }

@@ -6,7 +6,9 @@ use nalgebra::{Matrix4, Matrix4x2};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{FaceStates, InnerStates, Layer, LayerError, LayerStates, Material, Plane, Positive, State, Wave};
+use crate::{
+    ClosedForm, FaceStates, InnerStates, Layer, LayerError, LayerStates, Material, Plane, Positive, State, Wave,
+};
 
 /// Winkler's foundation: springs side by side, none of which feels its neighbours, under the lowest layer of a stack.
 ///
@@ -76,10 +78,12 @@ impl Layer for Winkler {
         Material::NONE
     }
 
-    fn has_closed_form(&self) -> bool {
-        true
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
     }
+}
 
+impl ClosedForm for Winkler {
     /// Amplitudes: of the motion along the face, and of that across it, each with the stress that belongs to it.
     fn face_states(&self, wave: &Wave) -> FaceStates {
         // λμ₀ and k may be of any size: only their ratio counts
@@ -96,8 +100,8 @@ impl Layer for Winkler {
     }
 
     /// Springs have no inside: no states at any depth.
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let nothing = InnerStates { columns: Matrix4::zeros(), uniform: State::zeros() };
-        LayerStates { faces: self.face_states(wave), inside: vec![nothing; depths.len()] }
+        Some(LayerStates { faces: self.face_states(wave), inside: vec![nothing; depths.len()] })
     }
 }

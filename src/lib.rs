@@ -89,9 +89,9 @@ pub use options::{Method, Options, OptionsError};
 /// The crate of the layers: for user-defined layer types, and the laws that they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{
-    EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane, Homogeneous,
-    Isotropic, Layer, LayerError, Material, Notation, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane,
-    Profile, Registry, Wave, Winkler,
+    ClosedForm, EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane,
+    Homogeneous, Isotropic, Key, Layer, LayerError, Material, Notation, Orthotropic, OrthotropicHalfPlane, Plane,
+    PowerHalfPlane, Profile, Registry, Wave, Winkler,
 };
 pub use scene::{
     Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,

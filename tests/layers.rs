@@ -8,8 +8,8 @@
 //! ```
 use recede::layers::{Poisson, Positive};
 use recede::{
-    BaseChain, BlockSystem, EngineeringConstants, Exponential, Force, Graded, GradedHalfPlane, HalfPlane, Homogeneous,
-    Isotropic, Layer, Model, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Punch, Stack,
+    BaseChain, BlockSystem, ClosedForm, EngineeringConstants, Exponential, Force, Graded, GradedHalfPlane, HalfPlane,
+    Homogeneous, Isotropic, Model, Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Punch, Stack,
     StackBuilder, Wave, Winkler,
 };
 

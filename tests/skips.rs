@@ -11,16 +11,15 @@
 //!   ██████████  μ            ██████████
 //!   ══╤════╤══               ══╤════╤══
 //! ```
-use recede::layers::LayerStates;
 use recede::{
-    BlockSystem, EngineeringConstants, Exponential, FaceStates, Flexibility, FreeChain, Graded, HalfPlane, Homogeneous,
-    Item, Layer, Material, Model, Orthotropic, Plane, Profile, Punch, Solution, Stack, StackBuilder, Wave,
+    BlockSystem, ClosedForm, EngineeringConstants, Exponential, FreeChain, Graded, HalfPlane, Homogeneous, Item, Layer,
+    Material, Model, Orthotropic, Plane, Profile, Punch, Solution, Stack, StackBuilder, Wave,
 };
 
 /// Two ways to compute the same, each to its last digits.
 const SAME: f64 = 1e-12;
 
-/// A layer that claims neither to continue nor to be like another one.
+/// A layer that claims neither to continue nor, by a key, to be the same as another one.
 #[derive(Debug)]
 struct Apart<L>(L);
 
@@ -37,20 +36,8 @@ impl<L: Layer> Layer for Apart<L> {
         self.0.kinks()
     }
 
-    fn has_closed_form(&self) -> bool {
-        self.0.has_closed_form()
-    }
-
-    fn face_states(&self, wave: &Wave) -> FaceStates {
-        self.0.face_states(wave)
-    }
-
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
-        self.0.states(wave, depths)
-    }
-
-    fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        self.0.flexibility(wave)
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        self.0.closed_form()
     }
 }
 

@@ -275,7 +275,7 @@ impl Steep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Layer, Plane};
+    use crate::{ClosedForm, Plane};
 
     #[test]
     fn every_entry_of_a_steep_layer_with_a_stiff_top_keeps_its_digits() {

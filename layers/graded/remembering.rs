@@ -3,11 +3,11 @@ use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Tree, of_layer, states_of_layer};
-use crate::{FaceStates, Flexibility, Layer, LayerStates, Material, Notation, Plane, Wave};
+use crate::{ClosedForm, FaceStates, Key, Layer, LayerStates, Material, Notation, Plane, Wave};
 
 /// A layer whose face states are those of [`face_states`](super::face_states), to the last digit, and which remembers
 /// its slices from one wavenumber to the next. Made once per stack for every layer without
-/// [closed forms](Layer::has_closed_form). Slices for fields inside end at the depths that were asked for last, or at more
+/// [closed forms](Layer::closed_form). Slices for fields inside end at the depths that were asked for last, or at more
 /// than these if they were among those before.
 #[derive(Debug)]
 pub struct Remembering {
@@ -35,7 +35,7 @@ impl Inside {
 impl Remembering {
     /// The layer with nothing remembered yet; a layer that has closed forms is returned as it is.
     pub fn of(layer: Arc<dyn Layer>) -> Arc<dyn Layer> {
-        if layer.has_closed_form() {
+        if layer.closed_form().is_some() {
             return layer;
         }
         Arc::new(Self { layer, strain: Tree::default(), stress: Tree::default(), inside: Mutex::default() })
@@ -71,18 +71,21 @@ impl Layer for Remembering {
         self.layer.has_material()
     }
 
-    fn has_closed_form(&self) -> bool {
-        true
+    /// What is remembered.
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
+    }
+
+    fn key(&self) -> Option<Key> {
+        self.layer.key()
     }
 
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
         self.layer.continues(Self::without_memory(below)).map(Self::of)
     }
+}
 
-    fn is_like(&self, other: &dyn Layer) -> bool {
-        self.layer.is_like(Self::without_memory(other))
-    }
-
+impl ClosedForm for Remembering {
     fn face_states(&self, wave: &Wave) -> FaceStates {
         let tree = match wave.plane {
             Plane::Strain => &self.strain,
@@ -91,7 +94,7 @@ impl Layer for Remembering {
         of_layer(&*self.layer, wave, tree)
     }
 
-    fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
+    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let inside = {
             // what is remembered is whole at any time
             let mut last = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
@@ -103,10 +106,6 @@ impl Layer for Remembering {
                 }
             }
         };
-        states_of_layer(&*self.layer, wave, &inside.tree, &inside.depths, depths)
-    }
-
-    fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        Flexibility::of_face_states(&self.face_states(wave))
+        Some(states_of_layer(&*self.layer, wave, &inside.tree, &inside.depths, depths))
     }
 }

@@ -63,7 +63,7 @@ impl Coefficients {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{FaceStates, HalfPlane, Isotropic, Layer, Plane, Wave};
+    use crate::{ClosedForm, FaceStates, HalfPlane, Isotropic, Plane, Wave};
 
     #[test]
     fn the_surface_of_a_half_plane_is_a_closed_form() {

@@ -2,8 +2,8 @@
 use proptest::prelude::*;
 use recede_layers::conformance::{self, LAWS};
 use recede_layers::{
-    Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Isotropic, Layer, LayerStates, Material, Notation,
-    Plane, Wave, layer_laws,
+    ClosedForm, Exponential, FaceStates, Flexibility, HalfPlane, Homogeneous, Isotropic, Key, Layer, LayerStates,
+    Material, Notation, Plane, Wave, layer_laws,
 };
 
 const PLANES: [Plane; 2] = [Plane::Strain, Plane::Stress];
@@ -151,14 +151,22 @@ impl<L: Layer> Layer for Spoiled<L> {
         self.sound.notation()
     }
 
+    fn closed_form(&self) -> Option<&dyn ClosedForm> {
+        Some(self)
+    }
+}
+
+impl<L: Layer> ClosedForm for Spoiled<L> {
     fn face_states(&self, wave: &Wave) -> FaceStates {
-        let mut states = self.sound.face_states(wave);
+        let sound: &dyn Layer = &self.sound;
+        let mut states = sound.face_states(wave);
         (self.states)(&mut states, self.z(wave));
         states
     }
 
     fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        let mut flexibility = self.sound.flexibility(wave)?;
+        let sound: &dyn Layer = &self.sound;
+        let mut flexibility = sound.flexibility(wave)?;
         (self.flexibility)(&mut flexibility, self.z(wave));
         Some(flexibility)
     }
@@ -313,16 +321,45 @@ fn fields_of_another_depth_are_caught() {
         fn material(&self, depth: f64, plane: Plane) -> Material {
             self.0.material(depth, plane)
         }
-        fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
-            let depths: Vec<f64> = depths.iter().map(|depth| depth * (1.0 - 1e-5 * (2.0 - depth))).collect();
-            self.0.states(wave, &depths)
-        }
         fn notation(&self) -> Notation {
             self.0.notation()
+        }
+        fn closed_form(&self) -> Option<&dyn ClosedForm> {
+            Some(self)
+        }
+    }
+    impl ClosedForm for Displaced {
+        fn face_states(&self, wave: &Wave) -> FaceStates {
+            self.0.face_states(wave)
+        }
+        fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
+            let depths: Vec<f64> = depths.iter().map(|depth| depth * (1.0 - 1e-5 * (2.0 - depth))).collect();
+            self.0.states(wave, &depths)
         }
     }
     assert_breaks(&["inside"], &Displaced(homogeneous(0.25)));
     assert!(!broken(&Displaced(homogeneous(0.25))).contains(&"general_body"), "its faces are right");
+}
+
+#[test]
+fn a_key_that_leaves_out_a_parameter_is_caught() {
+    #[derive(Debug)]
+    struct Forgetful(Homogeneous);
+    impl Layer for Forgetful {
+        fn thickness(&self) -> Option<f64> {
+            self.0.thickness()
+        }
+        fn material(&self, depth: f64, plane: Plane) -> Material {
+            self.0.material(depth, plane)
+        }
+        fn key(&self) -> Option<Key> {
+            Some(Key::of::<Self>().with([2.0]))
+        }
+    }
+    let [soft, stiff] = [0.1, 0.3].map(|poisson| Forgetful(homogeneous(poisson)));
+    let violation = conformance::same_key(&soft, &stiff, Plane::Strain).expect_err("the ratio is left out");
+    assert_eq!((violation.law, violation.quantity), ("identity", "material of what has the same key"));
+    assert!(!broken(&soft).contains(&"identity"), "one layer alone cannot tell");
 }
 
 #[test]
@@ -352,7 +389,8 @@ fn an_isotropic_layer_of_ones_own_is_the_shipped_one() {
     let layer = Mine(exponential(-2.0));
     for wavenumber in [1e-8, 1e-3, 0.3, 1.0, 3.0, 20.0, 1e5] {
         let wave = Wave { wavenumber, modulus: 1.0, plane: Plane::Strain };
-        let [mine, shipped] = [layer.flexibility(&wave), layer.0.flexibility(&wave)].map(|c| c.expect("finite"));
+        let layers: [&dyn Layer; 2] = [&layer, &layer.0];
+        let [mine, shipped] = layers.map(|layer| layer.flexibility(&wave).expect("finite"));
         for (a, b) in [(mine.top, shipped.top), (mine.bottom, shipped.bottom), (mine.equal_top, shipped.equal_top)] {
             assert!((a / b - 1.0).abs() < 1e-12, "λ = {wavenumber}: {a:e} ≠ {b:e}");
         }

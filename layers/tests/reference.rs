@@ -163,7 +163,7 @@ fn a_laminate_is_a_layer_whose_material_jumps() {
         if case.layers_top_down.len() < 2 {
             continue;
         }
-        let layer = AsOne(case.layers_top_down.clone());
+        let layer: &dyn Layer = &AsOne(case.layers_top_down.clone());
         for row in case.rows() {
             let found = layer.flexibility(&wave(row.0)).expect("finite");
             compare(&name, &found, row, FOUND_JUMPS, true);

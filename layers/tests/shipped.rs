@@ -1,9 +1,9 @@
 //! Graded and orthotropic layers: the laws, the limits in which they are simpler layers, and how they are read.
 use recede_layers::conformance;
 use recede_layers::{
-    EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane, Homogeneous,
-    Isotropic, Layer, Orthotropic, OrthotropicHalfPlane, Plane, Poisson, Positive, PowerHalfPlane, Profile, Registry,
-    Wave, Winkler, graded, layer_laws,
+    ClosedForm, EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane,
+    Homogeneous, Isotropic, Layer, Orthotropic, OrthotropicHalfPlane, Plane, Poisson, Positive, PowerHalfPlane,
+    Profile, Registry, Wave, Winkler, graded, layer_laws,
 };
 
 const PLANES: [Plane; 2] = [Plane::Strain, Plane::Stress];
@@ -178,8 +178,8 @@ fn a_graded_half_plane_without_grading_is_a_half_plane() {
             let power = PowerHalfPlane::new(3.0, poisson, 1.0, beta).expect("legal");
             for plane in PLANES {
                 let wave = Wave { wavenumber: 2.0, modulus: 5.0, plane };
-                let [a, b, c] = [graded.face_states(&wave), power.face_states(&wave), plain.face_states(&wave)]
-                    .map(|states| compliance(&states));
+                let layers: [&dyn Layer; 3] = [&graded, &power, &plain];
+                let [a, b, c] = layers.map(|layer| compliance(&layer.face_states(&wave)));
                 for found in [a, b] {
                     assert!((found / c - 1.0).abs() < beta + 1e-14, "ν = {poisson}, β = {beta}: {found} {c}");
                 }
@@ -191,7 +191,7 @@ fn a_graded_half_plane_without_grading_is_a_half_plane() {
 #[test]
 fn a_graded_half_plane_is_a_thick_exponential_layer() {
     for (poisson, beta) in [(0.25, 1.0), (0.4, 5.0), (0.0, 30.0)] {
-        let ground = GradedHalfPlane::new(3.0, poisson, beta).expect("legal");
+        let ground: &dyn Layer = &GradedHalfPlane::new(3.0, poisson, beta).expect("legal");
         let layer = Exponential::new(40.0 / beta, 3.0, poisson, beta).expect("legal");
         for wavenumber in [2.0, 7.0, 1e3] {
             let wave = Wave { wavenumber: beta * wavenumber, modulus: 2.0, plane: Plane::Strain };
@@ -243,6 +243,52 @@ fn depths_inside_that_were_among_others_before_find_the_same_fields() {
             assert!((found - expected).amax() < 1e-9 * expected.amax().max(1.0), "{wavenumber}: {found} {expected}");
         }
     }
+}
+
+/// What a scene may say of each layer that ships.
+const WRITTEN: [(&str, &str); 8] = [
+    ("Homogeneous", "(thickness: 1.5, shear_modulus: 2.5, poisson: 0.25)"),
+    ("Exponential", "(thickness: 1.5, shear_modulus: 2.5, poisson: 0.25, beta: 0.75)"),
+    ("Graded", "(thickness: 1.5, shear_modulus: Power(surface: 2.5, length: 0.5, exponent: 1.25), poisson: 0.25)"),
+    (
+        "Orthotropic",
+        "(thickness: 1.5, young: (x: 14.5, y: 1.25, z: 1.5), poisson: (xy: 0.25, xz: 0.35, yz: 0.45), shear_modulus: 0.5)",
+    ),
+    ("HalfPlane", "(shear_modulus: 2.5, poisson: 0.25)"),
+    ("GradedHalfPlane", "(shear_modulus: 2.5, poisson: 0.25, beta: 0.75)"),
+    ("PowerHalfPlane", "(shear_modulus: 2.5, poisson: 0.25, length: 0.5, exponent: 0.75)"),
+    (
+        "OrthotropicHalfPlane",
+        "(young: (x: 14.5, y: 1.25, z: 1.5), poisson: (xy: 0.25, xz: 0.35, yz: 0.45), shear_modulus: 0.5)",
+    ),
+];
+
+#[test]
+fn keys_are_equal_if_all_parameters_are() {
+    let registry = Registry::default();
+    for (name, text) in WRITTEN {
+        let entry = registry.get(name).expect("registered");
+        let read = |text: &str| (entry.read)(text).expect("legal");
+        let layer = read(text);
+        assert!(layer.key().is_some() && layer.key() == read(text).key(), "{name}");
+        for plane in PLANES {
+            assert_eq!(conformance::same_key(&*layer, &*read(text), plane), Ok(()), "{name}");
+        }
+        // every number in turn, changed by its last digit or so
+        let numbers = text.match_indices(|c: char| c.is_ascii_digit() || c == '.').map(|(at, _)| at);
+        let starts = numbers.filter(|at| !text[..*at].ends_with(|c: char| c.is_ascii_digit() || c == '.'));
+        for start in starts.collect::<Vec<_>>() {
+            let length = text[start..].find([',', ')']).expect("something follows");
+            let number: f64 = text[start..start + length].parse().expect("a number");
+            let changed = format!("{}{:?}{}", &text[..start], number.next_up(), &text[start + length..]);
+            assert_ne!(layer.key(), read(&changed).key(), "{changed}");
+        }
+    }
+    let keys: std::collections::HashSet<_> = WRITTEN
+        .iter()
+        .map(|(name, text)| (registry.get(name).expect("registered").read)(text).expect("legal").key())
+        .collect();
+    assert_eq!(keys.len(), WRITTEN.len(), "types differ");
 }
 
 /// A layer read by its registered name, and how it is written in drawings.

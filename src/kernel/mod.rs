@@ -144,7 +144,7 @@ impl Chains {
     fn rounds(&self, laminate: usize) -> bool {
         let [layer] = self.laminates[laminate].layers() else { return true };
         let at = |depth: f64| layer.material(depth, self.plane);
-        !layer.has_closed_form() || at(0.0) != at(layer.thickness().unwrap_or(0.0))
+        layer.closed_form().is_none() || at(0.0) != at(layer.thickness().unwrap_or(0.0))
     }
 
     /// Thickness of the thinnest layer next to contact i, in units of L; infinite next to a half-plane only.

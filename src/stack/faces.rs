@@ -23,7 +23,7 @@ impl Stack {
 }
 
 fn check(placed: &Placed, plane: Plane, bottom: bool, length: f64) -> Result<(), StackError> {
-    if placed.layer.has_closed_form() {
+    if placed.layer.closed_form().is_some() {
         return Ok(());
     }
     rough_face(&*placed.layer, plane, bottom, length).map_or(Ok(()), |rough| {

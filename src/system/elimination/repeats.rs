@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector4};
-use recede_layers::{FaceStates, Layer, Plane, Wave};
+use recede_layers::{FaceStates, Key, Layer, Wave};
 
 use super::junction::Junction;
 
@@ -81,25 +81,15 @@ pub(super) fn find(layers: &[Arc<dyn Layer>], junctions: &[Junction]) -> Vec<Rep
     repeats
 }
 
-/// Which layers are alike: the same number, none where that is not known.
+/// Which layers are the same: the same number, none where that is not known.
 fn kinds(layers: &[Arc<dyn Layer>]) -> Vec<Option<usize>> {
-    // those that may be alike
-    let mut alike: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
-    let mut kinds: Vec<Option<usize>> = Vec::with_capacity(layers.len());
-    for (i, layer) in layers.iter().enumerate() {
-        let Some(thickness) = layer.thickness().filter(|_| layer.has_closed_form() && layer.has_material()) else {
-            kinds.push(None);
-            continue;
-        };
-        let [top, bottom] = [0.0, thickness].map(|depth| layer.material(depth, Plane::Strain).axial_stiffness);
-        let others = alike.entry([thickness, top, bottom].map(f64::to_bits)).or_default();
-        let first = others.iter().find(|k| layer.is_like(&*layers[**k])).copied();
-        if first.is_none() {
-            others.push(i);
-        }
-        kinds.push(Some(first.unwrap_or(i)));
-    }
-    kinds
+    let mut first: HashMap<Key, usize> = HashMap::new();
+    let own = |(i, layer): (usize, &Arc<dyn Layer>)| {
+        // a base is not repeated
+        layer.thickness()?;
+        Some(*first.entry(layer.key()?).or_insert(i))
+    };
+    layers.iter().enumerate().map(own).collect()
 }
 
 /// Some layers of a chain as bodies, top down, for one wave.
@@ -208,7 +198,7 @@ fn adjoint(matrix: &Matrix4<f64>) -> Matrix4<f64> {
 
 #[cfg(test)]
 mod tests {
-    use recede_layers::{Exponential, Flexibility, HalfPlane, Homogeneous};
+    use recede_layers::{Exponential, Flexibility, HalfPlane, Homogeneous, Plane};
 
     use super::super::{BaseChain, FreeChain};
     use super::*;

@@ -63,6 +63,8 @@ fn layer() -> impl Strategy<Value = Item> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn fields_inside_obey_the_rows(
         above in prop::collection::vec((layer(), interface()), 1..7),
