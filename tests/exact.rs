@@ -161,7 +161,7 @@ fn a_stiff_strip_is_a_beam() {
 
 /// The pressure at x below a line load P = 1 if the strip nowhere lifts off from a rigid base.
 fn pressure_without_lifting(stack: &Stack) -> impl Fn(f64) -> f64 + use<> {
-    let chain = FreeChain::all(&BlockSystem::new(&stack)).remove(0);
+    let chain = FreeChain::all(&BlockSystem::new(stack)).remove(0);
     let (places, step) = (4000, 0.01);
     // V = 0 at the bottom: C_bt S_top + C_bb S_bottom = 0
     let transform = |wavenumber: f64| {

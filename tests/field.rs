@@ -49,84 +49,44 @@ fn wood() -> EngineeringConstants {
     EngineeringConstants::new([1.2, 1.0, 0.5], [0.2, 0.25, 0.3], 1.7).expect("stable")
 }
 
+fn built(builder: recede::StackBuilder) -> Stack {
+    builder.build().expect("legal")
+}
+
 fn cases() -> Vec<Case> {
-    let plane = Plane::Strain;
-    let stack = || Stack::builder(plane);
-    let built = |builder: recede::StackBuilder| builder.build().expect("legal");
+    let stack = || Stack::builder(Plane::Strain);
+    let on_ground = stack().layer(strip(1.0, 1.0)).receding().layer(ground(1.0));
+    let on_rigid = stack().layer(strip(1.0, 1.0)).receding().rigid();
+    let coating = stack().layer(strip(0.3, 20.0)).bonded().layer(ground(1.0));
+    let graded_on_ground = stack().layer(graded(1.0, -1.0)).receding().layer(ground(1.0));
+    let bonded = Stack::builder(Plane::Stress).layer(graded(1.0, 2.0)).bonded().layer(strip(0.5, 3.0)).bonded().rigid();
     vec![
-        Case::new(
-            "strip on half-plane",
-            built(stack().layer(strip(1.0, 1.0)).receding().layer(ground(1.0))),
-            500.0,
-            0.002,
-        ),
-        Case::new("strip on rigid base", built(stack().layer(strip(1.0, 1.0)).receding().rigid()), 500.0, 0.002),
-        Case::new("coating", built(stack().layer(strip(0.3, 20.0)).bonded().layer(ground(1.0))), 50.0, 0.02),
-        Case::new(
-            "graded layer on half-plane",
-            built(stack().layer(graded(1.0, -1.0)).receding().layer(ground(1.0))),
-            500.0,
-            0.002,
-        ),
-        Case::new(
-            "three contacts",
-            built(
-                stack()
-                    .layer(strip(0.5, 2.0))
-                    .bonded()
-                    .layer(graded(0.7, 1.5))
-                    .receding()
-                    .layer(strip(0.8, 1.0))
-                    .bonded()
-                    .layer(graded(0.4, -3.0))
-                    .receding()
-                    .layer(strip(0.5, 0.5))
-                    .bonded()
-                    .layer(ground(2.0)),
-            ),
-            300.0,
-            0.003,
-        ),
-        Case::new(
-            "composite on wood",
-            built(
-                stack()
-                    .layer(Orthotropic::new(0.8, ply()).expect("legal"))
-                    .receding()
-                    .layer(OrthotropicHalfPlane::new(wood())),
-            ),
-            500.0,
-            0.002,
-        ),
-        Case::new(
-            "plywood on composite",
-            built(
-                stack()
-                    .layer(Orthotropic::new(0.3, wood()).expect("legal"))
-                    .bonded()
-                    .layer(Orthotropic::new(0.4, ply()).expect("legal"))
-                    .receding()
-                    .layer(strip(0.3, 1.0))
-                    .bonded()
-                    .layer(OrthotropicHalfPlane::new(ply())),
-            ),
-            500.0,
-            0.002,
-        ),
-        Case::new(
-            "bonded to rigid base",
-            Stack::builder(Plane::Stress)
-                .layer(graded(1.0, 2.0))
-                .bonded()
-                .layer(strip(0.5, 3.0))
-                .bonded()
-                .rigid()
-                .build()
-                .expect("legal"),
-            100.0,
-            0.01,
-        ),
+        Case::new("strip on half-plane", built(on_ground), 500.0, 0.002),
+        Case::new("strip on rigid base", built(on_rigid), 500.0, 0.002),
+        Case::new("coating", built(coating), 50.0, 0.02),
+        Case::new("graded layer on half-plane", built(graded_on_ground), 500.0, 0.002),
+        Case::new("three contacts", three_contacts(), 300.0, 0.003),
+        Case::new("composite on wood", composite_on_wood(), 500.0, 0.002),
+        Case::new("plywood on composite", plywood_on_composite(), 500.0, 0.002),
+        Case::new("bonded to rigid base", built(bonded), 100.0, 0.01),
     ]
+}
+
+fn three_contacts() -> Stack {
+    let upper = Stack::builder(Plane::Strain).layer(strip(0.5, 2.0)).bonded().layer(graded(0.7, 1.5)).receding();
+    let middle = upper.layer(strip(0.8, 1.0)).bonded().layer(graded(0.4, -3.0)).receding();
+    built(middle.layer(strip(0.5, 0.5)).bonded().layer(ground(2.0)))
+}
+
+fn composite_on_wood() -> Stack {
+    let composite = Orthotropic::new(0.8, ply()).expect("legal");
+    built(Stack::builder(Plane::Strain).layer(composite).receding().layer(OrthotropicHalfPlane::new(wood())))
+}
+
+fn plywood_on_composite() -> Stack {
+    let [wood, ply_layer] = [(0.3, wood()), (0.4, ply())].map(|(h, constants)| Orthotropic::new(h, constants));
+    let plywood = Stack::builder(Plane::Strain).layer(wood.expect("legal")).bonded().layer(ply_layer.expect("legal"));
+    built(plywood.receding().layer(strip(0.3, 1.0)).bonded().layer(OrthotropicHalfPlane::new(ply())))
 }
 
 #[track_caller]
