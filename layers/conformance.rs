@@ -29,6 +29,7 @@ mod identity;
 mod inside;
 mod laws;
 mod limits;
+mod supports;
 mod trial;
 
 pub use self::cut::{continues, one_body};
@@ -37,6 +38,7 @@ pub use self::identity::{identity, same_key};
 pub use self::inside::inside;
 pub use self::laws::{finite, general_body, mirror, positive_energy, reciprocity, split_in_two, uniform_pressure};
 pub use self::limits::{free_body, long_wave, short_wave};
+pub use self::supports::support;
 use crate::{Layer, Plane};
 
 /// Relative tolerance of numbers that do not arise by cancellation.

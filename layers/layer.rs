@@ -119,12 +119,6 @@ pub trait Layer: Debug + Send + Sync + Any {
         Vec::new()
     }
 
-    /// Whether this is an elastic body, as is provided. A support such as springs, without a thickness, is none: it
-    /// offers a [`closed_form`](Layer::closed_form), and its material is [`Material::NONE`].
-    fn has_material(&self) -> bool {
-        true
-    }
-
     /// The layer itself, if its fields are known in closed form; `None`, as is provided, leaves them to the general body,
     /// of which a stack keeps what it computes, see [`graded::Remembering`].
     fn closed_form(&self) -> Option<&dyn ClosedForm> {

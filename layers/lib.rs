@@ -51,6 +51,7 @@ mod quantity;
 mod registry;
 mod stable;
 mod state;
+mod support;
 mod winkler;
 
 pub use error::LayerError;
@@ -69,8 +70,9 @@ pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table, TableError};
 pub use quantity::{Carrying, Exponent, Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
 #[cfg(feature = "read")]
-pub use registry::{Entry, ReadError, ReadLayer, Registry, read_ron};
+pub use registry::{Body, Entry, ReadBody, ReadError, Registry, read_ron};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
+pub use support::Support;
 pub use winkler::Winkler;
 
 /// Registers the layer types that ship with `recede`: the one list that feeds the RON reader, its error
@@ -86,5 +88,5 @@ fn register_shipped(registry: &mut Registry) {
     registry.register_described::<PowerHalfPlane>("PowerHalfPlane", "Shear modulus grows as (1 + d/length)^exponent.");
     registry.register_described::<OrthotropicHalfPlane>("OrthotropicHalfPlane", "One orthotropic material.");
     registry
-        .register_described::<Winkler>("Winkler", "Springs on rigid ground; the layer above is to be bonded to them.");
+        .register_support::<Winkler>("Winkler", "Springs on rigid ground; the layer above is to be bonded to them.");
 }

@@ -41,15 +41,6 @@ pub struct Material {
 }
 
 impl Material {
-    /// That of a support which is no elastic body, see [`Layer::has_material`](crate::Layer::has_material): no numbers.
-    pub const NONE: Self = Self {
-        shear_compliance: f64::NAN,
-        normal_compliance: f64::NAN,
-        coupling: f64::NAN,
-        axial_stiffness: f64::NAN,
-        out_of_plane: None,
-    };
-
     /// How fast the slowest field decays with λ·depth, dimensionless: the smaller real part of the roots of
     /// s⁴ − (em − 2c) s² + c² + ed = 0, in which the coefficients are those of this material in the order m, d, c, e. 1 for
     /// any isotropic material, less for one that is stiff along the layers.

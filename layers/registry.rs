@@ -1,4 +1,6 @@
 //! Layer types by name: what a scene file may contain, and how it is read.
+use std::sync::Arc;
+
 use ron::error::SpannedError;
 use ron::extensions::Extensions;
 use schemars::JsonSchema;
@@ -6,11 +8,38 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Deserializer, Segment, Track};
 
-use crate::Layer;
 use crate::description::Value;
+use crate::{Layer, Notation, Support};
 
-/// Reads one layer from its fields as written in a scene file, `(thickness: 1.0, shear_modulus: ...)`.
-pub type ReadLayer = fn(&str) -> Result<Box<dyn Layer>, ReadError>;
+/// What is read by a name: a layer, or a support at the bottom.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// An elastic layer or half-plane.
+    Layer(Arc<dyn Layer>),
+    /// A support that is no elastic body.
+    Support(Arc<dyn Support>),
+}
+
+impl Body {
+    /// The layer, unless it is a support.
+    pub fn layer(&self) -> Option<&Arc<dyn Layer>> {
+        match self {
+            Self::Layer(layer) => Some(layer),
+            Self::Support(_) => None,
+        }
+    }
+
+    /// How it is written in drawings and messages.
+    pub fn notation(&self) -> Notation {
+        match self {
+            Self::Layer(layer) => layer.notation(),
+            Self::Support(support) => support.notation(),
+        }
+    }
+}
+
+/// Reads one layer or support from its fields as written in a scene file, `(thickness: 1.0, shear_modulus: ...)`.
+pub type ReadBody = fn(&str) -> Result<Body, ReadError>;
 
 /// One layer type of a [`Registry`].
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +49,7 @@ pub struct Entry {
     /// One line on what it is.
     pub summary: &'static str,
     /// Reads the fields.
-    pub read: ReadLayer,
+    pub read: ReadBody,
     /// Tells the fields, if the type does, see [`Registry::register_described`].
     pub describe: Option<fn() -> Value>,
 }
@@ -32,7 +61,7 @@ pub struct Entry {
 /// let registry = Registry::default();
 /// let entry = registry.get("Homogeneous").ok_or("not registered")?;
 /// let strip = (entry.read)("(thickness: 1.0, shear_modulus: 80e9, poisson: 0.3)")?;
-/// assert_eq!(strip.thickness(), Some(1.0));
+/// assert_eq!(strip.layer().ok_or("a layer")?.thickness(), Some(1.0));
 /// let error = (entry.read)("(thickness: -1.0, shear_modulus: 80e9, poisson: 0.3)").unwrap_err();
 /// assert_eq!(error.field.as_deref(), Some("thickness"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -53,9 +82,26 @@ impl Default for Registry {
 impl Registry {
     /// Adds a layer type under `name`; a type registered before under the same name is replaced.
     pub fn register<L: Layer + DeserializeOwned>(&mut self, name: &'static str, summary: &'static str) {
-        self.entries.retain(|entry| entry.name != name);
-        let read: ReadLayer = |fields| Ok(Box::new(read_ron::<L>(fields)?));
-        self.entries.push(Entry { name, summary, read, describe: None });
+        self.enter(Entry {
+            name,
+            summary,
+            read: |fields| Ok(Body::Layer(Arc::new(read_ron::<L>(fields)?))),
+            describe: None,
+        });
+    }
+
+    /// Adds a type of supports, with the documentation of their fields; a type registered before under the same name is replaced.
+    pub fn register_support<S>(&mut self, name: &'static str, summary: &'static str)
+    where
+        S: Support + DeserializeOwned + JsonSchema + 'static,
+    {
+        let read: ReadBody = |fields| Ok(Body::Support(Arc::new(read_ron::<S>(fields)?)));
+        self.enter(Entry { name, summary, read, describe: Some(Value::of::<S>) });
+    }
+
+    fn enter(&mut self, entry: Entry) {
+        self.entries.retain(|other| other.name != entry.name);
+        self.entries.push(entry);
     }
 
     /// The same for a layer type that also derives [`JsonSchema`]: its fields, with their documentation, are listed by

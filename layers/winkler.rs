@@ -1,14 +1,12 @@
 //! Springs on rigid ground, the simplest foundation.
 use std::fmt;
 
-use nalgebra::{Matrix4, Matrix4x2};
+use nalgebra::Matrix4x2;
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{
-    ClosedForm, FaceStates, InnerStates, Layer, LayerError, LayerStates, Material, Plane, Positive, State, Wave,
-};
+use crate::{LayerError, Positive, State, Support, Wave};
 
 /// Winkler's foundation: springs side by side, none of which feels its neighbours, under the lowest layer of a stack.
 ///
@@ -19,9 +17,9 @@ use crate::{
 /// body, p = −k v place by place.
 ///
 /// ```
-/// use recede_layers::{Layer, Winkler};
+/// use recede_layers::{Plane, Winkler, conformance};
 /// let springs = Winkler::new(0.1)?;
-/// assert!(springs.thickness().is_none() && !springs.has_material());
+/// assert_eq!(conformance::support(&springs, Plane::Strain), Ok(()));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Deserialize)]
@@ -65,27 +63,9 @@ impl fmt::Debug for Winkler {
     }
 }
 
-impl Layer for Winkler {
-    fn thickness(&self) -> Option<f64> {
-        None
-    }
-
-    fn has_material(&self) -> bool {
-        false
-    }
-
-    fn material(&self, _depth: f64, _plane: Plane) -> Material {
-        Material::NONE
-    }
-
-    fn closed_form(&self) -> Option<&dyn ClosedForm> {
-        Some(self)
-    }
-}
-
-impl ClosedForm for Winkler {
-    /// Amplitudes: of the motion along the face, and of that across it, each with the stress that belongs to it.
-    fn face_states(&self, wave: &Wave) -> FaceStates {
+impl Support for Winkler {
+    /// States: of the motion along the face, and of that across it, each with the stress that belongs to it.
+    fn face_states(&self, wave: &Wave) -> Matrix4x2<f64> {
         // λμ₀ and k may be of any size: only their ratio counts
         let pair = |stiffness: f64| {
             let displacement = wave.wavenumber * wave.modulus;
@@ -94,14 +74,6 @@ impl ClosedForm for Winkler {
         };
         let (u, t) = pair(self.shear_stiffness.map_or(0.0, Positive::get));
         let (v, s) = pair(self.stiffness.get());
-        FaceStates::HalfPlane {
-            top: Matrix4x2::from_columns(&[State::new(u, 0.0, 0.0, t), State::new(0.0, v, s, 0.0)]),
-        }
-    }
-
-    /// Springs have no inside: no states at any depth.
-    fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
-        let nothing = InnerStates { columns: Matrix4::zeros(), uniform: State::zeros() };
-        Some(LayerStates { faces: self.face_states(wave), inside: vec![nothing; depths.len()] })
+        Matrix4x2::from_columns(&[State::new(u, 0.0, 0.0, t), State::new(0.0, v, s, 0.0)])
     }
 }

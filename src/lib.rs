@@ -91,7 +91,7 @@ pub use recede_layers as layers;
 pub use recede_layers::{
     ClosedForm, EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane,
     Homogeneous, Isotropic, Key, Layer, LayerError, Material, Notation, Orthotropic, OrthotropicHalfPlane, Plane,
-    PowerHalfPlane, Profile, Registry, Wave, Winkler,
+    PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
     Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,

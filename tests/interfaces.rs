@@ -66,10 +66,10 @@ fn springs_on_a_rigid_base_are_those_of_winkler() {
         let strip = || begin().layer(strip_of(0.7, 1.0));
         let springs = Winkler::new(0.2).unwrap();
         let found = base(strip().spring(Spring::new(0.2, None).unwrap()).rigid(), wavenumber);
-        close(found, base(strip().bonded().layer(springs), wavenumber), 1e-12, "springs");
+        close(found, base(strip().bonded().support(springs), wavenumber), 1e-12, "springs");
         let found = base(strip().spring(Spring::new(0.2, Some(0.1)).unwrap()).rigid(), wavenumber);
         let sticking = springs.sticking(0.1).unwrap();
-        close(found, base(strip().bonded().layer(sticking), wavenumber), 1e-12, "springs that stick");
+        close(found, base(strip().bonded().support(sticking), wavenumber), 1e-12, "springs that stick");
     }
 }
 

@@ -189,7 +189,7 @@ fn springs_have_a_closed_form() {
     // the free strip, and under it S = k V: C = C_tt + C_tb C_bt/(1/k − C_bb)
     let strip = Homogeneous::new(0.8, 2.0, 0.3).expect("legal");
     for stiffness in [1e-6, 0.1, 3.0, 1e6] {
-        let stack = stack().layer(strip).bonded().layer(Winkler::new(stiffness).expect("legal")).build();
+        let stack = stack().layer(strip).bonded().support(Winkler::new(stiffness).expect("legal")).build();
         let chain = BaseChain::of(&BlockSystem::new(&stack.expect("legal")));
         for wavenumber in [1e-3, 0.1, 1.0, 4.0, 30.0] {
             let wave = Wave { wavenumber, modulus: 2.0, plane: Plane::Strain };
@@ -210,11 +210,11 @@ fn a_strip_cut_in_two_lies_on_springs_as_before() {
     let strip = |thickness| Homogeneous::new(thickness, 2.0, 0.3).expect("legal");
     for springs in [Winkler::new(0.3), Winkler::new(0.3).and_then(|springs| springs.sticking(0.1))] {
         let springs = springs.expect("legal");
-        let cut = stack().layer(strip(0.4)).bonded().layer(strip(0.6)).bonded().layer(springs);
-        assert_same(stack().layer(strip(1.0)).bonded().layer(springs), cut, SAME);
+        let cut = stack().layer(strip(0.4)).bonded().layer(strip(0.6)).bonded().support(springs);
+        assert_same(stack().layer(strip(1.0)).bonded().support(springs), cut, SAME);
         let loose = || stack().layer(strip(0.5)).receding();
-        let cut = loose().layer(strip(0.4)).bonded().layer(strip(0.6)).bonded().layer(springs);
-        assert_same(loose().layer(strip(1.0)).bonded().layer(springs), cut, SAME);
+        let cut = loose().layer(strip(0.4)).bonded().layer(strip(0.6)).bonded().support(springs);
+        assert_same(loose().layer(strip(1.0)).bonded().support(springs), cut, SAME);
     }
 }
 
@@ -222,16 +222,16 @@ fn a_strip_cut_in_two_lies_on_springs_as_before() {
 fn stiff_springs_that_stick_are_rigid() {
     let strip = || stack().layer(Homogeneous::new(1.0, 2.0, 0.3).expect("legal")).bonded();
     let stiff = Winkler::new(1e12).and_then(|springs| springs.sticking(1e12)).expect("legal");
-    assert_same(strip().layer(stiff), strip().rigid(), SAME);
+    assert_same(strip().support(stiff), strip().rigid(), SAME);
 }
 
 #[test]
 fn nothing_lies_loose_on_springs() {
     let springs = || Winkler::new(1.0).expect("legal");
     let strip = Homogeneous::new(1.0, 2.0, 0.3).expect("legal");
-    let alone = stack().layer(springs()).build().expect_err("refused");
+    let alone = stack().support(springs()).build().expect_err("refused");
     assert_eq!(alone.to_string(), "nothing is bonded to layer 1 (Winkler)");
-    let error = stack().layer(strip).receding().layer(springs()).build().expect_err("refused");
+    let error = stack().layer(strip).receding().support(springs()).build().expect_err("refused");
     assert_eq!(error.to_string(), "nothing is bonded to layer 2 (Winkler)");
     assert!(error.hint().is_some());
 }

@@ -30,9 +30,9 @@ pub fn continues(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
 /// # Errors
 /// The first number that differs.
 pub fn one_body(above: &dyn Layer, below: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(upper) = Trial::of_material("continues", above, plane) else { return Ok(()) };
+    let Some(upper) = Trial::new("continues", above, plane) else { return Ok(()) };
     let Some(whole) = above.continues(below) else { return Ok(()) };
-    let Some(trial) = Trial::of_material("continues", &*whole, plane) else { return Ok(()) };
+    let Some(trial) = Trial::new("continues", &*whole, plane) else { return Ok(()) };
     let infinite = |thickness: Option<f64>| thickness.unwrap_or(f64::INFINITY);
     let first = trial.wave(USUAL[0]);
     let Some(thickness) = upper.thickness else {

@@ -36,7 +36,7 @@ pub struct RoughFace {
 /// # Errors
 /// The first face where it varies like a power less than 1, or jumps.
 pub fn smooth_faces(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(trial) = Trial::of_material("smooth_faces", layer, plane) else { return Ok(()) };
+    let Some(trial) = Trial::new("smooth_faces", layer, plane) else { return Ok(()) };
     let quantities = [
         ("top", "the exponent of the depth with which the material varies at the top face"),
         ("bottom", "the exponent of the distance with which the material varies at the bottom face"),
@@ -55,7 +55,7 @@ pub fn smooth_faces(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
 pub fn rough_face(layer: &dyn Layer, plane: Plane, bottom: bool, length: f64) -> Option<RoughFace> {
     let thickness = layer.thickness();
     let (largest, steps) = thickness.map_or((STEP.powi(8) * length, 68), |thickness| (thickness, 26));
-    if bottom && thickness.is_none() || !layer.has_material() {
+    if bottom && thickness.is_none() {
         return None;
     }
     let depth = |distance: f64| if bottom { largest - distance } else { distance };

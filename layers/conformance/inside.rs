@@ -17,7 +17,7 @@ const UNFELT: f64 = 1e-12;
 /// # Errors
 /// The first number that differs.
 pub fn inside(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(trial) = Trial::of_material("inside", layer, plane) else { return Ok(()) };
+    let Some(trial) = Trial::new("inside", layer, plane) else { return Ok(()) };
     for wave in USUAL.map(|z| trial.wave(z)) {
         let unit = trial.thickness.unwrap_or(1.0 / wave.wavenumber);
         let depths = DEPTHS.map(|part| part * unit);

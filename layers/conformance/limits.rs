@@ -10,7 +10,7 @@ use crate::{Layer, Material, Plane};
 /// # Errors
 /// The first number that is not in proportion.
 pub fn free_body(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(trial) = Trial::of_material("free_body", layer, plane) else { return Ok(()) };
+    let Some(trial) = Trial::new("free_body", layer, plane) else { return Ok(()) };
     let Some(beam) = trial.beam() else { return Ok(()) };
     let [wave, longer] = [beam.wave(1.0), beam.wave(0.5)];
     let [c, long] = [trial.flexibility(&wave)?, trial.flexibility(&longer)?];
@@ -35,7 +35,7 @@ pub fn free_body(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
 /// # Errors
 /// The first number that is not that of the beam.
 pub fn long_wave(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(trial) = Trial::of_material("long_wave", layer, plane) else { return Ok(()) };
+    let Some(trial) = Trial::new("long_wave", layer, plane) else { return Ok(()) };
     let Some(beam) = trial.beam() else { return Ok(()) };
     let wave = beam.wave(1.0);
     let c = trial.flexibility(&wave)?;
@@ -54,7 +54,7 @@ pub fn long_wave(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
 /// # Errors
 /// The first face that differs from that half-plane.
 pub fn short_wave(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
-    let Some(trial) = Trial::of_material("short_wave", layer, plane) else { return Ok(()) };
+    let Some(trial) = Trial::new("short_wave", layer, plane) else { return Ok(()) };
     let wave = trial.wave(1e8);
     let felt = 30.0 / wave.wavenumber;
     let face = |depth: f64, inside: f64| {

@@ -24,16 +24,8 @@ impl<'a> Trial<'a> {
     /// `None` if the layer has no thickness at all: then there is nothing to be examined.
     pub fn new(law: &'static str, layer: &'a dyn Layer, plane: Plane) -> Option<Self> {
         let thickness = layer.thickness();
-        let modulus = match layer.has_material() {
-            true => layer.material(0.5 * thickness.unwrap_or(0.0), plane).shear_compliance.recip(),
-            false => 1.0,
-        };
+        let modulus = layer.material(0.5 * thickness.unwrap_or(0.0), plane).shear_compliance.recip();
         (thickness != Some(0.0)).then_some(Self { law, layer, plane, thickness, modulus })
-    }
-
-    /// The same for a law on the material; `None` also if there is none.
-    pub fn of_material(law: &'static str, layer: &'a dyn Layer, plane: Plane) -> Option<Self> {
-        Self::new(law, layer, plane).filter(|_| layer.has_material())
     }
 
     pub fn wave(&self, z: f64) -> Wave {
@@ -85,19 +77,6 @@ impl<'a> Trial<'a> {
     pub fn surface(&self, wave: &Wave, states: &FaceStates) -> Result<Matrix2<f64>, Violation> {
         let FaceStates::HalfPlane { top } = states else { return self.solved(wave, None) };
         self.solved(wave, flexibility_of_half_plane(top))
-    }
-
-    /// No combination of a support's columns yields work, U T + V S.
-    pub fn passive(&self, wave: &Wave, states: &FaceStates) -> Result<(), Violation> {
-        let FaceStates::HalfPlane { top } = states else { return self.solved(wave, None) };
-        let work = Matrix2::from_fn(|i, j| {
-            let (one, two) = (top.column(i), top.column(j));
-            0.5 * (one[0] * two[3] + one[3] * two[0] + one[1] * two[2] + one[2] * two[1])
-        });
-        let least = -ROUNDING * work.amax();
-        self.exceeds("U T + V S of one column (more than)", wave, work.diagonal().min(), least - f64::MIN_POSITIVE)?;
-        let least = -ROUNDING * work.amax().powi(2);
-        self.exceeds("determinant of U T + V S (more than)", wave, work.determinant(), least - f64::MIN_POSITIVE)
     }
 
     /// Every column of `states` does, by reciprocity, no net work with any column of `others`: since these are all

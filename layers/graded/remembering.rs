@@ -67,10 +67,6 @@ impl Layer for Remembering {
         self.layer.kinks()
     }
 
-    fn has_material(&self) -> bool {
-        self.layer.has_material()
-    }
-
     /// What is remembered.
     fn closed_form(&self) -> Option<&dyn ClosedForm> {
         Some(self)

@@ -3,7 +3,7 @@ use recede_layers::conformance;
 use recede_layers::{
     ClosedForm, EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane,
     Homogeneous, Isotropic, Layer, Orthotropic, OrthotropicHalfPlane, Plane, Poisson, Positive, PowerHalfPlane,
-    Profile, Registry, Wave, Winkler, graded, layer_laws,
+    Profile, Registry, Support, Wave, Winkler, graded, layer_laws,
 };
 
 const PLANES: [Plane; 2] = [Plane::Strain, Plane::Stress];
@@ -268,7 +268,7 @@ fn keys_are_equal_if_all_parameters_are() {
     let registry = Registry::default();
     for (name, text) in WRITTEN {
         let entry = registry.get(name).expect("registered");
-        let read = |text: &str| (entry.read)(text).expect("legal");
+        let read = |text: &str| (entry.read)(text).expect("legal").layer().expect("a layer").clone();
         let layer = read(text);
         assert!(layer.key().is_some() && layer.key() == read(text).key(), "{name}");
         for plane in PLANES {
@@ -286,7 +286,9 @@ fn keys_are_equal_if_all_parameters_are() {
     }
     let keys: std::collections::HashSet<_> = WRITTEN
         .iter()
-        .map(|(name, text)| (registry.get(name).expect("registered").read)(text).expect("legal").key())
+        .map(|(name, text)| {
+            (registry.get(name).expect("registered").read)(text).expect("legal").layer().expect("a layer").key()
+        })
         .collect();
     assert_eq!(keys.len(), WRITTEN.len(), "types differ");
 }
@@ -381,5 +383,35 @@ fn wrong_layers_are_refused() {
     }
 }
 
-layer_laws!(springs, Winkler::new(0.3).expect("legal"));
-layer_laws!(springs_that_stick, Winkler::new(0.3).and_then(|springs| springs.sticking(2.0)).expect("legal"));
+#[test]
+fn springs_are_a_support() {
+    for springs in [Winkler::new(0.3), Winkler::new(0.3).and_then(|springs| springs.sticking(2.0))] {
+        let springs = springs.expect("legal");
+        for plane in PLANES {
+            assert_eq!(conformance::support(&springs, plane), Ok(()));
+        }
+    }
+}
+
+#[test]
+fn a_support_that_drives_what_lies_on_it_is_caught() {
+    #[derive(Debug)]
+    struct Spoiled(fn(&mut nalgebra::Matrix4x2<f64>));
+    impl Support for Spoiled {
+        fn face_states(&self, wave: &Wave) -> nalgebra::Matrix4x2<f64> {
+            let mut states =
+                Winkler::new(0.3).and_then(|springs| springs.sticking(2.0)).expect("legal").face_states(wave);
+            self.0(&mut states);
+            states
+        }
+    }
+    for (spoil, said) in [
+        ((|states| states[(2, 1)] *= -1.0) as fn(&mut nalgebra::Matrix4x2<f64>), "U T + V S of one state"),
+        (|states| states[(1, 0)] += 0.5, "U₁T₂ − T₁U₂"),
+        (|states| states[(0, 0)] = f64::NAN, "a number of a state"),
+        (|states| states.fill_column(1, 0.0), "the largest number of a state"),
+    ] {
+        let violation = conformance::support(&Spoiled(spoil), Plane::Strain).expect_err(said);
+        assert!(violation.quantity.starts_with(said), "{violation}");
+    }
+}

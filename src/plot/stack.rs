@@ -115,7 +115,10 @@ impl Drawing<'_> {
         }
         let foundation = self.stack.base().foundation();
         let depth = if foundation.half_plane().is_some() { 0.4 * BASE } else { 6.0 };
-        labels.push((y + depth, foundation.placed().map_or("rigid".to_owned(), |placed| self.name(placed))));
+        let support = foundation.support().map(|(_, support)| support.notation());
+        let name = foundation.half_plane().map(|placed| self.name(placed));
+        let name = name.or(support.map(|notation| format!("{}({})", notation.kind, notation.parameters)));
+        labels.push((y + depth, name.unwrap_or("rigid".to_owned())));
         if let Some(more) = labels.len().checked_sub(NAMES).filter(|more| *more > 1) {
             let left_out: Vec<(f64, String)> = labels.drain(NAMES / 2..NAMES / 2 + more).collect();
             let middle = left_out[more / 2].0;
@@ -129,12 +132,8 @@ impl Drawing<'_> {
         labels.into_iter().map(below).collect()
     }
 
-    /// Thickness and modulus of a layer; a support without a material as it is written.
+    /// Thickness and modulus of a layer.
     fn name(&self, placed: &Placed) -> String {
-        if !placed.layer.has_material() {
-            let notation = placed.layer.notation();
-            return format!("{}({})", notation.kind, notation.parameters);
-        }
         let modulus = placed.layer.material(0.0, self.scene.plane).shear_compliance.recip();
         let with = |dimension| unit(self.scene, dimension).map_or(String::new(), |unit| format!(" {unit}"));
         let (stress, length) = (with(Dimension::Stress), with(Dimension::Length));

@@ -2,7 +2,7 @@
 use std::sync::Arc;
 
 use recede_layers::description::{Form, Value};
-use recede_layers::{Layer, Registry};
+use recede_layers::{Body, Layer, Registry, Support};
 
 use super::Spring;
 
@@ -14,6 +14,8 @@ pub(super) const SPRING: &str = "Spring";
 pub enum Item {
     /// An elastic layer, or the half-plane at the bottom.
     Layer(Arc<dyn Layer>),
+    /// A support at the bottom that is no elastic body.
+    Support(Arc<dyn Support>),
     /// Interface that transmits everything: u, v, σ_yy and σ_xy are continuous.
     Bonded,
     /// Interface without friction that does not open: v and σ_yy are continuous, σ_xy = 0.
@@ -27,15 +29,29 @@ pub enum Item {
 }
 
 impl Item {
+    /// What was read by a registered name.
+    pub(super) fn of(body: Body) -> Self {
+        match body {
+            Body::Layer(layer) => Self::Layer(layer),
+            Body::Support(support) => Self::Support(support),
+        }
+    }
+
     /// A layer as an item.
     pub fn layer(layer: impl Layer) -> Self {
         Self::Layer(Arc::new(layer))
+    }
+
+    /// A support as an item.
+    pub fn support(support: impl Support + 'static) -> Self {
+        Self::Support(Arc::new(support))
     }
 
     /// The name by which the item is written, e.g. `Homogeneous`.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Layer(layer) => layer.notation().kind,
+            Self::Support(support) => support.notation().kind,
             Self::Bonded => "Bonded",
             Self::Sliding => "Sliding",
             Self::Spring(_) => SPRING,
@@ -53,6 +69,7 @@ impl Item {
     pub(super) fn parameters(&self) -> Option<String> {
         match self {
             Self::Layer(layer) => Some(layer.notation().parameters),
+            Self::Support(support) => Some(support.notation().parameters),
             Self::Spring(spring) => Some(spring.parameters()),
             Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => None,
         }

@@ -330,7 +330,7 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
     };
     let fields = fields(format!("layer {number} ({name})"));
     match (entry.read)(fields.text) {
-        Ok(layer) => Ok(Item::Layer(Arc::from(layer))),
+        Ok(body) => Ok(Item::of(body)),
         Err(error) => Err(fields.error(origin, error)),
     }
 }

@@ -123,7 +123,7 @@ impl Kinds {
         if let (Some((modulus, poisson)), Some(last)) = (scenario.base, items.last_mut()) {
             let length = scenario.thickness();
             *last = match self.base {
-                0 if !loose => Item::layer(Winkler::new(modulus / length)?),
+                0 if !loose => Item::support(Winkler::new(modulus / length)?),
                 1 => Item::layer(GradedHalfPlane::new(modulus, poisson, self.share / length)?),
                 2 => Item::layer(PowerHalfPlane::new(modulus, poisson, length, 1.5 * self.share - 0.5)?),
                 _ => return Ok(items),

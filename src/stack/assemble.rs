@@ -21,7 +21,7 @@ impl Between {
             Item::Sliding => Self::Joint(Joint::SLIDING),
             Item::Spring(spring) => Self::Joint(Joint { normal: spring.normal(), tangential: spring.tangential() }),
             Item::Receding => Self::Receding,
-            Item::Layer(_) | Item::Rigid => return None,
+            Item::Layer(_) | Item::Support(_) | Item::Rigid => return None,
         })
     }
 
@@ -99,6 +99,10 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
                 number += 1;
                 foundation = Some(Foundation::Rigid { number });
             }
+            Item::Support(support) => {
+                number += 1;
+                foundation = Some(Foundation::Support { number, support: Arc::clone(support) });
+            }
             Item::Layer(layer) => {
                 number += 1;
                 let placed = Placed { number, layer: Arc::clone(layer) };
@@ -121,10 +125,9 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
     if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
         return Err(at(items.len() - 1, StackProblem::NothingElastic));
     }
-    if let (Foundation::HalfPlane(support), true) = (&foundation, layers.is_empty())
-        && !support.layer.has_material()
-    {
-        return Err(at(items.len() - 1, StackProblem::NotBonded { base: support.name() }));
+    if let (Foundation::Support { number, support }, true) = (&foundation, layers.is_empty()) {
+        let base = format!("layer {number} ({})", support.notation().kind);
+        return Err(at(items.len() - 1, StackProblem::NotBonded { base }));
     }
     let whole = |problem| Err(StackError { item: None, problem });
     let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + layers.len();
@@ -187,7 +190,7 @@ fn check_order(items: &[Item]) -> Result<(), StackError> {
 fn is_base(item: &Item) -> bool {
     match item {
         Item::Layer(layer) => layer.thickness().is_none(),
-        Item::Rigid => true,
+        Item::Support(_) | Item::Rigid => true,
         _ => false,
     }
 }

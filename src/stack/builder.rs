@@ -1,5 +1,5 @@
 //! Stacks described in code, from the top down.
-use recede_layers::{Layer, Plane};
+use recede_layers::{Layer, Plane, Support};
 
 use super::{Stack, StackError};
 use crate::scene::{Item, Spring};
@@ -27,6 +27,11 @@ impl StackBuilder {
     /// Adds a layer, or the half-plane at the bottom.
     pub fn layer(self, layer: impl Layer) -> Self {
         self.item(Item::layer(layer))
+    }
+
+    /// Adds a support at the bottom, such as springs.
+    pub fn support(self, support: impl Support + 'static) -> Self {
+        self.item(Item::support(support))
     }
 
     /// Adds an interface that transmits everything.

@@ -1,7 +1,9 @@
 //! The small drawing of a stack.
 use std::fmt;
 
-use super::{Joint, Placed, Stack};
+use recede_layers::Notation;
+
+use super::{Group, Joint, Placed, Stack};
 
 /// Columns between the borders, at least.
 const NARROWEST: usize = 50;
@@ -32,7 +34,11 @@ impl Stack {
     /// ```
     pub fn drawing(&self, punch: Option<&str>) -> String {
         let joints: Vec<&[Joint]> = self.groups().map(|group| group.joints()).collect();
-        let groups: Vec<Vec<String>> = self.groups().map(|group| group.layers().map(label).collect()).collect();
+        let labels = |group: Group<'_>| {
+            let support = group.support().map(|(number, support)| label(number, &support.notation()));
+            group.layers().map(|placed| label(placed.number, &placed.layer.notation())).chain(support).collect()
+        };
+        let groups: Vec<Vec<String>> = self.groups().map(labels).collect();
         let widths = groups.iter().flatten().map(|text| text.chars().count());
         let width = widths.chain([NARROWEST]).max().unwrap_or(NARROWEST).min(WIDEST);
 
@@ -85,7 +91,6 @@ fn centred(text: &str, width: usize) -> String {
 }
 
 /// What is written in the box of a layer.
-fn label(placed: &Placed) -> String {
-    let notation = placed.layer.notation();
-    format!(" {} {}({}) ", placed.number, notation.kind, notation.parameters)
+fn label(number: usize, notation: &Notation) -> String {
+    format!(" {number} {}({}) ", notation.kind, notation.parameters)
 }

@@ -10,7 +10,7 @@ mod merged;
 
 use std::sync::Arc;
 
-use recede_layers::{Isotropic, Layer, Plane};
+use recede_layers::{Isotropic, Layer, Plane, Support};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
@@ -134,8 +134,15 @@ impl Base {
 /// What everything rests on.
 #[derive(Clone, Debug)]
 pub enum Foundation {
-    /// A layer without a thickness: an elastic one that fills everything below, or a support such as springs.
+    /// A layer without a thickness, which fills everything below.
     HalfPlane(Placed),
+    /// A support that is no elastic body, such as springs.
+    Support {
+        /// Its number, counted with the layers.
+        number: usize,
+        /// What it allows at its face.
+        support: Arc<dyn Support>,
+    },
     /// A rigid body.
     Rigid {
         /// Its number, counted with the layers.
@@ -153,7 +160,7 @@ pub(crate) struct Group<'a> {
 impl<'a> Group<'a> {
     /// The layers from the top down, an elastic foundation as the last one.
     pub(crate) fn layers(&self) -> impl Iterator<Item = &'a Placed> + use<'a> {
-        self.layers.iter().chain(self.foundation.and_then(Foundation::placed))
+        self.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
     }
 
     /// What joins each layer to the next, and the last one to a rigid foundation.
@@ -161,31 +168,40 @@ impl<'a> Group<'a> {
         self.joints
     }
 
+    /// The support below the layers and its number, if there is one.
+    pub(crate) fn support(&self) -> Option<(usize, &'a Arc<dyn Support>)> {
+        self.foundation.and_then(Foundation::support)
+    }
+
     /// The number of a rigid foundation, if there is one.
     pub(crate) fn rigid(&self) -> Option<usize> {
-        self.foundation.filter(|foundation| foundation.placed().is_none()).map(Foundation::number)
+        let rigid = |foundation: &&Foundation| foundation.half_plane().is_none() && foundation.support().is_none();
+        self.foundation.filter(rigid).map(Foundation::number)
     }
 }
 
 impl Foundation {
-    /// The layer that it is, unless it is rigid.
-    pub fn placed(&self) -> Option<&Placed> {
+    /// The half-plane that it is, if it is one.
+    pub fn half_plane(&self) -> Option<&Placed> {
         match self {
             Self::HalfPlane(placed) => Some(placed),
-            Self::Rigid { .. } => None,
+            Self::Support { .. } | Self::Rigid { .. } => None,
         }
     }
 
-    /// The half-plane that it is, unless it is rigid or a support without an inside.
-    pub fn half_plane(&self) -> Option<&Placed> {
-        self.placed().filter(|placed| placed.layer.has_material())
+    /// The support that it is and its number, if it is one.
+    pub fn support(&self) -> Option<(usize, &Arc<dyn Support>)> {
+        match self {
+            Self::Support { number, support } => Some((*number, support)),
+            Self::HalfPlane(_) | Self::Rigid { .. } => None,
+        }
     }
 
     /// The foundation's number, counted with the layers.
     pub fn number(&self) -> usize {
         match self {
             Self::HalfPlane(placed) => placed.number,
-            Self::Rigid { number } => *number,
+            Self::Support { number, .. } | Self::Rigid { number } => *number,
         }
     }
 }

@@ -2,7 +2,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Vector2};
-use recede_layers::{FaceStates, Layer, Wave, solve_equilibrated};
+use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
 use super::free::{junctions, layers};
 use super::half::{Eliminated, Half, displacement, eliminate_two, stacked, stress};
@@ -28,8 +28,10 @@ pub struct BaseChain {
 /// What ends a base.
 #[derive(Clone, Debug)]
 pub(super) enum Foot {
-    /// A column of two amplitudes.
-    Column(Arc<dyn Layer>),
+    /// A half-plane, a column of two amplitudes.
+    HalfPlane(Arc<dyn Layer>),
+    /// A support, a column of two amplitudes, too.
+    Support(Arc<dyn Support>),
     /// Rows on the bottom face of the last layer.
     Held(Box<Rows<2>>),
 }
@@ -60,10 +62,12 @@ impl BaseChain {
     fn new(component: &Component<'_>) -> Self {
         let mut layers = layers(component);
         let junctions = junctions(component);
-        let held = Rows::new(component.rows_at(layers.len()));
-        let foot = match layers.pop_if(|last| last.thickness().is_none()) {
-            Some(column) => Foot::Column(column),
-            None => Foot::Held(Box::new(held)),
+        let foot = match component.columns().last().map(|column| column.body()) {
+            Some(Body::Support(support)) => Foot::Support(Arc::clone(support)),
+            _ => match layers.pop_if(|last| last.thickness().is_none()) {
+                Some(half_plane) => Foot::HalfPlane(half_plane),
+                None => Foot::Held(Box::new(Rows::new(component.rows_at(layers.len())))),
+            },
         };
         let repeats = repeats::find(&layers, &junctions);
         Self { layers, junctions, load: Half::of_face(component.rows_at(0), Side::Below).by_load, foot, repeats }
@@ -102,7 +106,7 @@ impl BaseChain {
         Some(((allowed.row(1) * unit)[0], Taken { reached, evaluated: bodies.evaluated }))
     }
 
-    /// What lies below the layers that a wave reaches; `states` gives those at the face of a foundation.
+    /// What lies below the layers that a wave reaches; `states` gives those at the face of a half-plane.
     pub(super) fn below(
         &self,
         reached: usize,
@@ -112,7 +116,8 @@ impl BaseChain {
         Some(match &self.foot {
             // too deep to matter: as good as rigid
             _ if reached < self.layers.len() => Below::Allows(with_unit_stress(&Matrix2::zeros())),
-            Foot::Column(column) => Below::Allows(states(&**column)?),
+            Foot::HalfPlane(layer) => Below::Allows(states(&**layer)?),
+            Foot::Support(support) => Below::Allows(support.face_states(wave)),
             Foot::Held(rows) => Below::Holds(rows.at(wave)[0]),
         })
     }
@@ -130,8 +135,8 @@ impl BaseChain {
     /// The layer with the top face: the foundation, if it is one and there are no others.
     pub fn top_layer(&self) -> Option<&Arc<dyn Layer>> {
         self.layers.first().or(match &self.foot {
-            Foot::Column(column) => Some(column),
-            Foot::Held(_) => None,
+            Foot::HalfPlane(layer) => Some(layer),
+            Foot::Support(_) | Foot::Held(_) => None,
         })
     }
 }

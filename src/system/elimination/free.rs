@@ -120,7 +120,8 @@ impl FreeChain {
 
 /// The layers of a component; those without closed forms remember what is computed of them.
 pub(super) fn layers(component: &Component<'_>) -> Vec<Arc<dyn Layer>> {
-    component.columns().iter().map(|column| Remembering::of(column.layer().layer.clone())).collect()
+    let layers = component.columns().iter().filter_map(|column| column.body().layer());
+    layers.map(|layer| Remembering::of(layer.clone())).collect()
 }
 
 /// The interfaces between the columns of a component.

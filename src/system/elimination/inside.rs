@@ -141,9 +141,6 @@ impl BaseChain {
             let depths = depths.get(self.layers.len()).map_or(&[][..], Vec::as_slice);
             let states = column.states(wave, depths);
             let FaceStates::HalfPlane { top } = states.faces else { return None };
-            if !column.has_material() {
-                return Some(top);
-            }
             // in terms of the stresses on its face
             let amplitudes = solve_equilibrated(top.fixed_rows::<2>(2).into_owned(), Matrix2::identity())?;
             ground = Some((states.inside, amplitudes));

@@ -12,7 +12,7 @@ type AtFaces = Vec<Vec<State>>;
 
 fn depths(component: &Component<'_>) -> Vec<Vec<f64>> {
     let of = |thickness: Option<f64>| vec![0.0, thickness.unwrap_or(0.0)];
-    component.columns().iter().map(|column| of(column.layer().layer.thickness())).collect()
+    component.columns().iter().map(|column| of(column.body().layer().and_then(|layer| layer.thickness()))).collect()
 }
 
 /// Rows may be wrong by this part of their largest term ...
@@ -22,7 +22,7 @@ const OF_LOADS: f64 = 1e-11;
 
 /// The largest residual of the rows of a component under loads S on its faces, in parts of what is allowed.
 fn residual(component: &Component<'_>, states: &AtFaces, loads: [f64; 2], wave: &Wave) -> f64 {
-    let place = |layer: usize| component.columns().iter().position(|column| column.layer().number == layer).unwrap();
+    let place = |layer: usize| component.columns().iter().position(|column| column.number() == layer).unwrap();
     let mut worst: f64 = 0.0;
     for interface in 0..=component.columns().len() {
         for row in component.rows_at(interface) {

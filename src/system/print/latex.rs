@@ -19,8 +19,8 @@ impl BlockSystem {
     pub fn to_latex(&self) -> String {
         let mut out = String::new();
         for column in self.columns() {
-            let (layer, amplitudes) = (column.layer(), column.amplitudes());
-            let (kind, number) = (layer.layer.notation().kind, layer.number);
+            let amplitudes = column.amplitudes();
+            let (kind, number) = (column.body().notation().kind, column.number());
             let (first, last) = (amplitudes.start(), amplitudes.end());
             line(&mut out, format_args!("% c_{number} = (C_{first}, ..., C_{last}): {kind}"));
         }
@@ -37,7 +37,7 @@ impl BlockSystem {
         line(out, r"\[");
         line(out, format_args!(r"\begin{{array}}{{l|{}|l}}", "c".repeat(columns.len())));
         let header: Vec<String> =
-            columns.iter().map(|column| format!(r"\mathbf{{c}}_{{{}}}", column.layer().number)).collect();
+            columns.iter().map(|column| format!(r"\mathbf{{c}}_{{{}}}", column.number())).collect();
         line(out, format_args!(r"  & {} & \\ \hline", header.join(" & ")));
         for row in self.rows() {
             let entry = |column| row.blocks.iter().filter(move |block| block.column == column).map(signed).collect();

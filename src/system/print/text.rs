@@ -52,9 +52,8 @@ fn stiffness(block: &Block) -> &'static str {
 
 impl fmt::Display for Column {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (layer, amplitudes) = (self.layer(), self.amplitudes());
-        let kind = layer.layer.notation().kind;
-        write!(f, "{} {kind}\nC{}..C{}", layer.number, amplitudes.start(), amplitudes.end())
+        let (kind, amplitudes) = (self.body().notation().kind, self.amplitudes());
+        write!(f, "{} {kind}\nC{}..C{}", self.number(), amplitudes.start(), amplitudes.end())
     }
 }
 

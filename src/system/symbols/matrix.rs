@@ -1,11 +1,12 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
 use std::ops::Deref;
+use std::sync::Arc;
 
-use recede_layers::Plane;
+use recede_layers::{Body, Plane};
 
 use super::conditions::{self, Relation, Term};
 use crate::solution::Interface;
-use crate::stack::{Joint, Placed, Stack};
+use crate::stack::{Joint, Stack};
 
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -79,18 +80,24 @@ pub enum Condition {
     Sprung(Quantity),
 }
 
-/// A layer with its amplitudes.
+/// A layer or a support with its amplitudes.
 #[derive(Clone, Debug)]
 pub struct Column {
-    layer: Placed,
+    number: usize,
+    body: Body,
     first: usize,
     count: usize,
 }
 
 impl Column {
-    /// The layer and its number.
-    pub fn layer(&self) -> &Placed {
-        &self.layer
+    /// The number of the layer or support, as in the scene.
+    pub fn number(&self) -> usize {
+        self.number
+    }
+
+    /// The layer, or the support at the bottom.
+    pub fn body(&self) -> &Body {
+        &self.body
     }
 
     /// The layer's amplitudes among all, numbered from 1 as in C1, C2, ...
@@ -218,7 +225,7 @@ impl BlockSystem {
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
             for (i, layer) in group.layers().enumerate() {
-                let (above, below) = (last, system.column(layer));
+                let (above, below) = (last, system.column(layer.number, Body::Layer(Arc::clone(&layer.layer))));
                 match i.checked_sub(1) {
                     None => system.interface(interface.into(), [above, Some(below)], conditions::contact(contact)),
                     Some(i) => system.interface(
@@ -228,6 +235,11 @@ impl BlockSystem {
                     ),
                 }
                 last = Some(below);
+            }
+            if let Some((number, support)) = group.support() {
+                let (above, below) = (last, system.column(number, Body::Support(Arc::clone(support))));
+                let relations = group.joints().last().map_or_else(|| conditions::contact(contact), &joint);
+                system.interface(system.place(above, number), [above, Some(below)], relations);
             }
             // a rigid base has no column
             if let Some(rigid) = group.rigid() {
@@ -258,17 +270,17 @@ impl BlockSystem {
         self.columns.last().map_or(0, |last| *last.amplitudes().end())
     }
 
-    /// A column for a layer: its index.
-    fn column(&mut self, layer: &Placed) -> usize {
+    /// A column for a layer or a support: its index.
+    fn column(&mut self, number: usize, body: Body) -> usize {
         let first = self.unknowns() + 1;
-        let count = if layer.layer.thickness().is_some() { 4 } else { 2 };
-        self.columns.push(Column { layer: layer.clone(), first, count });
+        let count = if body.layer().is_some_and(|layer| layer.thickness().is_some()) { 4 } else { 2 };
+        self.columns.push(Column { number, body, first, count });
         self.columns.len() - 1
     }
 
     /// The place below a column.
     fn place(&self, above: Option<usize>, below: usize) -> Place {
-        above.map_or(Place::Punch, |above| Place::Between { above: self.columns[above].layer.number, below })
+        above.map_or(Place::Punch, |above| Place::Between { above: self.columns[above].number, below })
     }
 
     /// The rows of an interface between two columns. What has no column is rigid: its displacements are zero, and its
@@ -287,7 +299,7 @@ impl BlockSystem {
             let block = |term: &Term| {
                 let (column, face) = there(term)?;
                 let Term { quantity, negative, stiffness, .. } = *term;
-                Some(Block { column, layer: self.columns[column].layer.number, face, quantity, negative, stiffness })
+                Some(Block { column, layer: self.columns[column].number, face, quantity, negative, stiffness })
             };
             let blocks: Blocks = terms.filter_map(block).collect();
             // what only a rigid body is asked for holds of itself
