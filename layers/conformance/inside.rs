@@ -11,7 +11,7 @@ const DEPTHS: [f64; 3] = [0.0, 0.35, 1.0];
 /// Beyond thirty decay lengths from a face the general body takes fields for none, e^(−30).
 const UNFELT: f64 = 1e-12;
 
-/// [`Layer::states`], if overridden, are fields of the layer: between its faces and any depth they obey the state
+/// [`crate::ClosedForm::states`], if given, are fields of the layer: between its faces and any depth they obey the state
 /// equations, as the general body integrates them, and at the faces they are what is told of the faces.
 ///
 /// # Errors

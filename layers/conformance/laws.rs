@@ -90,7 +90,7 @@ pub fn positive_energy(layer: &dyn Layer, plane: Plane) -> Result<(), Violation>
     Ok(())
 }
 
-/// [`Layer::face_states`] and [`Layer::flexibility`], if overridden, are those of the state equations as
+/// [`crate::ClosedForm::face_states`] and [`crate::ClosedForm::flexibility`], if given, are those of the state equations as
 /// [`graded::face_states`] integrates them from [`Layer::material`].
 ///
 /// # Errors

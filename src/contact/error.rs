@@ -96,8 +96,8 @@ pub enum NoSolution {
         /// The last half-lengths tried, from the top down, in length.
         half_lengths: Vec<f64>,
     },
-    /// A contact would have to pull.
-    #[error("the contact at {} would have to pull at x = {x:e}: no pressure there may be negative", place(.interface))]
+    /// A contact would be in tension.
+    #[error("the contact at {} would be in tension at x = {x:e}: no contact pressure may be negative", place(.interface))]
     Tension {
         /// The contact.
         interface: Interface,

@@ -351,7 +351,7 @@ impl Kernel {
 
     /// Ratio of the bending compliance of the laminate between the contacts i and i + 1 to the compression of both, at one
     /// wavenumber.
-    pub(crate) fn ties(&self, i: usize, zeta: f64) -> f64 {
+    pub(crate) fn coupling_strength(&self, i: usize, zeta: f64) -> f64 {
         let Some(at) = self.at(zeta) else { return 0.0 };
         let squeezed = |i: usize| if at.panel.from < self.far[i].from { at.unit(i) } else { self.far[i].limit };
         -at.coupling(i) / (squeezed(i) + squeezed(i + 1)).abs()

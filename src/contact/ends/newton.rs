@@ -114,7 +114,7 @@ impl<'a> Newton<'a> {
         let Point { mut support, pressures, linearised, layout } = self.iterate(half_lengths, counts, counts, aim)?;
         // on with the same derivatives
         let Pressures { mut modes, mut step, .. } = pressures;
-        let linked = strongly_coupled(self.problem.kernel, &support.half_lengths);
+        let strong = strongly_coupled(self.problem.kernel, &support.half_lengths);
         let mut secants = Secants::default();
         let mut before = 1.0;
         let mut start = modes.clone();
@@ -130,7 +130,7 @@ impl<'a> Newton<'a> {
             before = last;
             let bases = Basis::all(&layout, self.problem, &support.half_lengths, counts);
             let slopes = self.problem.slopes(&support.half_lengths, counts);
-            let equations = Equations::new(&layout, &bases, counts, &linked, &support);
+            let equations = Equations::new(&layout, &bases, counts, &strong, &support);
             self.work.step();
             start.clone_from(&modes);
             step = linearised.sweep(&equations, &slopes, &Drift::default(), &mut modes).step;
@@ -183,11 +183,11 @@ impl<'a> Newton<'a> {
         let half_lengths = &support.half_lengths;
         let bases = Basis::all(layout, self.problem, half_lengths, solved);
         let slopes = self.problem.slopes(half_lengths, solved);
-        let linked = strongly_coupled(self.problem.kernel, half_lengths);
+        let strong = strongly_coupled(self.problem.kernel, half_lengths);
         self.work.step();
         self.work.factorisations += 1;
         let free: Vec<usize> = support.free().collect();
-        solve(&Equations::new(layout, &bases, solved, &linked, support), &slopes, &free)
+        solve(&Equations::new(layout, &bases, solved, &strong, support), &slopes, &free)
     }
 
     /// Takes a part of a step; a contact covers more than the flat part of its punch, and less than all of it.
@@ -227,5 +227,9 @@ pub(crate) fn linear(tolerance: f64, solved: &[usize]) -> f64 {
 
 /// Which laminates couple the pressures of their contacts strongly.
 pub(crate) fn strongly_coupled(kernel: &Kernel, half_lengths: &[f64]) -> Vec<bool> {
-    half_lengths.windows(2).enumerate().map(|(i, pair)| kernel.ties(i, 3.0 / pair[0].max(pair[1])) > STRONG).collect()
+    half_lengths
+        .windows(2)
+        .enumerate()
+        .map(|(i, pair)| kernel.coupling_strength(i, 3.0 / pair[0].max(pair[1])) > STRONG)
+        .collect()
 }

@@ -71,11 +71,11 @@ impl Newton<'_> {
     /// of a row is the difference of two pressures, not its own diagonal.
     fn coupled_counts(&self, half_lengths: &[f64], solved: &[usize], modes: &[usize]) -> (Vec<usize>, Vec<usize>) {
         let (mut solved, mut modes) = (solved.to_vec(), modes.to_vec());
-        let linked = strongly_coupled(self.problem.kernel, half_lengths);
+        let strong = strongly_coupled(self.problem.kernel, half_lengths);
         let mut unknown = self.problem.unknown().peekable();
         while let Some(first) = unknown.next() {
             let mut group = first..first + 1;
-            while unknown.next_if(|next| linked[*next - 1]).is_some() {
+            while unknown.next_if(|next| strong[*next - 1]).is_some() {
                 group.end += 1;
             }
             if group.len() > 1 {
@@ -107,12 +107,12 @@ impl Newton<'_> {
             return Ok((Converged::without_sweeps(end, solved), true));
         }
         sweeps.give_up_lost(stopped);
-        let Sweeps { support, modes: all, corrections, residuals, responses, linked, .. } = sweeps;
+        let Sweeps { support, modes: all, corrections, residuals, responses, strong, .. } = sweeps;
         if !support.half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(self.problem.not_converged(&support.half_lengths));
         }
         // gaps of strongly coupled contacts are sensitive to the smallest difference of their pressures
-        let responses = responses.filter(|_| !linked.contains(&true));
+        let responses = responses.filter(|_| !strong.contains(&true));
         let Point { linearised, layout, .. } = point;
         let found = Converged {
             support,
@@ -154,7 +154,7 @@ struct Sweeps<'a> {
     linearised: &'a Linearised,
     solved: &'a [usize],
     counts: &'a [usize],
-    linked: Vec<bool>,
+    strong: Vec<bool>,
     tolerance: f64,
     support: Support,
     modes: Modes,
@@ -194,7 +194,7 @@ impl<'a> Sweeps<'a> {
             linearised: &point.linearised,
             solved,
             counts,
-            linked: strongly_coupled(problem.kernel, &support.half_lengths),
+            strong: strongly_coupled(problem.kernel, &support.half_lengths),
             tolerance,
             begin: (support.clone(), modes.clone()),
             support,
@@ -212,11 +212,11 @@ impl<'a> Sweeps<'a> {
     /// Sweeps until there is a reason to stop.
     fn run(&mut self, work: &mut Work) -> Stopped {
         let linear = linear(self.tolerance, self.solved);
-        let linked = self.linked.clone();
+        let strong = self.strong.clone();
         let (mut bases, mut slopes) = (self.bases(), self.slopes());
         for sweep in 0..SWEEPS {
             work.step();
-            let equations = Equations::new(self.layout, &bases, self.solved, &linked, &self.support);
+            let equations = Equations::new(self.layout, &bases, self.solved, &strong, &self.support);
             let found = self.linearised.sweep(&equations, &slopes, &self.drift, &mut self.modes);
             let is_slow = self.compare(sweep, &found);
             (self.step, self.responses) = (found.step, Some(found.responses));
@@ -304,7 +304,7 @@ impl<'a> Sweeps<'a> {
     /// miss grows.
     fn falls(&self, i: usize) -> bool {
         let is_smooth = self.problem.sides[i].is_smooth();
-        self.problem.kernel.far(i).is_constant() && is_smooth && !self.linked.contains(&true)
+        self.problem.kernel.far(i).is_constant() && is_smooth && !self.strong.contains(&true)
     }
 
     /// Takes what is left of the steps; whether sweeps have converged.

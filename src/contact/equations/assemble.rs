@@ -33,7 +33,7 @@ pub(crate) struct Equations<'a> {
     /// Modes solved for, per contact, the first included.
     modes: &'a [usize],
     /// Per laminate between contacts: whether all modes below it are counted from those above it.
-    linked: &'a [bool],
+    strong: &'a [bool],
     /// Where mode m of contact i stands: first modes first.
     place: Vec<Vec<usize>>,
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
@@ -51,7 +51,7 @@ impl<'a> Equations<'a> {
         layout: &'a Layout,
         bases: &'a [Basis],
         modes: &'a [usize],
-        linked: &'a [bool],
+        strong: &'a [bool],
         support: &Support,
     ) -> Self {
         let mut place: Vec<Vec<usize>> = modes.iter().map(|modes| Vec::with_capacity(*modes)).collect();
@@ -68,9 +68,9 @@ impl<'a> Equations<'a> {
             support.intensity(i).map(|intensity| EdgePressure { intensity, rows: basis.edges() })
         };
         let edges = bases.iter().enumerate().map(edge).collect();
-        let mut equations = Self { layout, bases, modes, linked, place, differences: Vec::new(), edges };
+        let mut equations = Self { layout, bases, modes, strong, place, differences: Vec::new(), edges };
         if !layout.is_large() {
-            equations.differences = (0..linked.len()).map(|i| equations.difference(i)).collect();
+            equations.differences = (0..strong.len()).map(|i| equations.difference(i)).collect();
         }
         equations
     }
@@ -95,7 +95,7 @@ impl<'a> Equations<'a> {
 
     /// Whether mode m of contact i + 1 is counted from that of contact i.
     fn links(&self, i: usize, m: usize) -> bool {
-        m == 0 || self.linked[i] && m < self.modes[i].min(self.modes[i + 1])
+        m == 0 || self.strong[i] && m < self.modes[i].min(self.modes[i + 1])
     }
 
     /// The contacts whose mode m is part of that of contact i.
@@ -199,8 +199,8 @@ impl<'a> Equations<'a> {
     }
 
     /// Whether all modes of some contact are counted from those of the contact above.
-    pub(crate) fn has_linked(&self) -> bool {
-        self.linked.contains(&true)
+    pub(crate) fn has_strong(&self) -> bool {
+        self.strong.contains(&true)
     }
 
     /// How large the terms are of which the differences of modes that are counted from those above consist, in a sum of rows
@@ -215,7 +215,7 @@ impl<'a> Equations<'a> {
             };
             energy(&|m| weights[below(m)]) * energy(&|m| modes[i][m])
         };
-        (0..self.linked.len()).filter(|i| self.linked[*i]).map(laminate).sum()
+        (0..self.strong.len()).filter(|i| self.strong[*i]).map(laminate).sum()
     }
 
     /// What the unknowns, in the order of the matrix, are as modes of each contact.

@@ -154,7 +154,7 @@ fn influences(
     };
     let size = |i: usize| {
         let terms: f64 = beta.column(i).iter().zip(gamma).map(|(b, g)| (b * g).abs()).sum();
-        let differences = if equations.has_linked() { differences(i) } else { 0.0 };
+        let differences = if equations.has_strong() { differences(i) } else { 0.0 };
         ROUNDING * (terms + known[i].abs() + differences)
     };
     let sizes: Vec<f64> = (0..n).map(size).collect();

@@ -33,7 +33,7 @@ pub(crate) fn negligible(tolerance: f64) -> f64 {
     (1e-3 * tolerance).min(1e-10)
 }
 
-/// The same for the first steps, and where contacts are tied together.
+/// The same for the first steps, and where contacts are strongly coupled.
 pub(crate) const COARSE: f64 = 1e-4;
 pub(crate) const CAREFUL: f64 = 1e-6;
 

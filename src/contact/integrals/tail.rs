@@ -2,7 +2,7 @@
 //!
 //! Beyond a wavenumber R past the turning points, Ra > order, products of two modes split,
 //! J_k(ζa) J_j(ζa') = ½ Re(H_k H̄_j) + ½ Re(H_k H_j). The first part oscillates like a − a' only, the second decays in
-//! the upper half of the complex plane, where its path is turned. Contacts whose pressures are tied together far beyond
+//! the upper half of the complex plane, where its path is turned. Contacts whose pressures are coupled far beyond
 //! R share the nodes of both.
 use num_complex::Complex64;
 

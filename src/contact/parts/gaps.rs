@@ -1,4 +1,4 @@
-//! No pressure may pull, and no gap be overlapped, between the parts of a contact and beyond them.
+//! No pressure may be tension, and no gap penetrated, between the parts of a contact and beyond them.
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::integrals::layout::{Layout, negligible};
@@ -18,7 +18,7 @@ const ZERO: f64 = 1e-4;
 /// A gap is known to so many times what it differs by from that of fewer pressures.
 const KNOWN: f64 = 3.0;
 
-/// Smallest pressure and smallest gap, and by which part of its largest pressure there each contact pulls about the middle,
+/// Smallest pressure and smallest gap, and the tension of each contact about the middle, as a part of its largest pressure there,
 /// for want of terms; `None` if one of them is negative. `coarse` has fewer pressures, and tells how far gaps are known.
 pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<([f64; 2], Vec<f64>)> {
     let kernel = problem.kernel;
@@ -28,7 +28,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
     let mut largest = vec![0.0f64; kernel.contacts()];
     let mut smallest = vec![0.0f64; kernel.contacts()];
     // about the middle, where pressures are said to be right to a part of what they are there
-    let mut pulls = vec![0.0f64; kernel.contacts()];
+    let mut tensions = vec![0.0f64; kernel.contacts()];
     for (patch, coefficients) in patches.iter().zip(coefficients) {
         let places = PER_TERM * count;
         let mut own = [0.0f64; 2];
@@ -40,7 +40,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             smallest[patch.contact] = smallest[patch.contact].min(pressure);
         }
         if patch.is_central() {
-            pulls[patch.contact] = -own[0] / own[1];
+            tensions[patch.contact] = -own[0] / own[1];
         }
     }
     if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -ZERO * largest) {
@@ -73,7 +73,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));
         }
     }
-    Some((least, pulls))
+    Some((least, tensions))
 }
 
 impl Equations<'_> {

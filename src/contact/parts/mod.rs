@@ -1,6 +1,6 @@
 //! Contacts in several intervals: bodies that touch about the middle and again farther out, or are apart about the middle.
 //!
-//! The convex programme tells where bodies touch, roughly; Newton's method finds where exactly, with more and more
+//! The quadratic programme tells where bodies touch, roughly; Newton's method finds where exactly, with more and more
 //! pressures on each interval until two numbers of them agree.
 mod equations;
 mod gaps;
@@ -12,7 +12,7 @@ use faer::linalg::solvers::Solve;
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
-use crate::contact::programme::Zones;
+use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
@@ -77,15 +77,15 @@ struct Level {
     left_out: Vec<f64>,
 }
 
-/// Presses a punch on a stack some contacts of which have several parts, about where `zones` says; `None` if no
+/// Presses a punch on a stack some contacts of which have several parts, about where `active` says; `None` if no
 /// admissible answer was found, or the pressure under the punch is of another kind.
-pub(super) fn solve(problem: &Problem, zones: &[Zones]) -> Option<Solution> {
+pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Solution> {
     if problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
         return None;
     }
-    let all = patches(problem, zones, |zones| zones.intervals().to_vec())?;
+    let all = patches(problem, active, |active| active.intervals().to_vec())?;
     // the programme may see several intervals, far out, where there is one with next to no force
-    let merged = patches(problem, zones, Zones::merged)?;
+    let merged = patches(problem, active, ActiveIntervals::merged)?;
     let fewer = (merged != all).then_some(merged);
     let starts = [Some(all), fewer].into_iter().flatten();
     let mut work = Work::default();
@@ -141,9 +141,9 @@ fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool, work: &mut Wo
             problem.tolerance
         ));
     }
-    let (min, pulls) = gaps::check(problem, &level, &coarse)?;
-    // pressures that pull are wrong by that
-    errors.peaks.iter_mut().zip(&pulls).for_each(|(error, pull)| *error = error.max(SAFETY * pull));
+    let (min, tensions) = gaps::check(problem, &level, &coarse)?;
+    // pressures in tension are wrong by that
+    errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
     let [min_pressure, min_gap] = min;
     let stats =
         Stats { modes: vec![count; problem.contacts()], newton_steps: work.steps.clone(), ..stats(problem.kernel) };
@@ -152,10 +152,14 @@ fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool, work: &mut Wo
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end.
-fn patches(problem: &Problem, zones: &[Zones], intervals: impl Fn(&Zones) -> Vec<[f64; 2]>) -> Option<Vec<Patch>> {
+fn patches(
+    problem: &Problem,
+    active: &[ActiveIntervals],
+    intervals: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
+) -> Option<Vec<Patch>> {
     let mut patches = Vec::new();
-    for (contact, zones) in zones.iter().enumerate().skip(usize::from(problem.top().given().is_some())) {
-        let parts = intervals(zones);
+    for (contact, active) in active.iter().enumerate().skip(usize::from(problem.top().given().is_some())) {
+        let parts = intervals(active);
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }

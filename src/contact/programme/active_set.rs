@@ -1,7 +1,7 @@
-//! The quadratic programme: pressures that do not pull, gaps that do not overlap, and of each element one of both.
+//! The quadratic programme: no tension, no penetration, and one of pressure and gap zero on each element.
 //!
 //! Exchanging all elements at once that violate one or the other ends after a few steps as a rule. Where that goes round
-//! in circles, elements are let touch one by one, and freed again as soon as they would pull, so that the energy falls
+//! in circles, elements are let touch one by one, and freed again as soon as they would be in tension, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
@@ -31,7 +31,7 @@ impl<'a> Programme<'a> {
         let (contacts, elements) = (self.energy.contacts(), self.energy.elements());
         let mut touching = guess.unwrap_or_else(|| vec![vec![true; elements]; contacts]);
         for (i, own) in touching.iter_mut().enumerate() {
-            own.iter_mut().enumerate().for_each(|(e, touches)| *touches &= !self.is_barred(i, e));
+            own.iter_mut().enumerate().for_each(|(e, touches)| *touches &= !self.is_inadmissible(i, e));
         }
         let (mut fewest, mut patience) = (contacts * elements + 1, PATIENCE);
         loop {
@@ -40,8 +40,8 @@ impl<'a> Programme<'a> {
             let mut wrong = Vec::new();
             for i in 0..contacts {
                 let little = ROUNDING * largest(&pressure[i]);
-                let pulls = (0..elements).filter(|e| touching[i][*e] && pressure[i][*e] < -little);
-                wrong.extend(pulls.chain(self.overlaps(i, &touching[i], &state)).map(|e| (i, e)));
+                let tensile = (0..elements).filter(|e| touching[i][*e] && pressure[i][*e] < -little);
+                wrong.extend(tensile.chain(self.overlaps(i, &touching[i], &state)).map(|e| (i, e)));
             }
             if wrong.is_empty() {
                 return Some((touching, self.forces(state.pressures)));
@@ -65,7 +65,7 @@ impl<'a> Programme<'a> {
             own.iter_mut().for_each(|p| *p = p.max(0.0));
             let mut resultant = self.resultant(own);
             if resultant <= 0.0 {
-                own.iter_mut().enumerate().filter(|(e, _)| !self.is_barred(i, *e)).for_each(|(_, p)| *p = 1.0);
+                own.iter_mut().enumerate().filter(|(e, _)| !self.is_inadmissible(i, *e)).for_each(|(_, p)| *p = 1.0);
                 resultant = self.resultant(own);
             }
             own.iter_mut().for_each(|p| *p /= resultant);
@@ -73,17 +73,17 @@ impl<'a> Programme<'a> {
         let mut touching: Elements<bool> =
             pressure.iter().map(|own| own.iter().map(|pressure| *pressure > 0.0).collect()).collect();
         let size = self.energy.contacts() * self.energy.elements();
-        // elements that were let touch last, and those that pulled at once: what they overlapped was rounding
+        // elements that were let touch last, and those in tension at once: their penetration was rounding
         let mut last: Vec<(usize, usize)> = Vec::new();
         let mut rejected: Vec<(usize, usize)> = Vec::new();
         for _ in 0..(WORK / (size as f64).powi(3)) as usize {
             let state = Equilibrium::new(self.energy, &touching).solve()?;
             let wanted = &state.pressures;
-            // as far towards equilibrium as nothing pulls
+            // as far towards equilibrium as nothing is in tension
             let mut step = 1.0f64;
             for (own, wanted) in pressure.iter().zip(wanted) {
-                let pulling = own.iter().zip(wanted).filter(|(_, wanted)| **wanted < 0.0);
-                step = pulling.fold(step, |step, (p, wanted)| step.min(p / (p - wanted)));
+                let tensile = own.iter().zip(wanted).filter(|(_, wanted)| **wanted < 0.0);
+                step = tensile.fold(step, |step, (p, wanted)| step.min(p / (p - wanted)));
             }
             for (i, ((own, wanted), touching)) in pressure.iter_mut().zip(wanted).zip(&mut touching).enumerate() {
                 let little = ROUNDING * largest(wanted);
@@ -122,14 +122,15 @@ impl<'a> Programme<'a> {
         pressure
     }
 
-    fn is_barred(&self, i: usize, e: usize) -> bool {
-        i == 0 && self.energy.barred[e]
+    fn is_inadmissible(&self, i: usize, e: usize) -> bool {
+        i == 0 && self.energy.inadmissible[e]
     }
 
     /// Elements of contact i where bodies overlap.
     fn overlaps(&self, i: usize, touching: &[bool], state: &State) -> impl Iterator<Item = usize> {
         let (gaps, terms) = (&state.gaps[i], &state.terms[i]);
-        (0..gaps.len()).filter(move |e| !touching[*e] && !self.is_barred(i, *e) && gaps[*e] < -CANCELLED * terms[*e])
+        (0..gaps.len())
+            .filter(move |e| !touching[*e] && !self.is_inadmissible(i, *e) && gaps[*e] < -CANCELLED * terms[*e])
     }
 
     fn resultant(&self, pressure: &[f64]) -> f64 {

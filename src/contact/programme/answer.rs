@@ -10,7 +10,7 @@ use crate::solution::{Form, Part, Solution, Stats, Strip};
 
 use super::compliances::Compliances;
 use super::grid::Grid;
-use super::{Aim, FINE, First, Round, Rounds, rounds};
+use super::{Aim, Cycle, Cycles, FINE, First, cycles};
 
 /// Ends are right to so many elements.
 const ELEMENTS: f64 = 3.0;
@@ -29,7 +29,7 @@ const RESULTANT: f64 = 1e-3;
 
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
 pub(in crate::contact) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
-    let Rounds { first, rounds: all } = Rounds::new(problem, expected, far, FINE);
+    let Cycles { first, cycles: all } = Cycles::new(problem, expected, far, FINE);
     let mut contacts = Vec::with_capacity(problem.contacts());
     let eliminated = match first {
         First::Given(_) => 1,
@@ -38,7 +38,7 @@ pub(in crate::contact) fn answer(problem: &Problem, expected: &[f64], far: f64) 
             let others = all.last()?;
             let alone = Compliances::of_first(problem.kernel, |zeta| others.deficit(1, zeta));
             let aim = Aim { expected: &[a], far: 0.0, shorter: false, resolution: FINE };
-            contacts.push(found(problem, 0, &rounds(problem, &alone, &aim), 0)?);
+            contacts.push(found(problem, 0, &cycles(problem, &alone, &aim), 0)?);
             0
         }
         First::Unknown => 0,
@@ -57,8 +57,8 @@ pub(in crate::contact) fn answer(problem: &Problem, expected: &[f64], far: f64) 
 }
 
 /// What contact i of the programme, contact `contact` of the problem, is.
-fn found(problem: &Problem, contact: usize, rounds: &[Round], i: usize) -> Option<Found> {
-    let [before, last] = rounds else { return None };
+fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Option<Found> {
+    let [before, last] = cycles else { return None };
     let force: f64 = last.forces[i].iter().filter(|force| **force > 0.0).sum();
     if (force - 1.0).abs() > RESULTANT {
         return None;
@@ -66,7 +66,7 @@ fn found(problem: &Problem, contact: usize, rounds: &[Round], i: usize) -> Optio
     let side = &problem.sides[contact];
     let intervals = intervals(last, i, side)?;
     let is_open = intervals[0].from > 0.0;
-    let middle = |round: &Round| round.pressure(i, 0);
+    let middle = |round: &Cycle| round.pressure(i, 0);
     let change = if is_open || side.is_sharp() { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     let lengths = intervals.iter().map(|part| part.to_error / part.to).filter(|error| *error < ENDLESS);
     // stiff layers wrapped round a punch may press next to nothing about the middle
@@ -84,15 +84,15 @@ fn found(problem: &Problem, contact: usize, rounds: &[Round], i: usize) -> Optio
 }
 
 /// Where contact i of the programme touches, from the middle outwards.
-fn intervals(last: &Round, i: usize, side: &Side) -> Option<Vec<Part>> {
-    let zones = last.zones().swap_remove(i);
+fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
+    let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
     let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { ELEMENTS * last.grid.width(end) };
     // bodies that touch for ever do so without a force
-    let zones = if zones.sure.len() > 1 { zones.sure } else { zones.apart };
+    let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
     // as far as they do with one
     let end = last.decays(i);
-    let parts = zones.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| Part {
+    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| Part {
         from: *from,
         from_error: error(*from),
         to: if to.is_finite() { *to } else { end },
@@ -104,7 +104,7 @@ fn intervals(last: &Round, i: usize, side: &Side) -> Option<Vec<Part>> {
     parts.first().is_some_and(|first| first.from == 0.0 || is_open(first)).then_some(parts)
 }
 
-impl Round {
+impl Cycle {
     /// On an element of contact i.
     fn pressure(&self, i: usize, e: usize) -> f64 {
         let [from, to] = self.grid.element(e);

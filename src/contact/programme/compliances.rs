@@ -56,7 +56,7 @@ impl<'a> Compliances<'a> {
     }
 
     /// The coupling of contact i and one of which the pressure is given.
-    pub(super) fn tied(&self, i: usize, zeta: f64) -> f64 {
+    pub(super) fn coupled(&self, i: usize, zeta: f64) -> f64 {
         let contact = self.contacts.start + i;
         let above = if i == 0 { contact.checked_sub(1) } else { None };
         let below = (contact + 1 == self.contacts.end && contact + 1 < self.kernel.contacts()).then_some(contact);

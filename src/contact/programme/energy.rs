@@ -45,7 +45,7 @@ pub(super) struct Energy {
     /// Resultant of each element's unit pressure.
     pub(super) resultants: Vec<f64>,
     /// Elements that the punch does not reach.
-    pub(super) barred: Vec<bool>,
+    pub(super) inadmissible: Vec<bool>,
 }
 
 impl Energy {
@@ -61,7 +61,7 @@ impl Energy {
             coupling: vec![Mat::zeros(elements, elements); contacts - 1],
             linear: vec![vec![0.0; elements]; contacts],
             resultants: widths.iter().map(|width| 2.0 * width).collect(),
-            barred: vec![false; elements],
+            inadmissible: vec![false; elements],
         };
         let waves = Waves::new(grid, &widths);
         let least = waves.least(kernel);
@@ -132,11 +132,11 @@ impl Energy {
                 let (mut weights, mut forces) = (Vec::new(), Vec::new());
                 for ((zeta, w), beyond) in zeta.iter().zip(&beyond) {
                     let w = w / (PI * zeta);
-                    let (own, tied) = (kernel.own(i, *zeta) - least[i], kernel.tied(i, *zeta));
-                    let given = if tied == 0.0 { 0.0 } else { kernel.given(*zeta) };
-                    weights.push(w * (own + tied));
+                    let (own, coupled) = (kernel.own(i, *zeta) - least[i], kernel.coupled(i, *zeta));
+                    let given = if coupled == 0.0 { 0.0 } else { kernel.given(*zeta) };
+                    weights.push(w * (own + coupled));
                     // a given neighbour is felt by what it differs from the pressure that all are compared with
-                    forces.push(w * (own * (1.0 + beyond) + tied * (beyond - given)));
+                    forces.push(w * (own * (1.0 + beyond) + coupled * (beyond - given)));
                 }
                 add_gram(&transforms, &weights, unit);
                 for (e, linear) in linear.iter_mut().enumerate() {
@@ -169,8 +169,8 @@ impl Energy {
         let last = problem.top().edge().unwrap_or(f64::INFINITY);
         for e in 0..self.elements() {
             let [from, to] = grid.element(e);
-            self.barred[e] = to > last;
-            if !self.barred[e] {
+            self.inadmissible[e] = to > last;
+            if !self.inadmissible[e] {
                 self.linear[0][e] +=
                     rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * problem.top().height(x)).sum::<f64>();
             }
@@ -212,7 +212,7 @@ impl Waves {
             .octaves()
             .map(|(_, zeta)| {
                 let coupling = (1..n).map(|i| kernel.coupling(i - 1, zeta)).collect();
-                ((0..n).map(|i| kernel.own(i, zeta) + kernel.tied(i, zeta)).collect(), coupling)
+                ((0..n).map(|i| kernel.own(i, zeta) + kernel.coupled(i, zeta)).collect(), coupling)
             })
             .collect();
         let mut least = vec![0.0; n];
@@ -236,9 +236,9 @@ fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
     let mut above = 0.0;
     (0..units.len()).all(|i| {
         let own = units[i] - least[i] + above;
-        let Some(tied) = coupling.get(i) else { return own >= 0.0 };
-        above = if own + tied > 0.0 { own * tied / (own + tied) } else { 0.0 };
-        own + tied >= 0.0
+        let Some(coupled) = coupling.get(i) else { return own >= 0.0 };
+        above = if own + coupled > 0.0 { own * coupled / (own + coupled) } else { 0.0 };
+        own + coupled >= 0.0
     })
 }
 

@@ -1,4 +1,4 @@
-//! The contact problem as what it is, a convex programme, solved coarsely.
+//! The contact problem as what it is, a quadratic programme, solved coarsely.
 //!
 //! Of all pressures p ≥ 0 of the right resultants the true ones make the elastic energy plus the work against the
 //! punch's profile least. With pressures constant on elements of one grid for all contacts that is a quadratic
@@ -28,7 +28,7 @@ const FARTHER: f64 = 4.0;
 /// At most so often.
 const LONGER: usize = 3;
 /// How often the grid is made longer or finer.
-const ROUNDS: usize = 14;
+const CYCLES: usize = 14;
 /// For starts.
 const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
 /// For answers.
@@ -63,26 +63,26 @@ struct Resolution {
 
 /// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Zones {
+pub(super) struct ActiveIntervals {
     /// All that are longer than the grid may feign.
-    pub(super) sure: Vec<[f64; 2]>,
+    pub(super) resolved: Vec<[f64; 2]>,
     /// That about the middle and all far from it, however short.
-    pub(super) apart: Vec<[f64; 2]>,
+    pub(super) separate: Vec<[f64; 2]>,
 }
 
-impl Zones {
+impl ActiveIntervals {
     fn one(end: f64) -> Self {
-        Self { sure: vec![[0.0, end]], apart: vec![[0.0, end]] }
+        Self { resolved: vec![[0.0, end]], separate: vec![[0.0, end]] }
     }
 
     /// Where the contact about the middle ends.
     pub(super) fn end(&self) -> f64 {
-        self.sure.first().map_or(0.0, |part| part[1])
+        self.resolved.first().map_or(0.0, |part| part[1])
     }
 
     /// All intervals: those that are sure where there are several, else that about the middle and all far from it.
     pub(super) fn intervals(&self) -> &[[f64; 2]] {
-        if self.sure.len() > 1 { &self.sure } else { &self.apart }
+        if self.resolved.len() > 1 { &self.resolved } else { &self.separate }
     }
 
     /// The first of them, and from where to where bodies touch farther out.
@@ -95,23 +95,23 @@ impl Zones {
 }
 
 /// The programme on one grid: which elements of each contact touch, and the forces on them.
-struct Round {
+struct Cycle {
     grid: Grid,
     touching: Vec<Vec<bool>>,
     forces: Vec<Vec<f64>>,
 }
 
-impl Round {
-    fn zones(&self) -> Vec<Zones> {
-        let zones = |touching: &Vec<bool>| Zones {
-            sure: parts(&surely(touching), &self.grid),
-            apart: apart(parts(touching, &self.grid)),
+impl Cycle {
+    fn active(&self) -> Vec<ActiveIntervals> {
+        let active = |touching: &Vec<bool>| ActiveIntervals {
+            resolved: parts(&resolved_only(touching), &self.grid),
+            separate: apart(parts(touching, &self.grid)),
         };
-        self.touching.iter().map(zones).collect()
+        self.touching.iter().map(active).collect()
     }
 }
 
-impl Round {
+impl Cycle {
     /// p̂/P − 1 of contact i at a wavenumber.
     fn deficit(&self, i: usize, zeta: f64) -> f64 {
         let part = |(e, force): (usize, &f64)| {
@@ -124,15 +124,15 @@ impl Round {
 
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
 /// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
-pub(super) fn zones(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<Zones>> {
-    let Rounds { first, rounds } = Rounds::new(problem, expected, far, COARSE);
-    let mut zones = rounds.last()?.zones();
+pub(super) fn active(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<ActiveIntervals>> {
+    let Cycles { first, cycles } = Cycles::new(problem, expected, far, COARSE);
+    let mut active = cycles.last()?.active();
     match first {
         First::Unknown => {}
-        First::Given(a) => zones.insert(0, Zones::one(a)),
-        First::Short(a) => zones[0] = Zones::one(a),
+        First::Given(a) => active.insert(0, ActiveIntervals::one(a)),
+        First::Short(a) => active[0] = ActiveIntervals::one(a),
     }
-    Some(zones)
+    Some(active)
 }
 
 /// What is known of the contact under the punch.
@@ -147,28 +147,28 @@ enum First {
 }
 
 /// The programme of all contacts that are not known.
-struct Rounds {
+struct Cycles {
     first: First,
     /// The last ones, two at most, with the finest grids.
-    rounds: Vec<Round>,
+    cycles: Vec<Cycle>,
 }
 
-impl Rounds {
+impl Cycles {
     fn new(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Self {
         let kernel = problem.kernel;
         if let Some(given) = problem.top().given() {
             let a = given.half_length;
             let below = Compliances::below_first(kernel, |zeta| given.deficit(zeta));
-            let rounds = match kernel.contacts() {
+            let cycles = match kernel.contacts() {
                 // nothing is unknown
                 1 => Vec::new(),
-                _ => rounds(
+                _ => cycles(
                     problem,
                     &below,
                     &Aim { expected: &expected[1..], far: far.max(a), shorter: false, resolution },
                 ),
             };
-            return Self { first: First::Given(a), rounds };
+            return Self { first: First::Given(a), cycles };
         }
         let all = Compliances::all(kernel);
         let far = far.max(problem.last_fall());
@@ -177,7 +177,7 @@ impl Rounds {
         });
         let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
         let aim = Aim { expected: &expected[usize::from(is_short)..], far, shorter: is_short, resolution };
-        Self { first, rounds: rounds(problem, &all, &aim) }
+        Self { first, cycles: cycles(problem, &all, &aim) }
     }
 }
 
@@ -193,22 +193,22 @@ struct Aim<'a> {
 }
 
 /// The last refinement cycles, two at most, with the finest grids.
-fn rounds(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Round> {
+fn cycles(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Cycle> {
     let Aim { expected, far, shorter, resolution } = *aim;
-    let mut rounds: Vec<Round> = Vec::new();
+    let mut cycles: Vec<Cycle> = Vec::new();
     let longest = expected.iter().copied().fold(0.0, f64::max);
     let shortest = expected.iter().copied().fold(f64::INFINITY, f64::min);
     let edge = problem.top().edge().filter(|_| kernel.is_topmost() && !shorter);
-    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return rounds };
+    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return cycles };
     let mut longer = LONGER;
-    for _ in 0..ROUNDS {
+    for _ in 0..CYCLES {
         let Some(mut energy) = Energy::new(kernel, problem, &grid) else { break };
         if shorter {
             // a line load about x = 0, however small the punch
-            energy.barred.fill(true);
-            energy.barred[0] = false;
+            energy.inadmissible.fill(true);
+            energy.inadmissible[0] = false;
         }
-        let start = rounds.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
+        let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
         let looked_for = &touching[usize::from(shorter)..];
@@ -216,9 +216,9 @@ fn rounds(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Round> {
             looked_for.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
         // bodies that touch again far away do so for ever
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
-        rounds.push(Round { grid: grid.clone(), touching, forces });
-        if rounds.len() > 2 {
-            rounds.remove(0);
+        cycles.push(Cycle { grid: grid.clone(), touching, forces });
+        if cycles.len() > 2 {
+            cycles.remove(0);
         }
         if longer > 0 && reaches_end {
             longer -= 1;
@@ -227,7 +227,7 @@ fn rounds(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Round> {
             break;
         }
     }
-    rounds
+    cycles
 }
 
 /// Layers that lie on each other without a force neither touch nor part: what rounding says of them is not to count.
@@ -260,7 +260,7 @@ fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
 }
 
 /// The same without what is too short to be sure of.
-fn surely(touching: &[bool]) -> Vec<bool> {
+fn resolved_only(touching: &[bool]) -> Vec<bool> {
     let mut sure = touching.to_vec();
     for wanted in [true, false] {
         let mut start = 0;

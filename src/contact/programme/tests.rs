@@ -9,7 +9,7 @@ use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Equilibrium, State};
 use crate::contact::programme::grid::Grid;
-use crate::contact::programme::{COARSE, answer, zones};
+use crate::contact::programme::{COARSE, active, answer};
 
 /// Ends are right to so many elements.
 const ELEMENTS: f64 = 3.0;
@@ -35,10 +35,10 @@ fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f6
 #[test]
 fn half_lengths_are_those_of_the_quadratic_programme() {
     each_solved(5, 100, |number, problem, expected, solution| {
-        let zones = zones(problem, expected, 0.0).unwrap();
-        for (zones, contact) in zones.iter().zip(solution.contacts()) {
-            assert_eq!(zones.apart.len(), 1, "{number}: {zones:?}");
-            let error = zones.end() * problem.kernel.length() / contact.half_length - 1.0;
+        let active = active(problem, expected, 0.0).unwrap();
+        for (active, contact) in active.iter().zip(solution.contacts()) {
+            assert_eq!(active.separate.len(), 1, "{number}: {active:?}");
+            let error = active.end() * problem.kernel.length() / contact.half_length - 1.0;
             assert!(error.abs() < ELEMENTS * COARSE.ends, "{number}, {}: {error}", contact.interface);
         }
     });
@@ -115,7 +115,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {
             let touches = |i: usize, e: usize| {
-                !energy.barred[e] && if parts { e == 0 || (e / 3 + i).is_multiple_of(2) } else { e < 9 + 2 * i }
+                !energy.inadmissible[e] && if parts { e == 0 || (e / 3 + i).is_multiple_of(2) } else { e < 9 + 2 * i }
             };
             let touching: Vec<Vec<bool>> =
                 (0..contacts).map(|i| (0..elements).map(|e| touches(i, e)).collect()).collect();

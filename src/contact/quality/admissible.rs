@@ -39,9 +39,9 @@ const UNRESOLVED: f64 = 10.0;
 const MOST_FEIGNED: f64 = 1e-3;
 /// The same where a contact fades before an end is found.
 const MOST_DECAYED: f64 = 1e-5;
-/// Places around a pull at which the highest modes are looked at.
+/// Places around the largest tension at which the highest modes are looked at.
 const NEAR: usize = 4 * PER_MODE;
-/// Pressures under a punch that is not smooth pull by no more than this part of the largest.
+/// Under a punch that is not smooth, tension is no more than this part of the largest pressure.
 const TENSION: f64 = 1e-6;
 
 /// More modes do not change a tension of more than this part of the largest pressure. Twice as much: non-physical roots are
@@ -55,16 +55,16 @@ const CANTILEVER: f64 = 3.0;
 /// A pressure that grows like the root of the distance from its end holds a moment like this power of the distance.
 const POWER: f64 = 0.4;
 
-/// Smaller pulls, against the largest pressure, are of the sums over modes.
+/// Smaller tension, against the largest pressure, is that of the sums over modes.
 const FEIGNED: f64 = 1e-7;
 
-/// A pressure that pulls is wrong by so many times as much.
+/// A pressure in tension is wrong by this many times as much.
 const SEEN: f64 = 2.0;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(crate) struct Check {
     pub(crate) min_pressure: f64,
-    /// By which part of the largest pressure each contact pulls, for want of modes.
+    /// The tension of each contact for want of modes, as a part of its largest pressure.
     pub(crate) tensions: Vec<f64>,
     pub(crate) min_gap: f64,
     /// Where bodies touch again with next to no force.
@@ -90,7 +90,7 @@ impl Overlap {
 }
 
 impl Level {
-    /// Errors cover what an answer is seen to be wrong by: pressures that pull, and bodies that touch again with next to no
+    /// Errors cover what an answer is seen to be wrong by: tension, and bodies that touch again with next to no
     /// force, which is left out.
     pub(crate) fn admit(&mut self, check: &Check) {
         for (error, tension) in self.errors.iter_mut().zip(&check.tensions).filter(|(_, tension)| **tension > FEIGNED) {
@@ -275,8 +275,8 @@ fn transforms(problem: &Problem, level: &Level, modes: &[Vec<f64>]) -> Option<Wa
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let layout = Layout::new(problem.kernel, half_lengths, &problem.orders(&counts), FIELDS, span)?;
     let bases = Basis::all(&layout, problem, half_lengths, &counts);
-    let linked = vec![false; counts.len() - 1];
-    let equations = Equations::new(&layout, &bases, &counts, &linked, &level.support);
+    let strong = vec![false; counts.len() - 1];
+    let equations = Equations::new(&layout, &bases, &counts, &strong, &level.support);
     let mut slopes = equations.responses(modes);
     slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
     let limits = layout.own.iter().map(|own| own.limit).collect();

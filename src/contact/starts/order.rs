@@ -7,7 +7,7 @@
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::parts;
 use crate::contact::problem::Problem;
-use crate::contact::programme::{self, Zones};
+use crate::contact::programme::{self, ActiveIntervals};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::contact::quality::levels::Start;
 use crate::contact::starts::formulas;
@@ -83,19 +83,19 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             Outcome::Failed(failure) => failure,
             solved => return Ok(solved),
         };
-        let mut zones: Option<Vec<Zones>> = None;
+        let mut active: Option<Vec<ActiveIntervals>> = None;
         // once more if bodies would overlap farther out than was looked at
         for _ in 0..2 {
             let overlap = match *failure {
                 ContactError::NoSolution(NoSolution::Overlap { x, .. }) => x / self.problem.kernel.length(),
                 _ => 0.0,
             };
-            if zones.is_some() && overlap <= self.far {
+            if active.is_some() && overlap <= self.far {
                 break;
             }
             self.far = overlap;
-            zones = programme::zones(self.problem, &self.expected, overlap);
-            let all = zones.as_deref().unwrap_or_default();
+            active = programme::active(self.problem, &self.expected, overlap);
+            let all = active.as_deref().unwrap_or_default();
             if self.several.is_none()
                 && let Some(i) = several(self.problem, all, true)
             {
@@ -113,8 +113,8 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
                 solved => return Ok(solved),
             }
         }
-        let zones = zones.unwrap_or_default();
-        Ok(self.in_intervals(&zones).unwrap_or(Outcome::Failed(failure)))
+        let active = active.unwrap_or_default();
+        Ok(self.in_intervals(&active).unwrap_or(Outcome::Failed(failure)))
     }
 
     /// Newton's method from a start; a solution that may be that of a non-physical root is kept aside.
@@ -145,21 +145,21 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
     }
 
     /// The doubtful solution, if the quadratic programme has found the same contacts.
-    fn confirmed(&mut self, zones: &[Zones]) -> Option<Solution> {
+    fn confirmed(&mut self, active: &[ActiveIntervals]) -> Option<Solution> {
         let length = self.problem.kernel.length();
         let is_same = |solution: &Solution| {
-            let contacts = solution.contacts.iter().zip(zones);
+            let contacts = solution.contacts.iter().zip(active);
             let mut known = contacts.filter(|(contact, _)| contact.half_length_error < CONFIRMED * contact.half_length);
-            !zones.is_empty()
-                && known.all(|(contact, zones)| (contact.half_length / (zones.end() * length)).ln().abs() < CONFIRMED)
+            !active.is_empty()
+                && known.all(|(contact, active)| (contact.half_length / (active.end() * length)).ln().abs() < CONFIRMED)
         };
         let (_, attempt) = self.doubtful.take_if(|(_, attempt)| is_same(&attempt.solution))?;
         Some(attempt.solution)
     }
 
     /// Where the quadratic programme sees the ends of the contacts about the middle; as expected where it sees none.
-    fn ends(&self, zones: &[Zones]) -> Vec<f64> {
-        let end = |(i, expected): (usize, &f64)| match zones.get(i).map_or(0.0, Zones::end) {
+    fn ends(&self, active: &[ActiveIntervals]) -> Vec<f64> {
+        let end = |(i, expected): (usize, &f64)| match active.get(i).map_or(0.0, ActiveIntervals::end) {
             _ if self.problem.sides[i].is_flat() => *expected,
             0.0 => *expected,
             end => end,
@@ -200,40 +200,40 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
 
     /// What is left where Newton's method has failed from all starts: several intervals, if the quadratic programme may have
     /// seen some.
-    fn in_intervals(&mut self, zones: &[Zones]) -> Option<Outcome> {
-        let failed = |i: usize| Outcome::Failed(Box::new(self.error(zones, i)));
+    fn in_intervals(&mut self, active: &[ActiveIntervals]) -> Option<Outcome> {
+        let failed = |i: usize| Outcome::Failed(Box::new(self.error(active, i)));
         if self.several.is_some() {
-            return several(self.problem, zones, true).map(failed);
+            return several(self.problem, active, true).map(failed);
         }
-        let uncertain = several(self.problem, zones, false);
-        let is_apart = |zones: &Zones| zones.intervals().first().is_some_and(|first| first[0] > 0.0);
-        let may_be_several = uncertain.is_some() || zones.iter().any(is_apart);
-        let solution = may_be_several.then(|| parts::solve(self.problem, zones)).flatten();
+        let uncertain = several(self.problem, active, false);
+        let is_apart = |active: &ActiveIntervals| active.intervals().first().is_some_and(|first| first[0] > 0.0);
+        let may_be_several = uncertain.is_some() || active.iter().any(is_apart);
+        let solution = may_be_several.then(|| parts::solve(self.problem, active)).flatten();
         solution.map(|solution| Outcome::Solved(Box::new(solution))).or_else(|| uncertain.map(failed))
     }
 
     /// The error that says where contact i touches.
-    fn error(&self, zones: &[Zones], i: usize) -> ContactError {
+    fn error(&self, active: &[ActiveIntervals], i: usize) -> ContactError {
         let length = self.problem.kernel.length();
-        let parts = zones[i].intervals().iter().map(|part| part.map(|x| x * length)).collect();
+        let parts = active[i].intervals().iter().map(|part| part.map(|x| x * length)).collect();
         NoSolution::Parts { interface: self.problem.interfaces[i], parts }.into()
     }
 }
 
 /// The contact in which bodies touch in several intervals, or in none about the middle.
-fn several(problem: &Problem, zones: &[Zones], certain: bool) -> Option<usize> {
-    let finite = |zones: &Zones| zones.sure.iter().filter(|part| part[1].is_finite()).count();
+fn several(problem: &Problem, active: &[ActiveIntervals], certain: bool) -> Option<usize> {
+    let finite = |active: &ActiveIntervals| active.resolved.iter().filter(|part| part[1].is_finite()).count();
     // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
-    let count = |zones: &Zones| if certain { finite(zones) } else { zones.apart.len() };
+    let count = |active: &ActiveIntervals| if certain { finite(active) } else { active.separate.len() };
     // bodies that do not touch about the middle touch in two intervals, one on either side
-    let open = |zones: &Zones| match zones.sure[..] {
+    let open = |active: &ActiveIntervals| match active.resolved[..] {
         [[from, to]] => !certain && from > 0.0 && to.is_finite() && to > OPEN * from,
         _ => false,
     };
     // an interval under a punch too short for the grid says nothing
-    let plausible = |i: usize, zones: &Zones| {
-        problem.sides[i].profile().is_none() || zones.apart.first().is_some_and(|part| part[0] == 0.0)
+    let plausible = |i: usize, active: &ActiveIntervals| {
+        problem.sides[i].profile().is_none() || active.separate.first().is_some_and(|part| part[0] == 0.0)
     };
-    let mut all = zones.iter().enumerate();
-    all.find(|(i, zones)| open(zones) || count(zones) > 1 && plausible(*i, zones)).map(|(i, _)| i)
+    let mut all = active.iter().enumerate();
+    all.find(|(i, active)| open(active) || count(active) > 1 && plausible(*i, active)).map(|(i, _)| i)
 }

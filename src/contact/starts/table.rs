@@ -92,7 +92,7 @@ impl Table {
         }
         let contacts = kernel.contacts();
         let half_lengths: Vec<f64> = (0..contacts).map(|i| place.half_length(i)).collect();
-        // what contacts that are tied together miss is judged from coarse answers
+        // what strongly coupled contacts miss is estimated from coarse answers
         let usable =
             half_lengths.iter().all(|a| a.is_normal()) && !strongly_coupled(kernel, &half_lengths).contains(&true);
         usable.then(|| Start::Warm { half_lengths, modes: (0..contacts).map(|i| place.modes(i)).collect() })
