@@ -1,5 +1,6 @@
 //! The connected components of the block matrix: bodies that only the pressures of contacts hold together.
-use super::matrix::{BlockSystem, Column, Face, Row};
+use super::matrix::{BlockSystem, Column, Row};
+use super::names::Face;
 
 /// Columns that conditions without a pressure connect, from the top down. In this order the rows of a component are block
 /// tridiagonal: a row involves one column, or two that follow each other.

@@ -5,7 +5,7 @@
 //! tell its stresses. So a base needs no relations of its own.
 use std::ops::Neg;
 
-use super::matrix::{Pressure, Quantity, Side};
+use super::names::{Pressure, Quantity, Side};
 use crate::stack::Joint;
 use Quantity::{S, T, U, V};
 use Side::{Above, Below};

@@ -2,3 +2,4 @@
 pub(super) mod components;
 pub(super) mod conditions;
 pub(super) mod matrix;
+pub(super) mod names;

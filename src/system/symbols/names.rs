@@ -1,0 +1,77 @@
+//! What rows and blocks are named by: quantities, faces, sides, places and pressures.
+use crate::solution::Interface;
+
+/// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// Of the displacement u along the layers.
+    #[default]
+    U,
+    /// Of the displacement v upwards.
+    V,
+    /// Of the stress σ_yy, tension positive.
+    S,
+    /// Of the stress σ_xy.
+    T,
+}
+
+impl Quantity {
+    /// The place of the quantity in a [`State`](recede_layers::State).
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Whether it is a stress.
+    pub fn is_stress(self) -> bool {
+        matches!(self, Self::S | Self::T)
+    }
+}
+
+/// Face of a layer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// The upper face.
+    #[default]
+    Top,
+    /// The lower face.
+    Bottom,
+}
+
+/// Side of an interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The layer above the interface.
+    Above,
+    /// The layer below the interface.
+    Below,
+}
+
+/// Where a condition holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// On the top face of the stack, below the punch.
+    Punch,
+    /// Between neighbours, numbered as in the scene; the base counts.
+    Between {
+        /// Number of the layer above.
+        above: usize,
+        /// Number of the layer or base below.
+        below: usize,
+    },
+}
+
+/// Right-hand side of a row that is loaded: minus the transformed pressure of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pressure {
+    /// Index of the contact, from 0 for the punch; see [`Stack::contacts`].
+    pub contact: usize,
+}
+
+impl From<Interface> for Place {
+    fn from(interface: Interface) -> Self {
+        match interface {
+            Interface::Punch => Self::Punch,
+            Interface::Between { above, below } => Self::Between { above, below },
+        }
+    }
+}
