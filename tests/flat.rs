@@ -144,7 +144,9 @@ fn loose_layers_do_not_care_how_hard_the_punch_is_pressed() {
 fn a_thin_strip_is_bent_away_from_the_middle_of_a_wide_punch() {
     let thin = model(stack().layer(strip(1.0)).receding().layer(ground(1e-3)));
     let wide = thin.press(&Punch::flat(3.0).unwrap(), 0.01).unwrap();
-    assert!(wide.warnings()[0].contains("constant on each of") && wide.warnings()[1].contains("open about x = 0"));
+    assert!(
+        wide.warnings()[0].contains("constant pressures on each of") && wide.warnings()[1].contains("open about x = 0")
+    );
     let [punch, ground] = wide.contacts() else { panic!("two contacts") };
     assert_eq!((punch.half_length, punch.half_length_error), (3.0, 0.0));
     assert!(

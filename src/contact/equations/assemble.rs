@@ -15,7 +15,6 @@ use std::ops::Range;
 
 use nalgebra::DMatrix;
 
-use crate::contact::equations::edges::EdgePressure;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::columns::Columns;
 use crate::contact::integrals::layout::Layout;
@@ -41,6 +40,14 @@ pub(crate) struct Equations<'a> {
     differences: Vec<Columns>,
     /// What the edge singularity at the corners of a punch adds to the pressure of each contact.
     pub(super) edges: Vec<Option<EdgePressure>>,
+}
+
+/// What a singular pressure with the intensity q, 1 on a half-plane, adds to a contact.
+pub(super) struct EdgePressure {
+    /// q.
+    pub(super) intensity: f64,
+    /// Its transform per unit of q.
+    pub(super) rows: Rows,
 }
 
 /// Fields at the rows of one contact.

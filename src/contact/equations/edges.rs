@@ -3,14 +3,6 @@
 use crate::contact::equations::assemble::{Equations, Rows};
 use crate::numeric::buffer::Buffer;
 
-/// What a singular pressure with the intensity q, 1 on a half-plane, adds to a contact.
-pub(super) struct EdgePressure {
-    /// q.
-    pub(super) intensity: f64,
-    /// Its transform per unit of q.
-    pub(super) rows: Rows,
-}
-
 impl Equations<'_> {
     /// Adds the edge singularity of contact i to a pressure.
     pub(super) fn add_edge(&self, i: usize, pressure: &mut [f64]) {

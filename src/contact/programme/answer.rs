@@ -28,7 +28,7 @@ const FADED: f64 = 1e-4;
 const RESULTANT: f64 = 1e-3;
 
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
-pub(in crate::contact) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
+pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
     let Cycles { first, cycles: all } = Cycles::new(problem, expected, far, FINE);
     let mut contacts = Vec::with_capacity(problem.contacts());
     let eliminated = match first {

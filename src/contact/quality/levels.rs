@@ -17,6 +17,10 @@ pub(crate) const FINEST: usize = 512;
 /// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the first wave that feels no more
 /// than the faces.
 const PER_WAVE: f64 = 0.6;
+/// Where the first modes have failed before, the first steps have this many times more: next to thin, stiff coatings, and in
+/// decaying contacts, few modes lead astray. With no more than at first some of these are missed; with twice as many, the first
+/// steps take longer and find nothing else.
+const FINER: usize = 8;
 /// Modes of the first steps at most.
 const MOST_COARSE: usize = 64;
 /// Modes at most, all contacts together: what memory allows.
@@ -37,7 +41,7 @@ const LOOSEST: f64 = 1e-10;
 pub(crate) enum Start {
     /// Half-lengths from formulas: Newton's method may converge to a non-physical root, which is given up as soon as it shows.
     Guess { half_lengths: Vec<f64> },
-    /// Half-lengths from the quadratic programme, or from another solution.
+    /// Half-lengths from the quadratic programme, or from another solution: the first steps are finer than usual.
     Cold { half_lengths: Vec<f64> },
     /// Half-lengths almost as right as any answer, and how large modes are there.
     Warm { half_lengths: Vec<f64>, modes: Modes },
@@ -81,7 +85,8 @@ impl<'a> Levels<'a> {
         let n = half_lengths.len();
         let finest = FINEST.min(MOST / n);
         let mut solved = coarsest(problem.kernel, half_lengths, finest / 2);
-        let coarse = |modes: &usize| (modes / 2).min(MOST_COARSE.min(finest)).max(COARSEST);
+        let finer = if matches!(start, Start::Cold { .. }) { FINER } else { 1 };
+        let coarse = |modes: &usize| (modes / 2 * finer).min(MOST_COARSE.min(finest)).max(COARSEST);
         let mut coarse: Vec<usize> = solved.iter().map(coarse).collect();
         one_where_known(problem, &mut solved);
         one_where_known(problem, &mut coarse);
