@@ -63,7 +63,7 @@ pub enum Place {
 /// Right-hand side of a row that is loaded: minus the transformed pressure of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pressure {
-    /// Index of the contact, from 0 for the punch; see [`Stack::contacts`].
+    /// Index of the contact, from 0 for the punch; see [`crate::Stack::contacts`].
     pub contact: usize,
 }
 
