@@ -25,8 +25,8 @@ const COARSEST: usize = 12;
 const FINEST: usize = 96;
 /// Steps of Newton's method for one number of pressures.
 const STEPS: usize = 30;
-/// Multiplications at most, all starts together: some seconds. The hardest scene that is known to be solved, four contacts in five
-/// intervals, needs two thirds of it, and most a tenth; with twice as many, scenes that are not solved take twice the time.
+/// Multiplications at most, all starts together: some seconds. The hardest scene that is known to be solved needs two thirds of
+/// it; with twice as many, scenes that are not solved take twice the time.
 const MOST_OPERATIONS: f64 = 1.5e11;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
