@@ -36,7 +36,7 @@ pub enum LayerError {
     },
     /// Rows that make no table.
     #[error(transparent)]
-    Table(#[from] crate::profile::TableError),
+    Table(#[from] TableError),
     /// A table that does not reach the bottom of its layer.
     #[error("{field}: the table ends at depth {depth:?}; allowed is the thickness, {thickness:?}, or more")]
     TableEnds {
@@ -62,6 +62,25 @@ pub enum LayerError {
     NegativeEnergy {
         /// The determinant of the compliances, scaled; it must not be negative.
         found: f64,
+    },
+}
+
+/// Rows that make no table.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum TableError {
+    /// Fewer than two rows.
+    #[error("the table has {0} rows; allowed are two or more")]
+    Rows(usize),
+    /// The first row is not at the top face.
+    #[error("the table begins at depth {0:?}; allowed is 0")]
+    Begin(f64),
+    /// A depth that is not below the one before.
+    #[error("in the table depth {below:?} follows {above:?}; allowed are increasing depths")]
+    Order {
+        /// The depth before, in length.
+        above: f64,
+        /// The depth, in length.
+        below: f64,
     },
 }
 

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use crate::{
     ClosedForm, FaceStates, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates, Material, Plane, Poisson,
-    Positive, Wave, homogeneous,
+    Positive, Wave, decay::decaying_downwards,
 };
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
@@ -64,13 +64,13 @@ impl Layer for HalfPlane {
 
 impl ClosedForm for HalfPlane {
     fn face_states(&self, wave: &Wave) -> FaceStates {
-        let [first, second] = homogeneous::decaying_downwards(&self.isotropic(), wave, 0.0);
+        let [first, second] = decaying_downwards(&self.isotropic(), wave, 0.0);
         FaceStates::HalfPlane { top: Matrix4x2::from_columns(&[first, second]) }
     }
 
     fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let inside = depths.iter().map(|depth| {
-            let [a, b] = homogeneous::decaying_downwards(&self.isotropic(), wave, wave.wavenumber * depth);
+            let [a, b] = decaying_downwards(&self.isotropic(), wave, wave.wavenumber * depth);
             InnerStates::thick(Matrix4::from_columns(&[a, b, Vector4::zeros(), Vector4::zeros()]))
         });
         Some(LayerStates { inside: inside.collect(), faces: self.face_states(wave) })

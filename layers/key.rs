@@ -2,8 +2,6 @@
 use std::any::TypeId;
 use std::fmt::{Debug, Write};
 
-use crate::Layer;
-
 /// The type of a layer and all of its parameters: layers with equal keys are the same, wherever they lie.
 ///
 /// ```
@@ -21,7 +19,7 @@ pub struct Key {
 
 impl Key {
     /// The key of a type of layers, without parameters yet.
-    pub fn of<L: Layer>() -> Self {
+    pub fn of<L: 'static>() -> Self {
         // room for most layers' parameters
         Self { layer: TypeId::of::<L>(), parameters: Vec::with_capacity(64) }
     }

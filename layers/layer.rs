@@ -3,7 +3,7 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::{FaceStates, Flexibility, Key, LayerStates, Material, Plane, Wave, graded};
+use crate::{FaceStates, Flexibility, Key, LayerStates, Material, Plane, Wave};
 
 /// How a layer is written in drawings and messages.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -120,7 +120,7 @@ pub trait Layer: Debug + Send + Sync + Any {
     }
 
     /// The layer itself, if its fields are known in closed form; `None`, as is provided, leaves them to the general body,
-    /// of which a stack keeps what it computes, see [`graded::Remembering`].
+    /// of which a stack keeps what it computes, see [`crate::graded::Remembering`].
     fn closed_form(&self) -> Option<&dyn ClosedForm> {
         None
     }
@@ -170,27 +170,5 @@ pub trait ClosedForm {
     /// homogeneous strip; provided by solving for it with the face states.
     fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
         Flexibility::of_face_states(&self.face_states(wave))
-    }
-}
-
-/// What is asked of a layer.
-impl dyn Layer {
-    /// States at the faces as functions of the layer's amplitudes: the layer's closed form, or [`graded::face_states`].
-    pub fn face_states(&self, wave: &Wave) -> FaceStates {
-        self.closed_form().map_or_else(|| graded::face_states(self, wave), |closed| closed.face_states(wave))
-    }
-
-    /// States at the faces and at `depths` below the top face, in ascending order from 0 to the thickness, in amplitudes
-    /// common to all of them; they need not be those of [`face_states`](#method.face_states). The layer's closed form, or
-    /// [`graded::states`].
-    pub fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
-        let closed = self.closed_form().and_then(|closed| closed.states(wave, depths));
-        closed.unwrap_or_else(|| graded::states(self, wave, depths))
-    }
-
-    /// Flexibility of the layer alone with shear-free faces; `None` for a half-plane, see [`Flexibility`].
-    pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        let general = || Flexibility::of_face_states(&graded::face_states(self, wave));
-        self.closed_form().map_or_else(general, |closed| closed.flexibility(wave))
     }
 }

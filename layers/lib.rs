@@ -29,10 +29,12 @@
 #![deny(missing_docs)]
 
 pub mod conformance;
+mod decay;
 #[cfg(feature = "read")]
 pub mod description;
 mod error;
 mod exponential;
+mod fields;
 mod flexibility;
 pub mod graded;
 mod graded_half_plane;
@@ -54,7 +56,7 @@ mod state;
 mod support;
 mod winkler;
 
-pub use error::LayerError;
+pub use error::{LayerError, TableError};
 pub use exponential::Exponential;
 pub use flexibility::Flexibility;
 pub use graded_half_plane::GradedHalfPlane;
@@ -67,7 +69,7 @@ pub use linear::solve_equilibrated;
 pub use material::{Isotropic, Material, Plane};
 pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, PoissonRatios, Young};
 pub use power_half_plane::PowerHalfPlane;
-pub use profile::{Profile, Table, TableError};
+pub use profile::{Profile, Table};
 pub use quantity::{Carrying, Exponent, Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
 #[cfg(feature = "read")]
 pub use registry::{Body, Entry, ReadBody, ReadError, Registry, read_ron};

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 #[cfg(feature = "read")]
 use crate::description::Value;
-use crate::{Finite, LayerError, OutOfRange, Positive, Thickness};
+use crate::{Finite, LayerError, OutOfRange, Positive, TableError, Thickness};
 
 /// Beyond so many widths from its centre, a sigmoid is cut off from where it varies.
 const WIDTHS: f64 = 8.0;
@@ -92,25 +92,6 @@ impl<Q: fmt::Debug> fmt::Debug for Table<Q> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
-}
-
-/// Rows that make no table.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum TableError {
-    /// Fewer than two rows.
-    #[error("the table has {0} rows; allowed are two or more")]
-    Rows(usize),
-    /// The first row is not at the top face.
-    #[error("the table begins at depth {0:?}; allowed is 0")]
-    Begin(f64),
-    /// A depth that is not below the one before.
-    #[error("in the table depth {below:?} follows {above:?}; allowed are increasing depths")]
-    Order {
-        /// The depth before, in length.
-        above: f64,
-        /// The depth, in length.
-        below: f64,
-    },
 }
 
 impl<Q> TryFrom<Vec<(Thickness, Q)>> for Table<Q> {
