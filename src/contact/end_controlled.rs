@@ -3,6 +3,8 @@
 //! The half-length grows with the force: the logarithm of the one is found as a function of that of the other by the secant
 //! method, kept between forces known to be too small and too large. A force at which the solver fails says nothing of the
 //! half-length: another one is tried.
+use std::f64::consts::LN_2;
+
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::profile::Profile;
 use crate::contact::quality::estimates::BEST;
@@ -18,8 +20,6 @@ const MET: f64 = 0.1;
 const TRIALS: usize = 60;
 /// Longest step in the logarithm of the force.
 const LONGEST: f64 = 3.0;
-/// Half-lengths by which the slope of the first guess is found differ by this, in the logarithm.
-const APART: f64 = -1e-3;
 
 /// Presses a punch on a stack until its contact is as long as wanted; `press` presses with a force.
 pub(crate) fn press_to(
@@ -117,7 +117,7 @@ impl Search {
     fn new(kernel: &Kernel, punch: &Punch, half_length: f64, enough: f64) -> Self {
         let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
         let trial = expected(half_length);
-        let slope = (expected(half_length * APART.exp()) - trial) / APART;
+        let slope = (trial - expected(0.5 * half_length)) / LN_2;
         // the compliance that is expected may fall faster than any body's; by Hertz P is like a²
         let slope = if slope.is_finite() && slope > 0.0 { slope } else { 2.0 };
         Self {

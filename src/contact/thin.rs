@@ -8,32 +8,21 @@
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
 //! solved without these waves, and that change is part of the error.
+use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
 use std::f64::consts::PI;
 
 use crate::contact::error::ContactError;
+use crate::contact::problem::modes::{COARSEST, FINEST};
 use crate::contact::problem::{Problem, Side};
-use crate::contact::quality::levels::{COARSEST, FINEST};
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::numeric;
 use crate::solution::{Contact, Interface, Solution};
 
-/// An answer is taken to be wrong by so many times the change of the diagonal, since the rows of higher modes change more than the
-/// first. Under a coating ten times stiffer than the ground the half-length was off by 0.5 to 0.7 of that change.
-const SAFETY: f64 = 3.0;
 /// The kernel is cut off where more waves would not make that change smaller by more than this factor; they cost time.
 const WORSE: f64 = 2.0;
 /// Waves as long as this over the wavenumber, or shorter, see no more than the layer at the face.
 const FELT: f64 = 18.5;
-/// Couplings smaller than this, against what they couple, have ended.
-const UNCOUPLED: f64 = 1e-12;
-
-/// The half-lengths of a contact that is one with the next are wrong by so many times the length of the boundary layer at their
-/// ends. Under loose sheets from ten times softer to a hundred times stiffer than the ground they were off by 0.1 to 1.2 of it.
-const AT_ENDS: f64 = 3.0;
-
-/// Without thin layers contacts are solved for to this part of what these change.
-const ENOUGH: f64 = 0.1;
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin {
@@ -58,7 +47,7 @@ pub(super) fn solve(
     let without = || {
         let interfaces = thin.interfaces(problem.interfaces);
         // no more digits are of use than are left
-        let tolerance = problem.tolerance.max(ENOUGH * thin.error);
+        let tolerance = problem.tolerance.max(0.1 * thin.error);
         Ok(thin.admit(solve(&problem.on(&thin.kernel, &interfaces, tolerance))?, problem.interfaces))
     };
     if thin.error <= problem.tolerance || thin.is_unresolved() {
@@ -119,7 +108,7 @@ impl Thin {
         // a layer gives way to longer waves by the same displacement as to those as short as it is thick
         let squeezed = self.kernel.thinned(upper, formulas::TYPICAL / carried) * carried / a;
         self.kernel = self.kernel.without(upper)?;
-        let error = AT_ENDS * carried / a + SAFETY * squeezed / self.kernel.compliances(formulas::TYPICAL / a)[upper];
+        let error = SAFETY * carried / a + SAFETY * squeezed / self.kernel.compliances(formulas::TYPICAL / a)[upper];
         half_lengths.remove(upper + 1);
         self.thinnest = self.thinnest.min(carried / a);
         self.error = self.error.max(error);
@@ -176,7 +165,7 @@ fn beyond_modes(kernel: &Kernel, contact: usize, half_length: f64, half_lengths:
     if kernel.far(contact).from <= highest {
         return None;
     }
-    let coupled = |i: usize| kernel.uncoupled(i, half_lengths[i].min(half_lengths[i + 1]), UNCOUPLED);
+    let coupled = |i: usize| kernel.uncoupled(i, half_lengths[i].min(half_lengths[i + 1]), ROUNDING);
     let couplings = contact.saturating_sub(1)..(contact + 1).min(half_lengths.len() - 1);
     let lowest = couplings.map(coupled).fold((2 * COARSEST) as f64 / half_length, f64::max);
     let error = |from: f64| SAFETY * 2.0 / (PI * half_length) * kernel.left_out(contact, from);

@@ -22,13 +22,11 @@ pub use deficit::{INTEGRAL_FROM, integral, jinc_deficit, jinc_deficit_from, sinc
 use start::start_orders;
 
 use super::trigonometry::sin_cos;
-use super::vector::vectorised;
+use super::vector::{LANES, vectorised};
 
 /// Arguments from here on may use Hankel's expansion: its smallest term is far below rounding.
 pub const ASYMPTOTIC_FROM: f64 = 25.0;
 
-/// Arguments advanced together, so that the inner loops compile to vector instructions.
-const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
 /// Arguments below this differ from zero in J1 alone, which is then negligible as well.

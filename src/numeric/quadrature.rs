@@ -28,6 +28,10 @@ impl Rule {
 /// The sizes of the Gauss-Legendre rules that are kept.
 pub const SIZES: [usize; 18] = [8, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 768, 1024];
 
+/// Points of the largest rule that integrals over long intervals are asked for, before these are cut in two. Twice as many: rules
+/// take longer to be made than they save.
+pub(crate) const LARGEST: usize = 512;
+
 /// The position in [`SIZES`] of the smallest rule with at least `n` nodes; the largest if there is none.
 pub(super) fn position(n: usize) -> usize {
     SIZES.partition_point(|&size| size < n).min(SIZES.len() - 1)

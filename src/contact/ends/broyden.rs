@@ -2,10 +2,8 @@
 //!
 //! In the form that needs nothing but the steps: C. T. Kelley, Iterative Methods for Linear and Nonlinear Equations, 1995,
 //! section 7.3.
+use crate::contact::ends::newton::SLOW;
 use crate::contact::problem::modes::Modes;
-
-/// Steps that shorten more slowly than this are not made longer by more than that tells.
-const MOST: f64 = 0.5;
 
 /// Steps in the modes of all contacts and the logarithms of the half-lengths, one after the other.
 #[derive(Default)]
@@ -24,7 +22,7 @@ impl Secants {
             all.iter_mut().zip(&pair[1]).for_each(|(value, next)| *value += part * next);
         }
         if let Some(last) = self.taken.last() {
-            let part = (dot(last, &all) / dot(last, last)).min(MOST);
+            let part = (dot(last, &all) / dot(last, last)).min(SLOW);
             all.iter_mut().for_each(|value| *value /= 1.0 - part);
         }
         let mut improved = all.iter();

@@ -4,6 +4,7 @@
 //! Newton's steps moves the end of such a contact outwards as far as the one before, and less and less depends on it. Once
 //! that is nothing, the end stays where it is, and all other unknowns are found without it.
 use crate::contact::equations::condensed::{Linearised, Pressures};
+use crate::contact::problem::accuracy::ROUNDING;
 use crate::contact::problem::support::{Decay, End, Support};
 use crate::contact::problem::{Problem, Side};
 
@@ -18,8 +19,6 @@ const STEPS: usize = 2;
 const MOST_SENSITIVE: f64 = 1e-4;
 /// The sensitivity to an end goes through a minimum where modes resolve it no longer: there it rises by this factor.
 const RISES: f64 = 4.0;
-/// Nothing is known better than this.
-const NOISE: f64 = 1e-13;
 
 /// What is seen of the end of one contact during Newton's method.
 #[derive(Clone, Debug)]
@@ -88,11 +87,11 @@ impl Decaying {
                 if sensitivity < watch.least.0 {
                     watch.least = (sensitivity, *a);
                 }
-                known && outwards && sensitivity <= little.max(NOISE)
+                known && outwards && sensitivity <= little.max(ROUNDING)
             };
             if frozen {
                 let length = (watch.last / *a).min(1.0);
-                support.ends[i] = End::Frozen(Decay { sensitivity: watch.least.0.max(NOISE), length });
+                support.ends[i] = End::Frozen(Decay { sensitivity: watch.least.0.max(ROUNDING), length });
                 (self.seen[i], any) = (true, true);
             }
         }

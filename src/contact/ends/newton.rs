@@ -8,7 +8,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{CAREFUL, COARSE, Layout};
 use crate::contact::problem::Problem;
-use crate::contact::problem::modes::Modes;
+use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
 use crate::solution::Stopped;
@@ -23,13 +23,9 @@ const STEPS: usize = 40;
 const FARTHEST: f64 = 4.0;
 /// Iterated Galerkin sweeps begin when what is left of a Newton step is below this.
 pub(crate) const NEARBY: f64 = 1e-5;
-/// Ends on which less than this depends need not be found in the first steps.
-const ROUGH_ENDS: f64 = 1e-6;
 /// What a Newton step with few modes leaves when derivatives are kept from there on, and what is to be left in the end.
 const ROUGHLY: f64 = 2.5e-3;
 const ROUGH: f64 = 1e-4;
-/// Half-lengths may move by the root of a thousandth of the tolerance before tables are made anew, with this number of modes.
-const FEW: usize = 8;
 /// A laminate that bends this much more easily than its contacts are squeezed couples their pressures strongly.
 const STRONG: f64 = 1e4;
 /// Sweeps, and steps with kept derivatives, that change this much of what the one before changed do not end.
@@ -107,9 +103,9 @@ impl<'a> Newton<'a> {
         // far these half-lengths are off
         let strongly = strongly_coupled(self.problem.kernel, &half_lengths).contains(&true);
         let (aim, enough) = if strongly {
-            (Aim { negligible: CAREFUL, step: NEARBY, ends: ROUGH_ENDS }, 0.5 * linear(tolerance, counts))
+            (Aim { negligible: CAREFUL, step: NEARBY, ends: CAREFUL }, 0.5 * linear(tolerance, counts))
         } else {
-            (Aim { negligible: COARSE, step: ROUGHLY, ends: ROUGH_ENDS }, ROUGH)
+            (Aim { negligible: COARSE, step: ROUGHLY, ends: CAREFUL }, ROUGH)
         };
         let Point { mut support, pressures, linearised, layout } = self.iterate(half_lengths, counts, counts, aim)?;
         // on with the same derivatives
@@ -221,8 +217,8 @@ fn near(half_lengths: &[f64], about: &[f64], by: f64) -> bool {
 /// How far half-lengths may move, in the logarithm, before tables are made anew: high modes oscillate, and are linear over
 /// a shorter way.
 pub(crate) fn linear(tolerance: f64, solved: &[usize]) -> f64 {
-    let highest = solved.iter().copied().fold(FEW, usize::max);
-    (1e-3 * tolerance).sqrt().min(NEARBY) * FEW as f64 / highest as f64
+    let highest = solved.iter().copied().fold(COARSEST, usize::max);
+    (1e-3 * tolerance).sqrt().min(NEARBY) * COARSEST as f64 / highest as f64
 }
 
 /// Which laminates couple the pressures of their contacts strongly.

@@ -7,34 +7,19 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::{LITTLE, ROUNDING};
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
 use crate::contact::problem::profile::Slopes;
 use crate::contact::problem::support::{Support, longest};
 use crate::solution::Stopped;
 
-/// More modes than these, all contacts together, are not solved for only because sweeps did not converge.
-const MOST_SOLVED: usize = 600;
 /// Sweeps have converged if they leave a pressure error of this many tolerances: the next level goes on.
 const PRESSURES: f64 = 10.0;
-/// Ends on which less than this part of the tolerance depends need not be found.
-const ENDS: f64 = 0.01;
-/// Where sweeps do not converge, Newton's method goes on to this.
-const FULLY: f64 = 1e-20;
-/// Derivatives from few modes are right to about this part.
-const DERIVATIVES: f64 = 1e-2;
-/// Sweeps that change more than this diverge.
-const DIVERGED: f64 = 1e-2;
 /// What is taken for the error of modes for which sweeps diverge, on top of how they fall.
 const UNKNOWN: f64 = 1e-4;
-/// A sweep is taken to leave at least this part of what it changed.
-const LEAST_LEFT: f64 = 0.1;
-/// Changes below this are rounding.
-const NOISE: f64 = 1e-13;
 /// The last digits come from sweeps; this many at most.
 const SWEEPS: usize = 12;
-/// What sweeps leave may be this part of the truncation error; of half-lengths, this part of that.
-const LITTLE: f64 = 0.01;
 
 impl Newton<'_> {
     /// A fine solution: goes on from half-lengths nearby, found with `fewer` modes, and sweeps with more modes than are solved
@@ -51,7 +36,6 @@ impl Newton<'_> {
         let (mut found, converged) = self.sweep(half_lengths.clone(), &solved, &modes, tolerance)?;
         if !converged
             && solved != modes
-            && modes.iter().sum::<usize>() <= MOST_SOLVED
             && let Ok((all, true)) = self.sweep(half_lengths.clone(), &modes, &modes, tolerance)
         {
             found = all;
@@ -95,14 +79,14 @@ impl Newton<'_> {
         modes: &[usize],
         tolerance: f64,
     ) -> Result<(Converged, bool), ContactError> {
-        let aim = Aim { negligible: negligible(tolerance), step: NEARBY, ends: ENDS * tolerance };
+        let aim = Aim { negligible: negligible(tolerance), step: NEARBY, ends: LITTLE * tolerance };
         let point = self.iterate(half_lengths.clone(), solved, modes, aim)?;
         let mut sweeps = Sweeps::new(self.problem, &point, solved, modes, tolerance);
         let stopped = sweeps.run(&mut self.work);
         let converged = sweeps.finish(stopped);
         if !converged
             && solved == modes
-            && let Ok(end) = self.iterate(half_lengths, solved, modes, Aim { step: FULLY, ..aim })
+            && let Ok(end) = self.iterate(half_lengths, solved, modes, Aim { step: ROUNDING * ROUNDING, ..aim })
         {
             return Ok((Converged::without_sweeps(end, solved), true));
         }
@@ -264,8 +248,8 @@ impl<'a> Sweeps<'a> {
                 // a geometric series goes on with the ratio of its last terms
                 let ratio = if now == 0.0 { 0.0 } else { now / before };
                 let twice = SLOW * SLOW * earlier;
-                is_slow |= sweep > 1 && ratio > SLOW && now > twice.max(NOISE);
-                now * (ratio / (1.0 - ratio.min(0.9))).max(LEAST_LEFT)
+                is_slow |= sweep > 1 && ratio > SLOW && now > twice.max(ROUNDING);
+                now * (ratio / (1.0 - ratio.min(0.9))).max(0.1)
             };
             self.residuals[i] = Estimate {
                 length: left(now.length, before.length, earlier.length),
@@ -279,7 +263,7 @@ impl<'a> Sweeps<'a> {
     /// Why there is to be no further sweep, if so.
     fn stopped(&mut self, sweep: usize, is_slow: bool) -> Option<Stopped> {
         let longest = longest(self.step.iter().copied());
-        let has_diverged = sweep > 0 && (longest >= DIVERGED || longest.is_nan());
+        let has_diverged = sweep > 0 && (longest >= LITTLE || longest.is_nan());
         // sweeps cannot recover modes beyond the last one: stop at the truncation estimate
         let beyond = (0..self.solved.len()).filter(|i| self.falls(*i)).map(|i| beyond(&self.modes[i]).0);
         let beyond = beyond.fold(0.0, f64::max);
@@ -290,7 +274,7 @@ impl<'a> Sweeps<'a> {
         if is_slow {
             return Some(Stopped::Slow);
         }
-        let wanted = Estimate::new(0.01 * self.tolerance, 0.1 * self.tolerance);
+        let wanted = Estimate::new(LITTLE * self.tolerance, 0.1 * self.tolerance);
         let enough = Estimate {
             length: self.truncation.length.max(wanted.length),
             pressure: self.truncation.pressure.max(wanted.pressure),
@@ -311,7 +295,7 @@ impl<'a> Sweeps<'a> {
     fn finish(&mut self, stopped: Stopped) -> bool {
         self.linearised.follow(&mut self.modes, &self.step);
         for (i, left) in self.residuals.iter_mut().enumerate() {
-            left.length += DERIVATIVES * self.step[i].abs() + self.drift.shift[i] * self.drift.shift[i];
+            left.length += LITTLE * self.step[i].abs() + self.drift.shift[i] * self.drift.shift[i];
         }
         self.support.advance(&self.drift.shift);
         self.support.advance(&self.step);
@@ -324,7 +308,7 @@ impl<'a> Sweeps<'a> {
 
     /// Goes back to the modes that were solved for where sweeps have diverged.
     fn give_up_lost(&mut self, stopped: Stopped) {
-        if stopped == Stopped::Diverged || self.residuals.iter().any(|left| left.length > DIVERGED) {
+        if stopped == Stopped::Diverged || self.residuals.iter().any(|left| left.length > LITTLE) {
             self.responses = None;
             (self.support, self.modes) = self.begin.clone();
             for (own, solved) in self.modes.iter_mut().zip(self.solved) {
@@ -335,7 +319,7 @@ impl<'a> Sweeps<'a> {
             }
         }
         // half-lengths may converge where high modes do not, for which the dominant part of a row is not its diagonal
-        for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > DIVERGED) {
+        for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > LITTLE) {
             self.modes[i] = self.begin.1[i][..self.solved[i]].to_vec();
             left.pressure = UNKNOWN;
             self.responses = None;

@@ -35,9 +35,6 @@ pub(crate) struct Influences {
     pub(crate) peaks: Vec<Vec<f64>>,
 }
 
-/// Rounding of a row, relative to its terms.
-const ROUNDING: f64 = 2e-16;
-
 /// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the unknowns of their ends.
 pub(crate) struct Pressures {
     pub(crate) modes: Modes,
@@ -155,7 +152,7 @@ fn influences(
     let size = |i: usize| {
         let terms: f64 = beta.column(i).iter().zip(gamma).map(|(b, g)| (b * g).abs()).sum();
         let differences = if equations.has_strong() { differences(i) } else { 0.0 };
-        ROUNDING * (terms + known[i].abs() + differences)
+        f64::EPSILON * (terms + known[i].abs() + differences)
     };
     let sizes: Vec<f64> = (0..n).map(size).collect();
     let rounding = (0..n).map(|i| (0..n).map(|k| inverse[(i, k)].abs() * sizes[k]).sum()).collect();

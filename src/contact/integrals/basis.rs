@@ -18,9 +18,6 @@ use crate::numeric::vector::vectorised;
 /// Nodes of a tail whose Bessel functions are made together.
 const TOGETHER: usize = 512;
 
-/// Orders of the tables.
-const WANTED: Wanted = Wanted::ZERO_AND_ODD;
-
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(crate) struct Basis {
     /// Half-length in units of L.
@@ -54,8 +51,8 @@ impl Basis {
         }
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
         let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, half_length.recip());
-        let mut table = Columns::new(rows, WANTED.below(orders));
-        bessel::scaled_orders(orders, WANTED, &arguments[..reach], scale, rows, &mut table.values);
+        let mut table = Columns::new(rows, Wanted::ZERO_AND_ODD.below(orders));
+        bessel::scaled_orders(orders, Wanted::ZERO_AND_ODD, &arguments[..reach], scale, rows, &mut table.values);
         let mut basis = Self { half_length, deficit: Buffer::default(), table, arguments, paths };
         if rows > reach {
             basis.tabulate_tail(tail, reach, orders);
@@ -82,7 +79,7 @@ impl Basis {
             let length = some.len();
             let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
             bessel::jy_table(orders, some, &mut j, &mut y);
-            for (&n, column) in WANTED.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
+            for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
                 for (place, values) in [(first + start, &j), (first + count + start, &y)] {
                     let values = &values[n * length..(n + 1) * length];
                     column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
@@ -94,7 +91,7 @@ impl Basis {
         let factors: Vec<Complex64> = factors.collect();
         let mut h = vec![Complex64::ZERO; orders * turned];
         bessel::hankel_table(orders, &self.paths, &mut h);
-        for (&n, column) in WANTED.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
+        for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
             let (re, im) = column[first + 2 * count..].split_at_mut(turned);
             for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
                 let value = h * factor;

@@ -4,12 +4,10 @@ use std::ops::Range;
 use faer::MatRef;
 
 use crate::numeric::buffer::Buffer;
-use crate::numeric::vector::vectorised;
+use crate::numeric::vector::{LANES, vectorised};
 
 /// Columns taken together.
 const TOGETHER: usize = 4;
-/// Rows whose sums are kept apart.
-const LANES: usize = 8;
 
 /// Columns, one after the other.
 pub(crate) struct Columns {

@@ -7,12 +7,10 @@ use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, Tail, Weights, turning}
 use crate::contact::problem::support;
 use crate::kernel::{Kernel, Panel, Values};
 use crate::numeric::buffer::Buffer;
-use crate::numeric::quadrature::rule;
+use crate::numeric::quadrature::{LARGEST, rule};
 
 /// Most scenes need no more wavenumbers.
 const USUAL: usize = 256;
-/// Longest stretch, in Gauss points, before it is cut in two.
-const LONGEST: usize = 512;
 /// No admissible scene was seen to need more wavenumbers.
 const MOST_WAVENUMBERS: usize = 16_000;
 /// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
@@ -346,12 +344,12 @@ impl Layout {
         if plan.negligible < FIELDS && for_fields as f64 <= MORE_FOR_FIELDS * needed as f64 {
             needed = needed.max(for_fields);
         }
-        let parts = needed.div_ceil(LONGEST).min(MOST_WAVENUMBERS / LONGEST + 1);
+        let parts = needed.div_ceil(LARGEST).min(MOST_WAVENUMBERS / LARGEST + 1);
         if plan.span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
             return;
         }
-        let points = rule(needed.div_ceil(parts).clamp(8, LONGEST));
+        let points = rule(needed.div_ceil(parts).clamp(8, LARGEST));
         for part in 0..parts {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let first = self.zeta.len();

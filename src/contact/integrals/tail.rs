@@ -9,7 +9,7 @@ use num_complex::Complex64;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::chebyshev::Series;
-use crate::numeric::quadrature::{laguerre_rule, rule};
+use crate::numeric::quadrature::{LARGEST, laguerre_rule, rule};
 use crate::numeric::vector::vectorised;
 
 /// Points on the path into the complex plane.
@@ -19,12 +19,8 @@ const TURNED_POINTS: usize = 32;
 const LAID_FOR: f64 = 1.2;
 /// Contacts that share a tail differ in length by this factor at most.
 pub(crate) const MOST_UNLIKE: f64 = 3.0;
-/// Longest stretch, in Gauss points.
-const LONGEST: usize = 512;
 /// No admissible scene was seen to need more smooth nodes.
 const MOST_NODES: usize = 8_000;
-/// Points of what hardly varies.
-const FEW_POINTS: usize = 2;
 /// Points of the polynomial that continues a kernel into the complex plane.
 const CONTINUED: usize = 28;
 
@@ -88,7 +84,7 @@ impl Tail {
             if tail.smooth.len() + points > MOST_NODES {
                 return None;
             }
-            let parts = points.div_ceil(LONGEST);
+            let parts = points.div_ceil(LARGEST);
             let width = (panel.to - reached) / parts as f64;
             for part in 0..parts {
                 let start = reached + width * part as f64;
@@ -115,7 +111,7 @@ impl Tail {
     /// Beyond so short waves that their phases need not be told: what does not oscillate of a kernel that falls like 1/ζ.
     pub(crate) fn beyond(from: f64) -> Self {
         let mut tail = Self { from, ..Self::default() };
-        tail.add(rule(FEW_POINTS).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
+        tail.add(rule(2).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
         tail
     }
 

@@ -21,8 +21,6 @@ use crate::numeric::quadrature::rule;
 const PER_PRESSURE: usize = 3;
 const POINTS: usize = 48;
 
-/// Wavenumbers whose Bessel functions are made together: those of all take much memory.
-const TOGETHER: usize = 1024;
 /// Wavenumbers whose transforms and tests are kept at once.
 const AT_ONCE: usize = 4096;
 
@@ -237,8 +235,8 @@ impl Equations<'_> {
         for (index, patch) in self.of(contact) {
             let tests = patch.tests(self.count).len();
             let mut rests = Vec::with_capacity(zeta.len());
-            for start in (0..zeta.len()).step_by(TOGETHER) {
-                let some = start..zeta.len().min(start + TOGETHER);
+            for start in (0..zeta.len()).step_by(AT_ONCE / 4) {
+                let some = start..zeta.len().min(start + (AT_ONCE / 4));
                 let transforms = waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count);
                 let tested = waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests);
                 rests.extend(patch.waves(&zeta[some.clone()], &beyond[some], transforms, tested));
@@ -381,8 +379,8 @@ impl Equations<'_> {
     /// Slopes of waves, weights included, what half-planes do left out.
     pub(super) fn response(&self, contact: usize, coefficients: &[Vec<f64>]) -> Vec<f64> {
         let mut response = vec![0.0; self.layout.own[contact].reach];
-        for first in (0..response.len()).step_by(TOGETHER) {
-            let nodes = first..response.len().min(first + TOGETHER);
+        for first in (0..response.len()).step_by(AT_ONCE / 4) {
+            let nodes = first..response.len().min(first + (AT_ONCE / 4));
             let field = |waves: &Waves, contact: usize, less_resultants: bool| -> Vec<f64> {
                 let all = self.of(contact).flat_map(|(index, _)| coefficients[index].iter().copied());
                 let mut sum = vec![0.0; waves.transforms.nrows()];

@@ -1,22 +1,15 @@
 //! No pressure may be tension, and no gap penetrated, between the parts of a contact and beyond them.
+use crate::contact::problem::accuracy::{PER_MODE, PLACES, SAFETY};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::contact::integrals::layout::{Layout, negligible};
+use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
 use crate::contact::parts::Level;
 use crate::contact::parts::equations::Equations;
 use crate::contact::problem::Problem;
 use crate::numeric::quadrature::rule;
 
-/// Pressures are looked at in so many places per term.
-const PER_TERM: usize = 3;
-/// Gaps are looked at in so many places.
-const PLACES: usize = 24;
-/// Gaps are found to about this part.
-const GAPS: f64 = 1e-6;
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-4;
-/// A gap is known to so many times what it differs by from that of fewer pressures.
-const KNOWN: f64 = 3.0;
 
 /// Smallest pressure and smallest gap, and the tension of each contact about the middle, as a part of its largest pressure there,
 /// for want of terms; `None` if one of them is negative. `coarse` has fewer pressures, and tells how far gaps are known.
@@ -30,7 +23,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; kernel.contacts()];
     for (patch, coefficients) in patches.iter().zip(coefficients) {
-        let places = PER_TERM * count;
+        let places = PER_MODE * count;
         let mut own = [0.0f64; 2];
         for k in 1..2 * places {
             let x = patch.middle + patch.half * (PI * k as f64 / (2 * places) as f64).cos();
@@ -49,7 +42,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
     least[0] = smallest.iter().copied().fold(0.0, f64::min);
     let [ends, shortest] = super::lengths(problem, patches);
     let span = problem.span(&ends);
-    let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(GAPS), span)?;
+    let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(FIELDS), span)?;
     let equations = Equations { kernel, problem, layout: &layout, patches, count };
     let before = Equations { patches: &coarse.patches, count: coarse.coefficients.first()?.len(), ..equations };
     for (i, (patch, same)) in patches.iter().zip(&coarse.patches).enumerate() {
@@ -67,7 +60,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             let others = before.gaps(patch.contact, &coarse.coefficients, from_before, to_before, PLACES);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(&others).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
-            if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + KNOWN * known)) {
+            if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + SAFETY * known)) {
                 return None;
             }
             least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));

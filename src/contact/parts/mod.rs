@@ -6,6 +6,7 @@ mod equations;
 mod gaps;
 mod patch;
 
+use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -23,8 +24,6 @@ use patch::Patch;
 /// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
 const COARSEST: usize = 12;
 const FINEST: usize = 96;
-/// Steps of Newton's method for one number of pressures.
-const STEPS: usize = 30;
 /// Multiplications at most, all starts together: some seconds. The hardest scene that is known to be solved needs two thirds of
 /// it; with twice as many, scenes that are not solved take twice the time.
 const MOST_OPERATIONS: f64 = 1.5e11;
@@ -34,15 +33,9 @@ const LONGEST_STEP: f64 = 0.4;
 const KEPT: f64 = 0.1;
 /// Derivatives are differences over this part of the intervals next to an end.
 const DIFFERENCE: f64 = 1e-6;
-/// Relative steps below this are none; short steps that no longer shorten are rounding.
-const SETTLED: f64 = 1e-13;
 const SHORT: f64 = 1e-7;
 /// Integrals serve ends that have moved by this part at most.
 const SERVES: f64 = 0.02;
-/// What rounding leaves of an end, relative.
-const ROUNDING: f64 = 1e-12;
-/// Estimates are so many times the difference between two numbers of pressures.
-const SAFETY: f64 = 2.0;
 
 /// What Newton's method has done, all attempts together.
 #[derive(Default)]
@@ -250,7 +243,7 @@ fn converge(
     let mut limit = LONGEST_STEP;
     let mut moved_by: Vec<f64> = Vec::new();
     work.steps.push(0);
-    for _ in 0..STEPS {
+    for _ in 0..FINEST {
         let [reach, shortest] = lengths(problem, &patches);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
@@ -280,7 +273,7 @@ fn converge(
         let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
         let shorten = if way.together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
         own.iter_mut().zip(&change).for_each(|(own, change)| *own += shorten * change);
-        if longest < SETTLED || last < SHORT && longest > 0.5 * last {
+        if longest < ROUNDING || last < SHORT && longest > 0.5 * last {
             let left_out =
                 (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
             let coefficients = in_equilibrium(&patches, own.chunks_exact(count).map(<[f64]>::to_vec).collect());
@@ -371,7 +364,7 @@ impl Errors {
     fn between(level: &Level, before: &Level) -> Self {
         let change = |new: f64, old: f64| if new == 0.0 { 0.0 } else { SAFETY * (new / old - 1.0).abs() };
         // short waves are felt where a patch is short
-        let rest = |patch: &Patch| level.last_step + ROUNDING + level.left_out[patch.contact] / patch.half;
+        let rest = |patch: &Patch| level.last_step + 10.0 * ROUNDING + level.left_out[patch.contact] / patch.half;
         let ends = level.patches.iter().zip(&before.patches).map(|(new, old)| {
             let rest = rest(new);
             [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]

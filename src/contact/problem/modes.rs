@@ -2,10 +2,14 @@
 //!
 //! p(x) = Σ c_j sin jφ with x = a cos φ and j = 2m + 1. The unknowns are y_m = ½ π j (−1)^m a c_j/(μ₀P'), y_0 = 1 by
 //! equilibrium.
+use crate::contact::problem::accuracy::SAFETY;
 use std::f64::consts::PI;
 
-/// What is missing is estimated from how the last modes fall, and then taken so many times.
-pub(crate) const SAFETY: f64 = 3.0;
+/// Modes of the coarsest refinement level. Half as many: Newton's method meets more non-physical roots; twice as many cost time and
+/// change nothing.
+pub(crate) const COARSEST: usize = 8;
+/// Modes of the finest level of one contact; all contacts together have twice as many at most, which is what memory allows.
+pub(crate) const FINEST: usize = 512;
 
 /// Per contact, per mode.
 pub(crate) type Modes = Vec<Vec<f64>>;

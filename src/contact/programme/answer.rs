@@ -3,6 +3,7 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::problem::accuracy::SAFETY;
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
@@ -10,18 +11,12 @@ use crate::solution::{Form, Part, Solution, Stats, Strip};
 
 use super::compliances::Compliances;
 use super::grid::Grid;
-use super::{Aim, Cycle, Cycles, FINE, First, cycles};
+use super::{Aim, Cycle, Cycles, FINE, First, SURE, cycles};
 
-/// Ends are right to so many elements.
-const ELEMENTS: f64 = 3.0;
-/// Pressures are wrong by so many times what the last grid has changed ...
-const SAFETY: f64 = 2.0;
 /// ... and by this part at least: elements well inside a contact are the same on all grids.
 const LEAST_ERROR: f64 = 0.02;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
-/// A gap about the middle has more elements than these.
-const OPEN: usize = 6;
 /// Contacts that fade before they end are given up to where this part of the force is left.
 const FADED: f64 = 1e-4;
 /// Forces are those given to this part.
@@ -87,7 +82,7 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
 fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
     let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
-    let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { ELEMENTS * last.grid.width(end) };
+    let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { SAFETY * last.grid.width(end) };
     // bodies that touch for ever do so without a force
     let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
     // as far as they do with one
@@ -100,7 +95,7 @@ fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
     });
     let parts: Vec<Part> = parts.collect();
     // a gap about the middle is one if it is longer than rounding may feign
-    let is_open = |first: &Part| last.grid.edges().partition_point(|edge| *edge < first.from) > OPEN;
+    let is_open = |first: &Part| last.grid.edges().partition_point(|edge| *edge < first.from) > 3 * SURE;
     parts.first().is_some_and(|first| first.from == 0.0 || is_open(first)).then_some(parts)
 }
 

@@ -15,6 +15,7 @@ use faer::{Accum, Mat, Par};
 use crate::contact::problem::Problem;
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::grid::Grid;
+use crate::numeric::bessel;
 use crate::numeric::quadrature::rule;
 
 /// Nodes per octave of wavenumbers, and some more the shorter elements are against their distance from the middle.
@@ -25,10 +26,6 @@ const MOST_PER_OCTAVE: usize = 256;
 const LONGEST_WAVE: f64 = 0.05;
 /// And end here, divided by the length of the shortest element.
 const SHORTEST_WAVE: f64 = 12.0;
-/// Parts of a kernel that are integrated in closed form, the first that will do.
-const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.0];
-/// Sines of smaller arguments are taken from their series.
-const SMALL: f64 = 0.05;
 
 /// Entries of the matrices of all contacts at most: there are two such sets, and the elimination makes as many again, so
 /// that they stay below 500 MB together. 32 contacts may have 700 elements each; grids that are refined have some 500.
@@ -219,7 +216,7 @@ impl Waves {
         for i in 0..n {
             let values = waves.iter().map(|(units, _)| units[i]);
             let most = values.fold(kernel.limit(i), f64::min).max(0.0);
-            for part in PARTS {
+            for part in [1.0, 0.5, 0.25, 0.0] {
                 least[i] = part * most;
                 if waves.iter().all(|(units, coupling)| is_positive(units, coupling, &least)) {
                     break;
@@ -244,13 +241,7 @@ fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
 
 /// x (sin ζx/(ζx) − 1).
 pub(super) fn deficit(zeta: f64, x: f64) -> f64 {
-    let z = zeta * x;
-    if z < SMALL {
-        let z = z * z;
-        -x * z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0 * (1.0 - z / 72.0)))
-    } else {
-        z.sin() / zeta - x
-    }
+    x * bessel::sinc_deficit(zeta * x)
 }
 
 /// Adds transformsᵀ diag(weights) transforms.

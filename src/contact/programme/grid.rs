@@ -1,4 +1,5 @@
 //! Elements on which pressures are constant.
+use crate::contact::programme::SURE;
 
 /// Elements grow by this factor from the middle outwards.
 const GROWTH: f64 = 1.15;
@@ -6,8 +7,6 @@ const GROWTH: f64 = 1.15;
 const FIRST: f64 = 0.05;
 /// Elements at most: a factor of ten between the shortest and the longest length takes some 17 of them.
 const MOST: usize = 2000;
-/// Elements next to a contact's end that are cut in two.
-const AROUND: usize = 2;
 
 /// The edges of all elements, from x = 0 on, in units of L.
 #[derive(Clone, Debug)]
@@ -83,7 +82,7 @@ impl Grid {
         let mut more: Vec<f64> = Vec::new();
         for e in 0..self.elements() {
             let [from, to] = self.element(e);
-            let is_near = |edge: usize| (edge.saturating_sub(AROUND)..edge + AROUND).contains(&e);
+            let is_near = |edge: usize| (edge.saturating_sub(SURE)..edge + SURE).contains(&e);
             if around.iter().any(|(edge, longest)| is_near(*edge) && to - from > *longest) {
                 more.push(0.5 * (from + to));
             }

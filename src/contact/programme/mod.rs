@@ -14,6 +14,7 @@ mod grid;
 mod tests;
 
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::ZERO;
 use active_set::Programme;
 use compliances::Compliances;
 use energy::Energy;
@@ -23,8 +24,6 @@ pub(super) use answer::answer;
 
 /// The grid reaches this many times as far as the longest contact is expected.
 const REACH: f64 = 6.0;
-/// And this much farther each time a contact reaches its end.
-const FARTHER: f64 = 4.0;
 /// At most so often.
 const LONGER: usize = 3;
 /// How often the grid is made longer or finer.
@@ -33,20 +32,12 @@ const CYCLES: usize = 14;
 const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
 /// For answers.
 const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
-/// A strip off the middle counts as no shorter than this part of its distance from there.
-const SHORTEST: f64 = 0.02;
 /// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
 const SURE: usize = 2;
 
 /// Bodies that touch again so many times farther from the middle than their contact ends do not seem to because of
 /// rounding.
 const FAR: f64 = 1.5;
-
-/// Parts of the force on a contact that are smaller are rounding.
-const LEAST_FORCE: f64 = 1e-8;
-
-/// Gaps shorter than this part of where the contact outside them begins are none.
-const NARROW: f64 = 0.05;
 
 /// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
 /// line load to them.
@@ -222,7 +213,7 @@ fn cycles(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Cycle> {
         }
         if longer > 0 && reaches_end {
             longer -= 1;
-            grid = grid.longer(FARTHER);
+            grid = grid.longer(REACH);
         } else if grid.elements() > resolution.elements || !grid.refine(&ends) {
             break;
         }
@@ -236,7 +227,7 @@ fn part_where_free(touching: &mut [bool], forces: &[f64]) {
     while start < touching.len() {
         let length = touching[start..].iter().take_while(|touches| **touches == touching[start]).count();
         let part = start..start + length;
-        if touching[start] && forces[part.clone()].iter().sum::<f64>() < LEAST_FORCE {
+        if touching[start] && forces[part.clone()].iter().sum::<f64>() < ZERO {
             touching[part].fill(false);
         }
         start += length;
@@ -254,7 +245,7 @@ fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
     };
     let room = |edge: usize| {
         let x = grid.edges()[edge];
-        if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
+        if touching[0] { x } else { strip(edge).clamp(SHORT * x, x) }
     };
     transitions.map(|edge| (edge, fine * room(edge))).collect()
 }
@@ -290,7 +281,7 @@ fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut wide: Vec<[f64; 2]> = Vec::new();
     for part in intervals(touching, grid) {
         match wide.last_mut() {
-            Some(before) if part[0] - before[1] < NARROW * part[0] => before[1] = part[1],
+            Some(before) if part[0] - before[1] < SHORT * part[0] => before[1] = part[1],
             _ => wide.push(part),
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! The equations for the half-lengths have other roots besides the physical one; the contact problem itself, a quadratic
 //! programme, has one solution only, and these two signs tell it.
+use crate::contact::problem::accuracy::{NO_GAP, PER_MODE, PLACES, SAFETY, ZERO};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::equations::assemble::{Equations, Rows};
@@ -16,33 +17,15 @@ use crate::contact::quality::estimates::Level;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
-use crate::numeric::vector::vectorised;
+use crate::numeric::vector::{LANES, vectorised};
 
-/// Pressures are looked at in this many places per mode.
-const PER_MODE: usize = 3;
-/// Gaps are looked at in this many places per contact.
-const GAPS: usize = 24;
 /// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
 const GAP_MODES: [usize; 3] = [128, 48, 16];
-/// Wavenumbers taken together.
-const LANES: usize = 8;
-/// Modes y_m, the first of which is 1, below this are not felt there.
-const UNNOTICED: f64 = 1e-7;
-/// What is below zero by less than this part of the largest value is zero.
-const ZERO: f64 = 1e-7;
 
-/// The same for gaps, which are found by quadrature and from the lower modes only.
-const NO_GAP: f64 = 1e-5;
 /// So many times the part of its highest modes a pressure may be wrong anywhere.
 const UNRESOLVED: f64 = 10.0;
 /// But not by more than this part of the largest pressure, or than the answer may be wrong.
 const MOST_FEIGNED: f64 = 1e-3;
-/// The same where a contact fades before an end is found.
-const MOST_DECAYED: f64 = 1e-5;
-/// Places around the largest tension at which the highest modes are looked at.
-const NEAR: usize = 4 * PER_MODE;
-/// Under a punch that is not smooth, tension is no more than this part of the largest pressure.
-const TENSION: f64 = 1e-6;
 
 /// More modes do not change a tension of more than this part of the largest pressure. Twice as much: non-physical roots are
 /// refined for longer; half as much: admissible ones may be given up, and are found again from the quadratic programme.
@@ -50,16 +33,6 @@ const GROSS: f64 = 0.05;
 
 /// Moments that are smaller, against force times half-length, are next to nothing.
 const LEAST_MOMENT: f64 = 1e-4;
-/// Force by which the end of a beam gives way by 1, times length cubed over bending stiffness.
-const CANTILEVER: f64 = 3.0;
-/// A pressure that grows like the root of the distance from its end holds a moment like this power of the distance.
-const POWER: f64 = 0.4;
-
-/// Smaller tension, against the largest pressure, is that of the sums over modes.
-const FEIGNED: f64 = 1e-7;
-
-/// A pressure in tension is wrong by this many times as much.
-const SEEN: f64 = 2.0;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(crate) struct Check {
@@ -85,7 +58,7 @@ pub(crate) struct Overlap {
 impl Overlap {
     /// By how much the ends of the contacts of the sheet may move for it, relative.
     pub(crate) fn moves(&self) -> f64 {
-        self.moment.powf(POWER)
+        self.moment.powf(0.4)
     }
 }
 
@@ -93,8 +66,8 @@ impl Level {
     /// Errors cover what an answer is seen to be wrong by: tension, and bodies that touch again with next to no
     /// force, which is left out.
     pub(crate) fn admit(&mut self, check: &Check) {
-        for (error, tension) in self.errors.iter_mut().zip(&check.tensions).filter(|(_, tension)| **tension > FEIGNED) {
-            error.pressure = error.pressure.max(SEEN * tension);
+        for (error, tension) in self.errors.iter_mut().zip(&check.tensions).filter(|(_, tension)| **tension > ZERO) {
+            error.pressure = error.pressure.max(SAFETY * tension);
         }
         for overlap in &check.overlaps {
             for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
@@ -145,7 +118,7 @@ fn overlap(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)],
     let moment = |(x, gap): &(f64, f64)| {
         // no beam is shorter than thick
         let length = (x - end).max(thickness);
-        (*x, CANTILEVER * stiffness * (-gap).max(0.0) / (length * length * end))
+        (*x, 3.0 * stiffness * (-gap).max(0.0) / (length * length * end))
     };
     let (x, moment) = gaps.iter().map(moment).max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(Overlap { contact: i, x, moment, sheet })
@@ -158,12 +131,12 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
     for i in 0..level.modes.len() {
         let least = Least::of(level, i);
         // what decays is in no tension
-        let most = if level.support.decay(i).is_some() { most.min(MOST_DECAYED) } else { most };
+        let most = if level.support.decay(i).is_some() { most.min(NO_GAP) } else { most };
         if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.feigned).min(most * least.largest) {
             let x = least.s * level.support.half_lengths[i] * problem.kernel.length();
             return Err(NoSolution::Tension { interface: problem.interfaces[i], x }.into());
         }
-        if level.remainders[i].is_some() && least.pressure < -TENSION * least.largest {
+        if level.remainders[i].is_some() && least.pressure < -NO_GAP * least.largest {
             // it cannot be said whether this is tension
             return Err(problem.not_converged(&level.support.half_lengths));
         }
@@ -216,7 +189,7 @@ impl Least {
             // next to where the punch is not smooth pressures are less certain than elsewhere
             Some(remainder) => {
                 let remainder = self::pressures(remainder, modes.len());
-                let near = place.saturating_sub(NEAR)..(place + NEAR).min(remainder.len());
+                let near = place.saturating_sub(4 * PER_MODE)..(place + 4 * PER_MODE).min(remainder.len());
                 remainder[near].iter().fold(0.0, |most: f64, p| most.max(p.abs()))
             }
             None => level.tails[i] * largest,
@@ -320,7 +293,7 @@ impl Waves {
 fn gaps(problem: &Problem, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, ContactError> {
     let noticed = |most: usize| -> Vec<Vec<f64>> {
         let own = |modes: &Vec<f64>| {
-            let above = modes.iter().rposition(|y| y.abs() > UNNOTICED).map_or(1, |last| last + 1);
+            let above = modes.iter().rposition(|y| y.abs() > ZERO).map_or(1, |last| last + 1);
             modes[..above.min(most)].to_vec()
         };
         level.modes.iter().map(own).collect()
@@ -346,17 +319,17 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
         end = end.min(edge);
     }
     // next to the contact, and far from it
-    let mut steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / GAPS as f64);
+    let mut steps = [0.5 * a.min(end - a), end - a].map(|reach| reach / PLACES as f64);
     let fall = side.profile().map_or(0.0, Profile::last_fall) - a;
     if fall > 0.0 {
         // such steps that one of them ends where the profile is lowest
-        steps[1] = fall / (fall / steps[1]).ceil().min(GAPS as f64);
+        steps[1] = fall / (fall / steps[1]).ceil().min(PLACES as f64);
     }
     let rest = vectorised(
         #[inline(always)]
         || deflections(&waves.zeta, &waves.slopes[i], a, steps),
     );
-    let mut gaps = Vec::with_capacity(2 * GAPS);
+    let mut gaps = Vec::with_capacity(2 * PLACES);
     for (step, rest) in steps.into_iter().zip(rest) {
         gaps.extend(rest.into_iter().enumerate().map(|(k, rest)| {
             let x = a + step * (k + 1) as f64;
@@ -370,8 +343,8 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
 /// ∫ s(ζ) (cos ζa − cos ζx)/ζ for x = a + step, a + 2 step, ... with each of two steps: neighbouring cosines follow from
 /// each other.
 #[inline(always)]
-fn deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; GAPS]; 2] {
-    let mut parts = [[[0.0; LANES]; GAPS]; 2];
+fn deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; PLACES]; 2] {
+    let mut parts = [[[0.0; LANES]; PLACES]; 2];
     for (zetas, slopes) in zeta.chunks(LANES).zip(slopes.chunks(LANES)) {
         // nothing where there are none left
         let [mut zeta, mut weight] = [[0.0; LANES]; 2];

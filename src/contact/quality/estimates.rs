@@ -3,6 +3,7 @@
 //! An estimate is made in three steps: what the modes of a contact itself tell ([`Truncation`]: how its last modes fall, and
 //! what sweeps have left), what strongly coupled contacts share of that, and what each contact is sensitive to of the errors
 //! of the others ([`Propagation`]).
+use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
 use std::f64::consts::PI;
 
 use crate::contact::ends::Converged;
@@ -10,21 +11,13 @@ use crate::contact::equations::assemble::Rows;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
 use crate::contact::problem::estimate::Estimate;
-use crate::contact::problem::modes::{Modes, SAFETY, beyond, order, weight};
+use crate::contact::problem::modes::{FINEST, Modes, beyond, order, weight};
 use crate::contact::problem::profile::{Local, continued};
 use crate::contact::problem::support::Support;
 use crate::numeric;
 
-/// What rounding leaves of a half-length, relative: kernels are resolved to 1e-13 of themselves.
-const ROUNDING: f64 = 1e-13;
 /// No level is judged better than this.
 pub(crate) const BEST: f64 = 5.0 * ROUNDING;
-
-/// Pressures under punches that are not smooth are continued by the asymptotic part to this number of modes.
-const CONTINUED: usize = 2048;
-
-/// A pressure is taken to be wrong by this many times what half-lengths are.
-const PEAKS: f64 = 3.0;
 
 /// Half-lengths with larger relative errors are not known.
 pub(crate) const UNKNOWN: f64 = 0.03;
@@ -38,8 +31,8 @@ pub(crate) const LOST: f64 = 1e-6;
 /// The error of a half-length is at least this part of that of its pressure, whatever the last modes say.
 const LEAST_LENGTH: f64 = 1e-3;
 
-/// The last modes that tell where a sum of alternating terms ends.
-const LAST: usize = 4;
+/// What the last terms of an alternating sum count if its partial sums are averaged six times, term by term.
+const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
 
 /// Half-lengths and pressures at one refinement level.
 pub(crate) struct Level {
@@ -76,7 +69,7 @@ impl Level {
         let (half_lengths, n) = (&found.support.half_lengths, counts.len());
         let local = |i: usize| {
             let limit = problem.kernel.far(i).limit;
-            problem.sides[i].local(half_lengths[i], limit, CONTINUED.max(counts[i]))
+            problem.sides[i].local(half_lengths[i], limit, (4 * FINEST).max(counts[i]))
         };
         let locals: Vec<Option<Local>> = (0..n).map(local).collect();
         let truncations: Vec<Truncation> =
@@ -177,7 +170,11 @@ impl Truncation {
             error: Estimate::new(length, pressure + 3.0 * arithmetic),
             further,
             most,
-            unaveraged: if averaged { largest(&own, own.len().saturating_sub(LAST)) / PI } else { beyond / PI },
+            unaveraged: if averaged {
+                largest(&own, own.len().saturating_sub(AVERAGED.len())) / PI
+            } else {
+                beyond / PI
+            },
             arithmetic,
             is_swept: left.length < 0.1 * length && is_peak_swept,
             // compared with that of a mean pressure where there is hardly any in the middle
@@ -229,10 +226,10 @@ impl<'a> Propagation<'a> {
         let mut errors = self.errors.clone();
         let mut own_errors = Vec::with_capacity(n);
         for (i, error) in errors.iter_mut().enumerate() {
-            error.pressure += PEAKS * self.pressure(i, i) * self.errors[i].length;
+            error.pressure += SAFETY * self.pressure(i, i) * self.errors[i].length;
             // no modes help against rounding
             let arithmetic = self.truncations[i].arithmetic;
-            own_errors.push((error.length - arithmetic).max(error.pressure - (3.0 + PEAKS) * arithmetic));
+            own_errors.push((error.length - arithmetic).max(error.pressure - (3.0 + SAFETY) * arithmetic));
         }
         for (i, error) in errors.iter_mut().enumerate() {
             error.length += self.found.influences.rounding[i];
@@ -245,9 +242,9 @@ impl<'a> Propagation<'a> {
                 error.pressure += neighbour;
                 own_errors[k] = own_errors[k].max(neighbour);
             }
-            error.pressure += PEAKS * self.others(i, Self::pressure, &passed);
+            error.pressure += SAFETY * self.others(i, Self::pressure, &passed);
             if self.found.support.decay(i).is_none() {
-                error.pressure += PEAKS * self.pressure(i, i) * (passed[i] - self.ends[i]);
+                error.pressure += SAFETY * self.pressure(i, i) * (passed[i] - self.ends[i]);
             }
             error.length += self.others(i, Self::length, &passed);
             if self.found.support.decay(i).is_some() {
@@ -295,7 +292,7 @@ impl<'a> Propagation<'a> {
         let rounding = &self.found.influences.rounding;
         let peaks = self.found.influences.peaks[i].iter().zip(rounding);
         let by_lengths = peaks.map(|(sensitivity, rounding)| sensitivity.min(1.0) * rounding);
-        PEAKS * by_lengths.fold(rounding[i].min(ROUNDING), f64::max)
+        SAFETY * by_lengths.fold(rounding[i].min(ROUNDING), f64::max)
     }
 }
 
@@ -313,7 +310,6 @@ fn largest(modes: &[f64], from: usize) -> f64 {
 /// p(0) a/(2 μ₀P'), Σ y_m/(πj). Next to a graded face the terms fall like ± j⁻⁴, alternating, since the pressure
 /// has a logarithm at its ends: the last partial sums are averaged, which leaves little of what is missing.
 fn peak(modes: &[f64], averaged: bool) -> f64 {
-    const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
     let last = if averaged { modes.len().saturating_sub(AVERAGED.len()) } else { modes.len() };
     let terms = modes.iter().enumerate().map(|(m, y)| {
         let weight = m.checked_sub(last).map_or(1.0, |k| AVERAGED[k]);

@@ -4,16 +4,12 @@ use crate::contact::ends::newton::{Newton, Work};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
-use crate::contact::problem::modes::{Modes, weight};
+use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
 use crate::contact::quality::admissible;
 use crate::contact::quality::estimates::{BEST, LOST, Level};
 use crate::kernel::Kernel;
 use crate::solution::Stopped;
 
-/// Modes of the coarsest level.
-pub(crate) const COARSEST: usize = 8;
-/// Modes of the finest level.
-pub(crate) const FINEST: usize = 512;
 /// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the first wave that feels no more
 /// than the faces.
 const PER_WAVE: f64 = 0.6;
@@ -21,21 +17,14 @@ const PER_WAVE: f64 = 0.6;
 /// decaying contacts, few modes lead astray. With no more than at first some of these are missed; with twice as many, the first
 /// steps take longer and find nothing else.
 const FINER: usize = 8;
-/// Modes of the first steps at most.
-const MOST_COARSE: usize = 64;
-/// Modes at most, all contacts together: what memory allows.
-const MOST: usize = 1024;
 /// Modes next to a graded face for ten digits.
 const GRADED: usize = 40;
 /// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
-/// These, where the last modes are seen to be nothing before.
-const LEAST_MORE: usize = 4;
 /// Half of them will do for tolerances from here on.
 const FEW_DIGITS: f64 = 1e-5;
-/// Where the node budget is exceeded, this many times more counts as negligible, up to what this tolerance allows.
+/// Where the node budget is exceeded, this many times more counts as negligible, until [`negligible`] allows no more.
 const LOOSER: f64 = 30.0;
-const LOOSEST: f64 = 1e-10;
 
 /// What is known to begin with.
 pub(crate) enum Start {
@@ -83,10 +72,10 @@ impl<'a> Levels<'a> {
     fn new(problem: &'a Problem, start: &Start, work: Work) -> Self {
         let (Start::Guess { half_lengths } | Start::Cold { half_lengths } | Start::Warm { half_lengths, .. }) = start;
         let n = half_lengths.len();
-        let finest = FINEST.min(MOST / n);
+        let finest = FINEST.min(2 * FINEST / n);
         let mut solved = coarsest(problem.kernel, half_lengths, finest / 2);
         let finer = if matches!(start, Start::Cold { .. }) { FINER } else { 1 };
-        let coarse = |modes: &usize| (modes / 2 * finer).min(MOST_COARSE.min(finest)).max(COARSEST);
+        let coarse = |modes: &usize| (modes / 2 * finer).min((FINEST / 8).min(finest)).max(COARSEST);
         let mut coarse: Vec<usize> = solved.iter().map(coarse).collect();
         one_where_known(problem, &mut solved);
         one_where_known(problem, &mut coarse);
@@ -175,7 +164,7 @@ impl<'a> Levels<'a> {
                 Err(_) if self.newton.budget_exceeded => Stopped::Budget,
                 Err(_) => Stopped::Diverged,
             });
-            if found.is_ok() || !self.newton.budget_exceeded || allowed > LOOSEST {
+            if found.is_ok() || !self.newton.budget_exceeded || negligible(LOOSER * allowed) <= negligible(allowed) {
                 return (found, allowed);
             }
             allowed *= LOOSER;
@@ -247,7 +236,7 @@ fn with_more(solved: usize, tolerance: f64) -> usize {
 /// Sweeps may add few modes where the last of the coarse ones are nothing already.
 fn noticed(coarse: &[f64], solved: usize, tolerance: f64) -> usize {
     let last = weight(coarse, coarse.len().saturating_sub(2)..coarse.len());
-    if last < tolerance { solved + LEAST_MORE } else { usize::MAX }
+    if last < tolerance { solved + MORE / 4 } else { usize::MAX }
 }
 
 /// Modes to begin with: enough for waves that feel no more than the faces of a contact.

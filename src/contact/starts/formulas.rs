@@ -15,10 +15,6 @@ const BETWEEN: f64 = 3.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
 pub(crate) const TYPICAL: f64 = 1.2;
 
-/// Half-lengths are looked for from 1e-300 to 1e300, as far as doubles reach: the natural logarithm of the latter, and to
-/// how much in that they are found.
-const LONGEST: f64 = 690.0;
-const FOUND: f64 = 1e-3;
 /// How near, in the logarithm, to the edge of the punch they may be.
 const AT_EDGE: f64 = 1e-4;
 
@@ -69,7 +65,9 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
 fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> {
-    let (mut low, mut high) = (-LONGEST, profile.edge().map_or(LONGEST, f64::ln));
+    // as far as doubles reach
+    let longest = 300.0 * std::f64::consts::LN_10;
+    let (mut low, mut high) = (-longest, profile.edge().map_or(longest, f64::ln));
     // the logarithm of the force is nearly linear in that of the half-length
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
@@ -91,7 +89,7 @@ fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> 
         last = missing.is_finite().then_some((x, missing));
         let next = x + missing / slope;
         let inside = low < next && next < high;
-        let found = inside && (next - x).abs() < FOUND;
+        let found = inside && (next - x).abs() < AT_EDGE;
         x = if inside { next } else { 0.5 * (low + high) };
         if found {
             break;

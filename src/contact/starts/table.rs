@@ -16,16 +16,13 @@ use crate::options::Options;
 use crate::scene::Punch;
 use crate::solution::Interface;
 
-/// ln(RP/μ₀L²) of the table: where it begins, how far its points are apart, and how many there are.
-const LOWEST: f64 = -60.0;
 const APART: f64 = 0.25;
 const COUNT: usize = 480;
+const LOWEST: f64 = -0.5 * APART * COUNT as f64;
 /// Points that an interpolation takes.
 const POINTS: usize = 10;
 /// A punch that is not quite a parabola differs from one by less than this part in what presses.
 const ALIKE: f64 = 0.02;
-/// How often the parabola like it is looked for.
-const ROUNDS: usize = 2;
 
 /// The answers of one stack under parabolas.
 #[derive(Debug)]
@@ -83,7 +80,7 @@ impl Table {
         let kernel = problem.kernel;
         let flat = punch.as_parabola(0.0)?;
         let mut place = self.place(kernel, flat)?;
-        for _ in 0..if punch.is_parabola() { 0 } else { ROUNDS } {
+        for _ in 0..if punch.is_parabola() { 0 } else { 2 } {
             let load = punch.as_parabola(place.half_length(i))?;
             if !load.is_finite() || (load / flat - 1.0).abs() >= ALIKE {
                 return None;

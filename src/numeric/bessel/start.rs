@@ -1,7 +1,8 @@
 //! Where the downward recurrence starts: high enough for all digits, and not so high that it overflows.
 use std::f64::consts::LN_2;
 
-use super::{DEEPEST, LANES, Lanes, TINY};
+use super::{DEEPEST, Lanes, TINY};
+use crate::numeric::vector::LANES;
 
 /// Where each lane may start: all with the largest argument, unless the smallest would overflow from there.
 pub(super) fn start_orders(z: &Lanes, orders: usize) -> [usize; LANES] {

@@ -1,0 +1,19 @@
+//! Numbers by which accuracy is judged, the same in all rooms.
+
+/// What rounding leaves of a half-length, relative: kernels are resolved to this part of themselves. Newton's steps that are
+/// shorter are none.
+pub(crate) const ROUNDING: f64 = 1e-13;
+/// Error estimates are this many times the difference they are made from, since neither the modes that are missing nor the next
+/// refinement are known. Twice as much: all estimates are larger, and more modes are asked for.
+pub(crate) const SAFETY: f64 = 3.0;
+/// A negative pressure smaller than this part of the largest is zero: sums over hundreds of modes are not known better. Twice as
+/// much: as much more tension goes unnoticed.
+pub(crate) const ZERO: f64 = 1e-7;
+/// The same for gaps, which are found by quadrature and from the lower modes only, and for pressures that decay.
+pub(crate) const NO_GAP: f64 = 1e-5;
+/// Smaller parts of what is wanted, in half-lengths, steps or tolerances, are left to chance: what is done about them changes no digit.
+pub(crate) const LITTLE: f64 = 0.01;
+/// Pressures are looked at in this many places per mode: the highest mode is seen at three places of each of its arches.
+pub(crate) const PER_MODE: usize = 3;
+/// Gaps are looked at in this many places next to a contact, and as many farther out.
+pub(crate) const PLACES: usize = 24;
