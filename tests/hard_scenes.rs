@@ -76,7 +76,7 @@ fn what_has_no_answer_is_named_with_what_to_do() {
     for (failure, expected) in [
         (NoSolution::Parts { interface, parts }, "5.000e-2 < |x| < 8.000e-1"),
         (NoSolution::Tension { interface, x }, "in tension at x = 8e-1"),
-        (NoSolution::Overlap { interface, x }, "overlap at x = 8e-1"),
+        (NoSolution::Penetration { interface, x }, "penetrate each other at x = 8e-1"),
         (NoSolution::NotConverged { half_lengths: vec![x] }, "did not converge"),
     ] {
         let named = !matches!(failure, NoSolution::NotConverged { .. });

@@ -258,7 +258,7 @@ impl Collocation<'_> {
         for (x, gap) in gaps {
             if gap < -ZERO * widest {
                 let x = x * self.problem.kernel.length();
-                return Err(NoSolution::Overlap { interface: self.problem.interfaces[i], x }.into());
+                return Err(NoSolution::Penetration { interface: self.problem.interfaces[i], x }.into());
             }
             least = least.min(gap);
         }

@@ -123,7 +123,9 @@ impl Spatial {
             let limit = self.own[i].limit.max(self.own[i + 1].limit);
             table.extend(u, limit, |frequency| {
                 let nodes = spectrum.nodes(frequency);
-                move |u: f64| u.powi(3) * nodes.iter().map(|(zeta, w, v)| w * v * sine_deficit(zeta * u)).sum::<f64>()
+                move |u: f64| {
+                    u.powi(3) * nodes.iter().map(|(zeta, w, v)| w * v * sine_minus_argument(zeta * u)).sum::<f64>()
+                }
             });
         }
     }
@@ -154,7 +156,7 @@ impl Own {
 }
 
 /// (sin z − z)/z³.
-fn sine_deficit(z: f64) -> f64 {
+fn sine_minus_argument(z: f64) -> f64 {
     if z.abs() > 1.0 {
         return (z.sin() - z) / z.powi(3);
     }

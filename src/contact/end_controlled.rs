@@ -147,7 +147,7 @@ impl Search {
         self.high.map(|known| known.half_length).or(edge.filter(|_| self.too_large.is_finite()))
     }
 
-    /// Whether forces that are too small and too large differ by no more than would be noticed.
+    /// Whether the bracket of the force is as narrow as the half-length is wanted, or as rounding.
     fn is_narrow(&self) -> bool {
         self.too_large - self.too_small() <= self.enough.max(f64::EPSILON * self.trial.abs())
     }

@@ -112,10 +112,10 @@ pub enum NoSolution {
         /// Intervals of |x| in which they touch, right to some per cent, ascending, in length; the last may be infinite.
         parts: Vec<[f64; 2]>,
     },
-    /// Two bodies would overlap.
-    #[error("the bodies at {} would overlap at x = {x:e}: no gap outside the contact may be negative", place(.interface))]
-    Overlap {
-        /// The contact outside which they overlap.
+    /// Two bodies would penetrate each other.
+    #[error("the bodies at {} would penetrate each other at x = {x:e}: no gap outside the contact may be negative", place(.interface))]
+    Penetration {
+        /// The contact outside which they do.
         interface: Interface,
         /// Where, in length.
         x: f64,
@@ -171,7 +171,7 @@ impl NoSolution {
                 "its parts could not be found more exactly than that: other stiffnesses, thicknesses or another force \
                  may make it one interval, or easier to solve"
             }
-            Self::Tension { .. } | Self::Overlap { .. } => {
+            Self::Tension { .. } | Self::Penetration { .. } => {
                 "the contact may be more than one interval (open in the middle, touching again farther out), which is \
                  not always solved, or too long for the layers next to it, which a smaller force shortens"
             }

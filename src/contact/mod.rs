@@ -95,7 +95,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
 /// Newton's method over refinement levels, the sign check, and the answer.
 fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
     let mut refined = refine(problem, start, work)?;
-    // what is too strict for the arithmetic, or for memory, may end with fewer digits than what is less strict
+    // a tolerance too strict for double precision, or for memory, may end with larger errors than a looser one
     for looser in LOOSER.map(|factor| factor * problem.tolerance.max(estimates::BEST)) {
         let worst = refined.level.worst_error();
         if worst <= looser || worst > WORTH_IT {
@@ -110,7 +110,7 @@ fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attemp
             _ => {}
         }
     }
-    // nobody needs a half-length that nothing depends on
+    // a half-length that no pressure is sensitive to need not be known
     let is_unknown = |error: &Estimate| {
         error.worst().is_nan() || error.length > estimates::UNKNOWN && error.pressure > estimates::UNKNOWN
     };
@@ -118,9 +118,9 @@ fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attemp
         return Err(problem.not_converged(&refined.level.support.half_lengths));
     }
     let check = admissible::check(problem, &refined.level)?;
-    let again = check.overlaps.iter().map(|overlap| problem.interfaces[overlap.contact]).collect();
+    let recontacts = check.recontacts.iter().map(|recontact| problem.interfaces[recontact.contact]).collect();
     let solution = quality::answer::answer(problem, refined, check, work.clone()).into_solution(problem);
-    Ok(Attempt { solution, again })
+    Ok(Attempt { solution, recontacts })
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Contacts next to layers that are much thinner than the contact is long.
 //!
-//! A loose layer of that kind has no strength to bend but in a boundary layer at the ends of its contacts, about as long as a
-//! line load on it would touch below: elsewhere both of its faces carry the same pressure, and it gives way by about its
-//! thickness. So it is left out: its two contacts are one.
+//! A loose layer of that kind has no bending stiffness but in a boundary layer at the ends of its contacts, about as long as a
+//! line load on it would touch below: elsewhere both of its faces carry the same pressure, and it is compressed like a Winkler
+//! foundation. So it is left out: its two contacts are one.
 //!
 //! Waves that tell such a layer from what lies behind it are shorter than the modes of the pressure resolve; they change the
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
@@ -21,8 +21,8 @@ use crate::solution::{Contact, Interface, Solution};
 
 /// The kernel is cut off where more waves would not make that change smaller by more than this factor; they cost time.
 const WORSE: f64 = 2.0;
-/// Waves as long as this over the wavenumber, or shorter, see no more than the layer at the face.
-const FELT: f64 = 18.5;
+/// Waves with λh beyond this decay within a layer of thickness h: e^(−2·18.5) is below rounding.
+const DECAYED: f64 = 18.5;
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin {
@@ -90,7 +90,7 @@ impl Thin {
             let Some((from, error)) = beyond_modes(&thin.kernel, contact, *half_length, &half_lengths) else {
                 continue;
             };
-            thin.thinnest = thin.thinnest.min(FELT / (thin.kernel.far(contact).from * half_length));
+            thin.thinnest = thin.thinnest.min(DECAYED / (thin.kernel.far(contact).from * half_length));
             thin.kernel = thin.kernel.cut_off(contact, from);
             thin.error = thin.error.max(error);
             thin.contacts.push((contact, error));

@@ -82,7 +82,7 @@ mod tests {
         let integral = |f: &dyn Fn(usize) -> f64| -> f64 { (0..z.len()).map(|i| weights[i] * f(i)).sum() };
         let own: Vec<f64> = wavenumbers.iter().map(|&l| strip::own_face(free, 1.0, l) - 1.0).collect();
         let load: Vec<f64> = (0..z.len())
-            .map(|i| own[i] * bessel::jinc_deficit(z[i]) + strip::equal_loads(free, 1.0, wavenumbers[i]) - 1.0)
+            .map(|i| own[i] * bessel::jinc_minus_one(z[i]) + strip::equal_loads(free, 1.0, wavenumbers[i]) - 1.0)
             .collect();
 
         // Rows for m = 1, 3, ...; columns for c_3, c_5, ..., then the known part. The first row is reduced, never a

@@ -41,8 +41,8 @@ impl Image {
         let each = |deficit: fn(f64) -> f64| arguments.iter().map(|z| resultant * deficit(*z)).collect();
         match self.form {
             Form::Line => each(|_| 0.0),
-            Form::Uniform => each(bessel::sinc_deficit),
-            Form::Parabolic => each(bessel::spherical_jinc_deficit),
+            Form::Uniform => each(bessel::sinc_minus_one),
+            Form::Parabolic => each(bessel::spherical_jinc_minus_one),
             Form::Series => {
                 let orders = orders(&arguments, 2 * self.series.len() + 1, self.tip != 0.0);
                 let n = arguments.len();
@@ -58,7 +58,7 @@ impl Image {
         let odd = (3..orders).step_by(2);
         let sum: f64 = odd.clone().zip(self.series.iter().skip(1)).map(|(j, c)| j as f64 * c * bessel(j)).sum();
         // J_0 − 1 = (2 J_1/z − 1) − J_2
-        let deficit = bessel::jinc_deficit_from(z, bessel(1));
+        let deficit = bessel::jinc_minus_one_from(z, bessel(1));
         let corners = self.corners * (deficit - bessel(2));
         // ∫ J_0 from 0 to z is 2 Σ J_j over all odd j
         let tip = match self.tip {

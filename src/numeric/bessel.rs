@@ -11,14 +11,16 @@
 //!
 //! Source: Abramowitz and Stegun 1964, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
 
-mod deficit;
+mod minus_one;
 mod start;
 
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI};
 use std::ops::{Mul, Sub};
 
-pub use deficit::{INTEGRAL_FROM, integral, jinc_deficit, jinc_deficit_from, sinc_deficit, spherical_jinc_deficit};
+pub use minus_one::{
+    INTEGRAL_FROM, integral, jinc_minus_one, jinc_minus_one_from, sinc_minus_one, spherical_jinc_minus_one,
+};
 use start::start_orders;
 
 use super::trigonometry::sin_cos;

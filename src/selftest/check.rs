@@ -114,7 +114,7 @@ impl Outcome {
         match self {
             Self::Unsolved(Error::NoSolution(
                 NoSolution::Tension { interface, .. }
-                | NoSolution::Overlap { interface, .. }
+                | NoSolution::Penetration { interface, .. }
                 | NoSolution::Parts { interface, .. },
             )) => Some(*interface),
             _ => None,

@@ -51,14 +51,14 @@ impl Decaying {
     }
 
     /// Looks at a step before it is taken, with the support where it begins, and freezes the ends on which no more than
-    /// `little` depends; whether there were any.
+    /// `negligible`, relative, depends; whether there were any.
     pub(crate) fn freeze(
         &mut self,
         problem: &Problem,
         support: &mut Support,
         pressures: &Pressures,
         linearised: &Linearised,
-        little: f64,
+        negligible: f64,
     ) -> bool {
         let mut any = false;
         for (i, watch) in self.watches.iter_mut().enumerate() {
@@ -87,7 +87,7 @@ impl Decaying {
                 if sensitivity < watch.least.0 {
                     watch.least = (sensitivity, *a);
                 }
-                known && outwards && sensitivity <= little.max(ROUNDING)
+                known && outwards && sensitivity <= negligible.max(ROUNDING)
             };
             if frozen {
                 let length = (watch.last / *a).min(1.0);

@@ -7,7 +7,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{LITTLE, ROUNDING};
+use crate::contact::problem::accuracy::{MINOR, ROUNDING};
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
 use crate::contact::problem::profile::Slopes;
@@ -79,7 +79,7 @@ impl Newton<'_> {
         modes: &[usize],
         tolerance: f64,
     ) -> Result<(Converged, bool), ContactError> {
-        let aim = Aim { negligible: negligible(tolerance), step: NEARBY, ends: LITTLE * tolerance };
+        let aim = Aim { negligible: negligible(tolerance), step: NEARBY, ends: MINOR * tolerance };
         let point = self.iterate(half_lengths.clone(), solved, modes, aim)?;
         let mut sweeps = Sweeps::new(self.problem, &point, solved, modes, tolerance);
         let stopped = sweeps.run(&mut self.work);
@@ -263,18 +263,18 @@ impl<'a> Sweeps<'a> {
     /// Why there is to be no further sweep, if so.
     fn stopped(&mut self, sweep: usize, is_slow: bool) -> Option<Stopped> {
         let longest = longest(self.step.iter().copied());
-        let has_diverged = sweep > 0 && (longest >= LITTLE || longest.is_nan());
+        let has_diverged = sweep > 0 && (longest >= MINOR || longest.is_nan());
         // sweeps cannot recover modes beyond the last one: stop at the truncation estimate
         let beyond = (0..self.solved.len()).filter(|i| self.falls(*i)).map(|i| beyond(&self.modes[i]).0);
         let beyond = beyond.fold(0.0, f64::max);
-        self.truncation = Estimate::new(LITTLE * LITTLE * beyond, LITTLE * beyond);
+        self.truncation = Estimate::new(MINOR * MINOR * beyond, MINOR * beyond);
         if has_diverged {
             return Some(Stopped::Diverged);
         }
         if is_slow {
             return Some(Stopped::Slow);
         }
-        let wanted = Estimate::new(LITTLE * self.tolerance, 0.1 * self.tolerance);
+        let wanted = Estimate::new(MINOR * self.tolerance, 0.1 * self.tolerance);
         let enough = Estimate {
             length: self.truncation.length.max(wanted.length),
             pressure: self.truncation.pressure.max(wanted.pressure),
@@ -295,7 +295,7 @@ impl<'a> Sweeps<'a> {
     fn finish(&mut self, stopped: Stopped) -> bool {
         self.linearised.follow(&mut self.modes, &self.step);
         for (i, left) in self.residuals.iter_mut().enumerate() {
-            left.length += LITTLE * self.step[i].abs() + self.drift.shift[i] * self.drift.shift[i];
+            left.length += MINOR * self.step[i].abs() + self.drift.shift[i] * self.drift.shift[i];
         }
         self.support.advance(&self.drift.shift);
         self.support.advance(&self.step);
@@ -308,7 +308,7 @@ impl<'a> Sweeps<'a> {
 
     /// Goes back to the modes that were solved for where sweeps have diverged.
     fn give_up_lost(&mut self, stopped: Stopped) {
-        if stopped == Stopped::Diverged || self.residuals.iter().any(|left| left.length > LITTLE) {
+        if stopped == Stopped::Diverged || self.residuals.iter().any(|left| left.length > MINOR) {
             self.responses = None;
             (self.support, self.modes) = self.begin.clone();
             for (own, solved) in self.modes.iter_mut().zip(self.solved) {
@@ -319,7 +319,7 @@ impl<'a> Sweeps<'a> {
             }
         }
         // half-lengths may converge where high modes do not, for which the dominant part of a row is not its diagonal
-        for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > LITTLE) {
+        for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > MINOR) {
             self.modes[i] = self.begin.1[i][..self.solved[i]].to_vec();
             left.pressure = UNKNOWN;
             self.responses = None;

@@ -128,10 +128,10 @@ impl<'a> Equations<'a> {
                 column.copy_from_slice(&upper.value(m)[..rows]);
             }
             if m == 0 {
-                // long waves feel only what is beyond the resultant
-                for (value, (zeta, (u, v))) in
-                    column.iter_mut().zip(self.layout.zeta.iter().zip(upper.deficit.iter().zip(lower.deficit.iter())))
-                {
+                // long waves see the resultant only, which is the same in all contacts and cancels
+                for (value, (zeta, (u, v))) in column.iter_mut().zip(
+                    self.layout.zeta.iter().zip(upper.transform_minus_one.iter().zip(lower.transform_minus_one.iter())),
+                ) {
                     *value = 0.5 * zeta * (u - v);
                 }
             }

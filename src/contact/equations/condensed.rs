@@ -25,7 +25,7 @@ pub(crate) struct Linearised {
     pub(crate) influences: Influences,
 }
 
-/// What half-lengths and pressures in the middle feel of rounding and of each other.
+/// Sensitivities of half-lengths and of pressures at x = 0 to rounding and to each other.
 pub(crate) struct Influences {
     /// What rounding may change in the logarithms of the half-lengths.
     pub(crate) rounding: Vec<f64>,
@@ -52,7 +52,7 @@ struct Eliminated {
     gamma: DVector<f64>,
     /// First column of the rows of the first modes.
     known: Vec<f64>,
-    /// Diagonal of the whole matrix.
+    /// Diagonal of the matrix.
     diagonal: Vec<f64>,
     /// What edge singularities make of the rows of the first modes.
     edges: Buffer,
@@ -132,7 +132,7 @@ fn inverse_of(jacobian: &DMatrix<f64>, free: &[usize]) -> Option<DMatrix<f64>> {
     Some(inverse)
 }
 
-/// What half-lengths and pressures in the middle are sensitive to.
+/// Sensitivities of half-lengths and pressures at x = 0.
 fn influences(
     equations: &Equations,
     eliminated: &Eliminated,
@@ -243,8 +243,8 @@ impl Linearised {
         let peaks = self.influences.peaks.iter().map(|by| by[i] * pressures.step[i].abs());
         let others = (0..pressures.step.len()).filter(|k| *k != i);
         let lengths = others.map(|k| (self.inverse[(k, i)] * pressures.residuals[i]).abs());
-        // what is no number is felt by all
-        peaks.chain(lengths).fold(0.0, |most: f64, felt| if felt.is_nan() { f64::INFINITY } else { most.max(felt) })
+        // NaN counts as infinitely sensitive
+        peaks.chain(lengths).fold(0.0, |most: f64, other| if other.is_nan() { f64::INFINITY } else { most.max(other) })
     }
 
     /// Moves modes along with a step.

@@ -11,7 +11,8 @@ impl Equations<'_> {
         }
     }
 
-    /// What so many rows of each contact change by with the intensity of contact i; `None` if it has no edge.
+    /// Derivatives of the first `counts` rows of each contact with respect to the intensity of contact i; `None` if it has no edge
+    /// singularity.
     pub(super) fn edge_rows(&self, i: usize, counts: &[usize]) -> Option<Vec<Rows>> {
         let edge = self.edges[i].as_ref()?;
         let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
@@ -21,7 +22,7 @@ impl Equations<'_> {
         Some(rows)
     }
 
-    /// What all edge singularities make of so many rows of each contact, in the order of the matrix.
+    /// What all edge singularities add to the first `counts` rows of each contact, in the order of the matrix.
     pub(super) fn edge_load(&self, counts: &[usize]) -> Buffer {
         let mut load = Buffer::zeros(self.size());
         for (i, edge) in self.edges.iter().enumerate() {

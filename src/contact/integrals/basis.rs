@@ -23,7 +23,7 @@ pub(crate) struct Basis {
     /// Half-length in units of L.
     pub(crate) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
-    pub(crate) deficit: Buffer,
+    pub(crate) transform_minus_one: Buffer,
     /// J_n/a for n = 0, 1, 3, 5, ..., one odd order more than there are modes.
     table: Columns,
     /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
@@ -33,7 +33,7 @@ pub(crate) struct Basis {
 }
 
 impl Basis {
-    /// So many modes of each contact of a problem.
+    /// The first `modes` modes of each contact of a problem.
     pub(crate) fn all(layout: &Layout, problem: &Problem, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
         let own = |(i, (a, modes)): (usize, (&f64, &usize))| match problem.sides[i].given() {
             Some(given) => Self::given(layout, i, given),
@@ -53,20 +53,22 @@ impl Basis {
         let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, half_length.recip());
         let mut table = Columns::new(rows, Wanted::ZERO_AND_ODD.below(orders));
         bessel::scaled_orders(orders, Wanted::ZERO_AND_ODD, &arguments[..reach], scale, rows, &mut table.values);
-        let mut basis = Self { half_length, deficit: Buffer::default(), table, arguments, paths };
+        let mut basis = Self { half_length, transform_minus_one: Buffer::default(), table, arguments, paths };
         if rows > reach {
             basis.tabulate_tail(tail, reach, orders);
         }
-        let mut deficit = Buffer::any(reach);
+        let mut transform_minus_one = Buffer::any(reach);
         vectorised(
             #[inline(always)]
             || {
-                for ((deficit, z), j1) in deficit.iter_mut().zip(basis.arguments.iter()).zip(basis.value(0)) {
-                    *deficit = bessel::jinc_deficit_from(*z, *j1 * half_length);
+                for ((transform_minus_one, z), j1) in
+                    transform_minus_one.iter_mut().zip(basis.arguments.iter()).zip(basis.value(0))
+                {
+                    *transform_minus_one = bessel::jinc_minus_one_from(*z, *j1 * half_length);
                 }
             },
         );
-        Self { deficit, ..basis }
+        Self { transform_minus_one, ..basis }
     }
 
     /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
@@ -104,13 +106,15 @@ impl Basis {
     /// other orders do not matter.
     fn given(layout: &Layout, i: usize, given: &Given) -> Self {
         let zeta = &layout.zeta[..layout.own[i].reach];
-        let deficit: Buffer = zeta.iter().map(|zeta| given.deficit(*zeta)).collect();
+        let transform_minus_one: Buffer = zeta.iter().map(|zeta| given.transform_minus_one(*zeta)).collect();
         let mut table = Columns::zeros(zeta.len(), 3);
-        for ((value, zeta), deficit) in table.column_mut(1).iter_mut().zip(zeta).zip(deficit.iter()) {
-            *value = 0.5 * zeta * (1.0 + deficit);
+        for ((value, zeta), transform_minus_one) in
+            table.column_mut(1).iter_mut().zip(zeta).zip(transform_minus_one.iter())
+        {
+            *value = 0.5 * zeta * (1.0 + transform_minus_one);
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
-        Self { half_length: given.half_length, deficit, table, arguments, paths: Vec::new() }
+        Self { half_length: given.half_length, transform_minus_one, table, arguments, paths: Vec::new() }
     }
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit

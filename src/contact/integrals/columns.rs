@@ -16,12 +16,12 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// So many, to be overwritten.
+    /// Columns to be overwritten.
     pub(crate) fn new(rows: usize, columns: usize) -> Self {
         Self { rows, values: Buffer::any(rows * columns) }
     }
 
-    /// So many zeros.
+    /// Columns of zeros.
     pub(crate) fn zeros(rows: usize, columns: usize) -> Self {
         Self { rows, values: Buffer::zeros(rows * columns) }
     }

@@ -20,7 +20,7 @@ const MOST_ENTRIES: usize = 6_500_000;
 const MANY_ENTRIES: usize = 1_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
-/// Without tails, integrals end after about so many wavenumbers.
+/// Without tails, integrals end after about this many wavenumbers.
 const CUT_AFTER: f64 = 6_000.0;
 /// Real wavenumbers that a tail must save.
 const TAIL_PAYS: f64 = 100.0;
@@ -35,7 +35,7 @@ pub(crate) fn negligible(tolerance: f64) -> f64 {
 pub(crate) const COARSE: f64 = 1e-4;
 pub(crate) const CAREFUL: f64 = 1e-6;
 
-/// The Gauss points that a wave of this phase takes, times a kernel of which so many decimal digits matter.
+/// Gauss points for a wave of this phase times a kernel of which `digits` decimal digits matter.
 fn points(phase: f64, digits: f64) -> usize {
     // two points per wavelength, those of the turning points, and what kernel and wave take besides
     let turning = (0.5 * phase).cbrt();
@@ -45,7 +45,7 @@ fn points(phase: f64, digits: f64) -> usize {
 
 /// Fields away from the contacts are wanted to this, relative.
 pub(crate) const FIELDS: f64 = 1e-6;
-/// Points of a stretch may be so many times more than contacts need, for the sake of fields.
+/// Points of a stretch may be this many times more than contacts need, for the sake of fields.
 const MORE_FOR_FIELDS: f64 = 2.0;
 
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
@@ -162,7 +162,7 @@ impl Layout {
         span: f64,
     ) -> Option<Self> {
         let n = kernel.contacts();
-        // a given pressure is felt by others only
+        // a given pressure has no equation of its own
         let end = |i: usize| match orders[i] {
             0 => 0.0,
             orders => kernel.blurs(i, half_lengths[i], turning(orders) / half_lengths[i], negligible),
@@ -190,7 +190,7 @@ impl Layout {
         };
         layout.real(&plan)?;
         for group in &groups {
-            let reach = group.contacts.iter().map(|i| layout.felt(*i)).fold(0, usize::max);
+            let reach = group.contacts.iter().map(|i| layout.wavenumbers_of(*i)).fold(0, usize::max);
             for i in &group.contacts {
                 layout.own[*i].reach = reach;
                 layout.own[*i].unit.plain.resize(reach, 0.0);
@@ -254,7 +254,7 @@ impl Layout {
         };
         layout.real(&plan)?;
         for i in 0..n {
-            layout.own[i].reach = layout.felt(i);
+            layout.own[i].reach = layout.wavenumbers_of(i);
         }
         Some(layout)
     }
@@ -299,7 +299,7 @@ impl Layout {
     }
 
     /// How many real wavenumbers contact i needs.
-    fn felt(&self, i: usize) -> usize {
+    fn wavenumbers_of(&self, i: usize) -> usize {
         let couplings = self.coupling[i.saturating_sub(1)..(i + 1).min(self.coupling.len())].iter();
         couplings.map(|weights| weights.plain.len()).fold(self.own[i].unit.plain.len(), usize::max)
     }

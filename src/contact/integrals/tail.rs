@@ -57,7 +57,7 @@ pub(crate) struct Tail {
 pub(crate) struct Ends {
     /// R.
     pub(crate) from: f64,
-    /// Beyond this wavenumber contacts do not feel each other.
+    /// Beyond this wavenumber contacts are not coupled.
     pub(crate) coupled: f64,
     /// Beyond this one kernels are nothing, or polynomials in 1/ζ next to graded faces.
     pub(crate) to: f64,
@@ -151,7 +151,7 @@ pub(crate) struct Weights {
 }
 
 impl Weights {
-    /// None yet, with room for so many of real rows.
+    /// None yet, with room for `rows` real rows.
     pub(crate) fn with_room(rows: usize) -> Self {
         Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
     }
@@ -188,7 +188,7 @@ impl Weights {
         self.add_turned(1.0, rows, out);
     }
 
-    /// The same over so many rows, zero where they cover nothing.
+    /// The same over `count` rows, zero where they cover nothing.
     pub(crate) fn over(&self, count: usize, rows: &[f64]) -> Buffer {
         let mut out = Buffer::any(count);
         self.times(rows, &mut out);

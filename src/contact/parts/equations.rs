@@ -12,7 +12,7 @@ use faer::{Mat, MatRef};
 
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Weights;
-use crate::contact::parts::patch::Patch;
+use crate::contact::parts::interval::Interval;
 use crate::contact::problem::Problem;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature::rule;
@@ -24,13 +24,13 @@ const POINTS: usize = 48;
 /// Wavenumbers whose transforms and tests are kept at once.
 const AT_ONCE: usize = 4096;
 
-/// The equations of some patches, in the order of contacts and outwards.
+/// The equations of some intervals, in the order of contacts and outwards.
 pub(super) struct Equations<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) problem: &'a Problem<'a>,
     pub(super) layout: &'a Layout,
-    pub(super) patches: &'a [Patch],
-    /// Pressures on each patch.
+    pub(super) intervals: &'a [Interval],
+    /// Pressures on each interval.
     pub(super) count: usize,
 }
 
@@ -69,17 +69,17 @@ struct Blocks {
 /// What is known of one contact at all wavenumbers: pressures by columns, and tests.
 struct Waves {
     transforms: Mat<f64>,
-    /// The first transform of each patch less that of a given pressure of the same resultant: only the first have one.
-    rests: Vec<Vec<f64>>,
+    /// The first transform of each interval less that of a given pressure of the same resultant: only the first have one.
+    remainders: Vec<Vec<f64>>,
     tests: Mat<f64>,
 }
 
 impl Waves {
     /// One column of the transforms, or of what they are less resultants.
     fn column(&self, column: usize, less_resultants: bool) -> &[f64] {
-        let count = self.transforms.ncols() / self.rests.len().max(1);
+        let count = self.transforms.ncols() / self.remainders.len().max(1);
         if less_resultants && column.is_multiple_of(count) {
-            &self.rests[column / count]
+            &self.remainders[column / count]
         } else {
             self.transforms.col_as_slice(column)
         }
@@ -91,39 +91,39 @@ impl Equations<'_> {
         self.kernel.contacts()
     }
 
-    /// The patches of one contact.
-    fn of(&self, contact: usize) -> impl Iterator<Item = (usize, &Patch)> {
-        self.patches.iter().enumerate().filter(move |(_, patch)| patch.contact == contact)
+    /// The intervals of one contact.
+    fn of(&self, contact: usize) -> impl Iterator<Item = (usize, &Interval)> {
+        self.intervals.iter().enumerate().filter(move |(_, interval)| interval.contact == contact)
     }
 
-    /// The gap that ends where a patch begins.
+    /// The gap that ends where an interval begins.
     fn opening(&self, index: usize) -> Option<[f64; 2]> {
-        let patch = &self.patches[index];
-        let before = self.patches.get(index.checked_sub(1)?)?;
-        (before.contact == patch.contact).then(|| [before.to(), patch.from()])
+        let interval = &self.intervals[index];
+        let before = self.intervals.get(index.checked_sub(1)?)?;
+        (before.contact == interval.contact).then(|| [before.to(), interval.from()])
     }
 
-    /// Whether a patch is the innermost of its contact and off the middle: there the bodies are apart about x = 0.
+    /// Whether an interval is the innermost of its contact and off the middle: there the bodies are apart about x = 0.
     pub(super) fn is_apart(&self, index: usize) -> bool {
-        !self.patches[index].is_central() && self.opening(index).is_none()
+        !self.intervals[index].is_central() && self.opening(index).is_none()
     }
 
-    /// Tests of a patch: their orders, and whether a gap is to be closed besides.
+    /// Tests of an interval: their orders, and whether a gap is to be closed besides.
     fn rows(&self, index: usize) -> usize {
-        self.patches[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
+        self.intervals[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
     }
 
     /// The equations: those that fix pressures at given ends, each scaled to its largest entry, and then those that are left
     /// over for the ends.
     pub(super) fn system(&self) -> System {
-        let size = self.patches.len() * self.count;
+        let size = self.intervals.len() * self.count;
         let mut kept: Vec<(Vec<f64>, f64)> = Vec::with_capacity(size);
         let mut left: Vec<(Vec<f64>, f64)> = Vec::new();
         let Blocks { blocks, loads } = self.blocks();
         for (contact, blocks) in blocks.into_iter().enumerate().skip(self.first()) {
             let place = |contact: usize| self.of(contact).next().map_or(0, |(index, _)| index * self.count);
             let mut at = 0;
-            for (index, patch) in self.of(contact) {
+            for (index, interval) in self.of(contact) {
                 let rows = self.rows(index);
                 for row in 0..rows {
                     let mut entries = vec![0.0; size];
@@ -136,7 +136,7 @@ impl Equations<'_> {
                     // the second end of a first interval off the middle has no gap to be closed: equilibrium gives the mean
                     // pressure, and the next test what is left over
                     let two_ends = row == 1 && self.is_apart(index);
-                    let end = row == 0 || row >= patch.tests(self.count).len() || two_ends;
+                    let end = row == 0 || row >= interval.tests(self.count).len() || two_ends;
                     let list = if end { &mut left } else { &mut kept };
                     list.push((entries, right));
                 }
@@ -144,8 +144,8 @@ impl Equations<'_> {
             }
             // equilibrium
             let mut entries = vec![0.0; size];
-            for (index, patch) in self.of(contact) {
-                entries[index * self.count] = patch.resultant();
+            for (index, interval) in self.of(contact) {
+                entries[index * self.count] = interval.resultant();
             }
             kept.push((entries, 1.0));
         }
@@ -163,9 +163,10 @@ impl Equations<'_> {
         let rows = |contact: usize| self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let zeros =
             |contact: usize, other: usize| (other, Mat::zeros(rows(contact), self.of(other).count() * self.count));
-        let felt = |contact: usize| [Some(contact), contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
+        let coupled =
+            |contact: usize| [Some(contact), contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
         let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
-            .map(|contact| felt(contact).into_iter().flatten().map(|other| zeros(contact, other)).collect())
+            .map(|contact| coupled(contact).into_iter().flatten().map(|other| zeros(contact, other)).collect())
             .collect();
         let mut loads = vec![0.0; if n > 1 { rows(1) } else { 0 }];
         // no more than two contacts at once, and some wavenumbers: tables take much memory
@@ -203,13 +204,13 @@ impl Equations<'_> {
     fn given(&self, first: usize, count: usize) -> Vec<f64> {
         let Some(given) = self.problem.top().given() else { return Vec::new() };
         let zeta = &self.layout.zeta[first..first + count];
-        zeta.iter().zip(self.beyond(zeta)).map(|(zeta, beyond)| given.deficit(*zeta) + beyond).collect()
+        zeta.iter().zip(self.beyond(zeta)).map(|(zeta, beyond)| given.transform_minus_one(*zeta) + beyond).collect()
     }
 
     /// By how much the transform of the pressure that all are compared with, of the resultant 1, is less than 1.
     fn beyond(&self, zeta: &[f64]) -> Vec<f64> {
-        // as narrow as the shortest, so that little is lost where pressures cancel
-        let end = self.patches.iter().map(Patch::to).fold(f64::INFINITY, f64::min);
+        // as narrow as the shortest, so that few digits are lost where pressures cancel
+        let end = self.intervals.iter().map(Interval::to).fold(f64::INFINITY, f64::min);
         zeta.iter().map(|zeta| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect()
     }
 
@@ -228,20 +229,20 @@ impl Equations<'_> {
         let rows: usize = self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let mut waves = Waves {
             transforms: Mat::zeros(nodes.len(), columns),
-            rests: Vec::new(),
+            remainders: Vec::new(),
             tests: Mat::zeros(nodes.len(), rows),
         };
         let (mut column, mut row) = (0, 0);
-        for (index, patch) in self.of(contact) {
-            let tests = patch.tests(self.count).len();
-            let mut rests = Vec::with_capacity(zeta.len());
+        for (index, interval) in self.of(contact) {
+            let tests = interval.tests(self.count).len();
+            let mut remainders = Vec::with_capacity(zeta.len());
             for start in (0..zeta.len()).step_by(AT_ONCE / 4) {
                 let some = start..zeta.len().min(start + (AT_ONCE / 4));
                 let transforms = waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count);
                 let tested = waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests);
-                rests.extend(patch.waves(&zeta[some.clone()], &beyond[some], transforms, tested));
+                remainders.extend(interval.waves(&zeta[some.clone()], &beyond[some], transforms, tested));
             }
-            waves.rests.push(rests);
+            waves.remainders.push(remainders);
             column += self.count;
             row += tests;
             if let Some([from, to]) = self.opening(index) {
@@ -296,26 +297,26 @@ impl Equations<'_> {
     /// What a half-plane would do, in space.
     fn add_half_plane(&self, contact: usize, limit: f64, block: &mut Mat<f64>) {
         let mut at = 0;
-        for (index, patch) in self.of(contact) {
-            let tests = patch.tests(self.count);
+        for (index, interval) in self.of(contact) {
+            let tests = interval.tests(self.count);
             let rows = self.rows(index);
             for (source, (other, from)) in self.of(contact).enumerate() {
                 let column = source * self.count;
                 let own = other == index;
                 if own {
                     for (row, test) in tests.iter().enumerate() {
-                        if let Some(m) = patch.orders(self.count).position(|order| order == *test) {
+                        if let Some(m) = interval.orders(self.count).position(|order| order == *test) {
                             block[(at + row, column + m)] += limit * FRAC_PI_2;
                         }
                     }
                 }
-                if own && patch.is_central() {
+                if own && interval.is_central() {
                     continue;
                 }
                 let mut slopes = vec![0.0; self.count];
                 for (theta, weight) in self.places() {
                     slopes.fill(0.0);
-                    from.outside(patch.middle + patch.half * theta.cos(), self.count, own, &mut slopes);
+                    from.outside(interval.middle + interval.half * theta.cos(), self.count, own, &mut slopes);
                     for (row, test) in tests.iter().enumerate() {
                         let factor = limit * weight * (*test as f64 * theta).cos();
                         for (m, slope) in slopes.iter().enumerate() {
@@ -351,17 +352,17 @@ impl Equations<'_> {
 
     /// The right-hand side of one row.
     fn load(&self, index: usize, row: usize) -> f64 {
-        let patch = &self.patches[index];
-        if patch.contact > 0 {
+        let interval = &self.intervals[index];
+        if interval.contact > 0 {
             return 0.0;
         }
-        match (patch.tests(self.count).get(row), self.opening(index)) {
+        match (interval.tests(self.count).get(row), self.opening(index)) {
             (Some(test), _) => self
                 .places()
                 .map(|(theta, weight)| {
                     weight
                         * (*test as f64 * theta).cos()
-                        * self.problem.top().slope(patch.middle + patch.half * theta.cos())
+                        * self.problem.top().slope(interval.middle + interval.half * theta.cos())
                 })
                 .sum(),
             (None, Some([from, to])) => self.problem.top().height(to) - self.problem.top().height(from),
@@ -400,15 +401,15 @@ impl Equations<'_> {
             };
             let waves = self.waves(contact, nodes.clone());
             add(&self.layout.own[contact].unit.plain, &field(&waves, contact, false), 1.0);
-            let rests = field(&waves, contact, true);
+            let remainders = field(&waves, contact, true);
             for (coupling, other) in [(contact.checked_sub(1), contact.wrapping_sub(1)), (Some(contact), contact + 1)] {
                 if let Some(weights) = coupling.and_then(|coupling| self.layout.coupling.get(coupling)) {
                     let others = if other < self.first() {
-                        self.given(first, rests.len())
+                        self.given(first, remainders.len())
                     } else {
                         field(&self.waves(other, nodes.clone()), other, true)
                     };
-                    add(&weights.plain, &rests, 1.0);
+                    add(&weights.plain, &remainders, 1.0);
                     add(&weights.plain, &others, -1.0);
                 }
             }
@@ -420,9 +421,9 @@ impl Equations<'_> {
     pub(super) fn half_plane(&self, contact: usize, coefficients: &[Vec<f64>], x: f64) -> f64 {
         let mut slopes = vec![0.0; self.count];
         let mut sum = 0.0;
-        for (index, patch) in self.of(contact) {
+        for (index, interval) in self.of(contact) {
             slopes.fill(0.0);
-            patch.outside(x, self.count, false, &mut slopes);
+            interval.outside(x, self.count, false, &mut slopes);
             sum += dot(&slopes, &coefficients[index]);
         }
         sum

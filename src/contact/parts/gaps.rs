@@ -15,49 +15,50 @@ const ZERO: f64 = 1e-4;
 /// for want of terms; `None` if one of them is negative. `coarse` has fewer pressures, and tells how far gaps are known.
 pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<([f64; 2], Vec<f64>)> {
     let kernel = problem.kernel;
-    let (patches, coefficients) = (&level.patches, &level.coefficients);
+    let (intervals, coefficients) = (&level.intervals, &level.coefficients);
     let count = coefficients.first()?.len();
     let mut least = [0.0f64; 2];
     let mut largest = vec![0.0f64; kernel.contacts()];
     let mut smallest = vec![0.0f64; kernel.contacts()];
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; kernel.contacts()];
-    for (patch, coefficients) in patches.iter().zip(coefficients) {
+    for (interval, coefficients) in intervals.iter().zip(coefficients) {
         let places = PER_MODE * count;
         let mut own = [0.0f64; 2];
         for k in 1..2 * places {
-            let x = patch.middle + patch.half * (PI * k as f64 / (2 * places) as f64).cos();
-            let pressure = patch.pressure(coefficients, x);
+            let x = interval.middle + interval.half * (PI * k as f64 / (2 * places) as f64).cos();
+            let pressure = interval.pressure(coefficients, x);
             own = [own[0].min(pressure), own[1].max(pressure)];
-            largest[patch.contact] = largest[patch.contact].max(pressure);
-            smallest[patch.contact] = smallest[patch.contact].min(pressure);
+            largest[interval.contact] = largest[interval.contact].max(pressure);
+            smallest[interval.contact] = smallest[interval.contact].min(pressure);
         }
-        if patch.is_central() {
-            tensions[patch.contact] = -own[0] / own[1];
+        if interval.is_central() {
+            tensions[interval.contact] = -own[0] / own[1];
         }
     }
     if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -ZERO * largest) {
         return None;
     }
     least[0] = smallest.iter().copied().fold(0.0, f64::min);
-    let [ends, shortest] = super::lengths(problem, patches);
+    let [ends, shortest] = super::lengths(problem, intervals);
     let span = problem.span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(FIELDS), span)?;
-    let equations = Equations { kernel, problem, layout: &layout, patches, count };
-    let before = Equations { patches: &coarse.patches, count: coarse.coefficients.first()?.len(), ..equations };
-    for (i, (patch, same)) in patches.iter().zip(&coarse.patches).enumerate() {
-        let next = patches.get(i + 1).filter(|next| next.contact == patch.contact);
-        let end = match (next, patch.contact, problem.top().edge()) {
+    let equations = Equations { kernel, problem, layout: &layout, intervals, count };
+    let before = Equations { intervals: &coarse.intervals, count: coarse.coefficients.first()?.len(), ..equations };
+    for (i, (interval, same)) in intervals.iter().zip(&coarse.intervals).enumerate() {
+        let next = intervals.get(i + 1).filter(|next| next.contact == interval.contact);
+        let end = match (next, interval.contact, problem.top().edge()) {
             (Some(next), ..) => next.from(),
             (None, 0, Some(edge)) => span.min(edge),
             _ => span,
         };
-        let inwards = equations.is_apart(i).then(|| [patch.from(), 0.0, same.from(), 0.0]);
-        let end_before = next.map_or(end, |_| coarse.patches[i + 1].from());
-        for [from, to, from_before, to_before] in inwards.into_iter().chain([[patch.to(), end, same.to(), end_before]])
+        let inwards = equations.is_apart(i).then(|| [interval.from(), 0.0, same.from(), 0.0]);
+        let end_before = next.map_or(end, |_| coarse.intervals[i + 1].from());
+        for [from, to, from_before, to_before] in
+            inwards.into_iter().chain([[interval.to(), end, same.to(), end_before]])
         {
-            let gaps = equations.gaps(patch.contact, coefficients, from, to, PLACES);
-            let others = before.gaps(patch.contact, &coarse.coefficients, from_before, to_before, PLACES);
+            let gaps = equations.gaps(interval.contact, coefficients, from, to, PLACES);
+            let others = before.gaps(interval.contact, &coarse.coefficients, from_before, to_before, PLACES);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(&others).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
             if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + SAFETY * known)) {

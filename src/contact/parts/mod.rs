@@ -4,7 +4,7 @@
 //! pressures on each interval until two numbers of them agree.
 mod equations;
 mod gaps;
-mod patch;
+mod interval;
 
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
 use faer::Mat;
@@ -19,7 +19,7 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{Part, Solution, Stats, Strip};
 use equations::Equations;
-use patch::Patch;
+use interval::Interval;
 
 /// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
 const COARSEST: usize = 12;
@@ -29,7 +29,7 @@ const FINEST: usize = 96;
 const MOST_OPERATIONS: f64 = 1.5e11;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
-/// Derivatives are kept as long as steps, in units of those intervals, are shorter than this, and become so many times shorter.
+/// Derivatives are kept as long as steps, in units of those intervals, are shorter than this, and become shorter by this factor.
 const KEPT: f64 = 0.1;
 /// Derivatives are differences over this part of the intervals next to an end.
 const DIFFERENCE: f64 = 1e-6;
@@ -47,7 +47,7 @@ struct Work {
 }
 
 impl Work {
-    /// Counts equations of a size, with integrals over so many wavenumbers; `None` if they are too many.
+    /// Counts equations of a size, with integrals over `wavenumbers`; `None` if they are too many.
     fn spend(&mut self, size: usize, wavenumbers: usize, times: usize) -> Option<()> {
         self.operations += times as f64 * (wavenumbers + size) as f64 * (size * size) as f64;
         (self.operations <= MOST_OPERATIONS).then_some(())
@@ -57,8 +57,8 @@ impl Work {
 /// Ends and pressures for one number of pressures.
 #[derive(Clone)]
 struct Level {
-    patches: Vec<Patch>,
-    /// c_j of each patch, per unit of P'.
+    intervals: Vec<Interval>,
+    /// c_j of each interval, per unit of P'.
     coefficients: Vec<Vec<f64>>,
     /// Length of the last step, relative.
     last_step: f64,
@@ -72,32 +72,32 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     if problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
         return None;
     }
-    let all = patches(problem, active, |active| active.intervals().to_vec())?;
+    let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;
     // the programme may see several intervals, far out, where there is one with next to no force
-    let merged = patches(problem, active, ActiveIntervals::merged)?;
+    let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
     let fewer = (merged != all).then_some(merged);
     let starts = [Some(all), fewer].into_iter().flatten();
     let mut work = Work::default();
     starts
-        .flat_map(|patches| [false, true].map(|joint| (patches.clone(), joint)))
-        .find_map(|(patches, joint)| solve_from(problem, patches, joint, &mut work))
+        .flat_map(|intervals| [false, true].map(|joint| (intervals.clone(), joint)))
+        .find_map(|(intervals, joint)| solve_from(problem, intervals, joint, &mut work))
 }
 
 /// The same from given intervals.
-fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool, work: &mut Work) -> Option<Solution> {
+fn solve_from(problem: &Problem, intervals: Vec<Interval>, joint: bool, work: &mut Work) -> Option<Solution> {
     let negligible = negligible(problem.tolerance);
     work.steps.clear();
     let mut before: Option<Level> = None;
     let mut best: Option<([Level; 2], Errors, usize)> = None;
     let mut count = COARSEST;
     while count <= FINEST {
-        let start = before.as_ref().map_or(&patches, |before| &before.patches);
+        let start = before.as_ref().map_or(&intervals, |before| &before.intervals);
         let level = [true, false]
             .map(|together| Way { together, joint })
             .into_iter()
             .find_map(|way| converge(problem, start.clone(), count, negligible, way, work));
         let Some(level) = level else {
-            // where neither few nor some will do, more will not
+            // where neither the first nor the second number of pressures converges, more will not
             if best.is_some() || count > COARSEST {
                 break;
             }
@@ -140,72 +140,75 @@ fn solve_from(problem: &Problem, patches: Vec<Patch>, joint: bool, work: &mut Wo
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end.
-fn patches(
+fn starting_intervals(
     problem: &Problem,
     active: &[ActiveIntervals],
-    intervals: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
-) -> Option<Vec<Patch>> {
-    let mut patches = Vec::new();
+    which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
+) -> Option<Vec<Interval>> {
+    let mut intervals = Vec::new();
     for (contact, active) in active.iter().enumerate().skip(usize::from(problem.top().given().is_some())) {
-        let parts = intervals(active);
+        let parts = which(active);
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
-        patches.extend(parts.iter().map(|part| Patch::new(contact, *part)));
+        intervals.extend(parts.iter().map(|part| Interval::new(contact, *part)));
     }
-    Some(patches)
+    Some(intervals)
 }
 
 /// The innermost interval of each contact.
-fn first_of_each(patches: &[Patch]) -> impl Iterator<Item = usize> {
-    (0..patches.len()).filter(|i| i.checked_sub(1).is_none_or(|before| patches[before].contact != patches[*i].contact))
+fn first_of_each(intervals: &[Interval]) -> impl Iterator<Item = usize> {
+    (0..intervals.len())
+        .filter(|i| i.checked_sub(1).is_none_or(|before| intervals[before].contact != intervals[*i].contact))
 }
 
 /// Where intervals end, from the middle outwards.
-fn ends(patches: &[Patch]) -> Vec<f64> {
-    let own = |patch: &Patch| if patch.is_central() { vec![patch.to()] } else { vec![patch.from(), patch.to()] };
-    patches.iter().flat_map(own).collect()
+fn ends(intervals: &[Interval]) -> Vec<f64> {
+    let own = |interval: &Interval| {
+        if interval.is_central() { vec![interval.to()] } else { vec![interval.from(), interval.to()] }
+    };
+    intervals.iter().flat_map(own).collect()
 }
 
 /// Intervals like others, with other ends; `None` if they are none.
-fn with_ends(patches: &[Patch], ends: &[f64]) -> Option<Vec<Patch>> {
+fn with_ends(intervals: &[Interval], ends: &[f64]) -> Option<Vec<Interval>> {
     let mut next = 0;
-    let mut moved = Vec::with_capacity(patches.len());
-    for patch in patches {
-        let from = if patch.is_central() { 0.0 } else { ends[next] };
-        next += usize::from(!patch.is_central());
+    let mut moved = Vec::with_capacity(intervals.len());
+    for interval in intervals {
+        let from = if interval.is_central() { 0.0 } else { ends[next] };
+        next += usize::from(!interval.is_central());
         let to = ends[next];
         next += 1;
-        if !to.is_finite() || to <= from || from <= 0.0 && !patch.is_central() {
+        if !to.is_finite() || to <= from || from <= 0.0 && !interval.is_central() {
             return None;
         }
-        moved.push(Patch::new(patch.contact, [from, to]));
+        moved.push(Interval::new(interval.contact, [from, to]));
     }
-    let apart = |pair: &[Patch]| pair[0].contact != pair[1].contact || pair[0].to() < pair[1].from();
+    let apart = |pair: &[Interval]| pair[0].contact != pair[1].contact || pair[0].to() < pair[1].from();
     moved.windows(2).all(apart).then_some(moved)
 }
 
 /// The shorter of the intervals that meet in each end.
-fn rooms(patches: &[Patch]) -> Vec<f64> {
-    let mut rooms = Vec::new();
-    for (i, patch) in patches.iter().enumerate() {
-        let whole = patch.to() - patch.from();
-        let same = |other: &&Patch| other.contact == patch.contact;
-        if !patch.is_central() {
-            let before = i.checked_sub(1).and_then(|before| patches.get(before)).filter(same);
+fn spacings(intervals: &[Interval]) -> Vec<f64> {
+    let mut spacings = Vec::new();
+    for (i, interval) in intervals.iter().enumerate() {
+        let whole = interval.to() - interval.from();
+        let same = |other: &&Interval| other.contact == interval.contact;
+        if !interval.is_central() {
+            let before = i.checked_sub(1).and_then(|before| intervals.get(before)).filter(same);
             // what is left of x = 0 is a mirror image
-            rooms.push(whole.min(patch.from() - before.map_or(0.0, Patch::to)));
+            spacings.push(whole.min(interval.from() - before.map_or(0.0, Interval::to)));
         }
-        rooms.push(patches.get(i + 1).filter(same).map_or(whole, |after| whole.min(after.from() - patch.to())));
+        spacings.push(intervals.get(i + 1).filter(same).map_or(whole, |after| whole.min(after.from() - interval.to())));
     }
-    rooms
+    spacings
 }
 
-/// How far each contact reaches, and half of its shortest interval; a given pressure is felt by the contact below only.
-fn lengths(problem: &Problem, patches: &[Patch]) -> [Vec<f64>; 2] {
-    let of = |i: usize| patches.iter().filter(move |patch| patch.contact == i);
-    let ends = (0..problem.contacts()).map(|i| of(i).map(Patch::to).fold(0.0, f64::max));
-    let shortest = (0..problem.contacts()).map(|i| of(i).map(|patch| patch.half).fold(f64::INFINITY, f64::min));
+/// The outermost end of each contact, and half of its shortest interval; a given pressure has those of the contact below.
+fn lengths(problem: &Problem, intervals: &[Interval]) -> [Vec<f64>; 2] {
+    let of = |i: usize| intervals.iter().filter(move |interval| interval.contact == i);
+    let ends = (0..problem.contacts()).map(|i| of(i).map(Interval::to).fold(0.0, f64::max));
+    let shortest = (0..problem.contacts()).map(|i| of(i).map(|interval| interval.half).fold(f64::INFINITY, f64::min));
     let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
     if let Some(given) = problem.top().given() {
         (ends[0], shortest[0]) = (given.half_length.max(ends[1]), shortest[1]);
@@ -226,10 +229,10 @@ struct Way {
     joint: bool,
 }
 
-/// Newton's method for the ends and the pressures; `None` if it is lost.
+/// Newton's method for the ends and the pressures; `None` if it does not converge.
 fn converge(
     problem: &Problem,
-    mut patches: Vec<Patch>,
+    mut intervals: Vec<Interval>,
     count: usize,
     negligible: f64,
     way: Way,
@@ -244,17 +247,17 @@ fn converge(
     let mut moved_by: Vec<f64> = Vec::new();
     work.steps.push(0);
     for _ in 0..FINEST {
-        let [reach, shortest] = lengths(problem, &patches);
+        let [reach, shortest] = lengths(problem, &intervals);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
             Some(kept) => kept,
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
-        let system = |patches: &[Patch]| Equations { kernel, problem, layout: &waves, patches, count }.system();
-        work.spend(patches.len() * count, waves.zeta.len(), 1)?;
-        let here = system(&patches);
+        let system = |intervals: &[Interval]| Equations { kernel, problem, layout: &waves, intervals, count }.system();
+        work.spend(intervals.len() * count, waves.zeta.len(), 1)?;
+        let here = system(&intervals);
         *work.steps.last_mut()? += 1;
-        let (at, rooms) = (ends(&patches), rooms(&patches));
+        let (at, spacings) = (ends(&intervals), spacings(&intervals));
         // to begin with, the pressures that go with these ends
         let mut own = match pressures.take() {
             Some(own) => own,
@@ -264,9 +267,9 @@ fn converge(
         let derivatives = match kept.take() {
             Some(kept) => kept,
             None => {
-                work.spend(patches.len() * count, waves.zeta.len(), at.len())?;
-                let residuals_at = |ends: &[f64]| Some(system(&with_ends(&patches, ends)?).residuals(&own));
-                derivatives(&at, &rooms, &residuals, residuals_at)?
+                work.spend(intervals.len() * count, waves.zeta.len(), at.len())?;
+                let residuals_at = |ends: &[f64]| Some(system(&with_ends(&intervals, ends)?).residuals(&own));
+                derivatives(&at, &spacings, &residuals, residuals_at)?
             }
         };
         let (change, step) = newton_step(&here.matrix, &derivatives, &residuals)?;
@@ -276,8 +279,8 @@ fn converge(
         if longest < ROUNDING || last < SHORT && longest > 0.5 * last {
             let left_out =
                 (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
-            let coefficients = in_equilibrium(&patches, own.chunks_exact(count).map(<[f64]>::to_vec).collect());
-            return Some(Level { patches, coefficients, last_step: longest, left_out });
+            let coefficients = in_equilibrium(&intervals, own.chunks_exact(count).map(<[f64]>::to_vec).collect());
+            return Some(Level { intervals, coefficients, last_step: longest, left_out });
         }
         kept = (longest < KEPT * last && longest < KEPT).then_some(derivatives);
         last = longest;
@@ -287,8 +290,8 @@ fn converge(
         limit = if back && !way.together { 0.5 * limit } else { (1.5 * limit).min(LONGEST_STEP) };
         moved_by = step.iter().map(|step| (shorten * step).clamp(-limit, limit)).collect();
         let moved: Vec<f64> =
-            at.iter().zip(&moved_by).zip(&rooms).map(|((end, step), room)| end + step * room).collect();
-        patches = with_ends(&patches, &moved)?;
+            at.iter().zip(&moved_by).zip(&spacings).map(|((end, step), spacing)| end + step * spacing).collect();
+        intervals = with_ends(&intervals, &moved)?;
         pressures = way.joint.then_some(own);
         layout = Some((waves, about));
     }
@@ -296,11 +299,11 @@ fn converge(
 }
 
 /// The pressures with exactly the resultant of the force in each contact: the ends have moved since they were found.
-fn in_equilibrium(patches: &[Patch], mut coefficients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let pairs = || patches.iter().enumerate();
+fn in_equilibrium(intervals: &[Interval], mut coefficients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let pairs = || intervals.iter().enumerate();
     let resultants: Vec<f64> = pairs()
-        .map(|(_, patch)| {
-            let own = pairs().filter(|(_, other)| other.contact == patch.contact);
+        .map(|(_, interval)| {
+            let own = pairs().filter(|(_, other)| other.contact == interval.contact);
             own.map(|(k, other)| coefficients[k][0] * other.resultant()).sum()
         })
         .collect();
@@ -313,14 +316,14 @@ fn in_equilibrium(patches: &[Patch], mut coefficients: Vec<Vec<f64>>) -> Vec<Vec
 /// Derivatives of the residuals with respect to the ends, in units of the intervals next to each of them.
 fn derivatives(
     ends: &[f64],
-    rooms: &[f64],
+    spacings: &[f64],
     residuals: &[f64],
     residuals_at: impl Fn(&[f64]) -> Option<Vec<f64>>,
 ) -> Option<Mat<f64>> {
     let mut derivatives = Mat::zeros(residuals.len(), ends.len());
     for by in 0..ends.len() {
         let mut moved = ends.to_vec();
-        moved[by] += DIFFERENCE * rooms[by];
+        moved[by] += DIFFERENCE * spacings[by];
         for (row, (there, here)) in residuals_at(&moved)?.iter().zip(residuals).enumerate() {
             derivatives[(row, by)] = (there - here) / DIFFERENCE;
         }
@@ -352,7 +355,7 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
 
 /// By how much two levels differ.
 struct Errors {
-    /// Of the ends of each patch, relative.
+    /// Of the ends of each interval, relative.
     ends: Vec<[f64; 2]>,
     /// Of p(0) of each contact, relative.
     peaks: Vec<f64>,
@@ -363,19 +366,20 @@ struct Errors {
 impl Errors {
     fn between(level: &Level, before: &Level) -> Self {
         let change = |new: f64, old: f64| if new == 0.0 { 0.0 } else { SAFETY * (new / old - 1.0).abs() };
-        // short waves are felt where a patch is short
-        let rest = |patch: &Patch| level.last_step + 10.0 * ROUNDING + level.left_out[patch.contact] / patch.half;
-        let ends = level.patches.iter().zip(&before.patches).map(|(new, old)| {
+        // short waves are felt where an interval is short
+        let rest =
+            |interval: &Interval| level.last_step + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
+        let ends = level.intervals.iter().zip(&before.intervals).map(|(new, old)| {
             let rest = rest(new);
             [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]
         });
-        let peaks = level.peaks().zip(before.peaks()).zip(first_of_each(&level.patches));
+        let peaks = level.peaks().zip(before.peaks()).zip(first_of_each(&level.intervals));
         let peaks = peaks.map(|((new, old), i)| {
             // none where the bodies are apart
-            if new == 0.0 { 0.0 } else { change(new, old) + rest(&level.patches[i]) }
+            if new == 0.0 { 0.0 } else { change(new, old) + rest(&level.intervals[i]) }
         });
         let peaks = peaks.collect();
-        let floor = largest(level.patches.iter().map(rest));
+        let floor = largest(level.intervals.iter().map(rest));
         Self { ends: ends.collect(), peaks, floor }
     }
 
@@ -387,33 +391,33 @@ impl Errors {
 impl Level {
     /// p(0) of each contact, per unit of P'.
     fn peaks(&self) -> impl Iterator<Item = f64> {
-        first_of_each(&self.patches).map(|i| self.patches[i].pressure(&self.coefficients[i], 0.0))
+        first_of_each(&self.intervals).map(|i| self.intervals[i].pressure(&self.coefficients[i], 0.0))
     }
 }
 
 /// What was found of each contact.
 fn found(level: &Level, errors: &Errors) -> Vec<Found> {
     let mut contacts: Vec<(usize, Found)> = Vec::new();
-    let all = level.patches.iter().zip(&level.coefficients).zip(&errors.ends);
+    let all = level.intervals.iter().zip(&level.coefficients).zip(&errors.ends);
     let mut peaks = level.peaks().zip(&errors.peaks);
-    for ((patch, coefficients), [from_error, to_error]) in all {
-        let (from, to) = (patch.from(), patch.to());
-        let interval = Part { from, from_error: from_error * from, to, to_error: to_error * to };
-        let strip = if patch.is_central() {
-            Strip::series(patch.half, coefficients.clone())
+    for ((interval, coefficients), [from_error, to_error]) in all {
+        let (from, to) = (interval.from(), interval.to());
+        let part = Part { from, from_error: from_error * from, to, to_error: to_error * to };
+        let strip = if interval.is_central() {
+            Strip::series(interval.half, coefficients.clone())
         } else {
             let every_other = |first: usize| coefficients.iter().skip(first).step_by(2).copied().collect();
-            Strip { at: patch.middle, skew: every_other(1), ..Strip::series(patch.half, every_other(0)) }
+            Strip { at: interval.middle, skew: every_other(1), ..Strip::series(interval.half, every_other(0)) }
         };
-        match contacts.last_mut().filter(|(contact, _)| *contact == patch.contact) {
+        match contacts.last_mut().filter(|(contact, _)| *contact == interval.contact) {
             None => {
                 let (peak, error) = peaks.next().unwrap_or((0.0, &0.0));
                 let peak_error = error * peak.abs();
-                let own = Found { intervals: vec![interval], peak, peak_error, strips: vec![strip] };
-                contacts.push((patch.contact, own));
+                let own = Found { intervals: vec![part], peak, peak_error, strips: vec![strip] };
+                contacts.push((interval.contact, own));
             }
             Some((_, found)) => {
-                found.intervals.push(interval);
+                found.intervals.push(part);
                 found.strips.push(strip);
             }
         }

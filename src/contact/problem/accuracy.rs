@@ -12,7 +12,7 @@ pub(crate) const ZERO: f64 = 1e-7;
 /// The same for gaps, which are found by quadrature and from the lower modes only, and for pressures that decay.
 pub(crate) const NO_GAP: f64 = 1e-5;
 /// Smaller parts of what is wanted, in half-lengths, steps or tolerances, are left to chance: what is done about them changes no digit.
-pub(crate) const LITTLE: f64 = 0.01;
+pub(crate) const MINOR: f64 = 0.01;
 /// Pressures are looked at in this many places per mode: the highest mode is seen at three places of each of its arches.
 pub(crate) const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places next to a contact, and as many farther out.

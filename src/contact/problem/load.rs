@@ -21,35 +21,35 @@ pub(crate) struct Given<'a> {
     pub(crate) load: &'a Load,
     /// As far as it reaches, or [`NARROWEST`], in units of L.
     pub(crate) half_length: f64,
-    deficit: Box<dyn Fn(f64) -> f64 + 'a>,
+    transform_minus_one: Box<dyn Fn(f64) -> f64 + 'a>,
 }
 
 impl<'a> Given<'a> {
     /// A load, with the length L in the units of the scene.
     pub(crate) fn new(load: &'a Load, length: f64) -> Self {
         let half_length = (load.half_width() / length).max(NARROWEST);
-        Self { load, half_length, deficit: Box::new(move |zeta| deficit(load, zeta / length)) }
+        Self { load, half_length, transform_minus_one: Box::new(move |zeta| transform_minus_one(load, zeta / length)) }
     }
 
     /// p̂/P − 1 at a wavenumber ζ.
-    pub(crate) fn deficit(&self, zeta: f64) -> f64 {
-        (self.deficit)(zeta)
+    pub(crate) fn transform_minus_one(&self, zeta: f64) -> f64 {
+        (self.transform_minus_one)(zeta)
     }
 }
 
 /// p̂/P − 1, with all its digits also for long waves.
-fn deficit(load: &Load, wavenumber: f64) -> f64 {
+fn transform_minus_one(load: &Load, wavenumber: f64) -> f64 {
     let z = wavenumber * load.half_width();
     match load {
         Load::Line => 0.0,
-        Load::Uniform { .. } => bessel::sinc_deficit(z),
-        Load::Parabolic { .. } => bessel::spherical_jinc_deficit(z),
-        Load::Elliptic { .. } => bessel::jinc_deficit(z),
+        Load::Uniform { .. } => bessel::sinc_minus_one(z),
+        Load::Parabolic { .. } => bessel::spherical_jinc_minus_one(z),
+        Load::Elliptic { .. } => bessel::jinc_minus_one(z),
         Load::Several(_) => {
             let part = |(at, share, load): (f64, f64, &Load)| {
                 let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
-                // cos λx (1 + deficit) − 1
-                share * (deficit(load, wavenumber) * (cos * cos - sin * sin) - 2.0 * sin * sin)
+                // cos λx (1 + transform_minus_one) − 1
+                share * (transform_minus_one(load, wavenumber) * (cos * cos - sin * sin) - 2.0 * sin * sin)
             };
             load.parts().into_iter().map(part).sum()
         }
@@ -109,15 +109,15 @@ impl Given<'_> {
     pub(crate) fn of(half_length: f64, coefficients: &[f64]) -> Self {
         let modes: Vec<f64> =
             coefficients.iter().enumerate().map(|(m, c)| alternating(m) * order(m) * c / coefficients[0]).collect();
-        let deficit = move |zeta: f64| {
+        let transform_minus_one = move |zeta: f64| {
             let z = zeta * half_length;
             let orders = 2 * modes.len();
             let mut table = vec![0.0; orders];
             bessel::table(orders, &[z], &mut table);
             let higher = modes.iter().enumerate().skip(1).map(|(m, y)| 2.0 * y * table[2 * m + 1] / z);
-            bessel::jinc_deficit_from(z, table[1]) + higher.sum::<f64>()
+            bessel::jinc_minus_one_from(z, table[1]) + higher.sum::<f64>()
         };
-        Self { load: &Load::Line, half_length, deficit: Box::new(deficit) }
+        Self { load: &Load::Line, half_length, transform_minus_one: Box::new(transform_minus_one) }
     }
 }
 
@@ -129,11 +129,11 @@ mod tests {
     fn by_series(strips: &[Strip], wavenumber: f64) -> f64 {
         let strip = |strip: &Strip| {
             let images = if strip.at > 0.0 { 2.0 * (wavenumber * strip.at).cos() } else { 1.0 };
-            let deficit = match strip.form {
+            let transform_minus_one = match strip.form {
                 Form::Line => 0.0,
-                _ => Given::of(strip.extent, &strip.coefficients).deficit(wavenumber),
+                _ => Given::of(strip.extent, &strip.coefficients).transform_minus_one(wavenumber),
             };
-            images * strip.resultant() * (1.0 + deficit)
+            images * strip.resultant() * (1.0 + transform_minus_one)
         };
         strips.iter().map(strip).sum()
     }
@@ -150,7 +150,8 @@ mod tests {
         for load in several.iter().map(|(_, _, load)| load.clone()).chain([Load::several(&several).unwrap()]) {
             let strips = strips(&load, 3.0);
             for wavenumber in [1e-6, 0.3, 1.0, 7.0, 30.0] {
-                let (found, expected) = (3.0 * (1.0 + deficit(&load, wavenumber)), by_series(&strips, wavenumber));
+                let (found, expected) =
+                    (3.0 * (1.0 + transform_minus_one(&load, wavenumber)), by_series(&strips, wavenumber));
                 assert!((found - expected).abs() < 1e-13, "{load} at {wavenumber}: {found} {expected}");
             }
         }
@@ -162,7 +163,7 @@ mod tests {
         let moment = 0.5 * (0.25 + 0.01 / 3.0);
         for wavenumber in [1e-3, 1e-6, 1e-9] {
             let expected = -0.5 * moment * wavenumber * wavenumber;
-            assert!((deficit(&load, wavenumber) / expected - 1.0).abs() < 1e-6, "{wavenumber}");
+            assert!((transform_minus_one(&load, wavenumber) / expected - 1.0).abs() < 1e-6, "{wavenumber}");
         }
     }
 }

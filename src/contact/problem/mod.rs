@@ -103,7 +103,7 @@ impl<'a> Problem<'a> {
         self.sides.iter().enumerate().filter_map(|(i, side)| side.profile().map(|profile| (i, profile)))
     }
 
-    /// The right-hand sides of all contacts, with so many rows each; `None` where no profile presses.
+    /// The right-hand sides of all contacts, with `rows` rows each; `None` where no profile presses.
     pub(crate) fn slopes(&self, half_lengths: &[f64], rows: &[usize]) -> Vec<Option<Slopes>> {
         let own = |(side, (a, rows)): (&Side, (&f64, &usize))| side.profile().map(|profile| profile.slopes(*a, *rows));
         self.sides.iter().zip(half_lengths.iter().zip(rows)).map(own).collect()
@@ -132,7 +132,7 @@ impl<'a> Problem<'a> {
         self.profiles().map(|(_, profile)| profile.last_fall()).fold(0.0, f64::max)
     }
 
-    /// The error of a lost Newton iteration: at the edge of a punch, the punch is to blame.
+    /// The error where Newton's method has not converged: at the edge of a punch, that the punch is too small.
     pub(crate) fn not_converged(&self, half_lengths: &[f64]) -> ContactError {
         self.too_small(half_lengths).unwrap_or_else(|| {
             let half_lengths = half_lengths.iter().map(|a| a * self.kernel.length()).collect();
@@ -164,7 +164,7 @@ impl<'a> Side<'a> {
         }
     }
 
-    /// Height above the tip at x (both in units of L), per unit of P'.
+    /// Height above the apex at x (both in units of L), per unit of P'.
     pub(crate) fn height(&self, x: f64) -> f64 {
         self.profile().map_or(0.0, |profile| profile.height(x))
     }
@@ -189,7 +189,7 @@ impl<'a> Side<'a> {
         self.profile().is_none_or(Profile::is_smooth)
     }
 
-    /// Whether the pressure is infinite at the tip of a punch.
+    /// Whether the pressure is infinite at the apex of a punch.
     pub(crate) fn is_sharp(&self) -> bool {
         self.profile().is_some_and(Profile::is_sharp)
     }

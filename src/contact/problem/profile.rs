@@ -34,7 +34,7 @@ pub(crate) struct Profile<'a> {
 pub(crate) struct Local {
     /// Its modes y_m.
     pub(crate) modes: Vec<f64>,
-    /// Σ y_m/(πj) over all of them, the pressure at x = 0; infinite at a sharp tip.
+    /// Σ y_m/(πj) over all of them, the pressure at x = 0; infinite at a sharp apex.
     pub(crate) peak: f64,
 }
 
@@ -76,7 +76,7 @@ impl<'a> Profile<'a> {
         self.shape.is_smooth()
     }
 
-    /// Whether the pressure is infinite at the tip.
+    /// Whether the pressure is infinite at the apex.
     pub(crate) fn is_sharp(&self) -> bool {
         self.punch.is_sharp()
     }
@@ -86,7 +86,7 @@ impl<'a> Profile<'a> {
         matches!(&self.shape, Shape::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
     }
 
-    /// RP'/L of the parabola that presses as hard on a contact of this half-length, or at its tip; `None` if the profile is
+    /// RP'/L of the parabola that presses as hard on a contact of this half-length, or at its apex; `None` if the profile is
     /// like none.
     pub(crate) fn as_parabola(&self, half_length: f64) -> Option<f64> {
         if !self.is_parabola() && !matches!(self.shape, Shape::Circle(_)) {
@@ -126,7 +126,7 @@ impl<'a> Profile<'a> {
         }
     }
 
-    /// Height above the tip at x (both in units of L), per unit of P'.
+    /// Height above the apex at x (both in units of L), per unit of P'.
     pub(crate) fn height(&self, x: f64) -> f64 {
         self.shape.height(x * self.length) / (self.length * self.force)
     }
@@ -220,17 +220,17 @@ impl<'a> Profile<'a> {
             let ratio = (limit / half_length).max(1.0 + 1e-9);
             20.0 / (ratio + (ratio * ratio - 1.0).sqrt()).ln()
         });
-        let felt = slopes.value.len().min(2 + (0.5 * digits.min(20_000.0)) as usize);
-        let points = felt + 4 + digits.min(20_000.0) as usize;
+        let rows = slopes.value.len().min(2 + (0.5 * digits.min(20_000.0)) as usize);
+        let points = rows + 4 + digits.min(20_000.0) as usize;
         for q in 0..points {
             // the other half of the 2·points nodes is the mirror image
             let theta = PI * (q as f64 + 0.5) / (2 * points) as f64;
-            self.add_place(theta, PI / points as f64, half_length, felt, slopes);
+            self.add_place(theta, PI / points as f64, half_length, rows, slopes);
         }
     }
 
-    /// Adds what the slope at x = a cos θ contributes to the first `felt` rows.
-    fn add_place(&self, theta: f64, weight: f64, half_length: f64, felt: usize, slopes: &mut Slopes) {
+    /// Adds what the slope at x = a cos θ contributes to the first `rows` rows.
+    fn add_place(&self, theta: f64, weight: f64, half_length: f64, rows: usize, slopes: &mut Slopes) {
         let s = theta.cos();
         let x = half_length * s * self.length;
         let weight = weight / self.force;
@@ -238,7 +238,7 @@ impl<'a> Profile<'a> {
         // −cos(3θ), cos(5θ), ... from cos θ
         let turn = 2.0 * (2.0 * theta).cos();
         let (mut before, mut test) = (-s, s);
-        for (row, derivative) in slopes.value.iter_mut().zip(&mut slopes.slope).take(felt) {
+        for (row, derivative) in slopes.value.iter_mut().zip(&mut slopes.slope).take(rows) {
             *row += value * test;
             *derivative += slope * test;
             (before, test) = (test, -turn * test - before);

@@ -39,9 +39,9 @@ impl<'a> Programme<'a> {
             let pressure = &state.pressures;
             let mut wrong = Vec::new();
             for i in 0..contacts {
-                let little = ROUNDING * largest(&pressure[i]);
-                let tensile = (0..elements).filter(|e| touching[i][*e] && pressure[i][*e] < -little);
-                wrong.extend(tensile.chain(self.overlaps(i, &touching[i], &state)).map(|e| (i, e)));
+                let zero = ROUNDING * largest(&pressure[i]);
+                let tensile = (0..elements).filter(|e| touching[i][*e] && pressure[i][*e] < -zero);
+                wrong.extend(tensile.chain(self.penetrations(i, &touching[i], &state)).map(|e| (i, e)));
             }
             if wrong.is_empty() {
                 return Some((touching, self.forces(state.pressures)));
@@ -86,10 +86,10 @@ impl<'a> Programme<'a> {
                 step = tensile.fold(step, |step, (p, wanted)| step.min(p / (p - wanted)));
             }
             for (i, ((own, wanted), touching)) in pressure.iter_mut().zip(wanted).zip(&mut touching).enumerate() {
-                let little = ROUNDING * largest(wanted);
+                let zero = ROUNDING * largest(wanted);
                 for (e, ((p, wanted), touches)) in own.iter_mut().zip(wanted).zip(touching).enumerate() {
                     *p += step * (wanted - *p);
-                    if step < 1.0 && *wanted < 0.0 && *p <= little {
+                    if step < 1.0 && *wanted < 0.0 && *p <= zero {
                         (*p, *touches) = (0.0, false);
                         rejected.extend(last.iter().filter(|last| **last == (i, e)));
                     }
@@ -101,8 +101,8 @@ impl<'a> Programme<'a> {
             last.clear();
             let mut done = true;
             for (i, touching) in touching.iter_mut().enumerate() {
-                let overlaps = self.overlaps(i, touching, &state).filter(|e| !rejected.contains(&(i, *e)));
-                if let Some(worst) = overlaps.min_by(|e, f| state.gaps[i][*e].total_cmp(&state.gaps[i][*f])) {
+                let penetrations = self.penetrations(i, touching, &state).filter(|e| !rejected.contains(&(i, *e)));
+                if let Some(worst) = penetrations.min_by(|e, f| state.gaps[i][*e].total_cmp(&state.gaps[i][*f])) {
                     touching[worst] = true;
                     last.push((i, worst));
                     done = false;
@@ -126,8 +126,8 @@ impl<'a> Programme<'a> {
         i == 0 && self.energy.inadmissible[e]
     }
 
-    /// Elements of contact i where bodies overlap.
-    fn overlaps(&self, i: usize, touching: &[bool], state: &State) -> impl Iterator<Item = usize> {
+    /// Elements of contact i with penetration.
+    fn penetrations(&self, i: usize, touching: &[bool], state: &State) -> impl Iterator<Item = usize> {
         let (gaps, terms) = (&state.gaps[i], &state.terms[i]);
         (0..gaps.len())
             .filter(move |e| !touching[*e] && !self.is_inadmissible(i, *e) && gaps[*e] < -CANCELLED * terms[*e])

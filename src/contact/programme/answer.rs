@@ -1,4 +1,4 @@
-//! The answer of the programme itself: few digits, where there is no better one.
+//! The answer of the programme itself, of low accuracy: where there is no better one.
 //!
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
@@ -11,14 +11,14 @@ use crate::solution::{Form, Part, Solution, Stats, Strip};
 
 use super::compliances::Compliances;
 use super::grid::Grid;
-use super::{Aim, Cycle, Cycles, FINE, First, SURE, cycles};
+use super::{Aim, Cycle, Cycles, FINE, First, UNRESOLVED, cycles};
 
 /// ... and by this part at least: elements well inside a contact are the same on all grids.
 const LEAST_ERROR: f64 = 0.02;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
-/// Contacts that fade before they end are given up to where this part of the force is left.
-const FADED: f64 = 1e-4;
+/// Decaying contacts are given up to where this part of the force is left.
+const DECAYED: f64 = 1e-4;
 /// Forces are those given to this part.
 const RESULTANT: f64 = 1e-3;
 
@@ -31,7 +31,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<So
         // a contact that is a line load to the others is found by itself
         First::Short(a) => {
             let others = all.last()?;
-            let alone = Compliances::of_first(problem.kernel, |zeta| others.deficit(1, zeta));
+            let alone = Compliances::of_first(problem.kernel, |zeta| others.transform_minus_one(1, zeta));
             let aim = Aim { expected: &[a], far: 0.0, shorter: false, resolution: FINE };
             contacts.push(found(problem, 0, &cycles(problem, &alone, &aim), 0)?);
             0
@@ -64,7 +64,7 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
     let middle = |round: &Cycle| round.pressure(i, 0);
     let change = if is_open || side.is_sharp() { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     let lengths = intervals.iter().map(|part| part.to_error / part.to).filter(|error| *error < ENDLESS);
-    // stiff layers wrapped round a punch may press next to nothing about the middle
+    // stiff layers wrapped round a punch may carry a pressure next to nothing about x = 0
     let worst = largest(lengths.chain([change / last.largest(i)]));
     // what is no number is no answer either
     if worst.is_nan() || worst > MOST_ERROR {
@@ -83,9 +83,9 @@ fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
     let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
     let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { SAFETY * last.grid.width(end) };
-    // bodies that touch for ever do so without a force
+    // an interval without end carries no force
     let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
-    // as far as they do with one
+    // a decaying contact is given as far as it carries one
     let end = last.decays(i);
     let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| Part {
         from: *from,
@@ -94,8 +94,8 @@ fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
         to_error: if to.is_finite() { error(*to) } else { ENDLESS * end },
     });
     let parts: Vec<Part> = parts.collect();
-    // a gap about the middle is one if it is longer than rounding may feign
-    let is_open = |first: &Part| last.grid.edges().partition_point(|edge| *edge < first.from) > 3 * SURE;
+    // a gap about x = 0 counts if it is longer than artefacts of the grid
+    let is_open = |first: &Part| last.grid.edges().partition_point(|edge| *edge < first.from) > 3 * UNRESOLVED;
     parts.first().is_some_and(|first| first.from == 0.0 || is_open(first)).then_some(parts)
 }
 
@@ -128,7 +128,7 @@ impl Cycle {
         let outwards = self.forces[i].iter().enumerate().rev();
         let last = outwards.map(|(e, force)| (e, force.max(0.0))).find(|(_, force)| {
             left += force;
-            left > FADED
+            left > DECAYED
         });
         last.map_or(0.0, |(e, _)| self.grid.element(e)[1])
     }

@@ -4,14 +4,14 @@ use std::ops::Range;
 use crate::kernel::Kernel;
 
 /// p̂/P − 1 of a given pressure, at a wavenumber.
-type Deficit<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
+type TransformMinusOne<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
 
 /// The kernels of some contacts, one below the other. What presses on their laminates from the next contact, above or
 /// below, is given.
 pub(super) struct Compliances<'a> {
     kernel: &'a Kernel,
     contacts: Range<usize>,
-    given: Deficit<'a>,
+    given: TransformMinusOne<'a>,
 }
 
 impl<'a> Compliances<'a> {

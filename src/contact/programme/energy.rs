@@ -2,7 +2,7 @@
 //! p_(i+1)) + Σ b_iᵀ p_i, per unit of P'.
 //!
 //! A pressure 1 on [x_e, x_(e+1)] and its mirror image has the transform (2/ζ) (sin ζx_(e+1) − sin ζx_e). The energy is
-//! that of [`super::super::galerkin`]. Resultants are given, so every pressure is taken less a uniform one of the same resultant
+//! that of the Galerkin equations. Resultants are given, so every pressure is taken less a uniform one of the same resultant
 //! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
 //! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form: −g/π ln |x| responds
 //! to a line load. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
@@ -114,13 +114,13 @@ impl Energy {
             let zeta: Vec<(f64, f64)> = rule(waves.nodes).on(from, to).collect();
             let mut transforms = Mat::<f64>::zeros(zeta.len(), elements);
             let beyond: Vec<f64> =
-                zeta.iter().map(|(zeta, _)| deficit(*zeta, grid.shortest()) / grid.shortest()).collect();
+                zeta.iter().map(|(zeta, _)| transform_minus_width(*zeta, grid.shortest()) / grid.shortest()).collect();
             let mut edge = vec![0.0; zeta.len()];
             for e in 0..elements {
                 let x = grid.edges()[e + 1];
                 let column = transforms.col_as_slice_mut(e);
                 for (k, (zeta, _)) in zeta.iter().enumerate() {
-                    let next = deficit(*zeta, x);
+                    let next = transform_minus_width(*zeta, x);
                     column[k] = 2.0 * (next - edge[k]) - self.resultants[e] * beyond[k];
                     edge[k] = next;
                 }
@@ -132,7 +132,7 @@ impl Energy {
                     let (own, coupled) = (kernel.own(i, *zeta) - least[i], kernel.coupled(i, *zeta));
                     let given = if coupled == 0.0 { 0.0 } else { kernel.given(*zeta) };
                     weights.push(w * (own + coupled));
-                    // a given neighbour is felt by what it differs from the pressure that all are compared with
+                    // a given neighbour counts by what it differs from the pressure that all are compared with
                     forces.push(w * (own * (1.0 + beyond) + coupled * (beyond - given)));
                 }
                 add_gram(&transforms, &weights, unit);
@@ -240,8 +240,8 @@ fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
 }
 
 /// x (sin ζx/(ζx) − 1).
-pub(super) fn deficit(zeta: f64, x: f64) -> f64 {
-    x * bessel::sinc_deficit(zeta * x)
+pub(super) fn transform_minus_width(zeta: f64, x: f64) -> f64 {
+    x * bessel::sinc_minus_one(zeta * x)
 }
 
 /// Adds transformsᵀ diag(weights) transforms.

@@ -1,5 +1,5 @@
 //! Elements on which pressures are constant.
-use crate::contact::programme::SURE;
+use crate::contact::programme::UNRESOLVED;
 
 /// Elements grow by this factor from the middle outwards.
 const GROWTH: f64 = 1.15;
@@ -82,7 +82,7 @@ impl Grid {
         let mut more: Vec<f64> = Vec::new();
         for e in 0..self.elements() {
             let [from, to] = self.element(e);
-            let is_near = |edge: usize| (edge.saturating_sub(SURE)..edge + SURE).contains(&e);
+            let is_near = |edge: usize| (edge.saturating_sub(UNRESOLVED)..edge + UNRESOLVED).contains(&e);
             if around.iter().any(|(edge, longest)| is_near(*edge) && to - from > *longest) {
                 more.push(0.5 * (from + to));
             }

@@ -32,11 +32,11 @@ const CYCLES: usize = 14;
 const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
 /// For answers.
 const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
-/// Parts of a contact, and gaps between them, that are shorter than this many elements may be those of the grid.
-const SURE: usize = 2;
+/// Contact intervals, and gaps between them, of no more than this many elements may be artefacts of the grid; as many elements on either
+/// side of an end are refined.
+const UNRESOLVED: usize = 2;
 
-/// Bodies that touch again so many times farther from the middle than their contact ends do not seem to because of
-/// rounding.
+/// An interval of re-contact this many times farther from the middle than where the contact ends is no artefact of rounding.
 const FAR: f64 = 1.5;
 
 /// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
@@ -55,7 +55,7 @@ struct Resolution {
 /// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ActiveIntervals {
-    /// All that are longer than the grid may feign.
+    /// All that are longer than artefacts of the grid.
     pub(super) resolved: Vec<[f64; 2]>,
     /// That about the middle and all far from it, however short.
     pub(super) separate: Vec<[f64; 2]>,
@@ -66,12 +66,12 @@ impl ActiveIntervals {
         Self { resolved: vec![[0.0, end]], separate: vec![[0.0, end]] }
     }
 
-    /// Where the contact about the middle ends.
+    /// Where the innermost interval ends.
     pub(super) fn end(&self) -> f64 {
         self.resolved.first().map_or(0.0, |part| part[1])
     }
 
-    /// All intervals: those that are sure where there are several, else that about the middle and all far from it.
+    /// All intervals: the resolved ones where there are several, else that about the middle and all far from it.
     pub(super) fn intervals(&self) -> &[[f64; 2]] {
         if self.resolved.len() > 1 { &self.resolved } else { &self.separate }
     }
@@ -104,10 +104,10 @@ impl Cycle {
 
 impl Cycle {
     /// p̂/P − 1 of contact i at a wavenumber.
-    fn deficit(&self, i: usize, zeta: f64) -> f64 {
+    fn transform_minus_one(&self, i: usize, zeta: f64) -> f64 {
         let part = |(e, force): (usize, &f64)| {
             let [from, to] = self.grid.element(e);
-            force * (energy::deficit(zeta, to) - energy::deficit(zeta, from)) / (to - from)
+            force * (energy::transform_minus_width(zeta, to) - energy::transform_minus_width(zeta, from)) / (to - from)
         };
         self.forces[i].iter().enumerate().filter(|(_, force)| **force != 0.0).map(part).sum()
     }
@@ -149,7 +149,7 @@ impl Cycles {
         let kernel = problem.kernel;
         if let Some(given) = problem.top().given() {
             let a = given.half_length;
-            let below = Compliances::below_first(kernel, |zeta| given.deficit(zeta));
+            let below = Compliances::below_first(kernel, |zeta| given.transform_minus_one(zeta));
             let cycles = match kernel.contacts() {
                 // nothing is unknown
                 1 => Vec::new(),
@@ -201,11 +201,11 @@ fn cycles(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Cycle> {
         }
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
-        touching.iter_mut().zip(&forces).for_each(|(touching, forces)| part_where_free(touching, forces));
+        touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));
         let looked_for = &touching[usize::from(shorter)..];
         let ends: Vec<(usize, f64)> =
             looked_for.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
-        // bodies that touch again far away do so for ever
+        // an interval of re-contact that reaches the end of the grid does not end
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         cycles.push(Cycle { grid: grid.clone(), touching, forces });
         if cycles.len() > 2 {
@@ -221,8 +221,8 @@ fn cycles(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Cycle> {
     cycles
 }
 
-/// Layers that lie on each other without a force neither touch nor part: what rounding says of them is not to count.
-fn part_where_free(touching: &mut [bool], forces: &[f64]) {
+/// Layers that lie on each other without a force: the sign of the pressure there is that of rounding, and they count as apart.
+fn separate_where_unloaded(touching: &mut [bool], forces: &[f64]) {
     let mut start = 0;
     while start < touching.len() {
         let length = touching[start..].iter().take_while(|touches| **touches == touching[start]).count();
@@ -234,8 +234,7 @@ fn part_where_free(touching: &mut [bool], forces: &[f64]) {
     }
 }
 
-/// Edges at which bodies part or meet, and how long elements next to them may be: where bodies are apart about the middle,
-/// the strips in which they touch may be short.
+/// Ends of contact intervals, and how long elements next to them may be: where there is a gap about x = 0, the intervals may be short.
 fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
     let transitions = touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1);
     let strip = |edge: usize| {
@@ -250,23 +249,23 @@ fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
     transitions.map(|edge| (edge, fine * room(edge))).collect()
 }
 
-/// The same without what is too short to be sure of.
+/// The same without intervals and gaps of a few elements.
 fn resolved_only(touching: &[bool]) -> Vec<bool> {
-    let mut sure = touching.to_vec();
+    let mut resolved = touching.to_vec();
     for wanted in [true, false] {
         let mut start = 0;
-        while start < sure.len() {
-            let length = sure[start..].iter().take_while(|touches| **touches == sure[start]).count();
-            let inside = start + length < sure.len() && !(wanted && start == 0);
-            if sure[start] == wanted && length <= SURE && inside {
-                sure[start..start + length].fill(!wanted);
+        while start < resolved.len() {
+            let length = resolved[start..].iter().take_while(|touches| **touches == resolved[start]).count();
+            let inside = start + length < resolved.len() && !(wanted && start == 0);
+            if resolved[start] == wanted && length <= UNRESOLVED && inside {
+                resolved[start..start + length].fill(!wanted);
                 start = 0;
             } else {
                 start += length;
             }
         }
     }
-    sure
+    resolved
 }
 
 /// The first interval and those far from it.

@@ -19,13 +19,14 @@ use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::{LANES, vectorised};
 
-/// Gaps are sums over so many modes: what the higher ones do is felt next to the edge only, where the pressures tell.
+/// Gaps are sums over this number of modes: higher ones change the gap next to the end of the contact only, where the pressures are
+/// checked.
 const GAP_MODES: [usize; 3] = [128, 48, 16];
 
-/// So many times the part of its highest modes a pressure may be wrong anywhere.
+/// A pressure may be wrong anywhere by this many times the part that its highest modes have in it.
 const UNRESOLVED: f64 = 10.0;
-/// But not by more than this part of the largest pressure, or than the answer may be wrong.
-const MOST_FEIGNED: f64 = 1e-3;
+/// But not by more than this part of the largest pressure, or than the error estimate of the answer.
+const MOST_UNCERTAIN: f64 = 1e-3;
 
 /// More modes do not change a tension of more than this part of the largest pressure. Twice as much: non-physical roots are
 /// refined for longer; half as much: admissible ones may be given up, and are found again from the quadratic programme.
@@ -40,62 +41,62 @@ pub(crate) struct Check {
     /// The tension of each contact for want of modes, as a part of its largest pressure.
     pub(crate) tensions: Vec<f64>,
     pub(crate) min_gap: f64,
-    /// Where bodies touch again with next to no force.
-    pub(crate) overlaps: Vec<Overlap>,
+    /// Intervals of re-contact with next to no force.
+    pub(crate) recontacts: Vec<Recontact>,
 }
 
-/// Bodies that overlap outside their contact, but so little that next to no force would part them.
-pub(crate) struct Overlap {
+/// Penetration outside a contact so small that a force next to nothing, in an interval of re-contact, would remove it.
+pub(crate) struct Recontact {
     pub(crate) contact: usize,
     /// Where, in units of L.
     pub(crate) x: f64,
     /// The moment of that force about the end of the contact, over force times half-length.
     pub(crate) moment: f64,
-    /// The sheet that gives way, between this contact and the next.
-    pub(crate) sheet: usize,
+    /// The laminate that bends there, between this contact and the next.
+    pub(crate) laminate: usize,
 }
 
-impl Overlap {
-    /// By how much the ends of the contacts of the sheet may move for it, relative.
+impl Recontact {
+    /// By how much the ends of the contacts of the laminate may move because of it, relative. A pressure that grows like the root of the
+    /// distance d from its end has a moment like d^(5/2): hence the power 2/5.
     pub(crate) fn moves(&self) -> f64 {
         self.moment.powf(0.4)
     }
 }
 
 impl Level {
-    /// Errors cover what an answer is seen to be wrong by: tension, and bodies that touch again with next to no
-    /// force, which is left out.
+    /// Adds to the errors what an answer is seen to be wrong by: tension, and the force in intervals of re-contact, which is left out.
     pub(crate) fn admit(&mut self, check: &Check) {
         for (error, tension) in self.errors.iter_mut().zip(&check.tensions).filter(|(_, tension)| **tension > ZERO) {
             error.pressure = error.pressure.max(SAFETY * tension);
         }
-        for overlap in &check.overlaps {
-            for error in &mut self.errors[overlap.sheet..=overlap.sheet + 1] {
-                error.length += overlap.moves();
+        for recontact in &check.recontacts {
+            for error in &mut self.errors[recontact.laminate..=recontact.laminate + 1] {
+                error.length += recontact.moves();
             }
-            self.errors.iter_mut().for_each(|error| error.pressure += overlap.moment);
+            self.errors.iter_mut().for_each(|error| error.pressure += recontact.moment);
         }
     }
 }
 
 /// Smallest pressure inside and smallest gap outside the contacts; an error if one of them is negative.
 pub(crate) fn check(problem: &Problem, level: &Level) -> Result<Check, ContactError> {
-    let most = MOST_FEIGNED.max(level.worst_error());
+    let most = MOST_UNCERTAIN.max(level.worst_error());
     let (min_pressure, tensions) = check_pressures(problem, level, most)?;
-    let mut check = Check { min_pressure, tensions, min_gap: 0.0, overlaps: Vec::new() };
+    let mut check = Check { min_pressure, tensions, min_gap: 0.0, recontacts: Vec::new() };
     for (i, gaps) in gaps(problem, level)?.into_iter().enumerate() {
         if level.support.decay(i).is_some() {
-            // bodies that press on each other no more do not part visibly, either
+            // beyond a decayed pressure the gap is as small as the pressure
             continue;
         }
         let largest = gaps.iter().fold(0.0, |largest: f64, (_, gap)| largest.max(gap.abs()));
-        let little = NO_GAP.max(UNRESOLVED * level.worst_error());
-        if let Some((first, _)) = gaps.iter().find(|(_, gap)| *gap < -little * largest) {
-            match overlap(problem.kernel, i, &level.support.half_lengths, &gaps, little * largest) {
-                Some(overlap) if overlap.moment <= LEAST_MOMENT => check.overlaps.push(overlap),
+        let allowed = NO_GAP.max(UNRESOLVED * level.worst_error());
+        if let Some((first, _)) = gaps.iter().find(|(_, gap)| *gap < -allowed * largest) {
+            match recontact(problem.kernel, i, &level.support.half_lengths, &gaps, allowed * largest) {
+                Some(recontact) if recontact.moment <= LEAST_MOMENT => check.recontacts.push(recontact),
                 _ => {
                     let x = first * problem.kernel.length();
-                    return Err(NoSolution::Overlap { interface: problem.interfaces[i], x }.into());
+                    return Err(NoSolution::Penetration { interface: problem.interfaces[i], x }.into());
                 }
             }
         }
@@ -104,15 +105,16 @@ pub(crate) fn check(problem: &Problem, level: &Level) -> Result<Check, ContactEr
     Ok(check)
 }
 
-/// What it would take to part the bodies outside contact i: the more slender of the laminates above and below is a beam there,
-/// clamped where its contacts end. `None` without a laminate, or if the overlap, more than `little`, begins before.
-fn overlap(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)], little: f64) -> Option<Overlap> {
+/// The moment that would remove the penetration outside contact i: the more slender of the laminates above and below is a beam there,
+/// clamped where its contacts end (3EI/l³ per unit deflection). `None` without a laminate, or if there is penetration of more than
+/// `allowed` before.
+fn recontact(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)], allowed: f64) -> Option<Recontact> {
     let laminates = kernel.laminates();
-    let neighbours = i.checked_sub(1).into_iter().chain([i]).filter(|sheet| *sheet < laminates.len());
-    let sheet = neighbours.min_by(|a, b| laminates[*a].1.total_cmp(&laminates[*b].1))?;
-    let (thickness, stiffness) = laminates[sheet];
-    let end = half_lengths[sheet].max(half_lengths[sheet + 1]);
-    if gaps.iter().any(|(x, gap)| *x <= end && *gap < -little) {
+    let neighbours = i.checked_sub(1).into_iter().chain([i]).filter(|laminate| *laminate < laminates.len());
+    let laminate = neighbours.min_by(|a, b| laminates[*a].1.total_cmp(&laminates[*b].1))?;
+    let (thickness, stiffness) = laminates[laminate];
+    let end = half_lengths[laminate].max(half_lengths[laminate + 1]);
+    if gaps.iter().any(|(x, gap)| *x <= end && *gap < -allowed) {
         return None;
     }
     let moment = |(x, gap): &(f64, f64)| {
@@ -121,23 +123,23 @@ fn overlap(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)],
         (*x, 3.0 * stiffness * (-gap).max(0.0) / (length * length * end))
     };
     let (x, moment) = gaps.iter().map(moment).max_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(Overlap { contact: i, x, moment, sheet })
+    Some(Recontact { contact: i, x, moment, laminate })
 }
 
 /// Smallest pressure inside the contacts, and the tension of each as a part of its largest pressure; an error if that is more
-/// than its highest modes may feign, or more than `most`.
+/// than the uncertainty of its highest modes, or more than `most`.
 pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Result<(f64, Vec<f64>), ContactError> {
     let (mut min_pressure, mut tensions) = (0.0f64, Vec::with_capacity(level.modes.len()));
     for i in 0..level.modes.len() {
         let least = Least::of(level, i);
-        // what decays is in no tension
+        // where a pressure decays there is no tension but that of truncation
         let most = if level.support.decay(i).is_some() { most.min(NO_GAP) } else { most };
-        if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.feigned).min(most * least.largest) {
+        if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.uncertainty).min(most * least.largest) {
             let x = least.s * level.support.half_lengths[i] * problem.kernel.length();
             return Err(NoSolution::Tension { interface: problem.interfaces[i], x }.into());
         }
         if level.remainders[i].is_some() && least.pressure < -NO_GAP * least.largest {
-            // it cannot be said whether this is tension
+            // the series is not known well enough there to tell tension from truncation
             return Err(problem.not_converged(&level.support.half_lengths));
         }
         min_pressure = min_pressure.min(least.pressure);
@@ -165,8 +167,8 @@ struct Least {
     s: f64,
     /// The largest pressure.
     largest: f64,
-    /// What the highest modes may feign there.
-    feigned: f64,
+    /// By how much the highest modes may change the pressure there.
+    uncertainty: f64,
 }
 
 impl Least {
@@ -185,7 +187,7 @@ impl Least {
         }
         let least = |least: (usize, f64), (k, p): (usize, &f64)| if *p < least.1 { (k, *p) } else { least };
         let (place, pressure) = pressures.iter().enumerate().fold((0, f64::INFINITY), least);
-        let feigned = match &level.remainders[i] {
+        let uncertainty = match &level.remainders[i] {
             // next to where the punch is not smooth pressures are less certain than elsewhere
             Some(remainder) => {
                 let remainder = self::pressures(remainder, modes.len());
@@ -196,7 +198,7 @@ impl Least {
         };
         let is_middle = place + 1 == pressures.len();
         let s = if is_middle { 0.0 } else { angle(place, pressures.len()).cos() };
-        Self { pressure, s, largest, feigned }
+        Self { pressure, s, largest, uncertainty }
     }
 }
 
@@ -205,7 +207,7 @@ fn angle(place: usize, places: usize) -> f64 {
     FRAC_PI_2 * (place + 1) as f64 / places as f64
 }
 
-/// The pressures at so many places per mode of `resolved`, from the end of the contact to its middle.
+/// The pressures at [`PER_MODE`] places per mode of `resolved`, from the end of the contact to its middle.
 fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
     let coefficients = coefficients(modes);
     let places = PER_MODE * resolved;
@@ -268,7 +270,7 @@ struct Waves {
 impl Waves {
     /// Those of the equations, if they resolve fields of this frequency.
     fn known(layout: &Layout, responses: &[Rows], frequency: f64) -> Option<Self> {
-        // what is beyond is nothing
+        // waves beyond change the gap by a tenth of what counts as none
         let end = |i: usize| {
             let mut left = 0.1 * NO_GAP * layout.own[i].limit;
             let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
@@ -291,7 +293,7 @@ impl Waves {
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
 fn gaps(problem: &Problem, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, ContactError> {
-    let noticed = |most: usize| -> Vec<Vec<f64>> {
+    let truncated = |most: usize| -> Vec<Vec<f64>> {
         let own = |modes: &Vec<f64>| {
             let above = modes.iter().rposition(|y| y.abs() > ZERO).map_or(1, |last| last + 1);
             modes[..above.min(most)].to_vec()
@@ -300,14 +302,14 @@ fn gaps(problem: &Problem, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Contac
     };
     // fewer where contacts are of such different lengths that tables would not fit in memory
     let found = GAP_MODES.into_iter().find_map(|most| {
-        let modes = noticed(most);
+        let modes = truncated(most);
         transforms(problem, level, &modes).map(|waves| (modes, waves))
     });
     let (modes, waves) = found.ok_or_else(|| problem.not_converged(&level.support.half_lengths))?;
     Ok((0..modes.len()).map(|i| gaps_outside(problem, level, i, &modes[i], &waves)).collect())
 }
 
-/// Places outside contact i, and the gap there; none where nothing presses outside.
+/// Places outside contact i, and the gap there; none outside a given pressure or a flat punch.
 fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves: &Waves) -> Vec<(f64, f64)> {
     let side = &problem.sides[i];
     if problem.is_known(i) || side.is_flat() {
@@ -325,16 +327,16 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
         // such steps that one of them ends where the profile is lowest
         steps[1] = fall / (fall / steps[1]).ceil().min(PLACES as f64);
     }
-    let rest = vectorised(
+    let regular = vectorised(
         #[inline(always)]
         || deflections(&waves.zeta, &waves.slopes[i], a, steps),
     );
     let mut gaps = Vec::with_capacity(2 * PLACES);
-    for (step, rest) in steps.into_iter().zip(rest) {
-        gaps.extend(rest.into_iter().enumerate().map(|(k, rest)| {
+    for (step, regular) in steps.into_iter().zip(regular) {
+        gaps.extend(regular.into_iter().enumerate().map(|(k, regular)| {
             let x = a + step * (k + 1) as f64;
             let opened = side.height(x) - side.height(a);
-            (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + rest) / PI)
+            (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + regular) / PI)
         }));
     }
     gaps

@@ -5,7 +5,7 @@ use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::Work;
 use crate::contact::problem::Problem;
 use crate::contact::problem::modes::{alternating, coefficients, order};
-use crate::contact::quality::admissible::{Check, Overlap};
+use crate::contact::quality::admissible::{Check, Recontact};
 use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
 use crate::contact::quality::levels::Refined;
 use crate::solution::{Part, Stats, Strip};
@@ -15,7 +15,7 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
     let Refined { mut level, not_met, .. } = refined;
     let mut warnings: Vec<String> = precision(problem, not_met).into_iter().collect();
     level.admit(&check);
-    warnings.extend(check.overlaps.iter().map(|overlap| touching_again(problem, overlap)));
+    warnings.extend(check.recontacts.iter().map(|recontact| self::recontact(problem, recontact)));
     warnings.extend(problem.unknown().filter_map(|i| unknown_end(problem, &level, i)));
     let contacts = problem.unknown().map(|i| found(&level, i)).collect();
     Answer {
@@ -43,7 +43,7 @@ fn found(level: &Level, i: usize) -> Found {
     let tip = 0.5 * level.apexes[i] * unit / PI;
     coefficients[0] -= 2.0 * corners;
     if tip != 0.0 {
-        // arcosh(1/|cos φ|) is known as a whole
+        // arcosh(1/|cos φ|) is a closed form for all modes together
         coefficients.truncate(level.counts[i]);
         let terms = coefficients.iter_mut().enumerate();
         terms.for_each(|(m, c)| *c -= 2.0 * alternating(m) * tip / order(m));
@@ -80,7 +80,7 @@ fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<String> {
     }
     Some(match level.support.decay(i) {
         Some(_) => format!(
-            "no end of the contact {interface} was found: the pressure there fades, and nothing depends on what is beyond \
+            "no end of the contact {interface} was found: the pressure there decays, and nothing depends on what is beyond \
              x = {:.3e}",
             level.support.half_lengths[i] * problem.kernel.length()
         ),
@@ -91,12 +91,12 @@ fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<String> {
     })
 }
 
-fn touching_again(problem: &Problem, overlap: &Overlap) -> String {
+fn recontact(problem: &Problem, recontact: &Recontact) -> String {
     format!(
-        "the bodies at the contact {} touch again about x = {:.3e}; the force there, with {:.0e} of the moment of the \
-         whole force, is left out",
-        problem.interfaces[overlap.contact],
-        overlap.x * problem.kernel.length(),
-        overlap.moment
+        "the bodies at the contact {} are in contact again about x = {:.3e}; the force there, with {:.0e} of the moment \
+         of the total force, is left out",
+        problem.interfaces[recontact.contact],
+        recontact.x * problem.kernel.length(),
+        recontact.moment
     )
 }

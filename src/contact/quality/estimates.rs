@@ -26,7 +26,7 @@ pub(crate) const UNKNOWN: f64 = 0.03;
 pub(crate) const ENDLESS: f64 = 1.0;
 
 /// Sweeps that leave more than this have not converged.
-pub(crate) const LOST: f64 = 1e-6;
+pub(crate) const UNCONVERGED: f64 = 1e-6;
 
 /// The error of a half-length is at least this part of that of its pressure, whatever the last modes say.
 const LEAST_LENGTH: f64 = 1e-3;
@@ -94,7 +94,7 @@ impl Level {
     /// Where sweeps have not converged, nothing is known better than by how much half-lengths differ from those of fewer modes.
     pub(crate) fn doubt(&mut self, coarse: &[f64]) {
         for (i, error) in self.errors.iter_mut().enumerate() {
-            if self.swept[i] || self.support.decay(i).is_some() || error.length <= LOST {
+            if self.swept[i] || self.support.decay(i).is_some() || error.length <= UNCONVERGED {
                 continue;
             }
             let change = (self.support.half_lengths[i] / coarse[i]).ln().abs();

@@ -6,12 +6,12 @@ use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
 use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
 use crate::contact::quality::admissible;
-use crate::contact::quality::estimates::{BEST, LOST, Level};
+use crate::contact::quality::estimates::{BEST, Level, UNCONVERGED};
 use crate::kernel::Kernel;
 use crate::solution::Stopped;
 
-/// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the first wave that feels no more
-/// than the faces.
+/// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the longest wave whose compliance is that of
+/// the layers at the faces of the contact alone.
 const PER_WAVE: f64 = 0.6;
 /// Where the first modes have failed before, the first steps have this many times more: next to thin, stiff coatings, and in
 /// decaying contacts, few modes lead astray. With no more than at first some of these are missed; with twice as many, the first
@@ -114,7 +114,7 @@ impl<'a> Levels<'a> {
                 (Err(_), Some(level)) => return Ok(self.refined(level)),
                 (Err(_), None) => return self.few_digits(half_lengths),
             };
-            if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > LOST) {
+            if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > UNCONVERGED) {
                 return Err(self.problem.not_converged(&level.support.half_lengths));
             }
             if level.worst_error() <= self.tolerance {
@@ -138,7 +138,7 @@ impl<'a> Levels<'a> {
     fn first(&mut self, coarse: &Modes) {
         let power = (1e-10 / self.tolerance).powf(1.0 / 6.0);
         let with_more = |(solved, coarse): (&usize, &Vec<f64>)| {
-            with_more(*solved, self.tolerance).min(noticed(coarse, *solved, self.tolerance))
+            with_more(*solved, self.tolerance).min(enough_modes(coarse, *solved, self.tolerance))
         };
         self.modes = self.solved.iter().zip(coarse).map(with_more).collect();
         one_where_known(self.problem, &mut self.modes);
@@ -206,7 +206,7 @@ impl<'a> Levels<'a> {
         true
     }
 
-    /// What a punch that is not smooth does to the contact below is noticed by all modes of that.
+    /// A punch that is not smooth excites all modes of the contact below: both contacts have as many.
     fn match_singular(&mut self) {
         for (i, _) in self.problem.sides.iter().enumerate().filter(|(_, side)| !side.is_smooth()) {
             for counts in [&mut self.solved, &mut self.modes] {
@@ -222,7 +222,7 @@ impl<'a> Levels<'a> {
     }
 }
 
-/// All modes of a given pressure are known together.
+/// The transform of a given pressure is known: it counts as one mode.
 fn one_where_known(problem: &Problem, counts: &mut [usize]) {
     counts.iter_mut().enumerate().filter(|(i, _)| problem.is_known(*i)).for_each(|(_, count)| *count = 1);
 }
@@ -233,13 +233,13 @@ fn with_more(solved: usize, tolerance: f64) -> usize {
     solved + (solved / 2).max(least)
 }
 
-/// Sweeps may add few modes where the last of the coarse ones are nothing already.
-fn noticed(coarse: &[f64], solved: usize, tolerance: f64) -> usize {
+/// All modes, where the last of the coarse solution are below the tolerance already: sweeps add a few only.
+fn enough_modes(coarse: &[f64], solved: usize, tolerance: f64) -> usize {
     let last = weight(coarse, coarse.len().saturating_sub(2)..coarse.len());
     if last < tolerance { solved + MORE / 4 } else { usize::MAX }
 }
 
-/// Modes to begin with: enough for waves that feel no more than the faces of a contact.
+/// Modes to begin with: enough to resolve waves so short that their compliance is that of the layers at the faces alone.
 fn coarsest(kernel: &Kernel, half_lengths: &[f64], finest: usize) -> Vec<usize> {
     let modes = |(i, a): (usize, &f64)| {
         let wanted = (PER_WAVE * a * kernel.settles(i)).min(finest as f64).max(COARSEST as f64);

@@ -19,27 +19,28 @@ use crate::solution::{Interface, Solution};
 const DOUBTFUL: f64 = 1e-4;
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
-/// An interval off the middle counts as a contact that is open there if it ends so many times farther out than it begins.
+/// An interval off the middle counts as a contact with a gap about x = 0 if it ends this many times farther out than it begins.
 const OPEN: f64 = 2.0;
-/// How often a contact in tension is tried again with its end where the tension begins, and before.
+/// How often a contact in tension is tried again with its end where the tension begins, and before. Twice as often: nothing else is
+/// found.
 const SHORTER: usize = 3;
-/// Each time by so many thicknesses of the thinner body.
+/// Each time by this many thicknesses of the thinner body: over about that length it carries a bending moment.
 const BENT: f64 = 2.5;
 
-/// An admissible solution, and the contacts in which bodies touch again with a force that is left out.
+/// An admissible solution, and the contacts with intervals of re-contact the force in which is left out.
 pub(crate) struct Attempt {
     pub(crate) solution: Solution,
-    pub(crate) again: Vec<Interface>,
+    pub(crate) recontacts: Vec<Interface>,
 }
 
 impl From<Solution> for Attempt {
     fn from(solution: Solution) -> Self {
-        Self { solution, again: Vec::new() }
+        Self { solution, recontacts: Vec::new() }
     }
 }
 
 /// Tries starting points in order of cost. `solve` goes on from one; `low_accuracy` is asked in the end, with the
-/// half-lengths that formulas expect, and how far out bodies would overlap otherwise.
+/// half-lengths that formulas expect, and how far out the last answer had penetration.
 pub(crate) fn solve_in_order(
     problem: &Problem,
     solve: impl FnMut(Start) -> Result<Attempt, ContactError>,
@@ -84,17 +85,17 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             solved => return Ok(solved),
         };
         let mut active: Option<Vec<ActiveIntervals>> = None;
-        // once more if bodies would overlap farther out than was looked at
+        // once more if there is penetration farther out than the grid reached
         for _ in 0..2 {
-            let overlap = match *failure {
-                ContactError::NoSolution(NoSolution::Overlap { x, .. }) => x / self.problem.kernel.length(),
+            let penetration = match *failure {
+                ContactError::NoSolution(NoSolution::Penetration { x, .. }) => x / self.problem.kernel.length(),
                 _ => 0.0,
             };
-            if active.is_some() && overlap <= self.far {
+            if active.is_some() && penetration <= self.far {
                 break;
             }
-            self.far = overlap;
-            active = programme::active(self.problem, &self.expected, overlap);
+            self.far = penetration;
+            active = programme::active(self.problem, &self.expected, penetration);
             let all = active.as_deref().unwrap_or_default();
             if self.several.is_none()
                 && let Some(i) = several(self.problem, all, true)
@@ -102,7 +103,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
                 if let Some(solution) = parts::solve(self.problem, all) {
                     return Ok(Outcome::Solved(Box::new(solution)));
                 }
-                // one interval may be next to nothing
+                // one of the intervals may carry a force next to nothing
                 self.several = Some(self.problem.interfaces[i]);
             }
             if let Some(solution) = self.confirmed(all) {
@@ -141,7 +142,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
 
     /// Whether a solution misses no re-contact interval that the quadratic programme has found.
     fn knows_all(&self, attempt: &Attempt) -> bool {
-        self.several.is_none_or(|interface| attempt.again.contains(&interface))
+        self.several.is_none_or(|interface| attempt.recontacts.contains(&interface))
     }
 
     /// The doubtful solution, if the quadratic programme has found the same contacts.
@@ -190,7 +191,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         }
     }
 
-    /// Where contact i may end if it is in tension at x: there, and later where the thinner of its bodies is bent no more.
+    /// Where contact i may end if it is in tension at x: there, and later where the thinner of its bodies carries no bending moment.
     fn shorter(&self, i: usize, x: f64, so_far: usize) -> f64 {
         let laminates = self.problem.kernel.laminates();
         let neighbours = i.checked_sub(1).into_iter().chain([i]).filter_map(|l| laminates.get(l));
@@ -223,14 +224,14 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
 /// The contact in which bodies touch in several intervals, or in none about the middle.
 fn several(problem: &Problem, active: &[ActiveIntervals], certain: bool) -> Option<usize> {
     let finite = |active: &ActiveIntervals| active.resolved.iter().filter(|part| part[1].is_finite()).count();
-    // layers that lie flat on each other far away touch without a force: they do not say that there is no answer
+    // layers that lie flat on each other far away touch without a force: such an interval is no contradiction
     let count = |active: &ActiveIntervals| if certain { finite(active) } else { active.separate.len() };
-    // bodies that do not touch about the middle touch in two intervals, one on either side
+    // a contact with a gap about x = 0 has two intervals, one on either side
     let open = |active: &ActiveIntervals| match active.resolved[..] {
         [[from, to]] => !certain && from > 0.0 && to.is_finite() && to > OPEN * from,
         _ => false,
     };
-    // an interval under a punch too short for the grid says nothing
+    // under a punch, an interval off the middle is an artefact of a grid too coarse for it
     let plausible = |i: usize, active: &ActiveIntervals| {
         problem.sides[i].profile().is_none() || active.separate.first().is_some_and(|part| part[0] == 0.0)
     };

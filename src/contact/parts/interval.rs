@@ -12,7 +12,7 @@ use crate::numeric::bessel;
 
 /// One interval of |x| in which the bodies of a contact touch.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Patch {
+pub(super) struct Interval {
     pub(super) contact: usize,
     /// Where its middle is: 0, or that of the image at x > 0.
     pub(super) middle: f64,
@@ -20,7 +20,7 @@ pub(super) struct Patch {
     pub(super) half: f64,
 }
 
-impl Patch {
+impl Interval {
     pub(super) fn new(contact: usize, [from, to]: [f64; 2]) -> Self {
         if from == 0.0 {
             Self { contact, middle: 0.0, half: to }
@@ -96,15 +96,15 @@ impl Patch {
             }
         }
         let rest = |(node, (zeta, beyond)): (usize, (&f64, &f64))| {
-            let deficit = bessel::jinc_deficit_from(arguments[node], column(1)[node]);
+            let transform_minus_one = bessel::jinc_minus_one_from(arguments[node], column(1)[node]);
             let turned = -2.0 * (0.5 * zeta * self.middle).sin().powi(2);
-            self.resultant() * ((1.0 + deficit) * turned + deficit + beyond)
+            self.resultant() * ((1.0 + transform_minus_one) * turned + transform_minus_one + beyond)
         };
         zeta.iter().zip(beyond).enumerate().map(rest).collect()
     }
 
     /// Adds to `slopes` what `count` pressures make of that of a half-plane with λμ₀C = 1 at x: those on the mirror image,
-    /// and unless x is on the patch itself (`own`) those on the patch.
+    /// and unless x is on the interval itself (`own`) those on the interval.
     pub(super) fn outside(&self, x: f64, count: usize, own: bool, slopes: &mut [f64]) {
         let near = (x - self.middle) / self.half;
         let far = (-x - self.middle) / self.half;
@@ -123,7 +123,7 @@ impl Patch {
         }
     }
 
-    /// Σ c_j sin jφ at x, 0 outside the patch; nothing of the mirror image.
+    /// Σ c_j sin jφ at x, 0 outside the interval; nothing of the mirror image.
     pub(super) fn pressure(&self, coefficients: &[f64], x: f64) -> f64 {
         let s = (x - self.middle) / self.half;
         if s.abs() >= 1.0 {

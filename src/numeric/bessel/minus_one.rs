@@ -4,21 +4,21 @@ use super::table;
 /// 2 J_1(z)/z - 1, to a relative error of a few 1e-16 also where it is small.
 ///
 /// ```
-/// use recede::numeric::bessel::jinc_deficit;
-/// assert!((jinc_deficit(1e-6) / -1.25e-13 - 1.0).abs() < 1e-12); // -z^2/8
-/// assert_eq!(jinc_deficit(0.0), 0.0);
+/// use recede::numeric::bessel::jinc_minus_one;
+/// assert!((jinc_minus_one(1e-6) / -1.25e-13 - 1.0).abs() < 1e-12); // -z^2/8
+/// assert_eq!(jinc_minus_one(0.0), 0.0);
 /// ```
-pub fn jinc_deficit(z: f64) -> f64 {
+pub fn jinc_minus_one(z: f64) -> f64 {
     let mut j = [0.0; 2];
-    if z.abs() >= DEFICIT_SERIES_BELOW {
+    if z.abs() >= SERIES_BELOW {
         table(2, &[z.abs()], &mut j);
     }
-    jinc_deficit_from(z.abs(), j[1])
+    jinc_minus_one_from(z.abs(), j[1])
 }
 
-/// 2 J_1(z)/z - 1 where `j1` = J_1(z) is known already (it is not used for small z). See [`jinc_deficit`].
+/// 2 J_1(z)/z - 1 where `j1` = J_1(z) is known already (it is not used for small z). See [`jinc_minus_one`].
 #[inline(always)]
-pub fn jinc_deficit_from(z: f64, j1: f64) -> f64 {
+pub fn jinc_minus_one_from(z: f64, j1: f64) -> f64 {
     // sum over k >= 1 of (-z^2/4)^k / (k! (k+1)!), as nested products from the innermost
     let q = -0.25 * z * z;
     let mut series = 1.0;
@@ -26,7 +26,7 @@ pub fn jinc_deficit_from(z: f64, j1: f64) -> f64 {
         series = 1.0 + series * q * ratio;
     }
     // both, so that loops compile to vector instructions
-    if z.abs() >= DEFICIT_SERIES_BELOW { 2.0 * j1 / z - 1.0 } else { 0.5 * q * series }
+    if z.abs() >= SERIES_BELOW { 2.0 * j1 / z - 1.0 } else { 0.5 * q * series }
 }
 
 /// 1/(k (k + 1)) for k = 2, 3, ...
@@ -39,35 +39,35 @@ const RATIOS: [f64; 11] = {
     ratios
 };
 
-const DEFICIT_SERIES_BELOW: f64 = 2.0;
+const SERIES_BELOW: f64 = 2.0;
 
 /// sin z/z - 1, to a relative error of a few 1e-16 also where it is small.
 ///
 /// ```
-/// use recede::numeric::bessel::sinc_deficit;
-/// assert!((sinc_deficit(1e-6) / (-1e-12 / 6.0) - 1.0).abs() < 1e-12);
-/// assert_eq!(sinc_deficit(0.0), 0.0);
+/// use recede::numeric::bessel::sinc_minus_one;
+/// assert!((sinc_minus_one(1e-6) / (-1e-12 / 6.0) - 1.0).abs() < 1e-12);
+/// assert_eq!(sinc_minus_one(0.0), 0.0);
 /// ```
-pub fn sinc_deficit(z: f64) -> f64 {
-    if z.abs() >= DEFICIT_SERIES_BELOW { z.sin() / z - 1.0 } else { spherical_deficit(z, 1.0) }
+pub fn sinc_minus_one(z: f64) -> f64 {
+    if z.abs() >= SERIES_BELOW { z.sin() / z - 1.0 } else { spherical_minus_one(z, 1.0) }
 }
 
 /// 3 (sin z - z cos z)/z^3 - 1, to a relative error of a few 1e-16 also where it is small.
 ///
 /// ```
-/// use recede::numeric::bessel::spherical_jinc_deficit;
-/// assert!((spherical_jinc_deficit(1e-6) / -1e-13 - 1.0).abs() < 1e-12); // -z^2/10
+/// use recede::numeric::bessel::spherical_jinc_minus_one;
+/// assert!((spherical_jinc_minus_one(1e-6) / -1e-13 - 1.0).abs() < 1e-12); // -z^2/10
 /// ```
-pub fn spherical_jinc_deficit(z: f64) -> f64 {
-    if z.abs() >= DEFICIT_SERIES_BELOW {
+pub fn spherical_jinc_minus_one(z: f64) -> f64 {
+    if z.abs() >= SERIES_BELOW {
         3.0 * (z.sin() - z * z.cos()) / (z * z * z) - 1.0
     } else {
-        spherical_deficit(z, 3.0)
+        spherical_minus_one(z, 3.0)
     }
 }
 
 /// Sum over k >= 1 of (-z^2/2)^k / (k! (n + 2) (n + 4) ... (n + 2k)): Gamma(n/2 + 1) (2/z)^(n/2) J_(n/2)(z) - 1.
-fn spherical_deficit(z: f64, n: f64) -> f64 {
+fn spherical_minus_one(z: f64, n: f64) -> f64 {
     let q = -0.5 * z * z;
     let term = |k: i32| q / (f64::from(k) * (n + 2.0 * f64::from(k)));
     term(1) * (2..=14).rev().fold(1.0, |s, k| 1.0 + s * term(k))
