@@ -30,7 +30,7 @@ impl Pair {
 
     /// The two solutions of the roots side·(p ± iω) (side = ±1) at ζ = λy, where side·ζ ≤ 0, without the factor √μ:
     /// [X, S-part] as symmetrised local components, times `stress` for S, T and `displacement` for U, V.
-    fn solutions(&self, side: f64, zeta: f64, [displacement, stress]: [f64; 2]) -> [State; 2] {
+    fn solutions(&self, side: f64, zeta: f64, displacement: f64, stress: f64) -> [State; 2] {
         let Local { c, e, .. } = self.local;
         let w2 = self.omega_squared;
         let [less, more] = self.shifted;
@@ -84,11 +84,11 @@ impl Exponential {
         let [top, bottom] = [0.0, h].map(|d| self.displacement_scale(wave, d));
         // √(μ_bottom/μ_top)
         let rise = (0.5 * self.steepness()).exp();
-        let [a, b] = pair.solutions(1.0, 0.0, [top, 1.0]);
-        let [c, d] = pair.solutions(-1.0, z, [bottom * rise, rise.recip()]);
+        let [a, b] = pair.solutions(1.0, 0.0, top, 1.0);
+        let [c, d] = pair.solutions(-1.0, z, bottom * rise, rise.recip());
         let top_states = Matrix4::from_columns(&[a, b, c, d]);
-        let [a, b] = pair.solutions(1.0, -z, [top / rise, rise]);
-        let [c, d] = pair.solutions(-1.0, 0.0, [bottom, 1.0]);
+        let [a, b] = pair.solutions(1.0, -z, top / rise, rise);
+        let [c, d] = pair.solutions(-1.0, 0.0, bottom, 1.0);
         let bottom_states = Matrix4::from_columns(&[a, b, c, d]);
         FaceStates::thick(top_states, bottom_states)
     }
@@ -102,8 +102,8 @@ impl Exponential {
             let (below, above) = (*depth, (h - depth).max(0.0));
             // √μ relative to either face
             let [from_top, from_bottom] = [below, -above].map(|d| (0.5 * self.beta.get() * d).exp());
-            let [a, b] = pair.solutions(1.0, -wave.wavenumber * below, [top / from_top, from_top]);
-            let [c, d] = pair.solutions(-1.0, wave.wavenumber * above, [bottom / from_bottom, from_bottom]);
+            let [a, b] = pair.solutions(1.0, -wave.wavenumber * below, top / from_top, from_top);
+            let [c, d] = pair.solutions(-1.0, wave.wavenumber * above, bottom / from_bottom, from_bottom);
             InnerStates::thick(Matrix4::from_columns(&[a, b, c, d]))
         });
         inside.collect()

@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use recede_layers::{EngineeringConstants, Graded, GradedHalfPlane, Orthotropic, PowerHalfPlane, Profile, Winkler};
 
-use super::scenario::{Ply, Scenario};
+use super::scenario::{Ply, Scenario, Units};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
 use crate::scene::{Item, Load, Punch, Scene, Spring, ValueError};
@@ -45,16 +45,16 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
 /// # Errors
 /// None in practice.
 pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
-    scene_of_any_kind_in_units(ranges, seed, number, [1.0, 1.0])
+    scene_of_any_kind_in_units(ranges, seed, number, Units::default())
 }
 
-/// The same scene with all lengths and all stresses multiplied by the numbers `units`, in this order.
+/// The same scene in other units.
 ///
 /// # Errors
 /// [`Error::Value`] or [`Error::Layer`] if a number is no longer finite.
-pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units: [f64; 2]) -> Result<Scene, Error> {
+pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units: Units) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
-    let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units[1], ..kinds });
+    let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units.stress, ..kinds });
     Ok(Scene::new(scenario.plane, kinds.punch(&scenario)?, scenario.force, kinds.items(&scenario)?))
 }
 

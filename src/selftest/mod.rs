@@ -27,6 +27,6 @@ mod verify;
 pub use check::{Check, Outcome};
 pub use examples::{EXAMPLES, variant};
 pub use kinds::{scene_of_any_kind, scene_of_any_kind_in_units};
-pub use scenario::{Ply, Scenario};
+pub use scenario::{Ply, Scenario, Units};
 pub use strategy::{Ranges, scene, scenes};
 pub use verify::{Comparison, ROUNDING, compare};

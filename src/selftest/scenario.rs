@@ -19,6 +19,21 @@ pub struct Ply {
     pub receding: bool,
 }
 
+/// Units in terms of those that random scenes are drawn in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// What a length 1 becomes.
+    pub length: f64,
+    /// What a stress 1 becomes.
+    pub stress: f64,
+}
+
+impl Default for Units {
+    fn default() -> Self {
+        Self { length: 1.0, stress: 1.0 }
+    }
+}
+
 /// A punch on layers on a base.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
@@ -89,9 +104,9 @@ impl Scenario {
         Ok(Scene::new(self.plane, self.punch()?, self.force, self.items()?))
     }
 
-    /// The same with all lengths and all stresses multiplied by numbers.
+    /// The same in other units.
     #[must_use]
-    pub fn in_units(mut self, [length, stress]: [f64; 2]) -> Self {
+    pub fn in_units(mut self, Units { length, stress }: Units) -> Self {
         self.radius *= length;
         self.force *= length * stress;
         for layer in &mut self.layers {

@@ -3,44 +3,52 @@ use crate::contact::problem::accuracy::{PER_MODE, PLACES, SAFETY};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
-use crate::contact::parts::Level;
 use crate::contact::parts::equations::Equations;
+use crate::contact::parts::{Lengths, Level};
 use crate::contact::problem::Problem;
 use crate::numeric::quadrature::rule;
 
 /// What is below zero by less than this part of the largest value is zero.
 const ZERO: f64 = 1e-4;
 
-/// Smallest pressure and smallest gap, and the tension of each contact about the middle, as a part of its largest pressure there,
-/// for want of terms; `None` if one of them is negative. `coarse` has fewer pressures, and tells how far gaps are known.
-pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<([f64; 2], Vec<f64>)> {
+/// What the check found, per unit of P'.
+pub(super) struct Check {
+    /// Smallest pressure in the contacts, and smallest gap outside.
+    pub(super) min_pressure: f64,
+    pub(super) min_gap: f64,
+    /// The tension of each contact about x = 0 for want of terms, as a part of its largest pressure there.
+    pub(super) tensions: Vec<f64>,
+}
+
+/// Checks the Signorini conditions; `None` if a pressure or a gap is negative. `coarse` has fewer pressures, and tells how far gaps are known.
+pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<Check> {
     let kernel = problem.kernel;
     let (intervals, coefficients) = (&level.intervals, &level.coefficients);
     let count = coefficients.first()?.len();
-    let mut least = [0.0f64; 2];
     let mut largest = vec![0.0f64; kernel.contacts()];
     let mut smallest = vec![0.0f64; kernel.contacts()];
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; kernel.contacts()];
     for (interval, coefficients) in intervals.iter().zip(coefficients) {
         let places = PER_MODE * count;
-        let mut own = [0.0f64; 2];
+        let (mut least, mut most) = (0.0f64, 0.0f64);
         for k in 1..2 * places {
             let x = interval.middle + interval.half * (PI * k as f64 / (2 * places) as f64).cos();
             let pressure = interval.pressure(coefficients, x);
-            own = [own[0].min(pressure), own[1].max(pressure)];
+            (least, most) = (least.min(pressure), most.max(pressure));
             largest[interval.contact] = largest[interval.contact].max(pressure);
             smallest[interval.contact] = smallest[interval.contact].min(pressure);
         }
         if interval.is_central() {
-            tensions[interval.contact] = -own[0] / own[1];
+            tensions[interval.contact] = -least / most;
         }
     }
     if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -ZERO * largest) {
         return None;
     }
-    least[0] = smallest.iter().copied().fold(0.0, f64::min);
-    let [ends, shortest] = super::lengths(problem, intervals);
+    let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
+    let mut min_gap = 0.0f64;
+    let Lengths { ends, shortest } = Lengths::of(problem, intervals);
     let span = problem.span(&ends);
     let layout = Layout::without_tails(kernel, &ends, &shortest, negligible(FIELDS), span)?;
     let equations = Equations { kernel, problem, layout: &layout, intervals, count };
@@ -64,10 +72,10 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + SAFETY * known)) {
                 return None;
             }
-            least[1] = gaps.iter().fold(least[1], |least, (_, gap)| least.min(*gap));
+            min_gap = gaps.iter().fold(min_gap, |least, (_, gap)| least.min(*gap));
         }
     }
-    Some((least, tensions))
+    Some(Check { min_pressure, min_gap, tensions })
 }
 
 impl Equations<'_> {

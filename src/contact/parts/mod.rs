@@ -11,6 +11,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::ends::newton::STEPS;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
 use crate::contact::programme::ActiveIntervals;
@@ -19,6 +20,7 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{Part, Solution, Stats, Strip};
 use equations::Equations;
+use gaps::Check;
 use interval::Interval;
 
 /// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
@@ -129,10 +131,9 @@ fn solve_from(problem: &Problem, intervals: Vec<Interval>, joint: bool, work: &m
             problem.tolerance
         ));
     }
-    let (min, tensions) = gaps::check(problem, &level, &coarse)?;
+    let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse)?;
     // pressures in tension are wrong by that
     errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
-    let [min_pressure, min_gap] = min;
     let stats =
         Stats { modes: vec![count; problem.contacts()], newton_steps: work.steps.clone(), ..stats(problem.kernel) };
     let contacts = found(&level, &errors);
@@ -204,16 +205,26 @@ fn spacings(intervals: &[Interval]) -> Vec<f64> {
     spacings
 }
 
-/// The outermost end of each contact, and half of its shortest interval; a given pressure has those of the contact below.
-fn lengths(problem: &Problem, intervals: &[Interval]) -> [Vec<f64>; 2] {
-    let of = |i: usize| intervals.iter().filter(move |interval| interval.contact == i);
-    let ends = (0..problem.contacts()).map(|i| of(i).map(Interval::to).fold(0.0, f64::max));
-    let shortest = (0..problem.contacts()).map(|i| of(i).map(|interval| interval.half).fold(f64::INFINITY, f64::min));
-    let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
-    if let Some(given) = problem.top().given() {
-        (ends[0], shortest[0]) = (given.half_length.max(ends[1]), shortest[1]);
+/// Lengths of the contacts; a given pressure has those of the contact below.
+struct Lengths {
+    /// The outermost end of each contact.
+    ends: Vec<f64>,
+    /// Half of the shortest interval of each.
+    shortest: Vec<f64>,
+}
+
+impl Lengths {
+    fn of(problem: &Problem, intervals: &[Interval]) -> Self {
+        let of = |i: usize| intervals.iter().filter(move |interval| interval.contact == i);
+        let ends = (0..problem.contacts()).map(|i| of(i).map(Interval::to).fold(0.0, f64::max));
+        let shortest =
+            (0..problem.contacts()).map(|i| of(i).map(|interval| interval.half).fold(f64::INFINITY, f64::min));
+        let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
+        if let Some(given) = problem.top().given() {
+            (ends[0], shortest[0]) = (given.half_length.max(ends[1]), shortest[1]);
+        }
+        Self { ends, shortest }
     }
-    [ends, shortest]
 }
 
 /// How Newton's method goes on after a step.
@@ -246,8 +257,8 @@ fn converge(
     let mut limit = LONGEST_STEP;
     let mut moved_by: Vec<f64> = Vec::new();
     work.steps.push(0);
-    for _ in 0..FINEST {
-        let [reach, shortest] = lengths(problem, &intervals);
+    for _ in 0..STEPS {
+        let Lengths { ends: reach, shortest } = Lengths::of(problem, &intervals);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
             Some(kept) => kept,
