@@ -86,6 +86,30 @@ fn free(stack: &Stack, wavenumber: f64) -> [f64; 5] {
 }
 
 #[test]
+fn plates_that_slide_on_each_other_are_what_each_does_alone() {
+    // nothing but bending resists long waves: these reach far deeper than the plates' thickness tells
+    let ground = Elastic::plane_strain(0.3, 0.25).flexibility();
+    for (count, thickness, moduli) in [(100, 0.02, [1.0, 1.0]), (300, 0.01, [1.0, 30.0]), (40, 0.3, [5.0, 0.1])] {
+        let plates = || (0..count).map(|i| moduli[i % 2]);
+        for wavenumber in (-20..=48).map(|k| 10f64.powf(0.125 * f64::from(k))) {
+            let below = |below: f64, modulus: f64| {
+                let plate = Elastic::plane_strain(modulus, 0.25);
+                let own = strip::own_face(plate, thickness, wavenumber);
+                let both = strip::equal_loads(plate, thickness, wavenumber)
+                    * strip::opposite_loads(plate, thickness, wavenumber);
+                (both + own * below) / (own + below)
+            };
+            let moduli: Vec<f64> = plates().collect();
+            let expected = moduli.iter().rev().copied().fold(ground, below);
+            let on_plates =
+                moduli.iter().fold(begin(), |stack, modulus| stack.layer(strip_of(thickness, *modulus)).sliding());
+            let found = base(on_plates.layer(HalfPlane::new(0.3, 0.25).unwrap()), wavenumber);
+            close(found, expected, 1e-11, &format!("{count} plates at {wavenumber}"));
+        }
+    }
+}
+
+#[test]
 fn stiff_springs_are_bonds_or_let_slide() {
     for wavenumber in wavenumbers() {
         let stiffness = 1e14 * wavenumber.max(1.0);

@@ -87,7 +87,7 @@ impl BaseChain {
 
     /// The same, and how many of the layers it took, the foundation not counted.
     pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(f64, Taken)> {
-        let reached = reached(self.layers.iter(), wave);
+        let reached = reached(&self.layers, &self.junctions, 0..self.layers.len(), wave);
         let states = |column: &dyn Layer| match column.face_states(wave) {
             FaceStates::HalfPlane { top } => Some(top),
             FaceStates::Finite { .. } => None,

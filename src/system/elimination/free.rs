@@ -61,8 +61,8 @@ impl FreeChain {
     /// The same, and how many layers it took.
     pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(Flexibility, Taken)> {
         let count = self.layers.len();
-        let above = reached(self.layers.iter(), wave);
-        let below = reached(self.layers.iter().rev(), wave);
+        let above = reached(&self.layers, &self.junctions, 0..count, wave);
+        let below = reached(&self.layers, &self.junctions, (0..count).rev(), wave);
         if above + below <= count && above < count {
             // the faces do not feel each other
             let (top, mut taken) = self.part(0..above, 0, wave)?;

@@ -32,8 +32,8 @@ impl FreeChain {
     /// if a layer's states are not finite or do not determine its fields.
     pub fn states(&self, wave: &Wave, depths: &Depths, load: &Load) -> Option<Vec<Vec<State>>> {
         let count = self.layers.len();
-        let above = reached(self.layers.iter(), wave);
-        let below = reached(self.layers.iter().rev(), wave);
+        let above = reached(&self.layers, &self.junctions, 0..count, wave);
+        let below = reached(&self.layers, &self.junctions, (0..count).rev(), wave);
         if above + below <= count && above < count {
             // a load on one face does not reach the other one, nor what lies between
             let split = count - below;
@@ -134,7 +134,7 @@ impl BaseChain {
     /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers and, if it is elastic, of the
     /// foundation, under a load S on the top face; `None` as for a laminate.
     pub fn states(&self, wave: &Wave, depths: &Depths, load: f64) -> Option<Vec<Vec<State>>> {
-        let reached = reached(self.layers.iter(), wave);
+        let reached = reached(&self.layers, &self.junctions, 0..self.layers.len(), wave);
         let mut found: Vec<Vec<State>> = depths.iter().map(|depths| vec![State::zeros(); depths.len()]).collect();
         let mut ground = None;
         let mut below = self.below(reached, wave, |column| {

@@ -3,8 +3,14 @@ use std::sync::Arc;
 
 use recede_layers::{Layer, Plane, Wave};
 
+use super::junction::Junction;
+
 /// Fields decay like e^(−λd): they end beyond this λd, where even their square is below rounding.
 const END: f64 = 40.0;
+
+/// Plates of thickness d that slide on each other decay the more slowly the thinner they are, by (λd)²/√12 each if λd is small,
+/// since nothing but their bending resists: by no less than λd·λd/(λd + LOOSE). Among plates of different stiffness fields decay faster.
+const LOOSE: f64 = 4.0;
 
 /// How many layers a flexibility has taken.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,18 +28,29 @@ impl std::ops::AddAssign for Taken {
     }
 }
 
-/// How many of the layers, counted from a face, the fields of a load on that face reach.
-pub(super) fn reached<'a>(layers: impl Iterator<Item = &'a Arc<dyn Layer>>, wave: &Wave) -> usize {
+/// How many of the layers, in the order `outwards` from a face, the fields of a load on that face reach; `junctions` are those between
+/// each layer and the next.
+pub(super) fn reached(
+    layers: &[Arc<dyn Layer>],
+    junctions: &[Junction],
+    outwards: impl Iterator<Item = usize>,
+    wave: &Wave,
+) -> usize {
+    let is_loose = |interface: usize| junctions.get(interface).is_some_and(|junction| !junction.is_bonded());
     let mut length = 0.0;
     let mut count = 0;
-    for layer in layers {
+    for i in outwards {
         if length > END {
             break;
         }
+        let layer = &*layers[i];
         let thickness = layer.thickness().unwrap_or(f64::INFINITY);
-        let own = wave.wavenumber * thickness;
+        let mut own = wave.wavenumber * thickness;
+        if own.is_finite() && (is_loose(i) || i.checked_sub(1).is_some_and(is_loose)) {
+            own *= own / (own + LOOSE);
+        }
         // unless what stiffens a layer along its faces carries the fields farther
-        length += if length + own > END { own * slowest_decay(&**layer, thickness, wave.plane) } else { own };
+        length += if length + own > END { own * slowest_decay(layer, thickness, wave.plane) } else { own };
         count += 1;
     }
     count
