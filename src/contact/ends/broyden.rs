@@ -4,6 +4,7 @@
 //! section 7.3.
 use crate::contact::ends::newton::SLOW;
 use crate::contact::problem::modes::Modes;
+use crate::numeric::dot;
 
 /// Steps in the modes of all contacts and the logarithms of the half-lengths, one after the other.
 #[derive(Default)]
@@ -32,8 +33,4 @@ impl Secants {
         step.iter_mut().zip(improved).for_each(|(step, improved)| *step = *improved);
         self.taken.push(all);
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

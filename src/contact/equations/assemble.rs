@@ -13,7 +13,7 @@
 
 use std::ops::Range;
 
-use nalgebra::DMatrix;
+use faer::Mat;
 
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::columns::Columns;
@@ -148,9 +148,9 @@ impl<'a> Equations<'a> {
     }
 
     /// The matrix, its lower half.
-    pub(crate) fn matrix(&self) -> DMatrix<f64> {
+    pub(crate) fn matrix(&self) -> Mat<f64> {
         let size = self.size();
-        let mut matrix = DMatrix::zeros(size, size);
+        let mut matrix = Mat::zeros(size, size);
         for (i, basis) in self.bases.iter().enumerate() {
             let mut gram = symmetric_product(basis.values(self.modes[i]), &self.layout.own[i].unit);
             for m in 0..self.modes[i] {
@@ -165,7 +165,7 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds what the laminate between the contacts i and i + 1 makes of their differences.
-    fn add_coupling(&self, matrix: &mut DMatrix<f64>, i: usize, weights: &Weights, difference: &Columns) {
+    fn add_coupling(&self, matrix: &mut Mat<f64>, i: usize, weights: &Weights, difference: &Columns) {
         let upper = difference.part(0..self.modes[i]);
         let gram = symmetric_product(upper, weights);
         self.add_symmetric(matrix, &gram, |m| self.chain(i, m));
@@ -184,7 +184,7 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds a symmetric block (its lower half) to the modes of all contacts in the chain of its own.
-    fn add_symmetric(&self, matrix: &mut DMatrix<f64>, block: &Columns, chain: impl Fn(usize) -> Range<usize>) {
+    fn add_symmetric(&self, matrix: &mut Mat<f64>, block: &Columns, chain: impl Fn(usize) -> Range<usize>) {
         for n in 0..block.rows() {
             let columns = chain(n);
             for m in n..block.rows() {

@@ -5,21 +5,23 @@
 //! and the other rows leaves r − β · L⁻¹r' once the other modes have given way.
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
-use faer::{MatMut, Par, Spec};
-use nalgebra::{DMatrix, DMatrixView, DVector, DVectorViewMut};
+use faer::linalg::solvers::DenseSolveCore;
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::{Mat, MatMut, MatRef, Par, Spec};
 
 use crate::contact::equations::assemble::{Equations, Rows};
 use crate::contact::problem::modes::{Modes, order};
 use crate::contact::problem::profile::Slopes;
 use crate::numeric::buffer::Buffer;
+use crate::numeric::dot;
 
 /// The equations about a set of half-lengths, factorised.
 pub(crate) struct Linearised {
     factor: Factor,
     /// β, a column for each contact.
-    beta: DMatrix<f64>,
+    beta: Mat<f64>,
     /// The inverse of the derivative of the residual with respect to the logarithms of the half-lengths.
-    inverse: DMatrix<f64>,
+    inverse: Mat<f64>,
     /// d y_im / d ln a_k: `sensitivity[k][i][m]`.
     sensitivity: Vec<Modes>,
     pub(crate) influences: Influences,
@@ -47,9 +49,9 @@ pub(crate) struct Pressures {
 struct Eliminated {
     factor: Factor,
     /// β, a column for each contact.
-    beta: DMatrix<f64>,
+    beta: Mat<f64>,
     /// L⁻¹ of what the known first modes and the load leave in the other rows.
-    gamma: DVector<f64>,
+    gamma: Vec<f64>,
     /// First column of the rows of the first modes.
     known: Vec<f64>,
     /// Diagonal of the matrix.
@@ -68,23 +70,22 @@ pub(crate) fn solve(
     let n = equations.contacts();
     let eliminated = eliminate(equations, slopes)?;
     let Eliminated { factor, beta, gamma, known, edges, .. } = &eliminated;
-    let mut unknowns = factor.back(gamma.as_slice());
+    let mut unknowns = factor.back(gamma);
     // equal resultants: the first modes of the contacts below do not differ from the uppermost one
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
     let derivatives: Vec<Buffer> =
         equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
-    let mut moved = DMatrix::from_fn(equations.size() - n, n, |k, by| derivatives[by][n + k]);
-    factor.down(&mut moved);
-    let jacobian = DMatrix::from_fn(n, n, |i, by| derivatives[by][i] - beta.column(i).dot(&moved.column(by)));
+    let mut moved = Mat::from_fn(equations.size() - n, n, |k, by| derivatives[by][n + k]);
+    factor.down(moved.as_mut());
+    let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
     let inverse = inverse_of(&jacobian, free)?;
     let residual = |i: usize| {
         let row = known[i] + edges[i] - slopes[i].as_ref().map_or(0.0, |slopes| slopes.load(0));
-        row - beta.column(i).dot(gamma)
+        row - dot(beta.col_as_slice(i), gamma)
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
-    let sensitivity: Vec<Modes> =
-        (0..n).map(|by| equations.modes_of(&factor.back(moved.column(by).as_slice()))).collect();
+    let sensitivity: Vec<Modes> = (0..n).map(|by| equations.modes_of(&factor.back(moved.col_as_slice(by)))).collect();
     let influences = influences(equations, &eliminated, &modes, &jacobian, &inverse, &sensitivity);
     let Eliminated { factor, beta, .. } = eliminated;
     let linearised = Linearised { factor, beta, inverse, sensitivity, influences };
@@ -99,8 +100,8 @@ fn eliminate(equations: &Equations, slopes: &[Option<Slopes>]) -> Option<Elimina
     let higher = size - n;
     let matrix = equations.matrix();
     // columns of the first modes, and the load
-    let mut columns = DMatrix::zeros(higher, n + 1);
-    columns.columns_mut(0, n).copy_from(&matrix.view((n, 0), (higher, n)));
+    let mut columns = Mat::zeros(higher, n + 1);
+    columns.as_mut().subcols_mut(0, n).copy_from(matrix.as_ref().submatrix(n, 0, higher, n));
     let known: Vec<f64> = (0..n).map(|i| matrix[(i, 0)]).collect();
     let diagonal: Vec<f64> = (0..size).map(|k| matrix[(k, k)]).collect();
     let factor = Factor::new(matrix, n)?;
@@ -115,17 +116,22 @@ fn eliminate(equations: &Equations, slopes: &[Option<Slopes>]) -> Option<Elimina
     for k in 0..higher {
         columns[(k, n)] -= edges[n + k];
     }
-    factor.down(&mut columns);
-    let gamma = columns.column(0) - columns.column(n);
-    let beta = columns.remove_column(n);
+    factor.down(columns.as_mut());
+    let gamma = columns.col_as_slice(0).iter().zip(columns.col_as_slice(n)).map(|(known, load)| known - load).collect();
+    columns.truncate(higher, n);
+    let beta = columns;
     Some(Eliminated { factor, beta, gamma, known, diagonal, edges })
 }
 
 /// The inverse of the rows and columns of the ends that are free; 0 for the others, which have neither a row nor a step.
-fn inverse_of(jacobian: &DMatrix<f64>, free: &[usize]) -> Option<DMatrix<f64>> {
-    let unknown = DMatrix::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]);
-    let solved = unknown.lu().try_inverse()?;
-    let mut inverse = DMatrix::zeros(jacobian.nrows(), jacobian.ncols());
+fn inverse_of(jacobian: &Mat<f64>, free: &[usize]) -> Option<Mat<f64>> {
+    let unknown = Mat::from_fn(free.len(), free.len(), |i, by| jacobian[(free[i], free[by])]);
+    let solved = unknown.partial_piv_lu().inverse();
+    let is_finite = (0..free.len()).all(|by| solved.col_as_slice(by).iter().all(|value| value.is_finite()));
+    if !is_finite {
+        return None;
+    }
+    let mut inverse = Mat::zeros(jacobian.nrows(), jacobian.ncols());
     for (by, column) in free.iter().enumerate() {
         free.iter().enumerate().for_each(|(i, row)| inverse[(*row, *column)] = solved[(i, by)]);
     }
@@ -137,20 +143,20 @@ fn influences(
     equations: &Equations,
     eliminated: &Eliminated,
     modes: &Modes,
-    jacobian: &DMatrix<f64>,
-    inverse: &DMatrix<f64>,
+    jacobian: &Mat<f64>,
+    inverse: &Mat<f64>,
     sensitivity: &[Modes],
 ) -> Influences {
     let n = equations.contacts();
     let Eliminated { factor, beta, gamma, known, diagonal, .. } = eliminated;
     let lengths = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
     let differences = |i: usize| {
-        let mut weights = factor.back(beta.column(i).as_slice());
+        let mut weights = factor.back(beta.col_as_slice(i));
         weights[i] = 1.0;
         equations.difference_rounding(&weights, modes, diagonal)
     };
     let size = |i: usize| {
-        let terms: f64 = beta.column(i).iter().zip(gamma).map(|(b, g)| (b * g).abs()).sum();
+        let terms: f64 = beta.col_as_slice(i).iter().zip(gamma).map(|(b, g)| (b * g).abs()).sum();
         let differences = if equations.has_strong() { differences(i) } else { 0.0 };
         f64::EPSILON * (terms + known[i].abs() + differences)
     };
@@ -168,37 +174,37 @@ fn influences(
 
 /// The Cholesky factor L of all rows and columns of a matrix but the first, in its place.
 struct Factor {
-    matrix: DMatrix<f64>,
+    matrix: Mat<f64>,
     first: usize,
 }
 
 impl Factor {
-    fn new(mut matrix: DMatrix<f64>, first: usize) -> Option<Self> {
-        let (size, higher) = (matrix.nrows(), matrix.nrows() - first);
-        let all = MatMut::from_column_major_slice_mut(matrix.as_mut_slice(), size, size);
+    fn new(mut matrix: Mat<f64>, first: usize) -> Option<Self> {
+        let higher = matrix.nrows() - first;
         let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(higher, Par::Seq, Spec::default()));
         let stack = MemStack::new(&mut memory);
-        let part = all.submatrix_mut(first, first, higher, higher);
+        let part = matrix.as_mut().submatrix_mut(first, first, higher, higher);
         cholesky_in_place(part, Default::default(), Par::Seq, stack, Spec::default()).ok()?;
         Some(Self { matrix, first })
     }
 
-    fn lower(&self) -> DMatrixView<'_, f64> {
+    fn lower(&self) -> MatRef<'_, f64> {
         let higher = self.matrix.nrows() - self.first;
-        self.matrix.view((self.first, self.first), (higher, higher))
+        self.matrix.as_ref().submatrix(self.first, self.first, higher, higher)
     }
 
     /// L⁻¹ right, in its place.
-    fn down(&self, right: &mut DMatrix<f64>) {
-        self.lower().solve_lower_triangular_mut(right);
+    fn down(&self, right: MatMut<'_, f64>) {
+        solve_lower_triangular_in_place(self.lower(), right, Par::Seq);
     }
 
     /// Unknowns: first modes 0, then −L⁻ᵀ right.
     fn back(&self, right: &[f64]) -> Vec<f64> {
         let mut unknowns = vec![0.0; self.matrix.nrows()];
-        let mut higher = DVectorViewMut::from_slice(&mut unknowns[self.first..], right.len());
+        let higher = &mut unknowns[self.first..];
         higher.iter_mut().zip(right).for_each(|(unknown, right)| *unknown = -right);
-        self.lower().tr_solve_lower_triangular_mut(&mut higher);
+        let higher = MatMut::from_column_major_slice_mut(higher, right.len(), 1);
+        solve_upper_triangular_in_place(self.lower().transpose(), higher, Par::Seq);
         unknowns
     }
 }
@@ -285,10 +291,10 @@ impl Linearised {
             rows.push(own);
         }
         let rows = equations.rows_of(&rows);
-        let mut column = DMatrix::from_column_slice(rows.len() - n, 1, &rows[n..]);
-        self.factor.down(&mut column);
-        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - self.beta.column(i).dot(&column.column(0))).collect();
-        let lower = equations.modes_of(&self.factor.back(column.as_slice()));
+        let mut column = rows[n..].to_vec();
+        self.factor.down(MatMut::from_column_major_slice_mut(&mut column, rows.len() - n, 1));
+        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - dot(self.beta.col_as_slice(i), &column)).collect();
+        let lower = equations.modes_of(&self.factor.back(&column));
         for ((modes, lower), change) in modes.iter_mut().zip(lower).zip(&mut changes) {
             for (m, (y, dy)) in modes.iter_mut().zip(lower).enumerate() {
                 *y += dy;

@@ -15,6 +15,7 @@ use crate::contact::integrals::tail::Weights;
 use crate::contact::parts::interval::Interval;
 use crate::contact::problem::Problem;
 use crate::kernel::Kernel;
+use crate::numeric::dot;
 use crate::numeric::quadrature::rule;
 
 /// Points of integrals over an interval, per pressure, and more.
@@ -369,10 +370,6 @@ impl Equations<'_> {
             (None, None) => 0.0,
         }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// What known pressures do outside the contacts.
