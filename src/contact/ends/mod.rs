@@ -4,9 +4,7 @@ mod frozen;
 pub(crate) mod newton;
 mod sweeps;
 
-use crate::contact::equations::assemble::Rows;
 use crate::contact::equations::condensed::Influences;
-use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::Modes;
 use crate::contact::problem::support::Support;
@@ -26,8 +24,6 @@ pub(crate) struct Converged {
     /// The sweep residual: by how much further sweeps would change the logarithms of the half-lengths, and Σ y_m/order.
     pub(crate) residuals: Vec<Estimate>,
     pub(crate) influences: Influences,
-    /// The last layout, and what the kernels make there of the pressures, almost.
-    pub(crate) waves: Option<(Layout, Vec<Rows>)>,
     /// Why the sweeps ended.
     pub(crate) stopped: Stopped,
 }

@@ -6,8 +6,9 @@ use crate::contact::equations::assemble::Equations;
 use crate::contact::equations::condensed::{Drift, Linearised, Pressures, solve};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
-use crate::contact::integrals::layout::{CAREFUL, COARSE, Layout};
+use crate::contact::integrals::layout::{COARSE, Layout};
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::MINOR;
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -102,11 +103,8 @@ impl<'a> Newton<'a> {
         // strongly coupled contacts are sensitive to small changes of derivatives, and their truncation error is judged by how
         // far these half-lengths are off
         let strongly = strongly_coupled(self.problem.kernel, &half_lengths).contains(&true);
-        let (aim, enough) = if strongly {
-            (Aim { negligible: CAREFUL, step: NEARBY, ends: CAREFUL }, 0.5 * linear(tolerance, counts))
-        } else {
-            (Aim { negligible: COARSE, step: ROUGHLY, ends: CAREFUL }, ROUGH)
-        };
+        let (step, enough) = if strongly { (NEARBY, 0.5 * linear(tolerance, counts)) } else { (ROUGHLY, ROUGH) };
+        let aim = Aim { negligible: COARSE, step, ends: MINOR * ROUGH };
         let Point { mut support, pressures, linearised, layout } = self.iterate(half_lengths, counts, counts, aim)?;
         // on with the same derivatives
         let Pressures { mut modes, mut step, .. } = pressures;

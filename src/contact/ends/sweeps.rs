@@ -1,7 +1,7 @@
 //! Iterated Galerkin sweeps (Sloan 1976): more modes than are solved for, and the last digits of half-lengths and pressures.
 use crate::contact::ends::Converged;
 use crate::contact::ends::newton::{Aim, NEARBY, Newton, Point, SLOW, Work, linear, strongly_coupled};
-use crate::contact::equations::assemble::{Equations, Rows};
+use crate::contact::equations::assemble::Equations;
 use crate::contact::equations::condensed::{Drift, Linearised, Sweep};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
@@ -91,13 +91,11 @@ impl Newton<'_> {
             return Ok((Converged::without_sweeps(end, solved), true));
         }
         sweeps.give_up_lost(stopped);
-        let Sweeps { support, modes: all, corrections, residuals, responses, strong, .. } = sweeps;
+        let Sweeps { support, modes: all, corrections, residuals, .. } = sweeps;
         if !support.half_lengths.iter().chain(all.iter().flatten()).all(|value| value.is_finite()) {
             return Err(self.problem.not_converged(&support.half_lengths));
         }
-        // gaps of strongly coupled contacts are sensitive to the smallest difference of their pressures
-        let responses = responses.filter(|_| !strong.contains(&true));
-        let Point { linearised, layout, .. } = point;
+        let linearised = point.linearised;
         let found = Converged {
             support,
             modes: all,
@@ -106,7 +104,6 @@ impl Newton<'_> {
             fully_solved: vec![false; solved.len()],
             residuals,
             influences: linearised.influences,
-            waves: responses.map(|responses| (layout, responses)),
             stopped,
         };
         Ok((found, converged))
@@ -125,7 +122,6 @@ impl Converged {
             fully_solved: vec![false; n],
             residuals: end.pressures.step.iter().map(|step| Estimate::both(step.abs())).collect(),
             influences: end.linearised.influences,
-            waves: None,
             stopped: Stopped::Converged,
         }
     }
@@ -153,7 +149,6 @@ struct Sweeps<'a> {
     drift: Drift,
     /// The last step, if it is still to be taken.
     step: Vec<f64>,
-    responses: Option<Vec<Rows>>,
     /// What sweeps may leave, since the truncation error is larger.
     truncation: Estimate,
 }
@@ -188,7 +183,6 @@ impl<'a> Sweeps<'a> {
             residuals: infinite,
             drift: Drift { shift: vec![0.0; n], ..Drift::default() },
             step: Vec::new(),
-            responses: None,
             truncation: Estimate::default(),
         }
     }
@@ -203,7 +197,7 @@ impl<'a> Sweeps<'a> {
             let equations = Equations::new(self.layout, &bases, self.solved, &strong, &self.support);
             let found = self.linearised.sweep(&equations, &slopes, &self.drift, &mut self.modes);
             let is_slow = self.compare(sweep, &found);
-            (self.step, self.responses) = (found.step, Some(found.responses));
+            self.step = found.step;
             if let Some(stopped) = self.stopped(sweep, is_slow) {
                 return stopped;
             }
@@ -309,7 +303,6 @@ impl<'a> Sweeps<'a> {
     /// Goes back to the modes that were solved for where sweeps have diverged.
     fn give_up_lost(&mut self, stopped: Stopped) {
         if stopped == Stopped::Diverged || self.residuals.iter().any(|left| left.length > MINOR) {
-            self.responses = None;
             (self.support, self.modes) = self.begin.clone();
             for (own, solved) in self.modes.iter_mut().zip(self.solved) {
                 own.truncate(*solved);
@@ -322,7 +315,6 @@ impl<'a> Sweeps<'a> {
         for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > MINOR) {
             self.modes[i] = self.begin.1[i][..self.solved[i]].to_vec();
             left.pressure = UNKNOWN;
-            self.responses = None;
         }
     }
 }

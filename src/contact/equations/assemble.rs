@@ -36,7 +36,7 @@ pub(crate) struct Equations<'a> {
     /// Where mode m of contact i stands: first modes first.
     place: Vec<Vec<usize>>,
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
-    /// coupling; else those of contact i. None where memory is short, see [`Self::with_difference`].
+    /// coupling; else those of contact i.
     differences: Vec<Columns>,
     /// What the edge singularity at the corners of a punch adds to the pressure of each contact.
     pub(super) edges: Vec<Option<EdgePressure>>,
@@ -76,9 +76,7 @@ impl<'a> Equations<'a> {
         };
         let edges = bases.iter().enumerate().map(edge).collect();
         let mut equations = Self { layout, bases, modes, strong, place, differences: Vec::new(), edges };
-        if !layout.is_large() {
-            equations.differences = (0..strong.len()).map(|i| equations.difference(i)).collect();
-        }
+        equations.differences = (0..strong.len()).map(|i| equations.difference(i)).collect();
         equations
     }
 
@@ -139,14 +137,6 @@ impl<'a> Equations<'a> {
         difference
     }
 
-    /// Does something with the differences of laminate i, which are made for that if they are not kept.
-    fn with_difference<T>(&self, i: usize, f: impl FnOnce(&Columns) -> T) -> T {
-        match self.differences.get(i) {
-            Some(kept) => f(kept),
-            None => f(&self.difference(i)),
-        }
-    }
-
     /// The matrix, its lower half.
     pub(crate) fn matrix(&self) -> Mat<f64> {
         let size = self.size();
@@ -159,14 +149,14 @@ impl<'a> Equations<'a> {
             self.add_symmetric(&mut matrix, &gram, |m| self.chain(i, m));
         }
         for (i, weights) in self.layout.coupling.iter().enumerate().filter(|(_, weights)| weights.rows() > 0) {
-            self.with_difference(i, |difference| self.add_coupling(&mut matrix, i, weights, difference));
+            self.add_coupling(&mut matrix, i, weights);
         }
         matrix
     }
 
     /// Adds what the laminate between the contacts i and i + 1 makes of their differences.
-    fn add_coupling(&self, matrix: &mut Mat<f64>, i: usize, weights: &Weights, difference: &Columns) {
-        let upper = difference.part(0..self.modes[i]);
+    fn add_coupling(&self, matrix: &mut Mat<f64>, i: usize, weights: &Weights) {
+        let upper = self.differences[i].part(0..self.modes[i]);
         let gram = symmetric_product(upper, weights);
         self.add_symmetric(matrix, &gram, |m| self.chain(i, m));
         let lower = self.bases[i + 1].values(self.modes[i + 1]);
@@ -323,7 +313,7 @@ impl<'a> Equations<'a> {
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
         let own: Buffer = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
         let count = self.modes[i].min(modes[i].len());
-        let mut jump = self.with_difference(i, |difference| difference.part(0..count).combine(&modes[i][..count]));
+        let mut jump = self.differences[i].part(0..count).combine(&modes[i][..count]);
         let lower = self.bases[i + 1].combine(&own);
         jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
         self.add_edge(i, &mut jump);

@@ -232,8 +232,6 @@ pub(crate) struct Sweep {
     pub(crate) step: Vec<f64>,
     /// Changes of the modes, Σ |Δy_m|/order per contact.
     pub(crate) changes: Vec<f64>,
-    /// What the kernels make of the modes, up to these changes.
-    pub(crate) responses: Vec<Rows>,
 }
 
 impl Linearised {
@@ -301,6 +299,6 @@ impl Linearised {
                 *change += dy.abs() / order(m);
             }
         }
-        Sweep { step: self.step(&residuals), changes, responses }
+        Sweep { step: self.step(&residuals), changes }
     }
 }

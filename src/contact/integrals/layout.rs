@@ -4,7 +4,6 @@
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
 use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, Tail, Weights, turning};
-use crate::contact::problem::support;
 use crate::kernel::{Kernel, Panel, Values};
 use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::{LARGEST, rule};
@@ -16,8 +15,6 @@ const MOST_WAVENUMBERS: usize = 16_000;
 /// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
 /// to ten digits need nearly as many; twice as many take twice the time before less exact answers are looked for.
 const MOST_ENTRIES: usize = 6_500_000;
-/// More of them are not kept if they can be made again when they are needed.
-const MANY_ENTRIES: usize = 1_000_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
 /// Without tails, integrals end after about this many wavenumbers.
@@ -31,9 +28,8 @@ pub(crate) fn negligible(tolerance: f64) -> f64 {
     (1e-3 * tolerance).min(1e-10)
 }
 
-/// The same for the first steps, and where contacts are strongly coupled.
+/// The same for the first steps. Half or twice as much: their half-lengths are refined all the same.
 pub(crate) const COARSE: f64 = 1e-4;
-pub(crate) const CAREFUL: f64 = 1e-6;
 
 /// Gauss points for a wave of this phase times a kernel of which `digits` decimal digits matter.
 fn points(phase: f64, digits: f64) -> usize {
@@ -45,9 +41,6 @@ fn points(phase: f64, digits: f64) -> usize {
 
 /// Fields away from the contacts are wanted to this, relative.
 pub(crate) const FIELDS: f64 = 1e-6;
-/// Points of a stretch may be this many times more than contacts need, for the sake of fields.
-const MORE_FOR_FIELDS: f64 = 2.0;
-
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(crate) struct Layout {
     /// Real wavenumbers, ascending, shared by all contacts.
@@ -58,26 +51,6 @@ pub(crate) struct Layout {
     pub(crate) coupling: Vec<Weights>,
     /// What lies beyond, for contacts that share it.
     tails: Vec<Tail>,
-    stretches: Vec<Stretch>,
-    /// Entries of all tables of Bessel functions.
-    entries: usize,
-}
-
-/// Real wavenumbers of one Gauss rule.
-struct Stretch {
-    /// Where they end among all.
-    end: usize,
-    points: usize,
-    width: f64,
-    /// The largest part of a kernel there.
-    size: f64,
-}
-
-impl Stretch {
-    /// The points that fields with waves of this frequency take.
-    fn for_fields(&self, frequency: f64) -> usize {
-        points(frequency * self.width, (self.size / FIELDS).log10().clamp(1.0, 8.0))
-    }
 }
 
 /// What belongs to one contact alone.
@@ -207,9 +180,8 @@ impl Layout {
             };
             layout.extend(kernel, group, reach, tail);
         }
-        layout.entries =
-            (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] / 2 + 2)).sum::<usize>();
-        (layout.entries <= MOST_ENTRIES).then_some(layout)
+        let entries: usize = (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] / 2 + 2)).sum();
+        (entries <= MOST_ENTRIES).then_some(layout)
     }
 
     /// Adds the tail of a group, the real wavenumbers of which are as many as `reach`.
@@ -269,14 +241,7 @@ impl Layout {
             own: (0..n).map(own).collect(),
             coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
             tails: Vec::new(),
-            stretches: Vec::new(),
-            entries: 0,
         }
-    }
-
-    /// Whether tables are so large that what can be made again is not kept.
-    pub(crate) fn is_large(&self) -> bool {
-        self.entries > MANY_ENTRIES
     }
 
     /// Wavenumbers, those of the tails included.
@@ -287,15 +252,6 @@ impl Layout {
     /// The tail of contact i.
     pub(crate) fn tail(&self, i: usize) -> &Tail {
         &self.tails[self.own[i].tail]
-    }
-
-    /// How many of the real wavenumbers, the first of all, resolve fields with waves of this frequency.
-    pub(crate) fn resolved(&self, frequency: f64) -> usize {
-        let unresolved = self.stretches.iter().position(|part| part.for_fields(frequency) > part.points);
-        match unresolved {
-            Some(first) => first.checked_sub(1).map_or(0, |last| self.stretches[last].end),
-            None => self.zeta.len(),
-        }
     }
 
     /// How many real wavenumbers contact i needs.
@@ -335,15 +291,8 @@ impl Layout {
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
     fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
         let Some((frequency, size)) = plan.wanted(panel, from, to) else { return };
-        let half_lengths = plan.half_lengths;
         let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
-        let mut needed = points(frequency * (to - from), digits);
-        let stretch = Stretch { end: 0, points: 0, width: to - from, size };
-        let for_fields =
-            stretch.for_fields(frequency.max(support::frequency_of_fields(half_lengths, support::span(half_lengths))));
-        if plan.negligible < FIELDS && for_fields as f64 <= MORE_FOR_FIELDS * needed as f64 {
-            needed = needed.max(for_fields);
-        }
+        let needed = points(frequency * (to - from), digits);
         let parts = needed.div_ceil(LARGEST).min(MOST_WAVENUMBERS / LARGEST + 1);
         if plan.span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
@@ -353,8 +302,6 @@ impl Layout {
         for part in 0..parts {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let first = self.zeta.len();
-            let (end, width) = (first + points.nodes.len(), stretch.width / parts as f64);
-            self.stretches.push(Stretch { end, points: points.nodes.len(), width, size });
             self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
             let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
             let values = panel.map(|panel| panel.values(&self.zeta[first..], at(part), at(part + 1)));

@@ -77,8 +77,3 @@ pub(crate) fn longest(step: impl IntoIterator<Item = f64>) -> f64 {
 pub(crate) fn span(half_lengths: &[f64]) -> f64 {
     2.0 * longest(half_lengths.iter().copied()) + 2.0
 }
-
-/// The highest frequency of waves there, times the waves of a pressure.
-pub(crate) fn frequency_of_fields(half_lengths: &[f64], span: f64) -> f64 {
-    longest(half_lengths.iter().copied()) + span
-}

@@ -5,14 +5,13 @@
 use crate::contact::problem::accuracy::{NO_GAP, PER_MODE, PLACES, SAFETY, ZERO};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::contact::equations::assemble::{Equations, Rows};
+use crate::contact::equations::assemble::Equations;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{FIELDS, Layout};
 use crate::contact::problem::Problem;
 use crate::contact::problem::modes::{alternating, coefficients, order};
 use crate::contact::problem::profile::Profile;
-use crate::contact::problem::support::frequency_of_fields;
 use crate::contact::quality::estimates::Level;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
@@ -236,17 +235,10 @@ fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
     pressures
 }
 
-/// The slope transforms of all contacts at real wavenumbers that resolve fields out to the span: those of the equations, if they
-/// do.
+/// The slope transforms of all contacts at real wavenumbers that resolve fields out to the span.
 fn transforms(problem: &Problem, level: &Level, modes: &[Vec<f64>]) -> Option<Waves> {
     let half_lengths = &level.support.half_lengths;
     let span = problem.span(half_lengths);
-    let known = level.waves.as_ref();
-    if let Some(waves) =
-        known.and_then(|(layout, responses)| Waves::known(layout, responses, frequency_of_fields(half_lengths, span)))
-    {
-        return Some(waves);
-    }
     let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
     let layout = Layout::new(problem.kernel, half_lengths, &problem.orders(&counts), FIELDS, span)?;
     let bases = Basis::all(&layout, problem, half_lengths, &counts);
@@ -265,30 +257,6 @@ struct Waves {
     limits: Vec<f64>,
     /// Slope transforms, weights included and g∞ left out.
     slopes: Vec<Buffer>,
-}
-
-impl Waves {
-    /// Those of the equations, if they resolve fields of this frequency.
-    fn known(layout: &Layout, responses: &[Rows], frequency: f64) -> Option<Self> {
-        // waves beyond change the gap by a tenth of what counts as none
-        let end = |i: usize| {
-            let mut left = 0.1 * NO_GAP * layout.own[i].limit;
-            let mut waves = layout.zeta.iter().zip(&responses[i][..layout.own[i].reach]);
-            let last = waves.rposition(|(zeta, slope)| {
-                left -= (slope / zeta).abs();
-                left < 0.0
-            });
-            last.map_or(0, |last| last + 1)
-        };
-        let ends: Vec<usize> = (0..responses.len()).map(end).collect();
-        let needed = ends.iter().copied().fold(0, usize::max);
-        if needed > layout.resolved(frequency) {
-            return None;
-        }
-        let slopes = responses.iter().zip(ends).map(|(slopes, end)| Buffer::of(&slopes[..end])).collect();
-        let limits = layout.own.iter().map(|own| own.limit).collect();
-        Some(Self { zeta: layout.zeta[..needed].to_vec(), limits, slopes })
-    }
 }
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.

@@ -7,8 +7,6 @@ use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
 use std::f64::consts::PI;
 
 use crate::contact::ends::Converged;
-use crate::contact::equations::assemble::Rows;
-use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{FINEST, Modes, beyond, order, weight};
@@ -53,8 +51,6 @@ pub(crate) struct Level {
     pub(crate) own_errors: Vec<f64>,
     /// Part of the highest modes in the pressure of a contact.
     pub(crate) tails: Vec<f64>,
-    /// A layout, and the slope transforms of all contacts there.
-    pub(crate) waves: Option<(Layout, Vec<Rows>)>,
     /// Under a punch that is not smooth, or has corners, the higher half of the modes without the asymptotic part, the lower half
     /// being 0.
     pub(crate) remainders: Vec<Option<Vec<f64>>>,
@@ -75,7 +71,7 @@ impl Level {
         let truncations: Vec<Truncation> =
             (0..n).map(|i| Truncation::new(&found, problem, i, locals[i].as_ref(), negligible)).collect();
         let (errors, own_errors) = Propagation::new(&found, problem, &truncations).errors();
-        let Converged { support, mut modes, waves, .. } = found;
+        let Converged { support, mut modes, .. } = found;
         let mut apexes = vec![0.0; n];
         for (i, local) in locals.iter().enumerate() {
             let Some(local) = local else { continue };
@@ -88,7 +84,7 @@ impl Level {
         let swept = truncations.iter().map(|own| own.is_swept).collect();
         let tails = truncations.iter().map(|own| own.tail).collect();
         let remainders = truncations.into_iter().map(|own| own.remainder).collect();
-        Self { support, modes, apexes, counts, peaks, swept, errors, own_errors, tails, waves, remainders }
+        Self { support, modes, apexes, counts, peaks, swept, errors, own_errors, tails, remainders }
     }
 
     /// Where sweeps have not converged, nothing is known better than by how much half-lengths differ from those of fewer modes.
