@@ -31,14 +31,10 @@ use answer::{Answer, stats};
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
-use quality::levels::{Refined, Start, refine};
+use quality::levels::{LOOSER, Refined, Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
 use starts::order::{Attempt, solve_in_order};
-
-/// Tolerances looser by these factors are tried where errors are larger still, but not beyond what is worth it.
-const LOOSER: [f64; 2] = [10.0, 100.0];
-const WORTH_IT: f64 = 1e-3;
 
 /// Presses a punch with a force on a stack: the answer in the units of the scene. It may start from a table of solutions for
 /// this kernel.
@@ -96,9 +92,10 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
 fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
     let mut refined = refine(problem, start, work)?;
     // a tolerance too strict for double precision, or for memory, may end with larger errors than a looser one
-    for looser in LOOSER.map(|factor| factor * problem.tolerance.max(estimates::BEST)) {
+    for power in 1..=2 {
+        let looser = LOOSER.powi(power) * problem.tolerance.max(estimates::BEST);
         let worst = refined.level.worst_error();
-        if worst <= looser || worst > WORTH_IT {
+        if worst <= looser || worst > estimates::UNKNOWN {
             break;
         }
         let start = Start::Cold { half_lengths: refined.level.support.half_lengths.clone() };

@@ -15,14 +15,12 @@ use crate::contact::error::ContactError;
 use crate::contact::problem::modes::{COARSEST, FINEST};
 use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, UNFELT};
 use crate::numeric;
 use crate::solution::{Contact, Interface, Solution};
 
 /// The kernel is cut off where more waves would not make that change smaller by more than this factor; they cost time.
 const WORSE: f64 = 2.0;
-/// Waves with λh beyond this decay within a layer of thickness h: e^(−2·18.5) is below rounding.
-const DECAYED: f64 = 18.5;
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin {
@@ -90,7 +88,7 @@ impl Thin {
             let Some((from, error)) = beyond_modes(&thin.kernel, contact, *half_length, &half_lengths) else {
                 continue;
             };
-            thin.thinnest = thin.thinnest.min(DECAYED / (thin.kernel.far(contact).from * half_length));
+            thin.thinnest = thin.thinnest.min(UNFELT / (thin.kernel.far(contact).from * half_length));
             thin.kernel = thin.kernel.cut_off(contact, from);
             thin.error = thin.error.max(error);
             thin.contacts.push((contact, error));

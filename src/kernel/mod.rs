@@ -21,7 +21,7 @@ use panel::At;
 pub(crate) use panel::{Panel, Values};
 
 /// Beyond this λh the two faces of a layer do not interact: e^(−2·18.5) is below rounding.
-const UNFELT: f64 = 18.5;
+pub(crate) const UNFELT: f64 = 18.5;
 /// Panels double in width; more than 2^60 times the first is no stack that doubles can describe.
 const DOUBLINGS: u32 = 60;
 /// Most wavenumbers for each contact, so that the time is bounded for any layer: the hardest scenes known take less than half of

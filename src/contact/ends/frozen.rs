@@ -4,7 +4,7 @@
 //! Newton's steps moves the end of such a contact outwards as far as the one before, and less and less depends on it. Once
 //! that is nothing, the end stays where it is, and all other unknowns are found without it.
 use crate::contact::equations::condensed::{Linearised, Pressures};
-use crate::contact::problem::accuracy::ROUNDING;
+use crate::contact::problem::accuracy::{COARSE, ROUNDING};
 use crate::contact::problem::support::{Decay, End, Support};
 use crate::contact::problem::{Problem, Side};
 
@@ -13,8 +13,6 @@ use crate::contact::problem::{Problem, Side};
 const CONTRACTS: f64 = 0.95;
 /// The number of steps outwards, none much shorter than the one before, after which a contact is said to decay.
 const STEPS: usize = 2;
-/// More than this, relative, must not depend on a frozen end.
-const MOST_SENSITIVE: f64 = 1e-4;
 /// The sensitivity to an end goes through a minimum where modes resolve it no longer: there it rises by this factor.
 const RISES: f64 = 4.0;
 
@@ -72,8 +70,7 @@ impl Decaying {
             watch.outwards = if outwards { watch.outwards + 1 } else { 0 };
             let known = self.seen[i] || watch.outwards >= STEPS;
             let sensitivity = linearised.sensitivity(i, pressures);
-            let frozen = if known && leads_on && watch.least.0 <= MOST_SENSITIVE && sensitivity > RISES * watch.least.0
-            {
+            let frozen = if known && leads_on && watch.least.0 <= COARSE && sensitivity > RISES * watch.least.0 {
                 // the sensitivity is never less than it was there
                 *a = watch.least.1;
                 true

@@ -6,9 +6,9 @@ use crate::contact::equations::assemble::Equations;
 use crate::contact::equations::condensed::{Drift, Linearised, Pressures, solve};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
-use crate::contact::integrals::layout::{COARSE, Layout};
+use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::MINOR;
+use crate::contact::problem::accuracy::{COARSE, MINOR};
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -26,7 +26,6 @@ const FARTHEST: f64 = 4.0;
 pub(crate) const NEARBY: f64 = 1e-5;
 /// What a Newton step with few modes leaves when derivatives are kept from there on, and what is to be left in the end.
 const ROUGHLY: f64 = 2.5e-3;
-const ROUGH: f64 = 1e-4;
 /// A laminate that bends this much more easily than its contacts are squeezed couples their pressures strongly.
 const STRONG: f64 = 1e4;
 /// Sweeps, and steps with kept derivatives, that change this much of what the one before changed do not end.
@@ -103,8 +102,8 @@ impl<'a> Newton<'a> {
         // strongly coupled contacts are sensitive to small changes of derivatives, and their truncation error is judged by how
         // far these half-lengths are off
         let strongly = strongly_coupled(self.problem.kernel, &half_lengths).contains(&true);
-        let (step, enough) = if strongly { (NEARBY, 0.5 * linear(tolerance, counts)) } else { (ROUGHLY, ROUGH) };
-        let aim = Aim { negligible: COARSE, step, ends: MINOR * ROUGH };
+        let (step, enough) = if strongly { (NEARBY, 0.5 * linear(tolerance, counts)) } else { (ROUGHLY, COARSE) };
+        let aim = Aim { negligible: COARSE, step, ends: MINOR * COARSE };
         let Point { mut support, pressures, linearised, layout } = self.iterate(half_lengths, counts, counts, aim)?;
         // on with the same derivatives
         let Pressures { mut modes, mut step, .. } = pressures;

@@ -7,7 +7,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{MINOR, ROUNDING};
+use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING};
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
 use crate::contact::problem::profile::Slopes;
@@ -16,8 +16,6 @@ use crate::solution::Stopped;
 
 /// Sweeps have converged if they leave a pressure error of this many tolerances: the next level goes on.
 const PRESSURES: f64 = 10.0;
-/// What is taken for the error of modes for which sweeps diverge, on top of how they fall.
-const UNKNOWN: f64 = 1e-4;
 /// The last digits come from sweeps; this many at most.
 const SWEEPS: usize = 12;
 
@@ -308,13 +306,13 @@ impl<'a> Sweeps<'a> {
                 own.truncate(*solved);
             }
             for (left, step) in self.residuals.iter_mut().zip(&self.step) {
-                *left = Estimate::new(UNKNOWN.max(step * step), UNKNOWN);
+                *left = Estimate::new(COARSE.max(step * step), COARSE);
             }
         }
         // half-lengths may converge where high modes do not, for which the dominant part of a row is not its diagonal
         for (i, left) in self.residuals.iter_mut().enumerate().filter(|(_, left)| left.pressure > MINOR) {
             self.modes[i] = self.begin.1[i][..self.solved[i]].to_vec();
-            left.pressure = UNKNOWN;
+            left.pressure = COARSE;
         }
     }
 }

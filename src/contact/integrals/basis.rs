@@ -16,7 +16,7 @@ use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
 
 /// Nodes of a tail whose Bessel functions are made together.
-const TOGETHER: usize = 512;
+pub(crate) const TOGETHER: usize = 512;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(crate) struct Basis {

@@ -3,15 +3,11 @@
 //! Every matrix entry is an integral of a kernel times two Bessel functions, ∫ g(ζ) J_k(ζa) J_j(ζa') dζ/ζ. What is
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
-use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, Tail, Weights, turning};
+use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, MOST_WAVENUMBERS, Tail, Weights, turning};
 use crate::kernel::{Kernel, Panel, Values};
 use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::{LARGEST, rule};
 
-/// Most scenes need no more wavenumbers.
-const USUAL: usize = 256;
-/// No admissible scene was seen to need more wavenumbers.
-const MOST_WAVENUMBERS: usize = 16_000;
 /// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
 /// to ten digits need nearly as many; twice as many take twice the time before less exact answers are looked for.
 const MOST_ENTRIES: usize = 6_500_000;
@@ -27,9 +23,6 @@ const TAIL_PAYS: f64 = 100.0;
 pub(crate) fn negligible(tolerance: f64) -> f64 {
     (1e-3 * tolerance).min(1e-10)
 }
-
-/// The same for the first steps. Half or twice as much: their half-lengths are refined all the same.
-pub(crate) const COARSE: f64 = 1e-4;
 
 /// Gauss points for a wave of this phase times a kernel of which `digits` decimal digits matter.
 fn points(phase: f64, digits: f64) -> usize {
@@ -67,7 +60,6 @@ pub(crate) struct Own {
 
 /// Digits of integrands that matter.
 const FEWEST_DIGITS: f64 = 3.0;
-const MOST_DIGITS: f64 = 15.0;
 
 /// What a layout is built from.
 struct Plan<'a> {
@@ -234,12 +226,11 @@ impl Layout {
     /// Without wavenumbers; `tail_of` tells which of the tails is that of a contact.
     fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
         let n = kernel.contacts();
-        let own =
-            |i: usize| Own { unit: Weights::with_room(USUAL), reach: 0, limit: kernel.far(i).limit, tail: tail_of(i) };
+        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: tail_of(i) };
         Self {
-            zeta: Vec::with_capacity(USUAL),
+            zeta: Vec::new(),
             own: (0..n).map(own).collect(),
-            coupling: (1..n).map(|_| Weights::with_room(USUAL)).collect(),
+            coupling: (1..n).map(|_| Weights::default()).collect(),
             tails: Vec::new(),
         }
     }
@@ -291,7 +282,7 @@ impl Layout {
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
     fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
         let Some((frequency, size)) = plan.wanted(panel, from, to) else { return };
-        let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, MOST_DIGITS);
+        let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, f64::from(f64::DIGITS));
         let needed = points(frequency * (to - from), digits);
         let parts = needed.div_ceil(LARGEST).min(MOST_WAVENUMBERS / LARGEST + 1);
         if plan.span > 0.0 && parts > MOST_PARTS {

@@ -19,8 +19,9 @@ const TURNED_POINTS: usize = 32;
 const LAID_FOR: f64 = 1.2;
 /// Contacts that share a tail differ in length by this factor at most.
 pub(crate) const MOST_UNLIKE: f64 = 3.0;
-/// No admissible scene was seen to need more smooth nodes.
-const MOST_NODES: usize = 8_000;
+/// No admissible scene was seen to need more wavenumbers, nor more than half as many smooth nodes of tails. Twice as many: scenes whose
+/// contacts are thousands of thicknesses long take twice the time until they are solved to fewer digits.
+pub(crate) const MOST_WAVENUMBERS: usize = 16_000;
 /// Points of the polynomial that continues a kernel into the complex plane.
 const CONTINUED: usize = 28;
 
@@ -81,7 +82,7 @@ impl Tail {
             let apart = if reached < coupled { longest - shortest } else { 0.0 };
             let phase = apart * (panel.to - reached);
             let points = smooth_points(orders, from / reached) + (0.25 * phase + 3.0 * (0.5 * phase).cbrt()) as usize;
-            if tail.smooth.len() + points > MOST_NODES {
+            if tail.smooth.len() + points > MOST_WAVENUMBERS / 2 {
                 return None;
             }
             let parts = points.div_ceil(LARGEST);
@@ -143,6 +144,7 @@ impl Tail {
 
 /// Weights of one kernel at the rows of a contact: real wavenumbers, J and Y at the smooth nodes, and both parts of H on
 /// the turned path.
+#[derive(Default)]
 pub(crate) struct Weights {
     /// Of all real rows.
     pub(crate) plain: Vec<f64>,
@@ -151,11 +153,6 @@ pub(crate) struct Weights {
 }
 
 impl Weights {
-    /// None yet, with room for `rows` real rows.
-    pub(crate) fn with_room(rows: usize) -> Self {
-        Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
-    }
-
     /// Rows that they cover, the first of all.
     pub(crate) fn rows(&self) -> usize {
         self.plain.len() + 2 * self.turned.len()

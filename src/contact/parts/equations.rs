@@ -10,6 +10,7 @@ use std::ops::Range;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 
+use crate::contact::integrals::basis::TOGETHER;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Weights;
 use crate::contact::parts::interval::Interval;
@@ -21,9 +22,6 @@ use crate::numeric::quadrature::rule;
 /// Points of integrals over an interval, per pressure, and more.
 const PER_PRESSURE: usize = 3;
 const POINTS: usize = 48;
-
-/// Wavenumbers whose transforms and tests are kept at once.
-const AT_ONCE: usize = 4096;
 
 /// The equations of some intervals, in the order of contacts and outwards.
 pub(super) struct Equations<'a> {
@@ -171,10 +169,10 @@ impl Equations<'_> {
             .collect();
         let mut loads = vec![0.0; if n > 1 { rows(1) } else { 0 }];
         // no more than two contacts at once, and some wavenumbers: tables take much memory
-        for first in (0..self.layout.zeta.len()).step_by(AT_ONCE) {
+        for first in (0..self.layout.zeta.len()).step_by(8 * TOGETHER) {
             let mut above: Option<Waves> = None;
             for contact in 0..n {
-                let waves = self.waves(contact, first..self.layout.zeta.len().min(first + AT_ONCE));
+                let waves = self.waves(contact, first..self.layout.zeta.len().min(first + 8 * TOGETHER));
                 self.add_own(contact, first, &waves, &mut blocks[contact][0].1);
                 if contact == 1 && self.first() == 1 {
                     let given = self.given(first, waves.tests.nrows());
@@ -237,8 +235,8 @@ impl Equations<'_> {
         for (index, interval) in self.of(contact) {
             let tests = interval.tests(self.count).len();
             let mut remainders = Vec::with_capacity(zeta.len());
-            for start in (0..zeta.len()).step_by(AT_ONCE / 4) {
-                let some = start..zeta.len().min(start + (AT_ONCE / 4));
+            for start in (0..zeta.len()).step_by(TOGETHER) {
+                let some = start..zeta.len().min(start + TOGETHER);
                 let transforms = waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count);
                 let tested = waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests);
                 remainders.extend(interval.waves(&zeta[some.clone()], &beyond[some], transforms, tested));
@@ -377,8 +375,8 @@ impl Equations<'_> {
     /// Slopes of waves, weights included, what half-planes do left out.
     pub(super) fn response(&self, contact: usize, coefficients: &[Vec<f64>]) -> Vec<f64> {
         let mut response = vec![0.0; self.layout.own[contact].reach];
-        for first in (0..response.len()).step_by(AT_ONCE / 4) {
-            let nodes = first..response.len().min(first + (AT_ONCE / 4));
+        for first in (0..response.len()).step_by(TOGETHER) {
+            let nodes = first..response.len().min(first + TOGETHER);
             let field = |waves: &Waves, contact: usize, less_resultants: bool| -> Vec<f64> {
                 let all = self.of(contact).flat_map(|(index, _)| coefficients[index].iter().copied());
                 let mut sum = vec![0.0; waves.transforms.nrows()];

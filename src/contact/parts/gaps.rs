@@ -1,5 +1,5 @@
 //! No pressure may be tension, and no gap penetrated, between the parts of a contact and beyond them.
-use crate::contact::problem::accuracy::{PER_MODE, PLACES, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
@@ -7,9 +7,6 @@ use crate::contact::parts::equations::Equations;
 use crate::contact::parts::{Lengths, Level};
 use crate::contact::problem::Problem;
 use crate::numeric::quadrature::rule;
-
-/// What is below zero by less than this part of the largest value is zero.
-const ZERO: f64 = 1e-4;
 
 /// What the check found, per unit of P'.
 pub(super) struct Check {
@@ -43,7 +40,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             tensions[interval.contact] = -least / most;
         }
     }
-    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -ZERO * largest) {
+    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -COARSE * largest) {
         return None;
     }
     let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
@@ -69,7 +66,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             let others = before.gaps(interval.contact, &coarse.coefficients, from_before, to_before, PLACES);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(&others).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
-            if gaps.iter().any(|(_, gap)| *gap < -(ZERO * widest + SAFETY * known)) {
+            if gaps.iter().any(|(_, gap)| *gap < -(COARSE * widest + SAFETY * known)) {
                 return None;
             }
             min_gap = gaps.iter().fold(min_gap, |least, (_, gap)| least.min(*gap));

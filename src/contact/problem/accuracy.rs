@@ -13,6 +13,9 @@ pub(crate) const ZERO: f64 = 1e-7;
 pub(crate) const NO_GAP: f64 = 1e-5;
 /// Smaller parts of what is wanted, in half-lengths, steps or tolerances, are left to chance: what is done about them changes no digit.
 pub(crate) const MINOR: f64 = 0.01;
+/// Relative accuracy of a coarse solution. First steps leave this much of half-lengths and of kernels; errors, sensitivities and forces
+/// that are smaller do not decide whether an answer is accepted. Twice as much: nothing changes but rounding.
+pub(crate) const COARSE: f64 = 1e-4;
 /// Pressures are looked at in this many places per mode: the highest mode is seen at three places of each of its arches.
 pub(crate) const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places next to a contact, and as many farther out.

@@ -11,9 +11,7 @@ const PATIENCE: usize = 8;
 /// Operations at most, about: each step costs the cube of the number of elements.
 const WORK: f64 = 2e10;
 /// Pressures below this part of the largest are zero.
-const ROUNDING: f64 = 1e-9;
-/// And gaps below this part of the terms they are the sum of.
-const CANCELLED: f64 = 1e-11;
+const ROUNDING: f64 = 1e-10;
 
 /// The programme of one grid.
 pub(super) struct Programme<'a> {
@@ -130,7 +128,7 @@ impl<'a> Programme<'a> {
     fn penetrations(&self, i: usize, touching: &[bool], state: &State) -> impl Iterator<Item = usize> {
         let (gaps, terms) = (&state.gaps[i], &state.terms[i]);
         (0..gaps.len())
-            .filter(move |e| !touching[*e] && !self.is_inadmissible(i, *e) && gaps[*e] < -CANCELLED * terms[*e])
+            .filter(move |e| !touching[*e] && !self.is_inadmissible(i, *e) && gaps[*e] < -ROUNDING * terms[*e])
     }
 
     fn resultant(&self, pressure: &[f64]) -> f64 {

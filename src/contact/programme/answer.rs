@@ -3,7 +3,7 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::problem::accuracy::SAFETY;
+use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
@@ -17,8 +17,6 @@ use super::{Aim, Cycle, Cycles, FINE, First, UNRESOLVED, cycles};
 const LEAST_ERROR: f64 = 0.02;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
-/// Decaying contacts are given up to where this part of the force is left.
-const DECAYED: f64 = 1e-4;
 /// Forces are those given to this part.
 const RESULTANT: f64 = 1e-3;
 
@@ -128,7 +126,7 @@ impl Cycle {
         let outwards = self.forces[i].iter().enumerate().rev();
         let last = outwards.map(|(e, force)| (e, force.max(0.0))).find(|(_, force)| {
             left += force;
-            left > DECAYED
+            left > COARSE
         });
         last.map_or(0.0, |(e, _)| self.grid.element(e)[1])
     }

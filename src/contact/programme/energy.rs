@@ -18,10 +18,9 @@ use crate::contact::programme::grid::Grid;
 use crate::numeric::bessel;
 use crate::numeric::quadrature::rule;
 
-/// Nodes per octave of wavenumbers, and some more the shorter elements are against their distance from the middle.
-const PER_OCTAVE: f64 = 24.0;
+/// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for eight more. Twice as many
+/// change nothing.
 const PER_FINENESS: f64 = 3.0;
-const MOST_PER_OCTAVE: usize = 256;
 /// Wavenumbers begin here, times the length of the grid.
 const LONGEST_WAVE: f64 = 0.05;
 /// And end here, divided by the length of the shortest element.
@@ -190,7 +189,7 @@ impl Waves {
         Self {
             first: LONGEST_WAVE / grid.edges()[widths.len()],
             last: SHORTEST_WAVE / shortest,
-            nodes: ((PER_OCTAVE + PER_FINENESS * fineness) as usize).min(MOST_PER_OCTAVE),
+            nodes: (PER_FINENESS * (8.0 + fineness.min(80.0))) as usize,
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! The equations for the half-lengths have other roots besides the physical one; the contact problem itself, a quadratic
 //! programme, has one solution only, and these two signs tell it.
-use crate::contact::problem::accuracy::{NO_GAP, PER_MODE, PLACES, SAFETY, ZERO};
+use crate::contact::problem::accuracy::{COARSE, NO_GAP, PER_MODE, PLACES, SAFETY, ZERO};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::equations::assemble::Equations;
@@ -10,17 +10,13 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{FIELDS, Layout};
 use crate::contact::problem::Problem;
-use crate::contact::problem::modes::{alternating, coefficients, order};
+use crate::contact::problem::modes::{COARSEST, FINEST, alternating, coefficients, order};
 use crate::contact::problem::profile::Profile;
 use crate::contact::quality::estimates::Level;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::{LANES, vectorised};
-
-/// Gaps are sums over this number of modes: higher ones change the gap next to the end of the contact only, where the pressures are
-/// checked.
-const GAP_MODES: [usize; 3] = [128, 48, 16];
 
 /// A pressure may be wrong anywhere by this many times the part that its highest modes have in it.
 const UNRESOLVED: f64 = 10.0;
@@ -30,9 +26,6 @@ const MOST_UNCERTAIN: f64 = 1e-3;
 /// More modes do not change a tension of more than this part of the largest pressure. Twice as much: non-physical roots are
 /// refined for longer; half as much: admissible ones may be given up, and are found again from the quadratic programme.
 const GROSS: f64 = 0.05;
-
-/// Moments that are smaller, against force times half-length, are next to nothing.
-const LEAST_MOMENT: f64 = 1e-4;
 
 /// What the check found, in units of the kernel per unit of P'.
 pub(crate) struct Check {
@@ -92,7 +85,7 @@ pub(crate) fn check(problem: &Problem, level: &Level) -> Result<Check, ContactEr
         let allowed = NO_GAP.max(UNRESOLVED * level.worst_error());
         if let Some((first, _)) = gaps.iter().find(|(_, gap)| *gap < -allowed * largest) {
             match recontact(problem.kernel, i, &level.support.half_lengths, &gaps, allowed * largest) {
-                Some(recontact) if recontact.moment <= LEAST_MOMENT => check.recontacts.push(recontact),
+                Some(recontact) if recontact.moment <= COARSE => check.recontacts.push(recontact),
                 _ => {
                     let x = first * problem.kernel.length();
                     return Err(NoSolution::Penetration { interface: problem.interfaces[i], x }.into());
@@ -269,7 +262,8 @@ fn gaps(problem: &Problem, level: &Level) -> Result<Vec<Vec<(f64, f64)>>, Contac
         level.modes.iter().map(own).collect()
     };
     // fewer where contacts are of such different lengths that tables would not fit in memory
-    let found = GAP_MODES.into_iter().find_map(|most| {
+    let most = std::iter::successors(Some(FINEST / 4), |most| Some(most / 2)).take_while(|most| *most >= COARSEST);
+    let found = most.into_iter().find_map(|most| {
         let modes = truncated(most);
         transforms(problem, level, &modes).map(|waves| (modes, waves))
     });

@@ -4,6 +4,7 @@ use crate::contact::ends::newton::{Newton, Work};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
 use crate::contact::quality::admissible;
 use crate::contact::quality::estimates::{BEST, Level, UNCONVERGED};
@@ -21,10 +22,8 @@ const FINER: usize = 8;
 const GRADED: usize = 40;
 /// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
-/// Half of them will do for tolerances from here on.
-const FEW_DIGITS: f64 = 1e-5;
 /// Where the node budget is exceeded, this many times more counts as negligible, until [`negligible`] allows no more.
-const LOOSER: f64 = 30.0;
+pub(crate) const LOOSER: f64 = 10.0;
 
 /// What is known to begin with.
 pub(crate) enum Start {
@@ -173,12 +172,12 @@ impl<'a> Levels<'a> {
 
     /// A level of few digits, where the first level cannot be solved.
     fn few_digits(&mut self, half_lengths: Vec<f64>) -> Result<Refined, ContactError> {
-        self.modes = self.coarse.iter().map(|solved| with_more(*solved, FEW_DIGITS)).collect();
+        self.modes = self.coarse.iter().map(|solved| with_more(*solved, COARSE)).collect();
         one_where_known(self.problem, &mut self.modes);
-        let found = self.newton.converge(half_lengths, &self.coarse, &self.coarse, &self.modes, FEW_DIGITS)?;
+        let found = self.newton.converge(half_lengths, &self.coarse, &self.coarse, &self.modes, COARSE)?;
         let fewer: Vec<usize> = self.coarse.iter().map(|modes| modes.div_ceil(2)).collect();
-        let (coarse, _) = self.newton.coarse(found.support.half_lengths.clone(), &fewer, FEW_DIGITS)?;
-        let mut level = Level::new(found, self.problem, negligible(FEW_DIGITS));
+        let (coarse, _) = self.newton.coarse(found.support.half_lengths.clone(), &fewer, COARSE)?;
+        let mut level = Level::new(found, self.problem, negligible(COARSE));
         level.doubt(&coarse);
         Ok(self.refined(level))
     }
@@ -229,7 +228,7 @@ fn one_where_known(problem: &Problem, counts: &mut [usize]) {
 
 /// Modes that are solved for, and those that sweeps add.
 fn with_more(solved: usize, tolerance: f64) -> usize {
-    let least = if tolerance < FEW_DIGITS { MORE } else { MORE / 2 };
+    let least = if tolerance < COARSE { MORE } else { MORE / 2 };
     solved + (solved / 2).max(least)
 }
 

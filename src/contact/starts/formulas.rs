@@ -1,5 +1,6 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
 use crate::contact::error::ContactError;
+use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::profile::Profile;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
@@ -14,9 +15,6 @@ const ON_SOFT_BASE: f64 = 2.804;
 const BETWEEN: f64 = 3.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
 pub(crate) const TYPICAL: f64 = 1.2;
-
-/// How near, in the logarithm, to the edge of the punch they may be.
-const AT_EDGE: f64 = 1e-4;
 
 /// The force P' at which the contact under a punch, the uppermost one, is expected to have a half-length (in units of L), for
 /// an indentation by P' = 1.
@@ -71,7 +69,7 @@ fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> 
     // the logarithm of the force is nearly linear in that of the half-length
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
-    while high - low > AT_EDGE {
+    while high - low > COARSE {
         let missing = match force(kernel, profile, x.exp()) {
             // where a profile falls, the force on a contact may be negative: far too little
             force if force <= 0.0 => f64::INFINITY,
@@ -89,7 +87,7 @@ fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> 
         last = missing.is_finite().then_some((x, missing));
         let next = x + missing / slope;
         let inside = low < next && next < high;
-        let found = inside && (next - x).abs() < AT_EDGE;
+        let found = inside && (next - x).abs() < COARSE;
         x = if inside { next } else { 0.5 * (low + high) };
         if found {
             break;

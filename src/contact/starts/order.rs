@@ -7,6 +7,7 @@
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::parts;
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::COARSE;
 use crate::contact::programme::{self, ActiveIntervals};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::contact::quality::levels::Start;
@@ -14,9 +15,6 @@ use crate::contact::starts::formulas;
 use crate::numeric::largest;
 use crate::solution::{Interface, Solution};
 
-/// An answer with larger relative errors of half-lengths is accepted only where the quadratic programme confirms it, or where
-/// there is none better.
-const DOUBTFUL: f64 = 1e-4;
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
 /// An interval off the middle counts as a contact with a gap about x = 0 if it ends this many times farther out than it begins.
@@ -130,7 +128,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         let errors = contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
         let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
         let knows_all = self.knows_all(&attempt);
-        if knows_all && (attempt.solution.warnings.is_empty() || worst <= DOUBTFUL) {
+        if knows_all && (attempt.solution.warnings.is_empty() || worst <= COARSE) {
             return Ok(Outcome::Solved(Box::new(attempt.solution)));
         }
         let half_lengths = contacts.iter().map(|contact| contact.half_length).collect();

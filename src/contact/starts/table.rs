@@ -3,6 +3,7 @@
 //! Under a parabola x²/2R all half-lengths depend on R P alone. So a stack has one curve per contact, known at the points of
 //! a table in ln RP, each of which is found when it is first needed: from formulas, like any answer, so that no number
 //! depends on which loads came before, or on who found it.
+use crate::contact::problem::accuracy::MINOR;
 use std::sync::OnceLock;
 
 use crate::contact::ends::newton::{Work, strongly_coupled};
@@ -21,8 +22,6 @@ const COUNT: usize = 480;
 const LOWEST: f64 = -0.5 * APART * COUNT as f64;
 /// Points that an interpolation takes.
 const POINTS: usize = 10;
-/// A punch that is not quite a parabola differs from one by less than this part in what presses.
-const ALIKE: f64 = 0.02;
 
 /// The answers of one stack under parabolas.
 #[derive(Debug)]
@@ -82,7 +81,7 @@ impl Table {
         let mut place = self.place(kernel, flat)?;
         for _ in 0..if punch.is_parabola() { 0 } else { 2 } {
             let load = punch.as_parabola(place.half_length(i))?;
-            if !load.is_finite() || (load / flat - 1.0).abs() >= ALIKE {
+            if !load.is_finite() || (load / flat - 1.0).abs() >= MINOR {
                 return None;
             }
             place = self.place(kernel, load)?;
