@@ -19,7 +19,7 @@ const LONGEST_STEP: f64 = 0.5;
 /// A layout serves half-lengths that differ by this much, in the logarithm.
 const LAYOUT_SERVES: f64 = 0.1;
 /// Steps at most: Newton's method doubles its digits with each.
-pub(crate) const STEPS: usize = 40;
+const STEPS: usize = 40;
 /// Farther from the start, in the logarithm of a half-length, Newton's method is taken to diverge.
 const FARTHEST: f64 = 4.0;
 /// Iterated Galerkin sweeps begin when what is left of a Newton step is below this.

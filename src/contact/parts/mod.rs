@@ -6,12 +6,11 @@ mod equations;
 mod gaps;
 mod interval;
 
-use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
+use crate::contact::problem::accuracy::{PATIENCE, ROUNDING, SAFETY};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::ends::newton::STEPS;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
 use crate::contact::programme::ActiveIntervals;
@@ -253,11 +252,11 @@ fn converge(
     let mut layout: Option<(Layout, Vec<f64>)> = None;
     let mut kept: Option<Mat<f64>> = None;
     let mut pressures: Option<Vec<f64>> = None;
-    let mut last = f64::INFINITY;
+    let (mut last, mut shortest_step, mut patience) = (f64::INFINITY, f64::INFINITY, PATIENCE);
     let mut limit = LONGEST_STEP;
     let mut moved_by: Vec<f64> = Vec::new();
     work.steps.push(0);
-    for _ in 0..STEPS {
+    while patience > 0 {
         let Lengths { ends: reach, shortest } = Lengths::of(problem, &intervals);
         let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
@@ -285,6 +284,8 @@ fn converge(
         };
         let (change, step) = newton_step(&here.matrix, &derivatives, &residuals)?;
         let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
+        patience = if longest < shortest_step { PATIENCE } else { patience - 1 };
+        shortest_step = shortest_step.min(longest);
         let shorten = if way.together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
         own.iter_mut().zip(&change).for_each(|(own, change)| *own += shorten * change);
         if longest < ROUNDING || last < SHORT && longest > 0.5 * last {

@@ -16,6 +16,9 @@ pub(crate) const MINOR: f64 = 0.01;
 /// Relative accuracy of a coarse solution. First steps leave this much of half-lengths and of kernels; errors, sensitivities and forces
 /// that are smaller do not decide whether an answer is accepted. Twice as much: nothing changes but rounding.
 pub(crate) const COARSE: f64 = 1e-4;
+/// Steps without progress after which an iteration is given up: a step shorter than all before, or fewer violated inequalities. Of those
+/// that converge none was seen to need more than nine. Twice as many: scenes that are not solved take twice the time.
+pub(crate) const PATIENCE: usize = 10;
 /// Pressures are looked at in this many places per mode: the highest mode is seen at three places of each of its arches.
 pub(crate) const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places next to a contact, and as many farther out.

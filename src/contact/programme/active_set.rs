@@ -3,11 +3,10 @@
 //! Exchanging all elements at once that violate one or the other ends after a few steps as a rule. Where that goes round
 //! in circles, elements are let touch one by one, and freed again as soon as they would be in tension, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
+use crate::contact::problem::accuracy::PATIENCE;
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 
-/// Steps without fewer violations that are allowed.
-const PATIENCE: usize = 8;
 /// Operations at most, about: each step costs the cube of the number of elements.
 const WORK: f64 = 2e10;
 /// Pressures below this part of the largest are zero.
