@@ -31,7 +31,7 @@ use answer::{Answer, stats};
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
-use quality::levels::{LOOSER, Refined, Start, refine};
+use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
 use starts::order::{Attempt, solve_in_order};
@@ -90,23 +90,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
 
 /// Newton's method over refinement levels, the sign check, and the answer.
 fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
-    let mut refined = refine(problem, start, work)?;
-    // a tolerance too strict for double precision, or for memory, may end with larger errors than a looser one
-    for power in 1..=2 {
-        let looser = LOOSER.powi(power) * problem.tolerance.max(estimates::BEST);
-        let worst = refined.level.worst_error();
-        if worst <= looser || worst > estimates::UNKNOWN {
-            break;
-        }
-        let start = Start::Cold { half_lengths: refined.level.support.half_lengths.clone() };
-        match refine(&problem.to(looser), start, work) {
-            Ok(other) if other.level.worst_error() < worst => {
-                let not_met = (other.level.worst_error() > problem.tolerance).then_some(other.modes);
-                refined = Refined { not_met, ..other };
-            }
-            _ => {}
-        }
-    }
+    let refined = refine(problem, start, work)?;
     // a half-length that no pressure is sensitive to need not be known
     let is_unknown = |error: &Estimate| {
         error.worst().is_nan() || error.length > estimates::UNKNOWN && error.pressure > estimates::UNKNOWN

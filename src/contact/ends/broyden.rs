@@ -2,7 +2,7 @@
 //!
 //! In the form that needs nothing but the steps: C. T. Kelley, Iterative Methods for Linear and Nonlinear Equations, 1995,
 //! section 7.3.
-use crate::contact::ends::newton::SLOW;
+use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::modes::Modes;
 use crate::numeric::dot;
 

@@ -8,7 +8,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR};
+use crate::contact::problem::accuracy::{COARSE, MINOR, SLOW};
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -28,8 +28,6 @@ pub(crate) const NEARBY: f64 = 1e-5;
 const ROUGHLY: f64 = 2.5e-3;
 /// A laminate that bends this much more easily than its contacts are squeezed couples their pressures strongly.
 const STRONG: f64 = 1e4;
-/// Sweeps, and steps with kept derivatives, that change this much of what the one before changed do not end.
-pub(crate) const SLOW: f64 = 0.5;
 
 /// What Newton's method has done, all attempts together.
 #[derive(Clone, Default)]

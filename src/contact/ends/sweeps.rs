@@ -1,13 +1,13 @@
 //! Iterated Galerkin sweeps (Sloan 1976): more modes than are solved for, and the last digits of half-lengths and pressures.
 use crate::contact::ends::Converged;
-use crate::contact::ends::newton::{Aim, NEARBY, Newton, Point, SLOW, Work, linear, strongly_coupled};
+use crate::contact::ends::newton::{Aim, NEARBY, Newton, Point, Work, linear, strongly_coupled};
 use crate::contact::equations::assemble::Equations;
 use crate::contact::equations::condensed::{Drift, Linearised, Sweep};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING};
+use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING, SLOW};
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
 use crate::contact::problem::profile::Slopes;

@@ -16,6 +16,8 @@ pub(crate) const MINOR: f64 = 0.01;
 /// Relative accuracy of a coarse solution. First steps leave this much of half-lengths and of kernels; errors, sensitivities and forces
 /// that are smaller do not decide whether an answer is accepted. Twice as much: nothing changes but rounding.
 pub(crate) const COARSE: f64 = 1e-4;
+/// Sweeps, and steps with kept derivatives, that change this much of what the one before changed do not end.
+pub(crate) const SLOW: f64 = 0.5;
 /// Steps without progress after which an iteration is given up: a step shorter than all before, or fewer violated inequalities. Of those
 /// that converge none was seen to need more than nine. Twice as many: scenes that are not solved take twice the time.
 pub(crate) const PATIENCE: usize = 10;

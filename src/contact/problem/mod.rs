@@ -61,11 +61,6 @@ impl<'a> Problem<'a> {
         Self { kernel, interfaces, sides, punch, force, tolerance }
     }
 
-    /// The same problem with another tolerance.
-    pub(crate) fn to(&self, tolerance: f64) -> Self {
-        self.on(self.kernel, self.interfaces, tolerance)
-    }
-
     /// The same punch and force on another kernel in the same units, with another tolerance.
     pub(crate) fn on<'b>(&self, kernel: &'b Kernel, interfaces: &'b [Interface], tolerance: f64) -> Problem<'b>
     where

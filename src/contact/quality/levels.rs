@@ -22,8 +22,6 @@ const FINER: usize = 8;
 const GRADED: usize = 40;
 /// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
-/// Where the node budget is exceeded, this many times more counts as negligible, until [`negligible`] allows no more.
-pub(crate) const LOOSER: f64 = 10.0;
 
 /// What is known to begin with.
 pub(crate) enum Start {
@@ -38,9 +36,7 @@ pub(crate) enum Start {
 /// The best level that was reached.
 pub(crate) struct Refined {
     pub(crate) level: Level,
-    /// The largest number of modes.
-    pub(crate) modes: usize,
-    /// That number, if the tolerance is not met.
+    /// The largest number of modes, if the tolerance is not met.
     pub(crate) not_met: Option<usize>,
 }
 
@@ -63,6 +59,8 @@ struct Levels<'a> {
     /// Modes solved for, and all.
     solved: Vec<usize>,
     modes: Vec<usize>,
+    /// Both numbers on the level before.
+    before: (Vec<usize>, Vec<usize>),
     /// Next to a graded face modes fall like a power.
     graded: Vec<bool>,
 }
@@ -81,7 +79,8 @@ impl<'a> Levels<'a> {
         let graded = (0..n).map(|i| !problem.kernel.far(i).is_constant()).collect();
         let tolerance = problem.tolerance.max(BEST);
         let newton = Newton::new(problem, work);
-        Self { newton, problem, tolerance, finest, coarse, modes: solved.clone(), solved, graded }
+        let before = (coarse.clone(), coarse.clone());
+        Self { newton, problem, tolerance, finest, coarse, modes: solved.clone(), solved, before, graded }
     }
 
     fn run(&mut self, start: Start) -> Result<Refined, ContactError> {
@@ -99,19 +98,23 @@ impl<'a> Levels<'a> {
         };
         self.first(&rough);
         let mut fewer = self.coarse.clone();
-        let mut before: Option<Level> = None;
+        let mut best: Option<Level> = None;
         loop {
-            let (found, allowed) = self.converge(&half_lengths, &fewer);
+            let found = self.converge(&half_lengths, &fewer);
             let fully_solved = found.as_ref().is_ok_and(|found| found.fully_solved.contains(&true));
-            let level = match (found, before.take()) {
-                (Ok(found), _) => {
-                    let mut level = Level::new(found, self.problem, negligible(allowed));
+            let level = match found {
+                Ok(found) => {
+                    let mut level = Level::new(found, self.problem, negligible(self.tolerance));
                     level.doubt(&half_lengths);
                     level
                 }
-                // the node budget, or rounding, leaves the level before, or one of few digits
-                (Err(_), Some(level)) => return Ok(self.refined(level)),
-                (Err(_), None) => return self.few_digits(half_lengths),
+                // fewer modes more may be within the node budget
+                Err(_) if self.newton.budget_exceeded && self.grow_less() => continue,
+                // the node budget, or rounding, leaves the best level, or one of few digits
+                Err(_) => match best {
+                    Some(best) => return Ok(self.refined(best)),
+                    None => return self.few_digits(half_lengths),
+                },
             };
             if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > UNCONVERGED) {
                 return Err(self.problem.not_converged(&level.support.half_lengths));
@@ -124,12 +127,19 @@ impl<'a> Levels<'a> {
             } else if is_guess {
                 admissible::check_gross_tension(self.problem, &level)?;
             }
-            if !self.grow(&level) {
-                return Ok(self.refined(level));
-            }
+            self.before = (self.solved.clone(), self.modes.clone());
+            let may_grow = self.grow(&level);
             fewer = level.counts.clone();
             half_lengths = level.support.half_lengths.clone();
-            before = Some(level);
+            // where rounding prevails, more modes make errors larger
+            let level = match best.take() {
+                Some(best) if best.worst_error() <= level.worst_error() => best,
+                _ => level,
+            };
+            if !may_grow {
+                return Ok(self.refined(level));
+            }
+            best = Some(level);
         }
     }
 
@@ -151,23 +161,28 @@ impl<'a> Levels<'a> {
         self.match_singular();
     }
 
-    /// Solves on one level, with fewer wavenumbers where there would be too many: these will do for more modes rather than none.
-    /// Also the tolerance that the wavenumbers are for.
-    fn converge(&mut self, half_lengths: &[f64], fewer: &[usize]) -> (Result<Converged, ContactError>, f64) {
-        let mut allowed = self.tolerance;
-        loop {
-            self.newton.budget_exceeded = false;
-            let found = self.newton.converge(half_lengths.to_vec(), fewer, &self.solved, &self.modes, allowed);
-            self.newton.work.stopped.push(match &found {
-                Ok(found) => found.stopped,
-                Err(_) if self.newton.budget_exceeded => Stopped::Budget,
-                Err(_) => Stopped::Diverged,
-            });
-            if found.is_ok() || !self.newton.budget_exceeded || negligible(LOOSER * allowed) <= negligible(allowed) {
-                return (found, allowed);
-            }
-            allowed *= LOOSER;
+    /// Solves on one level.
+    fn converge(&mut self, half_lengths: &[f64], fewer: &[usize]) -> Result<Converged, ContactError> {
+        self.newton.budget_exceeded = false;
+        let found = self.newton.converge(half_lengths.to_vec(), fewer, &self.solved, &self.modes, self.tolerance);
+        self.newton.work.stopped.push(match &found {
+            Ok(found) => found.stopped,
+            Err(_) if self.newton.budget_exceeded => Stopped::Budget,
+            Err(_) => Stopped::Diverged,
+        });
+        found
+    }
+
+    /// Half as many modes more than on the level before; whether a quarter is left for some contact.
+    fn grow_less(&mut self) -> bool {
+        let counts = [&mut self.solved, &mut self.modes].into_iter().zip([&self.before.0, &self.before.1]);
+        let mut any = false;
+        for (count, before) in counts.flat_map(|(counts, before)| counts.iter_mut().zip(before)) {
+            let less = before + (count.saturating_sub(*before) / 2).next_multiple_of(4);
+            any |= less < *count && 4 * less >= 5 * before;
+            *count = less.min(*count);
         }
+        any
     }
 
     /// A level of few digits, where the first level cannot be solved.
@@ -217,7 +232,7 @@ impl<'a> Levels<'a> {
     fn refined(&self, level: Level) -> Refined {
         let modes = self.modes.iter().max().copied().unwrap_or(0);
         let not_met = (level.worst_error() > self.tolerance).then_some(modes);
-        Refined { level, modes, not_met }
+        Refined { level, not_met }
     }
 }
 
