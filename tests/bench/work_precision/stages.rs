@@ -37,11 +37,7 @@ pub fn table(text: &mut String) {
         let (more, _) = time(|| for_many.press(&scene.punch, force()).expect("a solution"));
         line(format!("| the same, one more of many loads | {} |", seconds(more)));
         let least = bare_minimum(model.stack(), &solution);
-        line(format!(
-            "| the same, cold, over the bare minimum ({}); target 3 | {:.1} |",
-            seconds(least),
-            cold / least
-        ));
+        line(format!("| the same, cold, over the bare minimum ({}); target 3 | {:.1} |", seconds(least), cold / least));
     }
     let layered = |count: usize, difference: f64| {
         let punch = Punch::cylinder(500.0).expect("a punch");
