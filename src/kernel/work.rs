@@ -18,8 +18,8 @@ impl Work {
     /// Counts the layers of one chain at one wavenumber, of `layers` in all.
     pub(super) fn add(&mut self, taken: Taken, layers: usize) {
         self.layers += taken.evaluated;
-        self.repeated += taken.reached - taken.evaluated;
-        self.below_decay_depth += layers - taken.reached;
+        self.repeated += taken.cut_off - taken.evaluated;
+        self.below_decay_depth += layers - taken.cut_off;
     }
 
     /// The counts of two evaluations together.

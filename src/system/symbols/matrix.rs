@@ -92,12 +92,12 @@ impl Deref for Blocks {
 
 impl FromIterator<Block> for Blocks {
     fn from_iter<I: IntoIterator<Item = Block>>(blocks: I) -> Self {
-        let mut own = Self::default();
-        for (place, block) in own.list.iter_mut().zip(blocks) {
+        let mut collected = Self::default();
+        for (place, block) in collected.list.iter_mut().zip(blocks) {
             *place = block;
-            own.count += 1;
+            collected.count += 1;
         }
-        own
+        collected
     }
 }
 
