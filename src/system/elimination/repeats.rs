@@ -1,7 +1,7 @@
 //! Sequences of layers that are repeated: where a wave is long, many repetitions are one body.
 //!
-//! From the bottom of a sequence to its top the state changes by x ↦ P x + p, p what comes of equal loads. Twice the
-//! sequence is P² and P p + p, so that 2^k of them take k products. A body of 2m sequences has the state in its middle for
+//! From the bottom of a sequence to its top the state changes by x ↦ P x + p, with p due to equal loads. The transfer through two
+//! sequences is P² and P p + p, so that 2^k of them take k products. A body of 2m sequences has the state in its middle for
 //! amplitudes, like a thin layer: P^m above it and P^(−m) below. By reciprocity P^(−1) has the entries of P, some with the
 //! other sign: nothing is inverted, and entries small like powers of λh keep all their digits.
 use std::collections::HashMap;
