@@ -83,7 +83,7 @@ mod system;
 
 pub use contact::{ContactError, NoSolution};
 pub use errors::Error;
-pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Spot};
+pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Point};
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
 /// The crate of the layers: for user-defined layer types, and the laws that they have to obey.

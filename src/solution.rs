@@ -199,7 +199,7 @@ impl Contact {
 /// let model = Model::new(stack.layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
 /// let stats = model.press(&Punch::cylinder(500.0)?, 0.002)?.stats().clone();
 /// assert_eq!((stats.dropped, stats.merged), (0, 1));
-/// assert_eq!(stats.layers + stats.unfelt, stats.wavenumbers);
+/// assert_eq!(stats.layers + stats.below_decay_depth, stats.wavenumbers);
 /// # Ok::<(), recede::Error>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -215,7 +215,7 @@ pub struct Stats {
     /// Layers that would have been evaluated, were they not in sequences that repeat others.
     pub repeated: usize,
     /// Layers that would have been evaluated, had they not been too deep for the wave to be felt.
-    pub unfelt: usize,
+    pub below_decay_depth: usize,
     /// Values of couplings between neighbouring contacts that vanish and were left out, all wavenumbers together.
     pub uncoupled: usize,
     /// Wavenumbers of the integrals of the contact equations, at which kernels were taken from values known before rather

@@ -1,6 +1,6 @@
 //! Layers much thinner than the contacts on them: pressures vary near their ends on the scale of the layer, and the
 //! tolerance is met all the same.
-use recede::{Model, Options, Scene, Solution, Spot, Stack};
+use recede::{Model, Options, Point, Scene, Solution, Stack};
 
 /// A coating of a thousandth of the strip's thickness, and layers of a fiftieth in which the modulus changes by factors
 /// of 1.8 to e^30.
@@ -54,12 +54,12 @@ fn a_long_contact_far_below_takes_no_waves_from_a_short_one() {
         let scene = Scene::from_ron(&text).unwrap();
         let model = Model::new(Stack::from_items(scene.plane, &scene.stack).unwrap()).unwrap();
         let solution = model.press(&scene.punch, 7e-5).unwrap();
-        let spots = [(0.0, 0.0), (0.03, 0.0), (0.07, 0.0), (0.2, 0.0), (0.05, 0.01), (0.0, 0.03)];
-        let spots = spots.map(|(x, depth)| Spot { x, depth, layer: Some(1) });
-        let far = Spot { x: 2000.0, depth: 0.0, layer: None };
+        let points = [(0.0, 0.0), (0.03, 0.0), (0.07, 0.0), (0.2, 0.0), (0.05, 0.01), (0.0, 0.03)];
+        let points = points.map(|(x, depth)| Point { x, depth, layer: Some(1) });
+        let far = Point { x: 2000.0, depth: 0.0, layer: None };
         let field = model.field(&solution).unwrap();
-        let alone = field.points(&spots).unwrap();
-        let together = field.points(&[&spots[..], &[far]].concat()).unwrap();
+        let alone = field.points(&points).unwrap();
+        let together = field.points(&[&points[..], &[far]].concat()).unwrap();
         let peak = solution.contacts()[0].peak_pressure;
         for (one, other) in alone.iter().zip(&together) {
             assert!((one.sigma_xx - other.sigma_xx).abs() < 1e-7 * peak, "{one:?} {other:?}");
@@ -94,9 +94,9 @@ fn the_errors_of_stresses_are_estimated() {
         let mean = 0.5 * 0.002 / best.contacts()[0].half_length;
         let fields = [&best, &rough].map(|solution| model.field(solution).unwrap());
         for (x, depth) in [(0.0, 0.0), (0.1, 0.0), (0.3, 0.0), (0.1, 0.01), (0.2, 0.5), (1.2, 0.3), (0.4, 1.3)] {
-            let spot = Spot { x, depth, layer: None };
+            let point = Point { x, depth, layer: None };
             let [found, other] = [&fields[0], &fields[1]].map(|field| field.at(x, depth).unwrap());
-            let [error, coarse] = [&fields[0], &fields[1]].map(|field| field.stress_error(&spot).unwrap());
+            let [error, coarse] = [&fields[0], &fields[1]].map(|field| field.stress_error(&point).unwrap());
             assert!(error > 0.0 && error <= largest * mean, "{load} at {x}, {depth}: {error:e}, mean {mean:e}");
             if depth == 0.0 {
                 let missing = (found.sigma_yy + best.contacts()[0].pressure(x)).abs().max(found.sigma_xy.abs());

@@ -13,6 +13,8 @@ use std::process::{Command, Stdio};
 
 #[path = "docs/library.rs"]
 mod library;
+#[path = "docs/messages.rs"]
+mod messages;
 #[path = "docs/references.rs"]
 mod references;
 

@@ -2,7 +2,7 @@
 //!
 //! Tolerances are parts of the peak pressure: 1e-8 inside, 1e-6 on the faces.
 use recede::{EngineeringConstants, FieldPoint, Layer, Orthotropic, OrthotropicHalfPlane};
-use recede::{Exponential, Field, HalfPlane, Homogeneous, Model, Plane, Punch, Scene, Solution, Spot, Stack};
+use recede::{Exponential, Field, HalfPlane, Homogeneous, Model, Plane, Point, Punch, Scene, Solution, Stack};
 
 const INSIDE: f64 = 1e-8;
 const ON_FACE: f64 = 1e-6;
@@ -246,11 +246,12 @@ fn fields_are_in_equilibrium_and_obey_hooke() {
             for part in [0.03, 0.4, 0.93] {
                 for x in [0.15, 0.8, 3.0] {
                     let depth = from + part * (to - from);
-                    let spot = |x, depth| Spot { x, depth, layer: Some(number) };
+                    let point = |x, depth| Point { x, depth, layer: Some(number) };
                     let steps = [-2.0, -1.0, 1.0, 2.0].map(|k| k * step);
-                    let beside = steps.map(|step| spot(x + step, depth));
-                    let below = steps.map(|step| spot(x, depth + step));
-                    let points = case.field.points(&[&beside[..], &below, &[spot(x, depth)]].concat()).expect("inside");
+                    let beside = steps.map(|step| point(x + step, depth));
+                    let below = steps.map(|step| point(x, depth + step));
+                    let points =
+                        case.field.points(&[&beside[..], &below, &[point(x, depth)]].concat()).expect("inside");
                     let (along, across) = (slope(&points[..4], step), slope(&points[4..8], step));
                     let what = format!("{}, layer {number}, depth {depth}, x = {x}", case.name);
                     // y points upwards, depth downwards
@@ -348,7 +349,7 @@ fn places_that_are_not_there_are_refused() {
     for (x, depth, layer) in
         [(0.0, 1.1, None), (0.0, -0.1, None), (f64::NAN, 0.5, None), (0.0, 0.5, Some(2)), (0.0, 1.0, Some(0))]
     {
-        let error = field.points(&[Spot { x, depth, layer }]).expect_err("nothing there");
+        let error = field.points(&[Point { x, depth, layer }]).expect_err("nothing there");
         assert!(error.is_input() && error.to_string().contains("layer 1 from 0.0 to 1.0"), "{error}");
     }
 }

@@ -226,11 +226,14 @@ fn what_was_skipped_is_counted() {
         .fold(builder().layer(strip(0.025, 1.0)), |stack, i| stack.bonded().layer(strip(0.025, [1.0, 2.0][i % 2])));
     let stats = press(stack.receding().layer(ground())).stats().clone();
     assert_eq!((stats.dropped, stats.merged), (0, 0));
-    assert_eq!(stats.layers + stats.repeated + stats.unfelt, count * stats.wavenumbers);
-    assert!(3 * stats.unfelt > stats.layers + stats.repeated && 2 * stats.repeated > stats.layers, "{stats:?}");
+    assert_eq!(stats.layers + stats.repeated + stats.below_decay_depth, count * stats.wavenumbers);
+    assert!(
+        3 * stats.below_decay_depth > stats.layers + stats.repeated && 2 * stats.repeated > stats.layers,
+        "{stats:?}"
+    );
     let none = || strip(0.0, 7.0);
     let stats =
         press(builder().layer(none()).bonded().layer(strip(1.0, 1.0)).receding().layer(ground())).stats().clone();
     assert_eq!((stats.dropped, stats.merged), (1, 0));
-    assert_eq!((stats.unfelt, stats.uncoupled > 0), (0, true));
+    assert_eq!((stats.below_decay_depth, stats.uncoupled > 0), (0, true));
 }

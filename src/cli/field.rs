@@ -9,7 +9,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use recede::files;
 use recede::plot::{self, Kind};
 use recede::report::{FieldFormat, write_field};
-use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Solution, Spot};
+use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Point, Solution};
 
 use super::{Failure, SceneFile, tell};
 
@@ -39,8 +39,8 @@ pub struct Field {
     #[command(flatten)]
     file: SceneFile,
     /// A point: x and the depth below the stack's top face, and which layer if that is not clear
-    #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = spot, allow_hyphen_values = true)]
-    at: Vec<Spot>,
+    #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = point, allow_hyphen_values = true)]
+    at: Vec<Point>,
     /// Places of a grid along x; without it, two half-lengths of the longest contact to either side
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     x: Option<Steps>,
@@ -104,7 +104,7 @@ impl FromStr for Steps {
 }
 
 /// X,DEPTH or X,DEPTH@LAYER.
-fn spot(text: &str) -> Result<Spot, String> {
+fn point(text: &str) -> Result<Point, String> {
     let wrong = || format!("found `{text}`, expected X,DEPTH or X,DEPTH@LAYER as in 0,0.5 or 1.2,1@2");
     let (place, layer) = match text.split_once('@') {
         Some((place, layer)) => (place, Some(layer.trim().parse().map_err(|_| wrong())?)),
@@ -112,7 +112,7 @@ fn spot(text: &str) -> Result<Spot, String> {
     };
     let (x, depth) = place.split_once(',').ok_or_else(wrong)?;
     let number = |text: &str| text.trim().parse().map_err(|_| wrong());
-    Ok(Spot { x: number(x)?, depth: number(depth)?, layer })
+    Ok(Point { x: number(x)?, depth: number(depth)?, layer })
 }
 
 impl Field {

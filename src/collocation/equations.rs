@@ -1,7 +1,7 @@
 //! The collocated equations at given half-lengths.
 //!
-//! Unknown are φ_k of each contact, p = P' φ √(1 − s²)/a, and a slack σ, which adds σ r to the slopes there: equilibrium
-//! holds whatever the half-lengths are, and the slacks vanish where these are right.
+//! Unknown are φ_k of each contact, p = P' φ √(1 − s²)/a, and a slack variable σ, which adds σ r to the slopes there: equilibrium
+//! holds for any half-lengths, and the slack variables vanish at the right ones.
 use std::f64::consts::PI;
 
 use faer::Mat;
@@ -29,7 +29,7 @@ pub(super) fn solve(spatial: &Spatial, nodes: &Nodes, problem: &Problem, half_le
         for (j, r) in nodes.r.iter().enumerate() {
             let row = i * block + j;
             for k in 0..half {
-                matrix[(row, i * block + k)] += own_entry(spatial, nodes, i, *a, j, k) / PI;
+                matrix[(row, i * block + k)] += diagonal_entry(spatial, nodes, i, *a, j, k) / PI;
             }
             for l in spatial.neighbours(i) {
                 for (contact, sign) in [(l, 1.0), (i, -1.0)] {
@@ -56,15 +56,16 @@ pub(super) fn solve(spatial: &Spatial, nodes: &Nodes, problem: &Problem, half_le
     Pressures { phi: (0..n).map(part).collect(), slack: (0..n).map(|i| solution[(i * block + half, 0)]).collect() }
 }
 
-/// What φ_k at ± s_k of contact i contributes to the slope at r_j there, over π/a.
-fn own_entry(spatial: &Spatial, nodes: &Nodes, i: usize, a: f64, j: usize, k: usize) -> f64 {
-    let own = &spatial.own[i];
+/// The slope at r_j of contact i, over π/a, due to φ_k at ± s_k of the same contact.
+fn diagonal_entry(spatial: &Spatial, nodes: &Nodes, i: usize, a: f64, j: usize, k: usize) -> f64 {
+    let diagonal = &spatial.diagonals[i];
     let [[sign_plus, sign_minus], [log_plus, log_minus]] = nodes.singular(j, k);
     let weight = nodes.weights[k];
     let side = |s: f64, sign: f64, log: f64| {
         let u = nodes.r[j] - s;
-        let singular = own.jump.map_or(0.0, |jump| sign * jump.even(a * u) + (log + weight * a.ln()) * jump.odd(a * u));
-        weight * own.limit / u + a * (weight * own.rest(a * u) + singular)
+        let singular =
+            diagonal.jump.map_or(0.0, |jump| sign * jump.even(a * u) + (log + weight * a.ln()) * jump.odd(a * u));
+        weight * diagonal.limit / u + a * (weight * diagonal.regular(a * u) + singular)
     };
     side(nodes.s[k], sign_plus, log_plus) + side(-nodes.s[k], sign_minus, log_minus)
 }

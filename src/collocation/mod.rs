@@ -1,7 +1,8 @@
-//! A second, independent discretisation of the contact equations: pressures at nodes, slopes compared at places between
-//! them, kernels as functions of the distance. Slower than the Galerkin solver, and there to check it.
+//! A second, independent discretisation of the contact equations: pressures at nodes, slopes compared at collocation points between
+//! them, kernels as functions of the distance. Slower than the Galerkin solver; its purpose is to check that.
 //!
-//! In common the two have the flexibilities at single wavenumbers, the punch, and the half-lengths to start from.
+//! It shares with the Galerkin solver the flexibilities at single wavenumbers, the problem, the order of starting points, and the
+//! assembly of an answer.
 mod equations;
 mod gaps;
 mod nodes;
@@ -36,12 +37,12 @@ const FINEST: usize = 512;
 const LONGEST_STEP: f64 = 0.5;
 /// Steps for one number of nodes.
 const STEPS: usize = 30;
-/// Steps are short enough below this; short steps that no longer shorten are rounding.
-const SETTLED: f64 = 1e-13;
+/// Newton's method has converged if a step is below this, or if steps below the second value no longer become shorter, which is rounding.
+const CONVERGED: f64 = 1e-13;
 const SHORT: f64 = 1e-8;
 /// Step of the finite differences for derivatives by the logarithm of a half-length.
 const DIFFERENCE: f64 = 1e-5;
-/// What rounding leaves of a half-length, relative.
+/// Relative rounding error of a half-length.
 const ROUNDING: f64 = 1e-12;
 /// Pressures and gaps below zero by less than this part of the largest value are zero.
 const ZERO: f64 = 1e-5;
@@ -89,10 +90,10 @@ struct Collocation<'a> {
 }
 
 impl Collocation<'_> {
-    /// More and more nodes until the answers of two numbers of them agree.
+    /// Doubles the number of nodes until two answers agree.
     fn refine(&mut self, half_lengths: Vec<f64>) -> Result<Solution, ContactError> {
         let tolerance = self.problem.tolerance;
-        let singular = self.spatial.own.iter().any(|own| own.jump.is_some());
+        let singular = self.spatial.diagonals.iter().any(|diagonal| diagonal.jump.is_some());
         let mut count = COARSEST;
         let mut jacobian = None;
         let mut nodes = Nodes::new(count, singular);
@@ -112,7 +113,6 @@ impl Collocation<'_> {
             if worst.is_nan() {
                 return Err(self.problem.not_converged(&level.half_lengths));
             }
-            // two solutions that have little in common say nothing of each other
             if worst <= tolerance || count >= FINEST {
                 let mut warnings = Vec::new();
                 if worst > tolerance {
@@ -127,8 +127,8 @@ impl Collocation<'_> {
         }
     }
 
-    /// Newton's method for the logarithms of the half-lengths. The derivatives, finite differences, are kept as long as
-    /// they serve, also from one number of nodes to the next.
+    /// Newton's method for the logarithms of the half-lengths. The derivatives are finite differences, and kept as long as
+    /// steps with them become shorter, also from one number of nodes to the next.
     fn converge(
         &mut self,
         nodes: &Nodes,
@@ -152,12 +152,12 @@ impl Collocation<'_> {
             if step.iter().any(|step| !step.is_finite()) {
                 break;
             }
-            if longest < SETTLED || last < SHORT && longest > 0.5 * last {
+            if longest < CONVERGED || last < SHORT && longest > 0.5 * last {
                 *jacobian = Some(derivatives);
                 let peaks = pressures.phi.iter().zip(&half_lengths).map(|(phi, a)| peak(nodes, phi) / a).collect();
                 return Ok(Level { half_lengths, pressures, peaks, last_step: longest });
             }
-            // derivatives that no longer serve are computed anew
+            // derivatives with which steps no longer become shorter are computed anew
             *jacobian = (longest < 0.1 * last && longest < 0.1).then_some(derivatives);
             last = longest;
             let shorten = (LONGEST_STEP / longest).min(1.0);
@@ -207,13 +207,13 @@ impl Collocation<'_> {
     ) -> Result<Solution, ContactError> {
         let problem = self.problem;
         let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-        let span = problem.span(&level.half_lengths);
-        self.spatial.cover(span + longest);
+        let extent = problem.span(&level.half_lengths);
+        self.spatial.cover(extent + longest);
         let (mut min_pressure, mut min_gap) = (0.0f64, 0.0f64);
         let mut contacts = Vec::new();
         for (i, error) in errors.iter().enumerate() {
             min_pressure = min_pressure.min(self.least_pressure(nodes, level, i)?);
-            min_gap = min_gap.min(self.least_gap(nodes, level, i, span)?);
+            min_gap = min_gap.min(self.least_gap(nodes, level, i, extent)?);
             let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
             let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a).collect();
             let peak = if problem.sides[i].is_sharp() { f64::INFINITY } else { level.peaks[i] };
@@ -250,9 +250,9 @@ impl Collocation<'_> {
     }
 
     /// The smallest gap outside contact i; an error if it is negative.
-    fn least_gap(&self, nodes: &Nodes, level: &Level, i: usize, span: f64) -> Result<f64, ContactError> {
+    fn least_gap(&self, nodes: &Nodes, level: &Level, i: usize, extent: f64) -> Result<f64, ContactError> {
         let side = &self.problem.sides[i];
-        let gaps = gaps::gaps(&self.spatial, nodes, side, &level.half_lengths, &level.pressures, (i, span));
+        let gaps = gaps::gaps(&self.spatial, nodes, side, &level.half_lengths, &level.pressures, (i, extent));
         let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
         let mut least = 0.0f64;
         for (x, gap) in gaps {

@@ -1,4 +1,4 @@
-//! Where pressures are known and slopes are compared, on the half of the contact with x > 0, and the quadrature between.
+//! Nodes of the pressure and collocation points of the slope, on the half of the contact with x > 0, and the quadrature between.
 //!
 //! The pressure is p = φ √(1 − s²)/a. With s_k = cos kπ/(N + 1) and r_j = cos (2j − 1)π/(2N + 2), Gauss's rule
 //!
@@ -40,7 +40,7 @@ impl Nodes {
         self.count / 2
     }
 
-    /// Weights of sign(r_j − s) and ln|r_j − s| at ± s_k; zero if they were not asked for.
+    /// Weights of sign(r_j − s) and ln|r_j − s| at ± s_k; zero if they were not requested.
     pub(super) fn singular(&self, j: usize, k: usize) -> [[f64; 2]; 2] {
         let Some(weights) = &self.singular else { return [[0.0; 2]; 2] };
         [0, 1].map(|kind| [weights[kind][(j, k)], weights[kind][(j, self.count - 1 - k)]])

@@ -6,7 +6,7 @@
 //!
 //! M(u) = ∫ (e_i − g∞) sin ζu dζ,   N(x, t) = ½ [W(x + t) + W(x − t)] − W(x),   W(u) = ∫ k_il (sin ζu − ζu) dζ,
 //!
-//! e_i being the response to equal pressures and k_il the coupling. No integral diverges, and none is cut off. Next to a
+//! e_i being the equal-pressure response and k_il the coupling. No integral diverges, and none is cut off. Next to a
 //! graded face M has a jump and a logarithm at u = 0, which are split off: M = sign(u) E(u) + ln|u| O(u) + R(u).
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,12 +14,11 @@ use crate::contact::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::chebyshev::Series;
 
-use crate::collocation::spectrum::Far;
-use crate::collocation::spectrum::Spectrum;
+use crate::collocation::spectrum::{Asymptote, Spectrum};
 
 /// Points of a piece of a table.
 const POINTS: usize = 20;
-/// A piece is resolved if its last coefficients are below this.
+/// A piece is resolved if its last coefficients are below this part of its largest.
 const RESOLVED: f64 = 2e-14;
 /// Length of the first piece, and of the shortest, in units of L.
 const FIRST: f64 = 1.0 / 16.0;
@@ -30,20 +29,21 @@ const NARROWEST: f64 = 1.0 / 8.0;
 /// Kernels of all contacts in x.
 pub(super) struct Spatial {
     /// Per contact.
-    pub(super) own: Vec<Own>,
+    pub(super) diagonals: Vec<Diagonal>,
     /// Per pair of neighbours.
     coupling: Vec<(Spectrum, Table)>,
 }
 
 /// The kernel of one contact with itself.
-pub(super) struct Own {
+pub(super) struct Diagonal {
     /// g∞.
     pub(super) limit: f64,
-    /// What is singular at u = 0, next to a graded face.
+    /// The part that is singular at u = 0, next to a graded face.
     pub(super) jump: Option<Jump>,
     spectrum: Spectrum,
-    far: Far,
-    rest: Table,
+    asymptote: Asymptote,
+    /// R(u).
+    regular: Table,
 }
 
 /// sign(u) E(u) + ln|u| O(u), E and O bounded, with the singular terms up to u³ of the kernel.
@@ -55,7 +55,7 @@ pub(super) struct Jump {
 }
 
 impl Jump {
-    /// From an excess Σ c_k/ζ^k: 1/ζ makes a jump π/2 sign u, 1/ζ² makes −u ln|u|, and so on.
+    /// From a remainder Σ c_k/ζ^k: 1/ζ makes a jump π/2 sign u, 1/ζ² makes −u ln|u|, and so on.
     fn new(c: [f64; 4]) -> Option<Self> {
         if c.iter().all(|c| *c == 0.0) {
             return None;
@@ -83,28 +83,34 @@ impl Spatial {
     /// Samples the kernels.
     pub(super) fn new(kernel: &Kernel) -> Result<Self, ContactError> {
         let n = kernel.contacts();
-        let own = |i: usize| -> Result<Own, ContactError> {
-            let (spectrum, far) = Spectrum::own(kernel, i)?;
-            Ok(Own { limit: far.limit, jump: Jump::new(far.powers()), spectrum, far, rest: Table::default() })
+        let diagonal = |i: usize| -> Result<Diagonal, ContactError> {
+            let (spectrum, asymptote) = Spectrum::equal_pressure(kernel, i)?;
+            Ok(Diagonal {
+                limit: asymptote.limit,
+                jump: Jump::new(asymptote.powers()),
+                spectrum,
+                asymptote,
+                regular: Table::default(),
+            })
         };
         let coupling = |i: usize| Ok((Spectrum::coupling(kernel, i)?, Table::default()));
         Ok(Self {
-            own: (0..n).map(own).collect::<Result<_, ContactError>>()?,
+            diagonals: (0..n).map(diagonal).collect::<Result<_, ContactError>>()?,
             coupling: (0..n - 1).map(coupling).collect::<Result<_, ContactError>>()?,
         })
     }
 
     /// Wavenumbers sampled.
     pub(super) fn samples(&self) -> usize {
-        let own = self.own.iter().map(|own| own.spectrum.samples).sum::<usize>();
-        own + self.coupling.iter().map(|(spectrum, _)| spectrum.samples).sum::<usize>()
+        let diagonals = self.diagonals.iter().map(|diagonal| diagonal.spectrum.samples).sum::<usize>();
+        diagonals + self.coupling.iter().map(|(spectrum, _)| spectrum.samples).sum::<usize>()
     }
 
     /// Makes the tables long enough for distances up to `u`.
     pub(super) fn cover(&mut self, u: f64) {
-        for own in &mut self.own {
-            let (spectrum, far, jump, limit) = (&own.spectrum, &own.far, own.jump, own.limit);
-            own.rest.extend(u, limit, |frequency| {
+        for Diagonal { limit, jump, spectrum, asymptote, regular } in &mut self.diagonals {
+            let (limit, jump, asymptote) = (*limit, *jump, &*asymptote);
+            regular.extend(u, limit, |frequency| {
                 let nodes: Vec<(f64, f64)> = spectrum
                     .nodes(frequency)
                     .into_iter()
@@ -114,13 +120,13 @@ impl Spatial {
                     if u == 0.0 {
                         return 0.0;
                     }
-                    let whole = nodes.iter().map(|(zeta, w)| w * (zeta * u).sin()).sum::<f64>() + far.integral(u);
-                    whole - jump.map_or(0.0, |jump| jump.even(u) + u.ln() * jump.odd(u))
+                    let total = nodes.iter().map(|(zeta, w)| w * (zeta * u).sin()).sum::<f64>() + asymptote.integral(u);
+                    total - jump.map_or(0.0, |jump| jump.even(u) + u.ln() * jump.odd(u))
                 }
             });
         }
         for (i, (spectrum, table)) in self.coupling.iter_mut().enumerate() {
-            let limit = self.own[i].limit.max(self.own[i + 1].limit);
+            let limit = self.diagonals[i].limit.max(self.diagonals[i + 1].limit);
             table.extend(u, limit, |frequency| {
                 let nodes = spectrum.nodes(frequency);
                 move |u: f64| {
@@ -132,7 +138,7 @@ impl Spatial {
 
     /// Contacts next to contact i.
     pub(super) fn neighbours(&self, i: usize) -> impl Iterator<Item = usize> {
-        let last = self.own.len() - 1;
+        let last = self.diagonals.len() - 1;
         i.checked_sub(1).into_iter().chain((i < last).then_some(i + 1))
     }
 
@@ -143,15 +149,15 @@ impl Spatial {
     }
 }
 
-impl Own {
+impl Diagonal {
     /// R(u), odd.
-    pub(super) fn rest(&self, u: f64) -> f64 {
-        self.rest.odd(u)
+    pub(super) fn regular(&self, u: f64) -> f64 {
+        self.regular.odd(u)
     }
 
     /// M(u), u ≠ 0.
-    pub(super) fn whole(&self, u: f64) -> f64 {
-        self.rest(u) + self.jump.map_or(0.0, |jump| u.signum() * jump.even(u) + u.abs().ln() * jump.odd(u))
+    pub(super) fn total(&self, u: f64) -> f64 {
+        self.regular(u) + self.jump.map_or(0.0, |jump| u.signum() * jump.even(u) + u.abs().ln() * jump.odd(u))
     }
 }
 
@@ -176,8 +182,8 @@ struct Table {
 }
 
 impl Table {
-    /// Adds pieces up to `u`. `sampler` makes the function for distances up to its argument; what is added to
-    /// `scale`/u need be resolved no better than that.
+    /// Adds pieces up to `u`. `sampler` makes the function for distances up to its argument. The function is added to
+    /// `scale`/u, and need not be more accurate than that.
     fn extend<F: Fn(f64) -> f64>(&mut self, u: f64, scale: f64, sampler: impl Fn(f64) -> F) {
         while self.end < u {
             let next = if self.end == 0.0 { FIRST } else { 2.0 * self.end };

@@ -1,6 +1,6 @@
 //! One kernel as a function of the wavenumber, sampled afresh: panels, and a polynomial in 1/ζ for large wavenumbers.
 //!
-//! Nothing but the flexibilities at single wavenumbers is taken over from elsewhere.
+//! It shares only the flexibilities at single wavenumbers with [`crate::kernel`].
 use std::f64::consts::PI;
 
 use num_complex::Complex64;
@@ -15,18 +15,18 @@ const POINTS: usize = 17;
 /// A panel is resolved if its last coefficients are below this part of its largest.
 const RESOLVED: f64 = 1e-13;
 /// The polynomial for large wavenumbers likewise.
-const FAR_RESOLVED: f64 = 1e-14;
-/// A coupling below this is nothing.
-const NOTHING: f64 = 1e-18;
-/// Panels double in width, so often at most, and are not cut narrower than this part of their end.
+const ASYMPTOTE_RESOLVED: f64 = 1e-14;
+/// A coupling below this counts as zero.
+const NEGLIGIBLE: f64 = 1e-18;
+/// Most panels, each twice as wide as the one before; none is cut narrower than this part of its end.
 const DOUBLINGS: u32 = 60;
 const NARROWEST: f64 = 1.0 / 16.0;
 /// Below this wavenumber kernels are powers.
 const LOWEST: f64 = 1e-9;
-/// A path into the complex plane starts at this phase, far from the pole at the origin.
+/// A path into the complex plane starts at this phase, at a distance from the pole at the origin.
 const TURNED: f64 = 24.0;
 
-/// A component of the kernel times a power of ζ, on panels from zero to where nothing but the faces is felt.
+/// A component of the kernel times a power of ζ, on panels from zero to the wavenumber from which on its asymptote holds.
 pub(super) struct Spectrum {
     panels: Vec<Series>,
     /// Samples taken.
@@ -43,16 +43,16 @@ impl Spectrum {
             let next = f64::from(2u32).powi(doubling as i32);
             spectrum.resolve(kernel, edge, next, &|zeta| coupling(zeta) * zeta.powi(3))?;
             edge = next;
-            if coupling(edge).abs() < NOTHING {
+            if coupling(edge).abs() < NEGLIGIBLE {
                 return Ok(spectrum);
             }
         }
         Err(unresolved(kernel, edge))
     }
 
-    /// The response of contact i to equal pressures on itself and its neighbours, times ζ, and what follows the panels.
-    pub(super) fn own(kernel: &Kernel, i: usize) -> Result<(Self, Far), Unresolved> {
-        let own = |zeta: f64| {
+    /// The equal-pressure response of contact i, times ζ, and its asymptote beyond the panels.
+    pub(super) fn equal_pressure(kernel: &Kernel, i: usize) -> Result<(Self, Asymptote), Unresolved> {
+        let response = |zeta: f64| {
             kernel.flexibilities(zeta).map_or(f64::NAN, |(laminates, base)| {
                 let below = laminates.get(i).map_or(base, |laminate| laminate.equal_top);
                 below - i.checked_sub(1).map_or(-kernel.punch(), |above| laminates[above].equal_bottom)
@@ -62,11 +62,11 @@ impl Spectrum {
         let mut edge = 0.0;
         for doubling in 0..DOUBLINGS {
             let next = f64::from(2u32).powi(doubling as i32);
-            spectrum.resolve(kernel, edge, next, &|zeta| own(zeta) * zeta)?;
+            spectrum.resolve(kernel, edge, next, &|zeta| response(zeta) * zeta)?;
             edge = next;
             spectrum.samples += POINTS;
-            if let Some(far) = Far::fit(edge, own) {
-                return Ok((spectrum, far));
+            if let Some(asymptote) = Asymptote::fit(edge, response) {
+                return Ok((spectrum, asymptote));
             }
         }
         Err(unresolved(kernel, edge))
@@ -104,7 +104,7 @@ impl Spectrum {
     }
 }
 
-/// Gauss nodes on [from, to] that resolve a wave: two points per wavelength and some to spare.
+/// Gauss nodes on [from, to] that resolve a wave: more than two points per wavelength.
 fn wave_nodes(from: f64, to: f64, frequency: f64) -> impl Iterator<Item = (f64, f64)> {
     const MOST: usize = 512;
     let phase = frequency * (to - from);
@@ -118,38 +118,38 @@ fn unresolved(kernel: &Kernel, zeta: f64) -> Unresolved {
     Unresolved { wavenumber: zeta / kernel.length() }
 }
 
-/// A kernel beyond the panels, ζ ≥ `from`: a limit, which makes the Cauchy kernel, and next to a graded face
-/// Σ c_k/ζ^k.
-pub(super) struct Far {
+/// The short-wave asymptote of a kernel, ζ ≥ `from`: a limit, which makes the Cauchy kernel, and next to a graded face
+/// the remainder Σ c_k/ζ^k.
+pub(super) struct Asymptote {
     from: f64,
     /// g∞.
     pub(super) limit: f64,
-    excess: Option<Series>,
+    remainder: Option<Series>,
 }
 
-impl Far {
+impl Asymptote {
     /// The polynomial in v = from/ζ, if there is one.
     fn fit(from: f64, function: impl Fn(f64) -> f64) -> Option<Self> {
-        // at v = 0 a wavenumber so large that nothing but the faces themselves is felt
+        // v = 0 stands for a wavenumber so large that the kernel depends on the material at the faces only
         let mut series = Series::of(0.0, 1.0, POINTS, |v| function(from / v.max(1e-25)));
         let limit = series.eval(0.0);
         // NaN is not resolved
-        let resolved = series.tail() <= FAR_RESOLVED;
+        let resolved = series.tail() <= ASYMPTOTE_RESOLVED;
         if !resolved {
             return None;
         }
         let coefficients = series.coefficients();
         let varies = coefficients[1..].iter().map(|c| c.abs()).sum::<f64>();
-        if varies <= 10.0 * FAR_RESOLVED * limit.abs() {
-            return Some(Self { from, limit, excess: None });
+        if varies <= 10.0 * ASYMPTOTE_RESOLVED * limit.abs() {
+            return Some(Self { from, limit, remainder: None });
         }
-        series.truncate(FAR_RESOLVED * 1e-2);
-        Some(Self { from, limit, excess: Some(series) })
+        series.truncate(ASYMPTOTE_RESOLVED * 1e-2);
+        Some(Self { from, limit, remainder: Some(series) })
     }
 
-    /// c_1, ..., c_4 of the excess Σ c_k/ζ^k; all zero next to homogeneous material.
+    /// c_1, ..., c_4 of the remainder Σ c_k/ζ^k; all zero next to homogeneous material.
     pub(super) fn powers(&self) -> [f64; 4] {
-        let Some(series) = &self.excess else { return [0.0; 4] };
+        let Some(series) = &self.remainder else { return [0.0; 4] };
         // T_n(2v − 1) up to v⁴
         let (mut before, mut here) = ([0.0; 5], [1.0, 0.0, 0.0, 0.0, 0.0]);
         let mut sum = [0.0; 5];
@@ -171,14 +171,14 @@ impl Far {
     /// ∫ (g − g∞) sin ζu dζ over ζ > `from`: along the real axis until the phase is large, then straight into the upper
     /// half of the complex plane.
     pub(super) fn integral(&self, u: f64) -> f64 {
-        let Some(series) = &self.excess else { return 0.0 };
-        let excess = |zeta: f64| series.eval(self.from / zeta) - self.limit;
+        let Some(series) = &self.remainder else { return 0.0 };
+        let remainder = |zeta: f64| series.eval(self.from / zeta) - self.limit;
         let turn = (TURNED / u).max(4.0 * self.from);
         let mut sum = 0.0;
         let mut edge = self.from;
         while edge < turn {
             let next = (2.0 * edge).min(turn);
-            sum += wave_nodes(edge, next, u).map(|(zeta, w)| w * excess(zeta) * (zeta * u).sin()).sum::<f64>();
+            sum += wave_nodes(edge, next, u).map(|(zeta, w)| w * remainder(zeta) * (zeta * u).sin()).sum::<f64>();
             edge = next;
         }
         let laguerre = laguerre_rule(32);
@@ -195,11 +195,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_and_integral_of_a_known_excess() {
+    fn powers_and_integral_of_a_known_remainder() {
         // 2 + ζ/(ζ² + 1): the integral over all ζ > 0 of ζ/(ζ² + 1) sin ζu is (π/2) e^(−u)
-        let far = Far::fit(16.0, |zeta| 2.0 + zeta / (zeta * zeta + 1.0)).unwrap();
-        assert!((far.limit - 2.0).abs() < 1e-15);
-        for (found, expected) in far.powers().into_iter().zip([1.0, 0.0, -1.0, 0.0]) {
+        let asymptote = Asymptote::fit(16.0, |zeta| 2.0 + zeta / (zeta * zeta + 1.0)).unwrap();
+        assert!((asymptote.limit - 2.0).abs() < 1e-15);
+        for (found, expected) in asymptote.powers().into_iter().zip([1.0, 0.0, -1.0, 0.0]) {
             assert!((found - expected).abs() < 1e-4, "{found} is not {expected}");
         }
         for u in [1e-6, 1e-3, 0.1, 1.0, 3.0, 20.0] {
@@ -207,7 +207,7 @@ mod tests {
                 .chain(wave_nodes(2.0, 16.0, u))
                 .map(|(zeta, w)| w * zeta / (zeta * zeta + 1.0) * (zeta * u).sin())
                 .sum();
-            let error = near + far.integral(u) - 0.5 * PI * f64::exp(-u);
+            let error = near + asymptote.integral(u) - 0.5 * PI * f64::exp(-u);
             // it is added to the Cauchy kernel 2/u
             assert!(error.abs() < 1e-13 + 1e-15 / u, "{u}: {error:e}");
         }

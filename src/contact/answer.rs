@@ -93,7 +93,7 @@ fn in_several_intervals(contacts: &[Contact]) -> impl Iterator<Item = String> {
 
 /// What it took to evaluate the stack.
 pub(crate) fn stats(kernel: &Kernel) -> Stats {
-    let kernel::Work { wavenumbers, layers, repeated, unfelt } = kernel.work();
+    let kernel::Work { wavenumbers, layers, repeated, below_decay_depth } = kernel.work();
     let (dropped, merged) = (kernel.dropped(), kernel.merged());
     Stats {
         dropped,
@@ -101,7 +101,7 @@ pub(crate) fn stats(kernel: &Kernel) -> Stats {
         wavenumbers,
         layers,
         repeated,
-        unfelt,
+        below_decay_depth,
         uncoupled: kernel.uncoupled_values(),
         ..Stats::default()
     }

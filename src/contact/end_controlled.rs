@@ -246,5 +246,5 @@ fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
         return force;
     }
     // where a wave as long would lift what bends: the faces alone
-    unit * profile.first_row(half_length) * half_length / kernel.far(0).limit
+    unit * profile.first_row(half_length) * half_length / kernel.asymptote(0).limit
 }

@@ -15,7 +15,7 @@ use crate::contact::error::ContactError;
 use crate::contact::problem::modes::{COARSEST, FINEST};
 use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
-use crate::kernel::{Kernel, UNFELT};
+use crate::kernel::{DECAYED, Kernel};
 use crate::numeric;
 use crate::solution::{Contact, Interface, Solution};
 
@@ -88,7 +88,7 @@ impl Thin {
             let Some((from, error)) = beyond_modes(&thin.kernel, contact, *half_length, &half_lengths) else {
                 continue;
             };
-            thin.thinnest = thin.thinnest.min(UNFELT / (thin.kernel.far(contact).from * half_length));
+            thin.thinnest = thin.thinnest.min(DECAYED / (thin.kernel.asymptote(contact).from * half_length));
             thin.kernel = thin.kernel.cut_off(contact, from);
             thin.error = thin.error.max(error);
             thin.contacts.push((contact, error));
@@ -104,7 +104,7 @@ impl Thin {
             return Ok(());
         }
         // a layer gives way to longer waves by the same displacement as to those as short as it is thick
-        let squeezed = self.kernel.thinned(upper, formulas::TYPICAL / carried) * carried / a;
+        let squeezed = self.kernel.compression(upper, formulas::TYPICAL / carried) * carried / a;
         self.kernel = self.kernel.without(upper)?;
         let error = SAFETY * carried / a + SAFETY * squeezed / self.kernel.compliances(formulas::TYPICAL / a)[upper];
         half_lengths.remove(upper + 1);
@@ -160,7 +160,7 @@ impl Thin {
 /// the modes resolve the layers at its faces, or waves that short still couple it to its neighbours.
 fn beyond_modes(kernel: &Kernel, contact: usize, half_length: f64, half_lengths: &[f64]) -> Option<(f64, f64)> {
     let highest = (2 * FINEST) as f64 / half_length;
-    if kernel.far(contact).from <= highest {
+    if kernel.asymptote(contact).from <= highest {
         return None;
     }
     let coupled = |i: usize| kernel.uncoupled(i, half_lengths[i].min(half_lengths[i + 1]), ROUNDING);

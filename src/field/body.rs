@@ -10,19 +10,19 @@ use crate::stack::{Placed, Stack};
 use crate::system::{BaseChain, BlockSystem, FreeChain, Load, slowest_decay};
 
 /// The remainder of a half-plane's fields counts as zero below this.
-const NOTHING: f64 = 1e-13;
-/// Wavenumbers, in terms of the shift of a [`Surface`], from which on what is left is looked at.
+const NEGLIGIBLE: f64 = 1e-13;
+/// The lowest wavenumber, over the shift of a [`Surface`], at which the remainder is examined, and how often it is doubled.
 const SHORT: f64 = 36.0;
 const DOUBLINGS: i32 = 4;
 /// The depth over which a material varies is that of a relative change by this. It is a length scale only: twice as large a
 /// change makes it twice as long.
 const CHANGE: f64 = 0.1;
-/// So many doublings, or halvings, of a length are looked through for it.
+/// Most doublings, or halvings, of a length in the search for it.
 const SCALES: usize = 200;
 
-/// One layer, and where it lies.
+/// A layer with its place in the stack and in its body.
 #[derive(Clone, Debug)]
-pub(super) struct Stratum {
+pub(super) struct PlacedLayer {
     /// Number from the top as written in the scene.
     pub(super) number: usize,
     pub(super) layer: Arc<dyn Layer>,
@@ -37,7 +37,7 @@ pub(super) struct Stratum {
     pub(super) place: usize,
 }
 
-impl Stratum {
+impl PlacedLayer {
     /// Depth of its bottom face, infinite for a half-plane.
     pub(super) fn bottom(&self) -> f64 {
         self.thickness.map_or(f64::INFINITY, |thickness| self.top + thickness)
@@ -54,11 +54,11 @@ enum Chain {
 #[derive(Clone, Debug)]
 pub(super) struct Body {
     chain: Chain,
-    /// How many layers it has.
+    /// Number of its layers.
     pub(super) layers: usize,
     /// Depth of its top face.
     pub(super) top: f64,
-    /// Depth of its bottom face, if there is one that is loaded.
+    /// Depth of its bottom face, if that is loaded.
     pub(super) bottom: Option<f64>,
     /// The contact on its top face; that on the bottom face is the next one.
     pub(super) contact: usize,
@@ -72,20 +72,20 @@ pub(super) struct Body {
 #[derive(Clone, Debug)]
 pub(super) struct Face {
     pub(super) surface: Surface,
-    /// What short waves leave of the fields there, size·λ^(−power) per unit of p̂; 0 if the material is homogeneous.
+    /// The remainder of the fields there for short waves, size·λ^(−power) per unit of p̂; 0 if the material is homogeneous.
     pub(super) size: f64,
     pub(super) power: f64,
 }
 
 /// The layers from the top down, without those of thickness 0.
-pub(super) fn strata(stack: &Stack) -> Vec<Stratum> {
-    let mut strata: Vec<Stratum> = Vec::new();
+pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
+    let mut layers: Vec<PlacedLayer> = Vec::new();
     let mut depth = 0.0;
     let mut add = |body: usize, place: usize, placed: &Placed| {
         let thickness = placed.layer.thickness();
         let (number, layer) = (placed.number, placed.layer.clone());
         let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
-        strata.push(Stratum { number, layer, top: depth, thickness, slowest, body, place });
+        layers.push(PlacedLayer { number, layer, top: depth, thickness, slowest, body, place });
         depth += thickness.unwrap_or(0.0);
     };
     for (body, laminate) in stack.laminates().iter().enumerate() {
@@ -96,28 +96,28 @@ pub(super) fn strata(stack: &Stack) -> Vec<Stratum> {
     if let Some(placed) = base.foundation().half_plane() {
         add(body, base.layers().len(), placed);
     }
-    strata
+    layers
 }
 
 impl Body {
-    /// The bodies from the top down; a rigid base without layers is none.
-    pub(super) fn all(stack: &Stack, strata: &[Stratum], pressures: &[Pressure], modulus: f64) -> Vec<Self> {
+    /// The bodies from the top down; a rigid base without layers is not one of them.
+    pub(super) fn all(stack: &Stack, layers: &[PlacedLayer], pressures: &[Pressure], modulus: f64) -> Vec<Self> {
         let plane = stack.plane();
         let system = BlockSystem::new(stack);
         let laminates = FreeChain::all(&system).into_iter().map(Chain::Free);
         let chains = laminates.chain([Chain::Base(BaseChain::of(&system))]);
         let bodies = chains.enumerate().filter_map(|(i, chain)| {
-            let own: Vec<&Stratum> = strata.iter().filter(|stratum| stratum.body == i).collect();
-            let (first, last) = (*own.first()?, *own.last()?);
+            let layers: Vec<&PlacedLayer> = layers.iter().filter(|placed| placed.body == i).collect();
+            let (first, last) = (*layers.first()?, *layers.last()?);
             let free = matches!(chain, Chain::Free(_));
             let reference = match last.thickness {
                 // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
-                Some(thickness) => free.then_some((own.len() - 1, thickness)),
-                None => Some((own.len() - 1, 0.0)),
+                Some(thickness) => free.then_some((layers.len() - 1, thickness)),
+                None => Some((layers.len() - 1, 0.0)),
             };
             let mut body = Self {
                 chain,
-                layers: own.len(),
+                layers: layers.len(),
                 top: first.top,
                 bottom: free.then(|| last.bottom()),
                 contact: i,
@@ -135,54 +135,62 @@ impl Body {
     }
 
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
-    fn face(&self, side: usize, stratum: &Stratum, half_length: f64, wave: &dyn Fn(f64) -> Wave) -> Option<Face> {
+    fn face(&self, side: usize, placed: &PlacedLayer, half_length: f64, wave: &dyn Fn(f64) -> Wave) -> Option<Face> {
         let Wave { plane, modulus, .. } = wave(0.0);
-        let material = |distance: f64| match stratum.thickness {
-            Some(thickness) if side == 1 => stratum.layer.material((thickness - distance).max(0.0), plane),
-            _ => stratum.layer.material(distance, plane),
+        let material = |distance: f64| match placed.thickness {
+            Some(thickness) if side == 1 => placed.layer.material((thickness - distance).max(0.0), plane),
+            _ => placed.layer.material(distance, plane),
         };
-        let unit = stratum.thickness.unwrap_or_else(|| depth_of_change(&material, half_length));
-        let mut surface = Surface::new(&material, unit, modulus)?;
+        let length = placed.thickness.unwrap_or_else(|| depth_of_change(&material, half_length));
+        let mut surface = Surface::new(&material, length, modulus)?;
         if side == 1 {
             surface = surface.upside_down();
         }
-        if self.layers == 1 && stratum.thickness.is_none() {
-            // a half-plane by itself may be all there is
+        if self.layers == 1 && placed.thickness.is_none() {
+            // a homogeneous half-plane has no remainder at any wavenumber
             surface.shift = f64::INFINITY;
-            let same = |l: f64| Some(self.left_over(&surface, side, stratum, plane, &wave(l / unit))? < NOTHING);
+            let same = |l: f64| Some(self.remainder(&surface, side, placed, plane, &wave(l / length))? < NEGLIGIBLE);
             if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| same(l) == Some(true)) {
                 return Some(Face { surface, size: 0.0, power: 2.0 });
             }
-            surface = Surface::new(&material, unit, modulus)?;
+            surface = Surface::new(&material, length, modulus)?;
         }
         let short = SHORT / surface.shift;
-        let left: Option<Vec<f64>> = (0..DOUBLINGS)
-            .map(|k| self.left_over(&surface, side, stratum, plane, &wave(short * 2f64.powi(k))))
+        let remainders: Option<Vec<f64>> = (0..DOUBLINGS)
+            .map(|k| self.remainder(&surface, side, placed, plane, &wave(short * 2f64.powi(k))))
             .collect();
-        let left = left?;
-        let (first, last) = (left[0], left[left.len() - 1]);
-        if last <= NOTHING {
+        let remainders = remainders?;
+        let (first, last) = (remainders[0], remainders[remainders.len() - 1]);
+        if last <= NEGLIGIBLE {
             return Some(Face { surface, size: 0.0, power: 2.0 });
         }
         let power = ((first / last).log2() / f64::from(DOUBLINGS - 1)).clamp(0.0, 3.0);
-        let size = left.iter().enumerate().map(|(k, left)| left * (short * 2f64.powi(k as i32)).powf(power));
+        let size =
+            remainders.iter().enumerate().map(|(k, remainder)| remainder * (short * 2f64.powi(k as i32)).powf(power));
         Some(Face { surface, size: size.fold(0.0, f64::max), power })
     }
 
-    /// By how much stresses next to a face, per unit load on it, differ from the surface's.
-    fn left_over(&self, surface: &Surface, side: usize, stratum: &Stratum, plane: Plane, wave: &Wave) -> Option<f64> {
+    /// The remainder of the stresses next to a face, per unit load on it: their largest difference from those of the surface.
+    fn remainder(
+        &self,
+        surface: &Surface,
+        side: usize,
+        placed: &PlacedLayer,
+        plane: Plane,
+        wave: &Wave,
+    ) -> Option<f64> {
         let mut distances = [0.0, 1.0 / wave.wavenumber, 3.0 / wave.wavenumber];
-        let depth = |distance: f64| if side == 0 { distance } else { stratum.bottom() - stratum.top - distance };
+        let depth = |distance: f64| if side == 0 { distance } else { placed.bottom() - placed.top - distance };
         if side == 1 {
             distances.reverse();
         }
         let mut depths = vec![Vec::new(); self.layers];
-        depths[stratum.place] = distances.iter().map(|distance| depth(*distance)).collect();
+        depths[placed.place] = distances.iter().map(|distance| depth(*distance)).collect();
         let load =
             if side == 0 { Load { top: -1.0, ..Load::default() } } else { Load { bottom: -1.0, ..Load::default() } };
         let states = self.states(wave, &depths, &load)?;
-        let differences = distances.iter().zip(&states[stratum.place]).map(|(distance, state)| {
-            let found = components(state, &stratum.layer.material(depth(*distance), plane), wave.modulus);
+        let differences = distances.iter().zip(&states[placed.place]).map(|(distance, state)| {
+            let found = components(state, &placed.layer.material(depth(*distance), plane), wave.modulus);
             let surface = surface.transformed(wave.wavenumber, *distance);
             (0..3).map(|i| (found[i] - surface[i]).abs()).fold(0.0, f64::max)
         });

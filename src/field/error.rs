@@ -1,24 +1,24 @@
-//! Why stresses and displacements are not known somewhere.
+//! Errors of the computation of stresses and displacements.
 use crate::system::Unresolved;
 
-/// Why stresses and displacements cannot be told.
+/// Why stresses and displacements cannot be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FieldError {
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
-    /// A field was asked for where there is nothing.
+    /// The field was requested at a point outside all layers.
     #[error("{place}: there is no layer; allowed is {allowed}")]
     Outside {
         /// Where.
         place: String,
-        /// Where there is something.
+        /// The depths of the layers.
         allowed: String,
     },
-    /// A field was asked for so far away that it would take too many wavenumbers.
+    /// The field was requested so far away that it would take too many wavenumbers.
     #[error("x = {x:?} is too far from the contacts for the field to be computed there")]
     TooFar {
-        /// The farthest of the places asked for, in length.
+        /// The farthest of the points requested, in length.
         x: f64,
     },
     /// The search for the largest shear stress would take too long.
@@ -32,7 +32,7 @@ pub enum FieldError {
         /// The most that are allowed.
         allowed: f64,
     },
-    /// A field was asked for with the solution of another stack.
+    /// The field was requested for the solution of another stack.
     #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
     OtherStack,
 }

@@ -1,8 +1,8 @@
 //! Stresses and displacements inside the stack.
 //!
 //! Given the contact pressures, each body of the stack is loaded on shear-free faces, and its fields are integrals over
-//! the wavenumber of the states that [`crate::system`] finds inside. Next to a loaded face these converge slowly; what a
-//! half-plane of the face's material does is subtracted there and added in closed form.
+//! the wavenumber of the states that [`crate::system`] finds inside. Next to a loaded face these integrals converge slowly; there
+//! the fields of a half-plane of the face's material are subtracted, and added in closed form.
 mod body;
 mod decay;
 mod error;
@@ -20,14 +20,14 @@ mod waves;
 use recede_layers::Plane;
 
 pub use peak::MaxShear;
-pub use point::{FieldPoint, FieldQuantity, Grid, Spot};
+pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 use crate::system::Load;
 pub use error::FieldError;
 
-use body::{Body, Stratum};
+use body::{Body, PlacedLayer};
 use pressure::Pressure;
 use sum::Row;
 use waves::Origin;
@@ -39,7 +39,8 @@ const ON_INTERFACE: f64 = 1e-12;
 /// Long waves are negligible below this part of 1/(thickness · ratio of the stiffnesses).
 const LONG: f64 = 0.25;
 
-/// Waves this much longer than any length see of a graded half-plane a power of λ, and three terms more of a series.
+/// For wavelengths this much longer than any length, the response of a graded half-plane is a power of λ and three terms more of a
+/// series.
 const POWER: f64 = 1e-3;
 
 /// Stresses and displacements inside a stack pressed by a punch.
@@ -68,14 +69,14 @@ const POWER: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Field {
     plane: Plane,
-    strata: Vec<Stratum>,
+    layers: Vec<PlacedLayer>,
     bodies: Vec<Body>,
     pressures: Vec<Pressure>,
     /// μ₀, by which displacements are multiplied.
     modulus: f64,
     /// Ratio of the largest to the smallest stiffness in the stack.
     contrast: f64,
-    /// By how much pressures may be wrong, in stress.
+    /// Error estimate of the pressures, in stress.
     pressure_error: f64,
 }
 
@@ -83,21 +84,21 @@ impl Field {
     /// The field of a solution of this stack; to be had from [`crate::Model::field`].
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
         let plane = stack.plane();
-        let strata = body::strata(stack);
+        let layers = body::layers(stack);
         let pressures: Vec<Pressure> = solution.contacts().iter().map(Pressure::new).collect();
-        let stiffness: Vec<f64> = strata
+        let stiffness: Vec<f64> = layers
             .iter()
-            .flat_map(|stratum| {
-                let thickness = stratum.thickness.unwrap_or(0.0);
-                [0.0, 0.5, 1.0].map(|part| stratum.layer.material(part * thickness, plane).axial_stiffness)
+            .flat_map(|placed| {
+                let thickness = placed.thickness.unwrap_or(0.0);
+                [0.0, 0.5, 1.0].map(|part| placed.layer.material(part * thickness, plane).axial_stiffness)
             })
             .collect();
         let [largest, smallest] =
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
-        let modulus = strata.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
-        let bodies = Body::all(stack, &strata, &pressures, modulus);
+        let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
+        let bodies = Body::all(stack, &layers, &pressures, modulus);
         let pressure_error = solution.contacts().iter().map(pressure_error).sum();
-        Self { plane, strata, bodies, pressures, modulus, contrast: largest / smallest, pressure_error }
+        Self { plane, layers, bodies, pressures, modulus, contrast: largest / smallest, pressure_error }
     }
 
     /// The same with other pressures on the same contacts.
@@ -108,9 +109,9 @@ impl Field {
     /// Stresses and displacements at a point; on an interface, those of the layer below.
     ///
     /// # Errors
-    /// [`FieldError::Outside`] if there is nothing at this depth.
+    /// [`FieldError::Outside`] if there is no layer at this depth.
     pub fn at(&self, x: f64, depth: f64) -> Result<FieldPoint, FieldError> {
-        self.at_spot(Spot { x, depth, layer: None })
+        self.at_point(Point { x, depth, layer: None })
     }
 
     /// Stresses and displacements at a point of a layer, numbered from the top as written in the scene, starting at 1.
@@ -118,54 +119,53 @@ impl Field {
     /// # Errors
     /// [`FieldError::Outside`] if the layer is not there, or not at this depth.
     pub fn at_layer(&self, x: f64, depth: f64, layer: usize) -> Result<FieldPoint, FieldError> {
-        self.at_spot(Spot { x, depth, layer: Some(layer) })
+        self.at_point(Point { x, depth, layer: Some(layer) })
     }
 
-    fn at_spot(&self, spot: Spot) -> Result<FieldPoint, FieldError> {
-        let points = self.points(&[spot])?;
-        points.into_iter().next().ok_or(FieldError::Outside { place: spot.to_string(), allowed: self.allowed() })
+    fn at_point(&self, point: Point) -> Result<FieldPoint, FieldError> {
+        let points = self.points(&[point])?;
+        points.into_iter().next().ok_or(FieldError::Outside { place: point.to_string(), allowed: self.allowed() })
     }
 
-    /// The estimated error of the stresses at a point, in stress: that of the pressures, and what sums over wavenumbers
-    /// leave out. Infinite where stresses are.
+    /// The estimated error of the stresses at a point, in stress: that of the pressures, and the truncation error of the sums over
+    /// wavenumbers. Infinite where stresses are.
     ///
-    /// Next to the ends of contacts the pressure itself is known worse than that, like the square root of the error of the
-    /// half-length.
+    /// Next to the ends of contacts the pressure itself is less accurate, by the square root of the error of the half-length.
     ///
     /// ```
-    /// # use recede::{HalfPlane, Model, Plane, Punch, Spot, Stack};
+    /// # use recede::{HalfPlane, Model, Plane, Punch, Point, Stack};
     /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
     /// let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let error = model.field(&solution)?.stress_error(&Spot { x: 0.1, depth: 0.2, layer: None })?;
+    /// let error = model.field(&solution)?.stress_error(&Point { x: 0.1, depth: 0.2, layer: None })?;
     /// assert!(error > 0.0 && error < 1e-9 * solution.contacts()[0].peak_pressure);
     /// # Ok::<(), recede::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`FieldError::Outside`] if the layer is not there, or not at this depth.
-    pub fn stress_error(&self, spot: &Spot) -> Result<f64, FieldError> {
-        let row = self.row(spot, 0)?;
-        let face = (row.depth == 0.0).then(|| self.bodies[self.strata[row.stratum].body].contact);
-        let singular = face.is_some_and(|contact| self.pressures[contact].singularity(spot.x).is_some());
-        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.left_out(&row, spot.x) })
+    pub fn stress_error(&self, point: &Point) -> Result<f64, FieldError> {
+        let row = self.row(point, 0)?;
+        let face = (row.depth == 0.0).then(|| self.bodies[self.layers[row.layer].body].contact);
+        let singular = face.is_some_and(|contact| self.pressures[contact].singularity(point.x).is_some());
+        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.truncation(&row, point.x) })
     }
 
     /// Stresses and displacements at any points; cheaper than one by one.
     ///
     /// # Errors
     /// As [`Self::at`] and [`Self::at_layer`].
-    pub fn points(&self, spots: &[Spot]) -> Result<Vec<FieldPoint>, FieldError> {
-        let mut rows = Vec::with_capacity(spots.len());
-        let mut sets = Vec::with_capacity(spots.len());
-        for spot in spots {
-            rows.push(self.row(spot, sets.len())?);
-            sets.push(vec![spot.x.abs()]);
+    pub fn points(&self, requested: &[Point]) -> Result<Vec<FieldPoint>, FieldError> {
+        let mut rows = Vec::with_capacity(requested.len());
+        let mut sets = Vec::with_capacity(requested.len());
+        for point in requested {
+            rows.push(self.row(point, sets.len())?);
+            sets.push(vec![point.x.abs()]);
         }
         let values = self.sum(&rows, &sets, &waves::FULL)?;
-        let of = |((spot, row), values): ((&Spot, &Row), Vec<_>)| {
-            values.into_iter().map(|value| self.point(spot.x, row, value)).collect::<Vec<_>>()
+        let of = |((point, row), values): ((&Point, &Row), Vec<_>)| {
+            values.into_iter().map(|value| self.point(point.x, row, value)).collect::<Vec<_>>()
         };
-        Ok(spots.iter().zip(&rows).zip(values).flat_map(of).collect())
+        Ok(requested.iter().zip(&rows).zip(values).flat_map(of).collect())
     }
 
     /// Stresses and displacements on a grid, row by row from the first depth on.
@@ -183,9 +183,9 @@ impl Field {
     /// # Errors
     /// As [`Self::at`].
     pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, FieldError> {
-        let spot =
-            |depth: &f64| self.row(&Spot { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
-        let rows: Vec<Row> = depths.iter().map(spot).collect::<Result<_, _>>()?;
+        let point =
+            |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
+        let rows: Vec<Row> = depths.iter().map(point).collect::<Result<_, _>>()?;
         Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows)?))
     }
 
@@ -209,26 +209,26 @@ impl Field {
     pub fn by_layer(&self, xs: &[f64], depths: &[f64]) -> Result<Vec<Grid>, FieldError> {
         let (Some(first), Some(last)) = (depths.first(), depths.last()) else { return Ok(Vec::new()) };
         for depth in [first, last] {
-            self.row(&Spot { x: 0.0, depth: *depth, layer: None }, 0)?;
+            self.row(&Point { x: 0.0, depth: *depth, layer: None }, 0)?;
         }
         let (mut rows, mut counts) = (Vec::new(), Vec::new());
-        for (stratum, own) in self.strata.iter().enumerate() {
-            let (from, to) = (own.top.max(*first), own.bottom().min(*last));
+        for (layer, placed) in self.layers.iter().enumerate() {
+            let (from, to) = (placed.top.max(*first), placed.bottom().min(*last));
             if from < to {
                 let between = depths.iter().copied().filter(|depth| *depth > from && *depth < to);
-                let within = |depth: f64| own.thickness.map_or(depth, |h| h.min(depth)).max(0.0);
+                let within = |depth: f64| placed.thickness.map_or(depth, |h| h.min(depth)).max(0.0);
                 let all = [from].into_iter().chain(between).chain([to]);
                 let before = rows.len();
-                rows.extend(all.map(|depth| Row { stratum, depth: within(depth - own.top), set: 0 }));
+                rows.extend(all.map(|depth| Row { layer, depth: within(depth - placed.top), set: 0 }));
                 counts.push(rows.len() - before);
             }
         }
         let points = self.in_rows(xs, &rows)?;
-        let mut rest = &points[..];
+        let mut remaining = &points[..];
         let grids = counts.into_iter().map(|count| {
-            let (own, others) = rest.split_at((count * xs.len()).min(rest.len()));
-            rest = others;
-            Grid::new(xs.to_vec(), own.to_vec())
+            let (of_layer, others) = remaining.split_at((count * xs.len()).min(remaining.len()));
+            remaining = others;
+            Grid::new(xs.to_vec(), of_layer.to_vec())
         });
         Ok(grids.collect())
     }
@@ -236,7 +236,7 @@ impl Field {
     /// Points in rows at the same places along x.
     fn in_rows(&self, xs: &[f64], rows: &[Row]) -> Result<Vec<FieldPoint>, FieldError> {
         if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
-            return Err(self.outside(&Spot { x: *x, depth: 0.0, layer: None }));
+            return Err(self.outside(&Point { x: *x, depth: 0.0, layer: None }));
         }
         // positive and negative places share their tables
         let mut places: Vec<f64> = xs.iter().map(|x| x.abs()).collect();
@@ -260,47 +260,47 @@ impl Field {
 
     /// Depths at which layers begin and end, with the layers' numbers, from the top down; a half-plane ends at infinity.
     pub fn layers(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
-        self.strata.iter().map(|stratum| (stratum.number, [stratum.top, stratum.bottom()]))
+        self.layers.iter().map(|placed| (placed.number, [placed.top, placed.bottom()]))
     }
 
-    /// Which layer a point is in, and how deep.
-    fn row(&self, spot: &Spot, set: usize) -> Result<Row, FieldError> {
-        let Spot { x, depth, layer } = *spot;
+    /// The layer of a point, and its depth in it.
+    fn row(&self, point: &Point, set: usize) -> Result<Row, FieldError> {
+        let Point { x, depth, layer: named } = *point;
         let near = |face: f64| face.is_finite() && (depth - face).abs() <= ON_INTERFACE * face;
-        let here = |stratum: &Stratum| {
-            let inside = depth >= stratum.top && depth <= stratum.bottom();
-            let named = layer.is_none_or(|number| stratum.number == number);
-            named && (inside || near(stratum.top) || near(stratum.bottom()))
+        let here = |placed: &PlacedLayer| {
+            let inside = depth >= placed.top && depth <= placed.bottom();
+            let is_named = named.is_none_or(|number| placed.number == number);
+            is_named && (inside || near(placed.top) || near(placed.bottom()))
         };
-        let found = self.strata.iter().rposition(here).filter(|_| x.is_finite() && depth.is_finite());
-        let stratum = found.ok_or_else(|| self.outside(spot))?;
-        let own = &self.strata[stratum];
-        let within = (depth - own.top).max(0.0);
-        let within = if near(own.bottom()) { own.thickness.unwrap_or(within) } else { within };
-        Ok(Row { stratum, depth: if near(own.top) { 0.0 } else { within }, set })
+        let found = self.layers.iter().rposition(here).filter(|_| x.is_finite() && depth.is_finite());
+        let layer = found.ok_or_else(|| self.outside(point))?;
+        let placed = &self.layers[layer];
+        let within = (depth - placed.top).max(0.0);
+        let within = if near(placed.bottom()) { placed.thickness.unwrap_or(within) } else { within };
+        Ok(Row { layer, depth: if near(placed.top) { 0.0 } else { within }, set })
     }
 
-    fn outside(&self, spot: &Spot) -> FieldError {
-        FieldError::Outside { place: spot.to_string(), allowed: self.allowed() }
+    fn outside(&self, point: &Point) -> FieldError {
+        FieldError::Outside { place: point.to_string(), allowed: self.allowed() }
     }
 
-    /// The depths at which there is something.
+    /// The depths at which there are layers.
     fn allowed(&self) -> String {
-        let layers = self.strata.iter().map(|stratum| match stratum.thickness {
-            Some(_) => format!("layer {} from {:?} to {:?}", stratum.number, stratum.top, stratum.bottom()),
-            None => format!("layer {} from {:?} down", stratum.number, stratum.top),
+        let layers = self.layers.iter().map(|placed| match placed.thickness {
+            Some(_) => format!("layer {} from {:?} to {:?}", placed.number, placed.top, placed.bottom()),
+            None => format!("layer {} from {:?} down", placed.number, placed.top),
         });
         layers.collect::<Vec<_>>().join(", ")
     }
 
-    /// How transformed fields begin at λ = 0: smooth over waves long against the layers; those of a graded half-plane
-    /// may have a power of λ there. A homogeneous half-plane by itself has no length of its own.
+    /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; those of a graded
+    /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs.
     fn origin(&self) -> Origin {
         // an empty sum would be -0
-        let thickness = self.strata.iter().filter_map(|stratum| stratum.thickness).fold(0.0, |sum, h| sum + h);
+        let thickness = self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h);
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
         let smooth = LONG / (self.contrast * thickness);
-        let power = self.strata.last().is_some_and(|base| {
+        let power = self.layers.last().is_some_and(|base| {
             let at = |depth: f64| base.layer.material(depth, self.plane);
             base.thickness.is_none() && at(0.0) != at(longest + thickness)
         });
@@ -309,12 +309,12 @@ impl Field {
     }
 }
 
-/// By how much the pressure of a contact may be wrong inside it, in stress; rounding at least.
+/// The error estimate of the pressure of a contact inside it, in stress; rounding at least.
 fn pressure_error(contact: &Contact) -> f64 {
     let mean = 0.5 * contact.resultant.abs() / contact.reach();
-    // the peak is extrapolated from the series, fields are those of the series itself
-    let off = |peak: f64| contact.peak_pressure_error + (contact.pressure(0.0) - peak).abs();
-    let peak = if contact.peak_pressure.is_finite() { off(contact.peak_pressure) } else { 0.0 };
+    // the pressure at x = 0 is extrapolated from the series, the field is that of the series itself
+    let error = |peak: f64| contact.peak_pressure_error + (contact.pressure(0.0) - peak).abs();
+    let peak = if contact.peak_pressure.is_finite() { error(contact.peak_pressure) } else { 0.0 };
     let ends = contact.half_length_error / contact.half_length;
     let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
     peak + if rounding.is_finite() { rounding } else { 0.0 }

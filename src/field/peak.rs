@@ -7,31 +7,31 @@ use super::waves::{self, Precision};
 use super::{Field, FieldPoint};
 use crate::system::Unresolved;
 
-/// Places of the coarse mesh in half-lengths of each contact next to the layer, its depths in half-lengths from a loaded
+/// Points of the coarse mesh: x in half-lengths of each contact next to the layer, depths in half-lengths from a loaded
 /// face, and in thicknesses.
 const BESIDE: [f64; 15] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96, 1.0, 1.05, 1.15, 1.4];
 const BELOW: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 0.8, 1.3];
 const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
-/// So many strips of one pressure are looked at one by one.
+/// Most strips of one pressure that have points of their own.
 const APART: usize = 16;
 /// Depth to which a half-plane is searched, in half-lengths of the longest contact.
 const FAR: f64 = 3.0;
-/// Peaks of the coarse mesh are followed if they reach this part of the highest one, so many of each layer and so many in
-/// all: on a plateau of one layer there may be any number of them.
+/// Peaks of the coarse mesh are followed if they are above this part of the highest one, at most this number in each layer and this number
+/// in all: a plateau in one layer may have any number of them.
 const PROMISING: f64 = 0.8;
 const OF_LAYER: usize = 4;
 const FOLLOWED: usize = 12;
 /// The distance of the points of the parabolas, in parts of the shortest length.
 const STEPS: [f64; 2] = [0.2, 0.05];
-/// The same with all that is known of the pressures, and what is done where the peak has moved far by that.
+/// The same with all terms of the pressures, and the steps where the peak has moved far by these.
 const LAST: f64 = 0.004;
 const AGAIN_FROM: [f64; 2] = [0.05, 0.012];
-/// Where the highest point is on the edge of a parabola one goes on from there, so often.
+/// Most parabolas one after the other, where the highest point of one is on its edge.
 const AGAIN: usize = 4;
 /// Values that differ by less are the same: at a bond that joins equal materials both layers have the stress.
 const SAME: f64 = 1.0 - 1e-4;
-/// Of the pressures the coarse search sees no more than this part.
-const ROUGHLY: f64 = 1e-4;
+/// In the coarse search, terms of the pressures below this part of the largest one are left out.
+const TRUNCATED: f64 = 1e-4;
 
 /// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +49,7 @@ pub struct MaxShear {
 /// A place in a layer, and the stress there.
 #[derive(Clone, Copy, Debug)]
 struct Peak {
-    stratum: usize,
+    layer: usize,
     x: f64,
     /// Below the top face of the layer.
     depth: f64,
@@ -60,13 +60,13 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, FieldError> {
     if let Some(infinite) = infinite(field) {
         return Ok(infinite);
     }
-    let rough = field.with_pressures(|pressure| pressure.truncated(ROUGHLY));
-    let mut peaks = promising(field, coarsely(&rough)?);
+    let truncated = field.with_pressures(|pressure| pressure.truncated(TRUNCATED));
+    let mut peaks = promising(field, coarsely(&truncated)?);
     for step in STEPS {
-        climb(&rough, &mut peaks, step, &waves::ROUGH)?;
+        climb(&truncated, &mut peaks, step, &waves::LOW)?;
     }
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
-    // in thin layers next to long contacts rough values may be wrong: the next one is looked at as long as it may be larger
+    // low-accuracy values may be wrong in thin layers next to long contacts: the next peak is computed too as long as it may be higher
     let mut found: Vec<Peak> = Vec::new();
     for peak in peaks {
         let highest = found.iter().fold(0.0, |highest: f64, known| highest.max(known.value));
@@ -75,30 +75,30 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, FieldError> {
         }
     }
     let highest = found.iter().fold(0.0, |highest: f64, peak| highest.max(peak.value));
-    // of several that are the same the upper one
+    // the uppermost of equal peaks
     let same = found.into_iter().filter(|peak| peak.value >= SAME * highest);
-    let Some(Peak { stratum, x, depth, value }) = same.min_by_key(|peak| peak.stratum) else {
+    let Some(Peak { layer, x, depth, value }) = same.min_by_key(|peak| peak.layer) else {
         return Err(Unresolved { wavenumber: 0.0 }.into());
     };
     if !value.is_finite() {
         return Err(Unresolved { wavenumber: 0.0 }.into());
     }
-    let own = &field.strata[stratum];
-    Ok(MaxShear { value, x, depth: own.top + depth, layer: own.number })
+    let placed = &field.layers[layer];
+    Ok(MaxShear { value, x, depth: placed.top + depth, layer: placed.number })
 }
 
 /// The highest peaks of the coarse mesh, those that are followed.
 fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
-    // stable: of two that are the same the upper one
+    // a stable sort: the upper one of equal peaks comes first
     peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
     let highest = peaks.first().map_or(0.0, |peak| peak.value);
     peaks.retain(|peak| peak.value >= PROMISING * highest);
-    // a peak on a bond is one of both layers
-    let place = |peak: &Peak| (peak.x, field.strata[peak.stratum].top + peak.depth);
+    // a peak on a bonded interface is one of both layers
+    let place = |peak: &Peak| (peak.x, field.layers[peak.layer].top + peak.depth);
     peaks.dedup_by(|next, peak| place(next) == place(peak) && next.value >= SAME * peak.value);
     let mut followed: Vec<Peak> = Vec::with_capacity(FOLLOWED);
     for peak in peaks {
-        let of_layer = followed.iter().filter(|other| other.stratum == peak.stratum).count();
+        let of_layer = followed.iter().filter(|other| other.layer == peak.layer).count();
         if of_layer < OF_LAYER && followed.len() < FOLLOWED {
             followed.push(peak);
         }
@@ -106,9 +106,9 @@ fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
     followed
 }
 
-/// The peak next to a rough one, with all that is known of the pressures.
-fn exactly(field: &Field, rough: Peak) -> Result<Peak, FieldError> {
-    let mut peak = [rough];
+/// The peak next to one of low accuracy, with all terms of the pressures.
+fn exactly(field: &Field, low_accuracy: Peak) -> Result<Peak, FieldError> {
+    let mut peak = [low_accuracy];
     if !climb(field, &mut peak, LAST, &waves::STRESSES)? {
         for step in AGAIN_FROM.into_iter().chain([LAST]) {
             climb(field, &mut peak, step, &waves::STRESSES)?;
@@ -121,7 +121,7 @@ fn exactly(field: &Field, rough: Peak) -> Result<Peak, FieldError> {
 /// Where the shear stress is infinite: under a line load, at sharp corners, and under a sharp tip where the stresses on the face
 /// are not the same along it and across, as they are where its material is isotropic.
 fn infinite(field: &Field) -> Option<MaxShear> {
-    let layer = field.strata.first()?.number;
+    let layer = field.layers.first()?.number;
     let isotropic = field.bodies.first()?.faces[0].as_ref().is_some_and(|face| face.surface.is_isotropic());
     let points = field.pressures.first()?.singular_points();
     let (x, _) =
@@ -132,50 +132,50 @@ fn infinite(field: &Field) -> Option<MaxShear> {
 /// The peaks of a coarse mesh.
 fn coarsely(field: &Field) -> Result<Vec<Peak>, FieldError> {
     let (mut rows, mut sets) = (Vec::new(), Vec::new());
-    for (stratum, own) in field.strata.iter().enumerate() {
-        let body = &field.bodies[own.body];
+    for (layer, placed) in field.layers.iter().enumerate() {
+        let body = &field.bodies[placed.body];
         let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
-        let deepest = field.deepest(stratum);
+        let deepest = field.deepest(layer);
         let xs = contacts.iter().flat_map(beside);
         let mut depths: Vec<f64> = THROUGH.iter().map(|part| part * deepest).collect();
         for (side, contact) in contacts.iter().enumerate() {
             // counted from the loaded face, be it that of this layer or of one above or below it
-            let face = if side == 0 { body.top } else { body.bottom.unwrap_or(body.top) } - own.top;
+            let face = if side == 0 { body.top } else { body.bottom.unwrap_or(body.top) } - placed.top;
             let lengths = [contact.half_length, contact.narrowest()];
             let distances = lengths.iter().flat_map(|length| BELOW.map(|part| part * length));
             let inside = distances.map(|distance| if side == 0 { face + distance } else { face - distance });
             depths.extend(inside.filter(|depth| *depth > 0.0 && *depth < deepest));
         }
-        rows.extend(ascending(depths).into_iter().map(|depth| Row { stratum, depth, set: sets.len() }));
+        rows.extend(ascending(depths).into_iter().map(|depth| Row { layer, depth, set: sets.len() }));
         sets.push(ascending(xs.collect()));
     }
     let values = values(field, &rows, &sets, &waves::COARSE)?;
     let mut peaks = Vec::new();
-    for (i, (row, own)) in rows.iter().zip(&values).enumerate() {
+    for (i, (row, in_row)) in rows.iter().zip(&values).enumerate() {
         let beside = |other: Option<usize>| {
-            other.and_then(|k| Some((rows.get(k)?, &values[k]))).filter(|(other, _)| other.stratum == row.stratum)
+            other.and_then(|k| Some((rows.get(k)?, &values[k]))).filter(|(other, _)| other.layer == row.layer)
         };
         let around: Vec<&Vec<f64>> =
             [i.checked_sub(1), Some(i), Some(i + 1)].into_iter().filter_map(beside).map(|(_, list)| list).collect();
-        for (k, value) in own.iter().enumerate() {
-            let near = k.saturating_sub(1)..(k + 2).min(own.len());
+        for (k, value) in in_row.iter().enumerate() {
+            let near = k.saturating_sub(1)..(k + 2).min(in_row.len());
             if around.iter().all(|list| list[near.clone()].iter().all(|other| other <= value)) {
-                peaks.push(Peak { stratum: row.stratum, x: sets[row.set][k], depth: row.depth, value: *value });
+                peaks.push(Peak { layer: row.layer, x: sets[row.set][k], depth: row.depth, value: *value });
             }
         }
     }
     Ok(peaks)
 }
 
-/// From places to the peaks next to them in their layers, by parabolas through points so far from each other; whether each
-/// of the last ones had its peak inside.
+/// Moves points to the peaks next to them in their layers, by parabolas through points at a distance `step`, and returns whether each
+/// of the last parabolas had its peak inside.
 fn climb(field: &Field, peaks: &mut [Peak], step: f64, precision: &Precision) -> Result<bool, FieldError> {
     let mut climbing: Vec<usize> = (0..peaks.len()).collect();
     for _ in 0..AGAIN {
         let stencils: Vec<Stencil> = climbing.iter().map(|k| Stencil::new(field, &peaks[*k], step)).collect();
         let rows = stencils.iter().enumerate().flat_map(|(set, stencil)| {
             let depths = [-1.0, 0.0, 1.0].map(|side| stencil.depth + side * stencil.across);
-            depths.map(|depth| Row { stratum: stencil.stratum, depth, set })
+            depths.map(|depth| Row { layer: stencil.layer, depth, set })
         });
         let places = |stencil: &Stencil| [-1.0, 0.0, 1.0].map(|side| (stencil.x + side * stencil.along).abs()).to_vec();
         let sets: Vec<Vec<f64>> = stencils.iter().map(places).collect();
@@ -196,7 +196,7 @@ fn climb(field: &Field, peaks: &mut [Peak], step: f64, precision: &Precision) ->
 
 /// Three by three points of a layer about a place.
 struct Stencil {
-    stratum: usize,
+    layer: usize,
     x: f64,
     /// Below the top face of the layer; the points above and below are in the layer, too.
     depth: f64,
@@ -207,14 +207,14 @@ struct Stencil {
 
 impl Stencil {
     fn new(field: &Field, peak: &Peak, step: f64) -> Self {
-        let body = &field.bodies[field.strata[peak.stratum].body];
+        let body = &field.bodies[field.layers[peak.layer].body];
         let contacts = &field.pressures[body.contact..][..1 + usize::from(body.bottom.is_some())];
         let shortest = contacts.iter().fold(f64::INFINITY, |a, contact| a.min(contact.narrowest()));
-        let deepest = field.deepest(peak.stratum);
+        let deepest = field.deepest(peak.layer);
         let along = step * shortest;
         let across = along.min(0.25 * deepest);
         let depth = peak.depth.clamp(across, deepest - across);
-        Self { stratum: peak.stratum, x: peak.x, depth, along, across, deepest }
+        Self { layer: peak.layer, x: peak.x, depth, along, across, deepest }
     }
 
     /// The highest place of the parabola through the values, row by row, and whether it is inside or on a face.
@@ -232,7 +232,7 @@ impl Stencil {
         let x = (self.x + right * self.along).abs();
         let on_face = depth <= 0.0 || depth >= self.deepest;
         let inside = right.abs() < 1.0 && (down.abs() < 1.0 || on_face);
-        (Peak { stratum: self.stratum, x, depth, value: top.max(0.0).sqrt() }, inside)
+        (Peak { layer: self.layer, x, depth, value: top.max(0.0).sqrt() }, inside)
     }
 }
 
@@ -274,10 +274,10 @@ impl Parabola {
 }
 
 impl Field {
-    /// How far down a layer is searched.
-    fn deepest(&self, stratum: usize) -> f64 {
+    /// The depth to which a layer is searched.
+    fn deepest(&self, layer: usize) -> f64 {
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        self.strata[stratum].thickness.unwrap_or(FAR * longest)
+        self.layers[layer].thickness.unwrap_or(FAR * longest)
     }
 }
 
@@ -285,7 +285,7 @@ impl Field {
 fn beside(contact: &Pressure) -> Vec<f64> {
     let about =
         |(at, a): (f64, f64)| [-1.0, 1.0].into_iter().flat_map(move |side| BESIDE.map(|part| at + side * part * a));
-    // of many strips together, which are as good as one, or of one
+    // many strips are taken as one
     let strips: Vec<(f64, f64)> = contact.strips().filter(|_| contact.strips().count() <= APART).collect();
     let all = strips.into_iter().chain([(0.0, contact.half_length)]).flat_map(about);
     all.filter(|x| *x >= 0.0).collect()

@@ -9,7 +9,7 @@ use super::sum::Row;
 
 /// A point at which a field is requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
+pub struct Point {
     /// Along the layers, from the centre of the contact, in length.
     pub x: f64,
     /// Below the top face of the stack, in length.
@@ -18,7 +18,7 @@ pub struct Spot {
     pub layer: Option<usize>,
 }
 
-impl fmt::Display for Spot {
+impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "x = {:?}, depth = {:?}", self.x, self.depth)?;
         self.layer.map_or(Ok(()), |layer| write!(f, " in layer {layer}"))
@@ -191,22 +191,22 @@ impl Grid {
 impl Field {
     /// A point from the components at |x|.
     pub(super) fn point(&self, x: f64, row: &Row, components: Components) -> FieldPoint {
-        let stratum = &self.strata[row.stratum];
+        let placed = &self.layers[row.layer];
         let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v] = components;
         if x < 0.0 {
             (sigma_xy, u) = (-sigma_xy, -u);
         }
         let sigma_zz = match self.plane {
             Plane::Strain => {
-                let shares = stratum.layer.material(row.depth, self.plane).out_of_plane;
+                let shares = placed.layer.material(row.depth, self.plane).out_of_plane;
                 shares.map_or(f64::NAN, |[along, across]| along * sigma_xx + across * sigma_yy)
             }
             Plane::Stress => 0.0,
         };
         FieldPoint {
             x,
-            depth: stratum.top + row.depth,
-            layer: stratum.number,
+            depth: placed.top + row.depth,
+            layer: placed.number,
             u,
             v,
             sigma_xx,

@@ -1,4 +1,4 @@
-//! What closed forms in x are made of.
+//! The potentials of which closed forms in x consist.
 use num_complex::Complex64;
 
 /// σ_xx, σ_yy, σ_xy and the displacements u, v at a point or, transformed, λμ₀U and λμ₀V.

@@ -2,38 +2,37 @@
 use num_complex::Complex64;
 
 use super::potentials::Potentials;
-use super::strip::{Image, Singularity};
+use super::strip::{Singularity, StripPressure};
 use crate::solution::{Contact, Strip};
 
-/// A place is a singular point if it is as close to it as this, in parts of its distance from x = 0: what lies between is
-/// rounding.
+/// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
 
-/// A sum of strips, each with its mirror image.
+/// A sum of strips, each with its mirror strip.
 #[derive(Clone, Debug)]
 pub(super) struct Pressure {
-    /// As far as it reaches.
+    /// The end of the farthest strip.
     pub(super) half_length: f64,
-    strips: Vec<(f64, Image)>,
+    strips: Vec<(f64, StripPressure)>,
 }
 
 impl Pressure {
     pub(super) fn new(contact: &Contact) -> Self {
-        let strips: Vec<(f64, Image)> = contact.strips.iter().map(|strip| (strip.at, Image::new(strip))).collect();
-        let reach = |strip: &Strip| strip.at + strip.extent;
-        Self { half_length: contact.strips.iter().map(reach).fold(0.0, f64::max), strips }
+        let strips = contact.strips.iter().map(|strip| (strip.at, StripPressure::new(strip))).collect();
+        let end = |strip: &Strip| strip.at + strip.extent;
+        Self { half_length: contact.strips.iter().map(end).fold(0.0, f64::max), strips }
     }
 
     /// Without the last terms of each series, as long as together they stay below this part of the largest one. The
     /// resultant remains.
     pub(super) fn truncated(&self, part: f64) -> Self {
-        let strips = self.strips.iter().map(|(at, image)| (*at, image.truncated(part))).collect();
+        let strips = self.strips.iter().map(|(at, strip)| (*at, strip.truncated(part))).collect();
         Self { strips, ..*self }
     }
 
     /// Middles and half-lengths of the strips.
     pub(super) fn strips(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.strips.iter().map(|(at, image)| (*at, image.half_length))
+        self.strips.iter().map(|(at, strip)| (*at, strip.half_length))
     }
 
     /// Half-length of the narrowest strip.
@@ -41,20 +40,21 @@ impl Pressure {
         self.strips().fold(self.half_length, |narrowest, (_, a)| narrowest.min(a))
     }
 
-    /// Where x ≥ 0 and stresses on the face are infinite, and how.
+    /// The places x ≥ 0 at which stresses on the face are infinite, and the kind of the singularity.
     pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
-        let of =
-            |(at, image): &(f64, Image)| image.singular_points().map(|(x, kind)| (at + x, kind)).collect::<Vec<_>>();
+        let of = |(at, strip): &(f64, StripPressure)| {
+            strip.singular_points().map(|(x, kind)| (at + x, kind)).collect::<Vec<_>>()
+        };
         self.strips.iter().flat_map(of).map(|(x, kind)| (x.abs(), kind))
     }
 
-    /// How stresses on the face are infinite at a place; the strongest way.
+    /// The strongest singularity of stresses on the face at a place.
     pub(super) fn singularity(&self, x: f64) -> Option<Singularity> {
         let here = self.singular_points().filter(|(at, _)| (x.abs() - at).abs() <= AT * at);
         here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
     }
 
-    /// How far a place is from the nearest one at which the pressure is not smooth: ends, and singular points.
+    /// The distance of a place from the nearest one at which the pressure is not smooth: ends, and singular points.
     pub(super) fn distance(&self, x: f64) -> f64 {
         let ends = self.strips().flat_map(|(at, a)| [at - a, at + a]);
         let points = ends.chain(self.singular_points().map(|(at, _)| at));
@@ -64,33 +64,35 @@ impl Pressure {
     /// An amplitude of p̂ at a wavenumber.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
         let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };
-        self.strips.iter().map(|(at, image)| images(*at) * image.envelope(wavenumber)).sum()
+        self.strips.iter().map(|(at, strip)| images(*at) * strip.envelope(wavenumber)).sum()
     }
 
     /// p̂(0).
     pub(super) fn resultant(&self) -> f64 {
         let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };
-        self.strips.iter().map(|(at, image)| images(*at) * image.resultant()).sum()
+        self.strips.iter().map(|(at, strip)| images(*at) * strip.resultant()).sum()
     }
 
-    /// p̂ and p̂ − P at some wavenumbers, eq. (22); the latter is O(λ²) and keeps its digits.
+    /// p̂ and p̂ − P at some wavenumbers, eq. (22); the latter is O(λ²) and accurate to rounding.
     pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
         let mut sums = vec![[0.0; 2]; wavenumbers.len()];
-        for (at, image) in &self.strips {
-            let resultant = image.resultant();
-            for ((sum, excess), wavenumber) in sums.iter_mut().zip(image.excesses(wavenumbers)).zip(wavenumbers) {
-                let [all, excess] = if *at == 0.0 {
-                    [resultant + excess, excess]
+        for (at, strip) in &self.strips {
+            let resultant = strip.resultant();
+            for ((sum, variation), wavenumber) in
+                sums.iter_mut().zip(strip.minus_resultant(wavenumbers)).zip(wavenumbers)
+            {
+                let [all, variation] = if *at == 0.0 {
+                    [resultant + variation, variation]
                 } else {
-                    // 2 cos λx (P + excess) − 2P
+                    // 2 cos λx (P + variation) − 2P
                     let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
-                    let whole = 2.0 * (cos * cos - sin * sin);
-                    [whole * (resultant + excess), whole * excess - 4.0 * sin * sin * resultant]
+                    let both = 2.0 * (cos * cos - sin * sin);
+                    [both * (resultant + variation), both * variation - 4.0 * sin * sin * resultant]
                 };
-                *sum = [sum[0] + all, sum[1] + excess];
+                *sum = [sum[0] + all, sum[1] + variation];
             }
-            if image.is_skew() {
-                for ((sum, odd), wavenumber) in sums.iter_mut().zip(image.sines(wavenumbers)).zip(wavenumbers) {
+            if strip.is_skew() {
+                for ((sum, odd), wavenumber) in sums.iter_mut().zip(strip.sines(wavenumbers)).zip(wavenumbers) {
                     let odd = -2.0 * (wavenumber * at).sin() * odd;
                     *sum = [sum[0] + odd, sum[1] + odd];
                 }
@@ -102,26 +104,26 @@ impl Pressure {
     /// The potentials at a depth, eq. (25). G_1 and G_2 are infinite at the ends of the contact.
     pub(super) fn potentials(&self, x: f64, depth: f64) -> Potentials {
         let mut sums = [Complex64::ZERO; 3];
-        self.images(x, |image, x, mirror| {
-            let Potentials(own) = image.potentials(x, depth, mirror);
-            sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+        self.each_strip(x, |strip, x, mirror| {
+            let Potentials(potentials) = strip.potentials(x, depth, mirror);
+            sums.iter_mut().zip(potentials).for_each(|(sum, potential)| *sum += potential);
         });
         Potentials(sums)
     }
 
-    /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
+    /// G_(−1), minus a constant that is infinite: the integral of G_0 over the depth, eq. (26).
     pub(super) fn integral(&self, x: f64, depth: f64) -> Complex64 {
         let mut sum = Complex64::ZERO;
-        self.images(x, |image, x, mirror| sum += image.integral(x, depth, mirror));
+        self.each_strip(x, |strip, x, mirror| sum += strip.integral(x, depth, mirror));
         sum
     }
 
-    /// All strips and their mirror images, with places as seen from their middles.
-    fn images(&self, x: f64, mut each: impl FnMut(&Image, f64, f64)) {
-        for (at, image) in &self.strips {
-            each(image, x - at, 1.0);
+    /// Calls `each` for all strips and their mirror images, with the place measured from their middles, and −1 for a mirror image.
+    fn each_strip(&self, x: f64, mut each: impl FnMut(&StripPressure, f64, f64)) {
+        for (at, strip) in &self.strips {
+            each(strip, x - at, 1.0);
             if *at != 0.0 {
-                each(image, x + at, -1.0);
+                each(strip, x + at, -1.0);
             }
         }
     }

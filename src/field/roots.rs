@@ -1,4 +1,4 @@
-//! What a half-plane does whose characteristic equation has two different roots, as that of orthotropic material.
+//! The fields of a half-plane whose characteristic equation has two different roots, as that of orthotropic material.
 //!
 //! Its fields are sums of two terms e^(−sλd), each with a closed form in x: see [`super::pressure`].
 use num_complex::Complex64;
@@ -7,7 +7,7 @@ use recede_layers::Material;
 use super::potentials::{Components, Potentials};
 use super::pressure::Pressure;
 
-/// Roots closer than this, in parts of their size, are taken to be so far apart: what that misses is integrated.
+/// Roots closer than this, in parts of their size, are moved apart to this distance: the difference is part of the integrated remainder.
 const APART: f64 = 1e-5;
 
 /// The fields of a half-plane per unit of p̂ on its face, as sums over the two roots.
@@ -57,7 +57,7 @@ impl Roots {
         sum
     }
 
-    /// The components at a point, with displacements less those at the depth `shift` farther down, if that is finite.
+    /// The components at a point, with displacements minus those at the depth `shift` farther down, if that is finite.
     pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64, shift: f64, modulus: f64) -> Components {
         let mut sum = Components::default();
         for Term { root, components } in &self.0 {

@@ -15,13 +15,13 @@ const SMALL: f64 = 1e-6;
 /// Terms of the series whose sum is below this part of the largest one are left out.
 const ROUNDED: f64 = 1e-16;
 
-/// p(x) = Σ c_j sin jφ, x = a cos φ, j = 2m + 1.
+/// The pressure on a strip, x measured from its middle: p(x) = Σ c_j sin jφ, x = a cos φ, j = 2m + 1.
 #[derive(Clone, Debug)]
-pub(super) struct Image {
+pub(super) struct StripPressure {
     pub(super) half_length: f64,
     /// (−1)^m c_j.
     pub(super) series: Vec<f64>,
-    /// (−1)^m c_j of j = 2m + 2, which the mirror image has with the other sign.
+    /// (−1)^m c_j of j = 2m + 2, which the mirror strip has with the other sign.
     pub(super) skew: Vec<f64>,
     /// Of 1/sin φ.
     pub(super) corners: f64,
@@ -32,15 +32,15 @@ pub(super) struct Image {
     pub(super) envelope: Vec<f64>,
 }
 
-impl Image {
+impl StripPressure {
     pub(super) fn new(strip: &Strip) -> Self {
         let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let signed = |all: &[f64]| all.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
         let (series, skew) = (signed(&strip.coefficients), signed(&strip.skew));
         let Strip { extent: half_length, corners, tip, form, .. } = *strip;
         let envelope = Vec::new();
-        let image = Self { half_length, series, skew, corners, tip, form, envelope }.truncated(ROUNDED);
-        Self { envelope: image.sampled_envelope(), ..image }
+        let pressure = Self { half_length, series, skew, corners, tip, form, envelope }.truncated(ROUNDED);
+        Self { envelope: pressure.sampled_envelope(), ..pressure }
     }
 
     /// Without the last terms of the series, as long as together they stay below this part of the largest one. The
@@ -75,7 +75,7 @@ impl Image {
         self.series.first().copied().unwrap_or(0.0)
     }
 
-    /// Whether anything is odd about the middle.
+    /// Whether the pressure has a part that is odd about the middle.
     pub(super) fn is_skew(&self) -> bool {
         !self.skew.is_empty()
     }
@@ -89,7 +89,7 @@ impl Image {
         (z, root, (z + root).inv())
     }
 
-    /// How many terms of the series matter where powers of w² fall as fast as this, and whether there are as many.
+    /// The number of terms of the series that are not negligible for powers of w² = `square`, and whether the series has that many.
     fn terms(&self, square: Complex64) -> (usize, bool) {
         let falls = square.norm().ln();
         let most = self.series.len();
@@ -97,7 +97,7 @@ impl Image {
         (most.min(enough), enough <= most)
     }
 
-    /// The potentials at a depth, eq. (25), of the image or, with `mirror` −1, of that on the other side. G_1 and G_2 are
+    /// The potentials at a depth, eq. (25), of the strip or, with `mirror` −1, of its mirror strip. G_1 and G_2 are
     /// infinite at the ends of the strip, and all of them at its [`Self::singular_points`].
     pub(super) fn potentials(&self, x: f64, depth: f64, mirror: f64) -> Potentials {
         if self.form == Form::Line {
@@ -150,8 +150,8 @@ impl Image {
         Potentials(potentials)
     }
 
-    /// Where stresses on the face are infinite, and how, measured from the middle: a line load, the corners of a flat punch,
-    /// and a sharp tip.
+    /// The places, measured from the middle, at which stresses on the face are infinite, and the kind of the singularity: a line load, the
+    /// corners of a flat punch, and a sharp tip.
     pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
         let a = self.half_length;
         let line = (self.form == Form::Line).then_some((0.0, Singularity::Line));
@@ -160,7 +160,7 @@ impl Image {
         line.into_iter().chain(corners).chain(tip)
     }
 
-    /// G_(−1), less a constant that is infinite: the integral of G_0 over the depth, eq. (26).
+    /// G_(−1), minus a constant that is infinite: the integral of G_0 over the depth, eq. (26).
     pub(super) fn integral(&self, x: f64, depth: f64, mirror: f64) -> Complex64 {
         if self.form == Form::Line {
             return -self.resultant() / PI * logarithm(Complex64::new(depth, -x));
@@ -199,16 +199,16 @@ impl Image {
         let square = z * z + 1.0;
         let (factor, potentials, integral) = match self.form {
             Form::Uniform => {
-                let unit = resultant / (PI * a);
+                let factor = resultant / (PI * a);
                 let potentials = [angle, square.inv() / a, 2.0 * z / (square * square) / (a * a)];
-                (unit, potentials, -z * angle - 0.5 * both + (1.0 - LN_2))
+                (factor, potentials, -z * angle - 0.5 * both + (1.0 - LN_2))
             }
             Form::Parabolic => {
-                let unit = 1.5 * resultant / (PI * a);
+                let factor = 1.5 * resultant / (PI * a);
                 let potentials =
                     [square * angle - z, 2.0 * (1.0 - z * angle) / a, 2.0 * (angle - z / square) / (a * a)];
                 let integral = -z * (1.0 + z * z / 3.0) * angle - both / 3.0 + z * z / 3.0;
-                (unit, potentials, integral + (8.0 / 9.0 - 2.0 / 3.0 * LN_2))
+                (factor, potentials, integral + (8.0 / 9.0 - 2.0 / 3.0 * LN_2))
             }
             Form::Series | Form::Line => return None,
         };
@@ -219,7 +219,7 @@ impl Image {
     }
 }
 
-/// How stresses on a loaded face go to infinity.
+/// The kind of a singularity of the stresses on a loaded face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Singularity {
     /// Like the inverse of the distance, and v like its logarithm.
@@ -255,11 +255,11 @@ fn logarithm(z: Complex64) -> Complex64 {
 mod tests {
     use super::*;
 
-    fn image(form: Form) -> Image {
+    fn strip(form: Form) -> StripPressure {
         with_tip(form, 0.0)
     }
 
-    fn with_tip(form: Form, tip: f64) -> Image {
+    fn with_tip(form: Form, tip: f64) -> StripPressure {
         let (at, extent) = (0.0, 0.7);
         let order = |m: usize| (2 * m + 1) as f64;
         let coefficients = match form {
@@ -269,7 +269,7 @@ mod tests {
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
         let (corners, tip) = if form == Form::Series { (0.8, tip) } else { (0.0, 0.0) };
-        Image::new(&Strip { at, extent, coefficients, skew: Vec::new(), corners, tip, form })
+        StripPressure::new(&Strip { at, extent, coefficients, skew: Vec::new(), corners, tip, form })
     }
 
     const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
@@ -280,26 +280,27 @@ mod tests {
         let places = [(0.0, 0.5), (0.3, 0.9), (0.7, 0.4), (1.9, 0.6)];
         let forms = FORMS.into_iter().chain([Form::Line]);
         for (form, (x, depth)) in forms.flat_map(|form| places.map(|place| (form, place))) {
-            let image = image(form);
+            let strip = strip(form);
             let mut sums = [Complex64::ZERO; 3];
             for panel in 0..20 {
                 let (wavenumbers, weights): (Vec<f64>, Vec<f64>) =
                     rule.on(5.0 * f64::from(panel), 5.0 * f64::from(panel + 1)).unzip();
-                for ((l, weight), excess) in wavenumbers.iter().zip(weights).zip(image.excesses(&wavenumbers)) {
-                    let p = image.resultant() + excess;
+                let transforms = strip.minus_resultant(&wavenumbers);
+                for ((l, weight), variation) in wavenumbers.iter().zip(weights).zip(transforms) {
+                    let p = strip.resultant() + variation;
                     let wave = Complex64::new(-l * depth, l * x).exp() * (weight * p / PI);
                     sums[0] += wave;
                     sums[1] += wave * l;
                     sums[2] += wave * l * l;
                 }
             }
-            let Potentials(found) = image.potentials(x, depth, 1.0);
+            let Potentials(found) = strip.potentials(x, depth, 1.0);
             for (found, expected) in found.iter().zip(sums) {
                 assert!((found - expected).norm() < 1e-12 * expected.norm().max(1.0), "{x} {depth} {found} {expected}");
             }
             // the integral of G_0 over the depth
             let step = 1e-4;
-            let slope = (image.integral(x, depth + step, 1.0) - image.integral(x, depth - step, 1.0)) / (2.0 * step);
+            let slope = (strip.integral(x, depth + step, 1.0) - strip.integral(x, depth - step, 1.0)) / (2.0 * step);
             assert!((slope + found[0]).norm() < 1e-7);
         }
     }
@@ -308,16 +309,16 @@ mod tests {
     fn on_the_face_the_potential_is_the_pressure() {
         for (s, inside) in [(0.0, true), (0.5, true), (0.99, true), (1.01, false), (30.0, false)] {
             for form in FORMS {
-                let image = image(form);
-                let x = s * image.half_length;
-                let Potentials([zeroth, ..]) = image.potentials(x, 0.0, 1.0);
+                let strip = strip(form);
+                let x = s * strip.half_length;
+                let Potentials([zeroth, ..]) = strip.potentials(x, 0.0, 1.0);
                 let phi = s.min(1.0).acos();
-                let sum = image.series.iter().enumerate().map(|(m, c)| {
+                let sum = strip.series.iter().enumerate().map(|(m, c)| {
                     let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
                     sign * c * ((2 * m + 1) as f64 * phi).sin()
                 });
-                let sum = sum.chain([image.corners / phi.sin()]);
-                let mean = 0.5 * image.resultant() / image.half_length;
+                let sum = sum.chain([strip.corners / phi.sin()]);
+                let mean = 0.5 * strip.resultant() / strip.half_length;
                 let expected = match form {
                     _ if !inside => 0.0,
                     Form::Uniform => mean,
@@ -333,14 +334,14 @@ mod tests {
     fn series_and_closed_forms_are_one() {
         // where 64 terms are just enough
         for form in [Form::Uniform, Form::Parabolic] {
-            let image = image(form);
+            let strip = strip(form);
             for (x, depth) in [(0.0, 0.25), (0.9, 0.01), (0.6, 0.3)] {
-                let (z, _, w) = image.map(x, depth);
-                assert!(image.terms(w * w).1);
-                let closed = image.closed(z).unwrap();
-                let (Potentials(found), Potentials(expected)) = (image.potentials(x, depth, 1.0), closed.potentials);
+                let (z, _, w) = strip.map(x, depth);
+                assert!(strip.terms(w * w).1);
+                let closed = strip.closed(z).unwrap();
+                let (Potentials(found), Potentials(expected)) = (strip.potentials(x, depth, 1.0), closed.potentials);
                 for (found, expected) in
-                    found.iter().zip(expected).chain([(&image.integral(x, depth, 1.0), closed.integral)])
+                    found.iter().zip(expected).chain([(&strip.integral(x, depth, 1.0), closed.integral)])
                 {
                     assert!(
                         (found - expected).norm() < 1e-13 * (1.0 + expected.norm()),
@@ -348,8 +349,8 @@ mod tests {
                     );
                 }
             }
-            let edge = image.potentials(image.half_length, 0.0, 1.0);
-            assert!(edge.0[0].re.is_finite() && image.integral(image.half_length, 0.0, 1.0).is_finite());
+            let edge = strip.potentials(strip.half_length, 0.0, 1.0);
+            assert!(edge.0[0].re.is_finite() && strip.integral(strip.half_length, 0.0, 1.0).is_finite());
         }
     }
 
@@ -357,11 +358,11 @@ mod tests {
     fn a_tip_is_the_sum_of_its_series() {
         let tip = 0.6;
         let sharp = with_tip(Form::Series, tip);
-        let mut series = image(Form::Series);
+        let mut series = strip(Form::Series);
         series.series.resize(4000, 0.0);
         series.series.iter_mut().enumerate().for_each(|(m, c)| *c += 2.0 * tip / (2 * m + 1) as f64);
         for wavenumber in [1e-3, 0.7, 30.0, 57.0, 58.0, 4e3] {
-            let [found, expected] = [&sharp, &series].map(|image| image.excesses(&[wavenumber])[0]);
+            let [found, expected] = [&sharp, &series].map(|strip| strip.minus_resultant(&[wavenumber])[0]);
             assert!((found - expected).abs() < 1e-13 * series.resultant(), "{wavenumber}: {found} {expected}");
         }
         for (x, depth) in [(0.0, 0.02), (0.3, 0.05), (0.69, 0.2), (0.1, 3.0), (40.0, 0.0), (0.0, 1e4), (1e-3, 0.01)] {
@@ -375,7 +376,7 @@ mod tests {
         }
         assert!((sharp.resultant() / series.resultant() - 1.0).abs() < 1e-15);
         let pressure = tip * (0.7f64 / 0.01).acosh();
-        let plain = image(Form::Series).potentials(0.01, 0.0, 1.0).0[0].re;
+        let plain = strip(Form::Series).potentials(0.01, 0.0, 1.0).0[0].re;
         assert!((sharp.potentials(0.01, 0.0, 1.0).0[0].re - plain - pressure).abs() < 1e-12);
         assert!(sharp.integral(0.0, 0.0, 1.0).is_finite());
     }

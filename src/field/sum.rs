@@ -1,34 +1,34 @@
 //! The fields in rows of points at one depth each: closed forms next to the loaded faces, and a sum over wavenumbers of
-//! the rest.
+//! the remainder.
 use std::f64::consts::PI;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use recede_layers::{State, Wave};
 
-use super::body::{Body, Face, Stratum, components};
+use super::body::{Body, Face, PlacedLayer, components};
 use super::error::FieldError;
 use super::potentials::Components;
 use super::strip::Singularity;
-use super::waves::{self, Felt, Panel, Precision};
+use super::waves::{self, CutOff, Panel, Precision};
 use super::{Field, Load};
 use crate::system::Unresolved;
 
 /// Points at one depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
-    /// Which of the strata.
-    pub(super) stratum: usize,
+    /// Index of the layer.
+    pub(super) layer: usize,
     /// Depth below its top face.
     pub(super) depth: f64,
-    /// Which of the lists of places x ≥ 0.
+    /// Index of the list of places x ≥ 0.
     pub(super) set: usize,
 }
 
-/// A row on its way through the wavenumbers.
+/// A row that is being summed.
 struct Active {
     row: Row,
-    /// Its place in the requested order.
+    /// Its index in the requested order.
     index: usize,
     /// Its cut-off wavenumber.
     end: f64,
@@ -39,11 +39,11 @@ struct Active {
 /// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
 fn faces<'a>(
     body: &'a Body,
-    stratum: &'a Stratum,
+    placed: &'a PlacedLayer,
     depth: f64,
 ) -> impl Iterator<Item = (&'a Face, usize, f64)> + use<'a> {
-    let top = (stratum.place == 0).then_some(depth);
-    let bottom = (stratum.place + 1 == body.layers).then(|| stratum.thickness.map(|h| (h - depth).max(0.0))).flatten();
+    let top = (placed.place == 0).then_some(depth);
+    let bottom = (placed.place + 1 == body.layers).then(|| placed.thickness.map(|h| (h - depth).max(0.0))).flatten();
     [top, bottom]
         .into_iter()
         .enumerate()
@@ -67,9 +67,9 @@ impl Field {
         let mut rows = rows.to_vec();
         let mut sets = sets.to_vec();
         let asked = rows.len();
-        for (i, stratum) in self.strata.iter().enumerate() {
-            if stratum.place == 0 && stratum.body > 0 {
-                rows.push(Row { stratum: i, depth: 0.0, set: sets.len() });
+        for (i, placed) in self.layers.iter().enumerate() {
+            if placed.place == 0 && placed.body > 0 {
+                rows.push(Row { layer: i, depth: 0.0, set: sets.len() });
             }
         }
         sets.push(vec![0.0]);
@@ -77,24 +77,24 @@ impl Field {
         self.integrate(&rows, &sets, precision, &mut values)?;
         let mut lifts = vec![0.0; self.bodies.len()];
         for (row, values) in rows[asked..].iter().zip(&values[asked..]).rev() {
-            let body = self.strata[row.stratum].body;
+            let body = self.layers[row.layer].body;
             lifts[body - 1] = lifts[body] + values[0][4];
         }
         values.truncate(asked);
         for (row, values) in rows.iter().zip(&mut values) {
-            let lift = lifts[self.strata[row.stratum].body];
+            let lift = lifts[self.layers[row.layer].body];
             values.iter_mut().for_each(|value| value[4] += lift);
         }
         Ok(values)
     }
 
-    /// What is known in closed form, with v counted from the reference point of the body.
+    /// The closed forms of the loaded faces, with v counted from the reference point of the body.
     fn closed(&self, row: &Row, set: &[f64]) -> Vec<Components> {
-        let stratum = &self.strata[row.stratum];
-        let body = &self.bodies[stratum.body];
-        let at = |stratum: &Stratum, depth: f64, x: f64| {
+        let placed = &self.layers[row.layer];
+        let body = &self.bodies[placed.body];
+        let at = |placed: &PlacedLayer, depth: f64, x: f64| {
             let mut sum = Components::default();
-            for (face, contact, distance) in faces(body, stratum, depth) {
+            for (face, contact, distance) in faces(body, placed, depth) {
                 let pressure = &self.pressures[contact];
                 let closed = face.surface.closed(pressure, x, distance);
                 sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
@@ -109,15 +109,16 @@ impl Field {
             sum
         };
         let origin = body.reference.map_or(0.0, |(place, depth)| {
-            let own = self.strata.iter().find(|other| other.body == stratum.body && other.place == place);
-            own.map_or(0.0, |stratum| at(stratum, depth, 0.0)[4])
+            let mut layers = self.layers.iter();
+            let placed = layers.find(|other| other.body == placed.body && other.place == place);
+            placed.map_or(0.0, |placed| at(placed, depth, 0.0)[4])
         });
-        let mut values: Vec<Components> = set.iter().map(|x| at(stratum, row.depth, *x)).collect();
+        let mut values: Vec<Components> = set.iter().map(|x| at(placed, row.depth, *x)).collect();
         values.iter_mut().for_each(|value| value[4] -= origin);
         values
     }
 
-    /// Adds the integrals over the wavenumber of what the closed forms leave.
+    /// Adds the integrals over the wavenumber of the remainders of the closed forms.
     fn integrate(
         &self,
         rows: &[Row],
@@ -126,14 +127,15 @@ impl Field {
         values: &mut [Vec<Components>],
     ) -> Result<(), FieldError> {
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
-        let reach = |contact: usize| farthest + self.length(contact);
-        let most = |contact: usize| waves::most(reach(contact));
-        let mut felt: Vec<Felt> = (0..self.pressures.len()).map(|i| Felt { end: 0.0, reach: reach(i) }).collect();
+        let extent = |contact: usize| farthest + self.length(contact);
+        let most = |contact: usize| waves::most(extent(contact));
+        let mut cut_offs: Vec<CutOff> =
+            (0..self.pressures.len()).map(|i| CutOff { end: 0.0, extent: extent(i) }).collect();
         // the last wavenumber of a row
         let mut end_of = |row: &Row| {
-            self.ends(row, precision, most).fold(0.0, |end: f64, (contact, own)| {
-                felt[contact].end = felt[contact].end.max(own);
-                end.max(own)
+            self.ends(row, precision, most).fold(0.0, |last: f64, (contact, end)| {
+                cut_offs[contact].end = cut_offs[contact].end.max(end);
+                last.max(end)
             })
         };
         let wanted = rows.iter().enumerate().filter(|(_, row)| !sets[row.set].is_empty());
@@ -146,15 +148,15 @@ impl Field {
         }
         let origins: Vec<f64> =
             self.bodies.iter().map(|body| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row))).collect();
-        let cut = |contact: usize| felt[contact].end >= most(contact);
-        let near = (0..felt.len()).filter(|i| cut(*i)).filter_map(|i| self.nearest(rows, precision, i));
+        let is_cut = |contact: usize| cut_offs[contact].end >= most(contact);
+        let near = (0..cut_offs.len()).filter(|i| is_cut(*i)).filter_map(|i| self.nearest(rows, precision, i));
         let near = near.fold(f64::INFINITY, f64::min);
         if farthest > near && sets.iter().flatten().any(|x| *x <= near) {
             return self.integrate_apart(near, rows, sets, precision, values);
         }
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
-        let panels = waves::panels(&felt, self.origin(), precision).ok_or(FieldError::TooFar { x: farthest })?;
-        let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.strata.len()) as f64;
+        let panels = waves::panels(&cut_offs, self.origin(), precision).ok_or(FieldError::TooFar { x: farthest })?;
+        let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.layers.len()) as f64;
         if evaluations > precision.evaluations {
             return Err(FieldError::TooLong { evaluations, allowed: precision.evaluations });
         }
@@ -164,7 +166,7 @@ impl Field {
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
             let (wavenumbers, weights) = panel.points();
-            let block = self.block(panel, (&wavenumbers, &weights), &mut active, &origins, &felt)?;
+            let block = self.block(panel, (&wavenumbers, &weights), &mut active, &origins, &cut_offs)?;
             for (body, origin) in block.references.iter().enumerate() {
                 references[body][k] = *origin;
             }
@@ -176,7 +178,7 @@ impl Field {
             sum.collect(&active, values);
         }
         for active in &active {
-            let body = self.strata[active.row.stratum].body;
+            let body = self.layers[active.row.layer].body;
             let beyond: f64 =
                 panels.iter().zip(&references[body]).filter(|(p, _)| p.lo >= active.end).map(|(_, v)| v).sum();
             values[active.index].iter_mut().for_each(|value| value[4] += active.lift - beyond);
@@ -184,8 +186,8 @@ impl Field {
         Ok(())
     }
 
-    /// The same for the places up to `near` and for those beyond by themselves: short waves that matter next to a short contact
-    /// would need too many wavenumbers far from it, where they cancel.
+    /// The same for the places up to `near` and for those beyond separately: far from a short contact, the short waves that matter next
+    /// to it would need too many wavenumbers, and cancel.
     fn integrate_apart(
         &self,
         near: f64,
@@ -196,10 +198,10 @@ impl Field {
     ) -> Result<(), FieldError> {
         for is_near in [true, false] {
             let chosen = |set: &Vec<f64>| set.iter().copied().filter(|x| (*x <= near) == is_near).collect::<Vec<_>>();
-            let own: Vec<Vec<f64>> = sets.iter().map(chosen).collect();
+            let chosen_sets: Vec<Vec<f64>> = sets.iter().map(chosen).collect();
             let mut sums: Vec<Vec<Components>> =
-                rows.iter().map(|row| vec![Components::default(); own[row.set].len()]).collect();
-            self.integrate(rows, &own, precision, &mut sums)?;
+                rows.iter().map(|row| vec![Components::default(); chosen_sets[row.set].len()]).collect();
+            self.integrate(rows, &chosen_sets, precision, &mut sums)?;
             for ((row, values), sums) in rows.iter().zip(values.iter_mut()).zip(sums) {
                 let chosen = values.iter_mut().zip(&sets[row.set]).filter(|(_, x)| (**x <= near) == is_near);
                 for ((value, _), sum) in chosen.zip(sums) {
@@ -213,8 +215,8 @@ impl Field {
     /// The reference point of a body, if displacements are wanted.
     fn origin_of(&self, body: &Body, precision: &Precision) -> Option<Row> {
         let (place, depth) = body.reference.filter(|_| precision.displacements)?;
-        let stratum = self.strata.iter().position(|stratum| stratum.body == body.contact && stratum.place == place)?;
-        Some(Row { stratum, depth, set: 0 })
+        let layer = self.layers.iter().position(|placed| placed.body == body.contact && placed.place == place)?;
+        Some(Row { layer, depth, set: 0 })
     }
 
     /// The transformed components, times weights, in all rows whose cut-off is beyond a panel.
@@ -224,7 +226,7 @@ impl Field {
         (wavenumbers, weights): (&[f64], &[f64]),
         active: &mut [Active],
         origins: &[f64],
-        felt: &[Felt],
+        cut_offs: &[CutOff],
     ) -> Result<Block, FieldError> {
         let n = wavenumbers.len();
         let mut transforms: Vec<Vec<[f64; 2]>> = vec![Vec::new(); self.pressures.len()];
@@ -233,9 +235,9 @@ impl Field {
             // (depth, row or `None` for the reference point), layer by layer
             let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
             for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > panel.lo) {
-                let stratum = &self.strata[active.row.stratum];
-                if stratum.body == i {
-                    wanted[stratum.place].push((active.row.depth, Some(k)));
+                let placed = &self.layers[active.row.layer];
+                if placed.body == i {
+                    wanted[placed.place].push((active.row.depth, Some(k)));
                 }
             }
             if wanted.iter().all(Vec::is_empty) && origins[i] <= panel.lo {
@@ -245,7 +247,7 @@ impl Field {
             for contact in body.contact..body.contact + contacts {
                 let (transform, pressure) = (&mut transforms[contact], &self.pressures[contact]);
                 if transform.is_empty() {
-                    *transform = if felt[contact].end > panel.lo {
+                    *transform = if cut_offs[contact].end > panel.lo {
                         pressure.transforms(wavenumbers)
                     } else {
                         vec![[0.0, -pressure.resultant()]; n]
@@ -258,26 +260,26 @@ impl Field {
             wanted.iter_mut().for_each(|wanted| wanted.sort_by(|a, b| a.0.total_cmp(&b.0)));
             let depths: Vec<Vec<f64>> =
                 wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
-            let own: Vec<&Stratum> = self.strata.iter().filter(|stratum| stratum.body == i).collect();
+            let layers: Vec<&PlacedLayer> = self.layers.iter().filter(|placed| placed.body == i).collect();
             for (q, (wavenumber, weight)) in wavenumbers.iter().zip(weights).enumerate() {
                 let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
                 let load = self.load(body, *wavenumber, |contact| transforms[contact][q]);
                 let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
                 let mut reference = 0.0;
                 let mut lifts: Vec<(usize, f64)> = Vec::new();
-                for ((stratum, wanted), states) in own.iter().zip(&wanted).zip(&states) {
+                for ((placed, wanted), states) in layers.iter().zip(&wanted).zip(&states) {
                     for ((depth, row), state) in wanted.iter().zip(states) {
-                        let left =
-                            self.left(body, stratum, (*depth, *wavenumber), state, |contact| transforms[contact][q]);
-                        let left = left.map(|value| value * weight / PI);
+                        let remainder = self
+                            .remainder(body, placed, (*depth, *wavenumber), state, |contact| transforms[contact][q])
+                            .map(|value| value * weight / PI);
                         match row {
                             Some(k) => {
-                                for (c, value) in left.into_iter().enumerate() {
+                                for (c, value) in remainder.into_iter().enumerate() {
                                     block.values[(5 * k + c) * n + q] = value;
                                 }
-                                lifts.push((*k, left[4]));
+                                lifts.push((*k, remainder[4]));
                             }
-                            None => reference = left[4],
+                            None => reference = remainder[4],
                         }
                     }
                 }
@@ -288,36 +290,36 @@ impl Field {
         Ok(block)
     }
 
-    /// The components of a state at a depth, less those of the closed forms of the faces.
-    fn left(
+    /// The components of a state at a depth, minus those of the closed forms of the faces.
+    fn remainder(
         &self,
         body: &Body,
-        stratum: &Stratum,
+        placed: &PlacedLayer,
         (depth, wavenumber): (f64, f64),
         state: &State,
         transform: impl Fn(usize) -> [f64; 2],
     ) -> Components {
-        let mut left = components(state, &stratum.layer.material(depth, self.plane), self.modulus);
-        for (face, contact, distance) in faces(body, stratum, depth) {
+        let mut remainder = components(state, &placed.layer.material(depth, self.plane), self.modulus);
+        for (face, contact, distance) in faces(body, placed, depth) {
             let surface = face.surface.transformed(wavenumber, distance);
             let [p, _] = transform(contact);
-            left.iter_mut().zip(surface).for_each(|(left, surface)| *left -= p * surface);
+            remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= p * surface);
         }
         let displacement = 1.0 / (wavenumber * self.modulus);
-        left[3] *= displacement;
-        left[4] *= displacement;
-        left
+        remainder[3] *= displacement;
+        remainder[4] *= displacement;
+        remainder
     }
 
-    /// The loads on a body: for long waves the equal part of both pressures and the small rest.
+    /// The loads on a body: for long waves, the equal part of both pressures and their small difference.
     fn load(&self, body: &Body, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> Load {
-        let [top, top_excess] = transform(body.contact);
+        let [top, top_variation] = transform(body.contact);
         let Some(bottom) = body.bottom else { return Load { top: -top, ..Load::default() } };
-        let [other, other_excess] = transform(body.contact + 1);
+        let [other, other_variation] = transform(body.contact + 1);
         if wavenumber * (bottom - body.top) > 1.0 {
             Load { top: -top, bottom: -other, equal: 0.0 }
         } else {
-            Load { top: 0.0, bottom: top_excess - other_excess, equal: -top }
+            Load { top: 0.0, bottom: top_variation - other_variation, equal: -top }
         }
     }
 }

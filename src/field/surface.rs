@@ -1,8 +1,8 @@
-//! What a body does next to a loaded face, for short waves: the slowly converging part of its fields.
+//! The fields next to a loaded face for short waves: the slowly converging part of the fields of a body.
 //!
-//! Short waves see a half-plane of the material at the face, whose modulus may vary. Per unit of p̂ the fields at the
+//! For short waves a body is a half-plane of the material at the face, whose modulus may vary. Per unit of p̂ the fields at the
 //! depth d are e^(−t) times polynomials in t = λd, and those of the variation have a factor 1/λ more. Each term has a
-//! closed form in x, see [`super::pressure`], and what is left is small and integrated: eq. (24).
+//! closed form in x, see [`super::pressure`]; the remainder is small and integrated: eq. (24).
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use num_complex::Complex64;
 use recede_layers::Material;
@@ -14,9 +14,9 @@ use super::roots::Roots;
 /// Terms of the polynomials in t: of the half-plane, and of the variation of its material.
 const PLAIN: usize = 2;
 const VARIED: usize = 4;
-/// The equations of the polynomials are solved up to rounding, or not at all.
+/// Residual below which the equations of the polynomials count as solved.
 const SOLVED: f64 = 1e-9;
-/// The slope of the material is taken from differences over this part of a length.
+/// The slope of the material is a finite difference over this part of a length.
 const STEP: f64 = 1e-3;
 
 /// One face, per unit of p̂ on it; the depth is measured from it into the body.
@@ -27,7 +27,7 @@ pub(super) struct Surface {
     modulus: f64,
     /// Terms with 1/λ are multiplied by 1 − e^(−λs), so that they stay finite for λ → 0; s may be infinite.
     pub(super) shift: f64,
-    /// −1 for a face that looks downwards: V and T change their signs.
+    /// −1 for a face that is the bottom of its body: V and T change their signs.
     up: f64,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Surface {
 enum Fields {
     /// Both roots are 1, as for any isotropic material.
     Double(Polynomials),
-    /// They are not, and the variation of the material is left to the integral.
+    /// The roots differ; the variation of the material is part of the integrated remainder.
     Simple(Roots),
 }
 
@@ -61,9 +61,9 @@ impl Surface {
         };
         let grading =
             |slope: &Matrix4<f64>| (slope[(0, 3)] / state[(0, 3)]).abs().max((slope[(3, 0)] / state[(3, 0)]).abs());
-        // once more where the material varies within a part of the depth
-        let rough = grading(&slope_over(STEP * depth));
-        let slope = slope_over(STEP * depth.min(rough.recip()));
+        // once more with a smaller step where the material varies within a part of the depth
+        let estimate = grading(&slope_over(STEP * depth));
+        let slope = slope_over(STEP * depth.min(estimate.recip()));
         let decay = Matrix4::identity() - state;
         let shift = depth.min(grading(&slope).recip());
         let Some(plain) = polynomials(&decay, PLAIN, &[], Some(-1.0)) else {
@@ -107,12 +107,12 @@ impl Surface {
         })
     }
 
-    /// Whether stresses along the face are those across it.
+    /// Whether the material at the face is isotropic: stresses along the face then equal those across it.
     pub(super) fn is_isotropic(&self) -> bool {
         matches!(self.fields, Fields::Double(_))
     }
 
-    /// The same for a face that looks downwards.
+    /// The same for the bottom face of a body.
     pub(super) fn upside_down(self) -> Self {
         Self { up: -self.up, ..self }
     }
@@ -190,11 +190,11 @@ fn polynomials(
         parts.push(matrix * parts[k] * share);
     }
     // the polynomial ends there: four equations for two unknowns
-    let (rest, part) = (-known.pop()?, parts.pop()?);
-    let unknown = part.svd(true, true).solve(&rest, SOLVED).ok()?;
+    let (right_hand_side, part) = (-known.pop()?, parts.pop()?);
+    let unknown = part.svd(true, true).solve(&right_hand_side, SOLVED).ok()?;
     let found: Vec<Vector4<f64>> = known.iter().zip(&parts).map(|(known, part)| known + part * unknown).collect();
     let largest = |vectors: &[Vector4<f64>]| vectors.iter().map(Vector4::amax).fold(0.0, f64::max);
-    let missed = terms as f64 * (part * unknown - rest).amax();
+    let missed = terms as f64 * (part * unknown - right_hand_side).amax();
     // not "missed > ...", which a NaN would pass
     let solved = missed <= SOLVED * largest(forcing).max(load.map_or(0.0, f64::abs)).max(largest(&found));
     solved.then_some(found)

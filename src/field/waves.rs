@@ -1,21 +1,21 @@
-//! Which wavenumbers a field is summed over: panels of Gauss points, and how far each depth has to go.
+//! The wavenumbers over which a field is summed: panels of Gauss points, up to the cut-offs of the pressures.
 use crate::numeric::quadrature::{self, Rule};
 
-/// How closely a field is summed.
+/// The accuracy to which a field is summed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
-    /// What is left out beyond the last wavenumber, in parts of the mean pressure: inside, and on a loaded face.
+    /// Truncation error allowed beyond the last wavenumber, in parts of the mean pressure: inside, and on a loaded face.
     pub(super) inside: f64,
     pub(super) on_face: f64,
     /// Exponentially small terms are left out beyond this exponent.
-    pub(super) felt: f64,
+    pub(super) exponent: f64,
     /// Points of a panel that spans a short phase.
     points: usize,
-    /// The next panel is wider than its distance from 0 by this factor, at most.
+    /// Largest ratio of the width of a panel to its distance from 0.
     growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
-    /// A sum that would evaluate layers more often than this, all wavenumbers together, is refused.
+    /// Most evaluations of layers, all wavenumbers together: a sum that needs more is rejected.
     pub(super) evaluations: f64,
 }
 
@@ -23,11 +23,11 @@ pub(super) struct Precision {
 /// each: all together a minute at the very worst. Three layers take some 2000; twice the limit is twice that minute.
 const SEARCHED: f64 = 2e5;
 
-/// All that there is.
+/// Full accuracy.
 pub(super) const FULL: Precision = Precision {
     inside: 1e-10,
     on_face: 1e-8,
-    felt: 36.0,
+    exponent: 36.0,
     points: 16,
     growth: 2.0,
     displacements: true,
@@ -37,17 +37,17 @@ pub(super) const FULL: Precision = Precision {
 pub(super) const STRESSES: Precision = Precision {
     inside: 1e-9,
     on_face: 1e-8,
-    felt: 24.0,
+    exponent: 24.0,
     points: 12,
     growth: 3.0,
     displacements: false,
     evaluations: SEARCHED,
 };
 /// Stresses to some four digits.
-pub(super) const ROUGH: Precision = Precision {
+pub(super) const LOW: Precision = Precision {
     inside: 1e-5,
     on_face: 1e-5,
-    felt: 14.0,
+    exponent: 14.0,
     points: 12,
     growth: 3.0,
     displacements: false,
@@ -58,19 +58,19 @@ pub(super) const ROUGH: Precision = Precision {
 pub(super) const COARSE: Precision = Precision {
     inside: 1e-3,
     on_face: 1e-3,
-    felt: 8.0,
+    exponent: 8.0,
     points: 8,
     growth: 3.0,
     displacements: false,
     evaluations: SEARCHED,
 };
 
-/// Phase that a panel may span, and up to which it needs half as many points or fewer.
+/// Largest phase of a panel, and the phase up to which half as many points or fewer suffice.
 const PHASE: f64 = 56.0;
 const SHORT_PHASE: f64 = 16.0;
 /// The first panel spans this phase.
 const FIRST: f64 = 0.25;
-/// Wavenumbers times reach beyond this are refused.
+/// Largest product of a wavenumber and the distance over which it oscillates; larger ones are rejected.
 const MOST: f64 = 4e5;
 /// The first panel is no shorter than this part of the whole axis: some hundred panels grow from there, and the integral
 /// over less than that is below rounding.
@@ -81,7 +81,7 @@ const LEAST: f64 = 1e-40;
 const STRETCH: i32 = 20;
 const STRETCHED: usize = 32;
 
-/// How fields begin at λ = 0.
+/// The behaviour of fields at λ = 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin {
     /// A wavenumber below which they are smooth, besides a power of λ; infinite if there is none.
@@ -100,7 +100,7 @@ pub(super) struct Panel {
 }
 
 impl Panel {
-    /// At how many wavenumbers.
+    /// Number of its wavenumbers.
     pub(super) fn count(&self) -> usize {
         self.rule.on(self.lo, self.hi).count()
     }
@@ -120,36 +120,36 @@ impl Panel {
 
 /// The cut-off of a pressure.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Felt {
-    /// The wavenumber beyond which it is not.
+pub(super) struct CutOff {
+    /// The wavenumber beyond which the pressure is left out.
     pub(super) end: f64,
-    /// The largest x at which a field is wanted, and the half-length of the pressure.
-    pub(super) reach: f64,
+    /// The largest x at which a field is requested plus the half-length of the pressure: over it the integrand oscillates.
+    pub(super) extent: f64,
 }
 
-/// Panels from 0 to the largest cut-off of all pressures, growing in width up to what cos λx and p̂ of those below their cut-off
-/// allow; `None` if there would be too many.
+/// Panels from 0 to the largest cut-off of all pressures. Their width grows as far as the oscillation of cos λx and of the transforms of
+/// pressures below their cut-off allows; `None` if there would be too many.
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
-pub(super) fn panels(felt: &[Felt], origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
-    let product = |felt: &Felt| felt.end * felt.reach;
-    if felt.iter().any(|felt| felt.end.is_infinite() || product(felt).is_nan() || product(felt) > MOST) {
+pub(super) fn panels(cut_offs: &[CutOff], origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
+    let product = |cut: &CutOff| cut.end * cut.extent;
+    if cut_offs.iter().any(|cut| cut.end.is_infinite() || product(cut).is_nan() || product(cut) > MOST) {
         return None;
     }
-    let end = felt.iter().fold(0.0, |end: f64, felt| end.max(felt.end));
-    let reach_at =
-        |lo: f64| felt.iter().filter(|felt| felt.end > lo).fold(0.0, |reach: f64, felt| reach.max(felt.reach));
-    let shortest = origin.first.min(FIRST / reach_at(0.0)).max(LEAST * end);
+    let end = cut_offs.iter().fold(0.0, |end: f64, cut| end.max(cut.end));
+    let extent_at =
+        |lo: f64| cut_offs.iter().filter(|cut| cut.end > lo).fold(0.0, |extent: f64, cut| extent.max(cut.extent));
+    let shortest = origin.first.min(FIRST / extent_at(0.0)).max(LEAST * end);
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
-        let reach = reach_at(lo);
-        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(PHASE / reach) };
+        let extent = extent_at(lo);
+        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(PHASE / extent) };
         let width = width.min(end - lo);
         let power = origin.power && lo == 0.0;
         let points = if power {
             STRETCHED
-        } else if width * reach <= SHORT_PHASE {
+        } else if width * extent <= SHORT_PHASE {
             precision.points
         } else {
             32
@@ -160,7 +160,7 @@ pub(super) fn panels(felt: &[Felt], origin: Origin, precision: &Precision) -> Op
     Some(panels)
 }
 
-/// The largest wavenumber at a reach, and the largest reach for a wavenumber.
-pub(super) fn most(reach: f64) -> f64 {
-    0.5 * MOST / reach
+/// The largest wavenumber for an extent, and the largest extent for a wavenumber.
+pub(super) fn most(extent: f64) -> f64 {
+    0.5 * MOST / extent
 }

@@ -3,25 +3,26 @@
 //! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, or the length over which
 //! a half-plane without layers is graded, flexibilities λμ₀C with μ₀ the shear modulus at the top face. Nothing depends on
 //! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in that of its contact.
+mod asymptote;
 mod cut_off;
-mod far;
+mod length;
 mod panel;
-mod unit;
+mod work;
 
 use std::sync::Arc;
 
 use recede_layers::{Flexibility, Isotropic, Layer, Plane, Wave};
 
 use crate::stack::Stack;
-use crate::system::Unresolved;
-use crate::system::{BaseChain, BlockSystem, FreeChain, Taken};
+use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
 
-pub(crate) use far::Far;
+pub(crate) use asymptote::Asymptote;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
+pub(crate) use work::Work;
 
 /// Beyond this λh the two faces of a layer do not interact: e^(−2·18.5) is below rounding.
-pub(crate) const UNFELT: f64 = 18.5;
+pub(crate) const DECAYED: f64 = 18.5;
 /// Panels double in width; more than 2^60 times the first is no stack that doubles can describe.
 const DOUBLINGS: u32 = 60;
 /// Most wavenumbers for each contact, so that the time is bounded for any layer: the hardest scenes known take less than half of
@@ -33,51 +34,21 @@ const MOST_WAVENUMBERS: usize = 5000;
 /// With contacts 0 (punch), 1, ... from the top down, contact i presses on laminate i below it and, for i > 0, on
 /// laminate i − 1 above it. Components, all λμ₀C:
 ///
-/// * `diagonal` i: response of the gap of contact i to its own pressure, C_tt below minus C_bb above;
-/// * `unit` i: the equal-pressure response, if the neighbouring contacts carry the same pressure, (C_tt + C_tb) − (C_bt + C_bb);
-/// * `coupling` i: response of contact i to the pressure of contact i + 1, C_tb of laminate i.
+/// * diagonal i: response of the gap of contact i to the pressure of the same contact, C_tt below minus C_bb above;
+/// * equal-pressure response i: the same if the neighbouring contacts carry the same pressure, (C_tt + C_tb) − (C_bt + C_bb);
+/// * coupling i: response of contact i to the pressure of contact i + 1, C_tb of laminate i.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
     chains: Chains,
     panels: Vec<Panel>,
-    far: Vec<Far>,
+    /// The diagonals for large wavenumbers, one for each contact.
+    asymptotes: Vec<Asymptote>,
     work: Work,
-    /// Layers of no thickness, and layers that were one with a neighbour.
+    /// Layers of thickness 0, and layers that were merged with a neighbour.
     dropped: usize,
     merged: usize,
     /// Compliance λμ₀C of an elastic punch, which deforms like a half-plane; part of contact 0.
     punch: f64,
-}
-
-/// What it took to evaluate a stack.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Work {
-    /// Wavenumbers.
-    pub(crate) wavenumbers: usize,
-    /// Layers, all wavenumbers together.
-    pub(crate) layers: usize,
-    /// Layers in sequences that repeat others.
-    pub(crate) repeated: usize,
-    /// Layers of the same bodies below the depth at which the wave has decayed.
-    pub(crate) unfelt: usize,
-}
-
-impl Work {
-    fn add(&mut self, taken: Taken, layers: usize) {
-        self.layers += taken.evaluated;
-        self.repeated += taken.reached - taken.evaluated;
-        self.unfelt += layers - taken.reached;
-    }
-
-    /// What two evaluations took.
-    fn and(self, other: Self) -> Self {
-        Self {
-            wavenumbers: self.wavenumbers + other.wavenumbers,
-            layers: self.layers + other.layers,
-            repeated: self.repeated + other.repeated,
-            unfelt: self.unfelt + other.unfelt,
-        }
-    }
 }
 
 /// The chains of the block system, and the units in which they are evaluated.
@@ -97,7 +68,7 @@ impl Chains {
         let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
         let top = laminates.first().map_or(base.top_layer(), |laminate| laminate.layers().first());
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
-        let length = unit::intrinsic_length(stack).unwrap_or(1.0);
+        let length = length::intrinsic_length(stack).unwrap_or(1.0);
         Self { laminates, base, plane, length, modulus }
     }
 
@@ -109,7 +80,7 @@ impl Chains {
         Wave { wavenumber: zeta / self.length, modulus: self.modulus, plane: self.plane }
     }
 
-    /// All components at one wavenumber, `unit` and `coupling` behind `diagonal`, for the contacts that are `wanted`.
+    /// All components at one wavenumber for the contacts that are `wanted`: diagonals, equal-pressure responses, couplings.
     fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64], work: &mut Work) -> Result<(), Unresolved> {
         let wave = self.wave(zeta);
         let n = self.contacts();
@@ -140,8 +111,9 @@ impl Chains {
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
     }
 
-    /// Whether a laminate under equal loads is known to rounding of how it bends only: all but one homogeneous layer.
-    fn rounds(&self, laminate: usize) -> bool {
+    /// Whether the equal-pressure response of a laminate is no more accurate than the rounding error of its bending response: true
+    /// for all laminates but a single homogeneous layer.
+    fn is_limited_by_bending(&self, laminate: usize) -> bool {
         let [layer] = self.laminates[laminate].layers() else { return true };
         let at = |depth: f64| layer.material(depth, self.plane);
         layer.closed_form().is_none() || at(0.0) != at(layer.thickness().unwrap_or(0.0))
@@ -159,8 +131,9 @@ impl Chains {
     }
 }
 
-/// By how much shorter waves may be known worse: the pressure of a contact has little of them, ∫ J² dζ/ζ ~ 1/(ζa).
-fn felt(half_length: f64, zeta: f64) -> f64 {
+/// Factor by which kernels may be less accurate at a wavenumber: a contact pressure contains little of short waves,
+/// ∫ J² dζ/ζ ~ 1/(ζa).
+fn short_wave_allowance(half_length: f64, zeta: f64) -> f64 {
     1.0 + zeta * half_length
 }
 
@@ -183,32 +156,33 @@ impl Kernel {
     /// Samples chains until every component is resolved to rounding.
     fn sampled(chains: Chains) -> Result<Self, Unresolved> {
         let n = chains.contacts();
-        let (panels, far, work) = (Vec::new(), Vec::new(), Work::default());
-        let mut kernel = Self { panels, far, work, dropped: 0, merged: 0, punch: 0.0, chains };
-        let mut far: Vec<Option<Far>> = vec![None; n];
+        let (panels, asymptotes, work) = (Vec::new(), Vec::new(), Work::default());
+        let mut kernel = Self { panels, asymptotes, work, dropped: 0, merged: 0, punch: 0.0, chains };
+        let mut asymptotes: Vec<Option<Asymptote>> = vec![None; n];
         let mut edge = 0.0;
-        // the long waves of most stacks take two panels, and so does what follows upon two
+        // long waves need two panels in most stacks, and an interval after one that was halved is as a rule halved too
         let mut halved = true;
         for doubling in 0..DOUBLINGS {
-            for (i, far) in far.iter_mut().enumerate() {
+            for (i, asymptote) in asymptotes.iter_mut().enumerate() {
                 let thickness = kernel.chains.thinnest_face(i);
                 // next to a half-plane the kernel may be constant from the start
                 let from = if thickness.is_finite() { edge } else { f64::max(edge, 1e-9) };
-                if far.is_none() && from * thickness >= UNFELT {
-                    *far = Far::fit(&kernel.chains, i, from, &mut kernel.work)?
-                        .filter(|far| edge > 0.0 || far.is_constant());
-                    if let (Some(far), true) = (far, edge == 0.0) {
-                        far.starts_at_zero();
+                if asymptote.is_none() && from * thickness >= DECAYED {
+                    *asymptote = Asymptote::fit(&kernel.chains, i, from, &mut kernel.work)?
+                        .filter(|asymptote| edge > 0.0 || asymptote.is_constant());
+                    if let (Some(asymptote), true) = (asymptote, edge == 0.0) {
+                        asymptote.starts_at_zero();
                     }
                 }
             }
-            // the coupling to a neighbour extends twice as far as the response of the other side of its own laminate
-            let felt = |i: usize| kernel.panels.last().is_none_or(|panel| panel.coupled[i]);
-            let wanted: Vec<bool> =
-                (0..n).map(|i| far[i].is_none() || i > 0 && felt(i - 1) || i + 1 < n && felt(i)).collect();
+            // a coupling, one wave through the laminate, vanishes at twice the wavenumber of a reflection from its far side
+            let is_coupled = |i: usize| kernel.panels.last().is_none_or(|panel| panel.coupled[i]);
+            let is_wanted =
+                |i: usize| asymptotes[i].is_none() || i > 0 && is_coupled(i - 1) || i + 1 < n && is_coupled(i);
+            let wanted: Vec<bool> = (0..n).map(is_wanted).collect();
             if !wanted.contains(&true) {
-                kernel.far = far.into_iter().flatten().collect();
-                kernel.panels.iter_mut().for_each(|panel| panel.measure(&kernel.far));
+                kernel.asymptotes = asymptotes.into_iter().flatten().collect();
+                kernel.panels.iter_mut().for_each(|panel| panel.measure(&kernel.asymptotes));
                 return Ok(kernel);
             }
             let next = 2.0 * f64::from(2u32).powi(doubling as i32);
@@ -226,17 +200,18 @@ impl Kernel {
         )
     }
 
-    /// The same with so much more flexibility of contact 0 at all wavenumbers.
+    /// The same with the compliance of a punch added to contact 0 at all wavenumbers.
     fn under_punch(self, punch: f64) -> Self {
         let mut kernel = Self { punch, ..self };
         kernel.panels.iter_mut().for_each(|panel| panel.add_to_first(punch));
-        kernel.far.iter_mut().take(1).for_each(|far| far.limit += punch);
+        kernel.asymptotes.iter_mut().take(1).for_each(|asymptote| asymptote.limit += punch);
         kernel
     }
 
-    /// Whether no wavenumber differs from another: a homogeneous half-plane, in which no length occurs.
+    /// Whether the kernel is constant: that of a homogeneous half-plane, in which no length occurs.
     pub(crate) fn has_no_length(&self) -> bool {
-        self.panels.is_empty() && self.far.iter().all(|far| far.is_constant() && far.from == 0.0)
+        self.panels.is_empty()
+            && self.asymptotes.iter().all(|asymptote| asymptote.is_constant() && asymptote.from == 0.0)
     }
 
     /// The kernel of a homogeneous half-plane in another unit of length: only the unit changes.
@@ -265,27 +240,27 @@ impl Kernel {
         self.chains.modulus
     }
 
-    /// How many values are stored.
+    /// Number of values stored.
     pub(crate) fn stored_numbers(&self) -> usize {
         self.panels.len() * panel::POINTS * (3 * self.contacts() - 1)
     }
 
-    /// What it took to evaluate the stack.
+    /// How much was evaluated for the stack.
     pub(crate) fn work(&self) -> Work {
         self.work
     }
 
-    /// Layers of no thickness.
+    /// Number of layers of thickness 0.
     pub(crate) fn dropped(&self) -> usize {
         self.dropped
     }
 
-    /// Layers that were taken for one with a neighbour.
+    /// Number of layers that were merged with a neighbour.
     pub(crate) fn merged(&self) -> usize {
         self.merged
     }
 
-    /// Values of couplings that vanish, and are left out of all integrals.
+    /// Number of coupling values that vanish, and are left out of all integrals.
     pub(crate) fn uncoupled_values(&self) -> usize {
         let vanishing = self.panels.iter().flat_map(|panel| &panel.coupled).filter(|coupled| !**coupled);
         panel::POINTS * vanishing.count()
@@ -297,7 +272,7 @@ impl Kernel {
         let mut kernel = self.clone();
         kernel.panels.iter_mut().for_each(|panel| {
             panel.coupled.fill(true);
-            panel.measure(&kernel.far);
+            panel.measure(&kernel.asymptotes);
         });
         kernel
     }
@@ -307,59 +282,66 @@ impl Kernel {
         &self.panels
     }
 
-    /// Large wavenumbers of the diagonal component of contact i.
-    pub(crate) fn far(&self, contact: usize) -> &Far {
-        &self.far[contact]
+    /// The short-wave asymptote of the diagonal of contact i.
+    pub(crate) fn asymptote(&self, contact: usize) -> &Asymptote {
+        &self.asymptotes[contact]
     }
 
-    /// The wavenumber beyond which the kernel of contact i under equal neighbouring pressures equals its limit up to
-    /// `negligible` of it, weighted as for a contact of this half-length.
+    /// The wavenumber beyond which the equal-pressure response of contact i equals its short-wave limit up to `negligible` of it,
+    /// weighted as for a contact of this half-length.
     pub(crate) fn vanishes(&self, contact: usize, half_length: f64, negligible: f64) -> f64 {
-        let far = &self.far[contact];
-        self.last_panel(|panel| panel.excess[contact] > negligible * far.limit * felt(half_length, panel.from))
-            .max(far.vanishes(half_length, negligible))
+        let asymptote = &self.asymptotes[contact];
+        let allowed = |panel: &Panel| negligible * asymptote.limit * short_wave_allowance(half_length, panel.from);
+        self.last_panel(|panel| panel.remainders[contact] > allowed(panel))
+            .max(asymptote.vanishes(half_length, negligible))
     }
 
-    /// The wavenumber beyond which what oscillates of an integral with the kernel of contact i is negligible, past the turning
-    /// points: no more than [`Self::vanishes`].
-    pub(crate) fn blurs(&self, contact: usize, half_length: f64, turning: f64, negligible: f64) -> f64 {
-        let far = &self.far[contact];
+    /// The wavenumber beyond which the oscillating part of an integral with the kernel of contact i is negligible, past the
+    /// turning points: no more than [`Self::vanishes`].
+    pub(crate) fn oscillations_vanish(&self, contact: usize, half_length: f64, turning: f64, negligible: f64) -> f64 {
+        let asymptote = &self.asymptotes[contact];
         let vanishes = self.vanishes(contact, half_length, negligible);
-        if far.is_constant() { vanishes } else { far.blurs(half_length, negligible).max(turning).min(vanishes) }
+        if asymptote.is_constant() {
+            return vanishes;
+        }
+        asymptote.oscillations_vanish(half_length, negligible).max(turning).min(vanishes)
     }
 
-    /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of what it couples, as
-    /// far as it enters contacts of this half-length and longer ones.
+    /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of the lesser of their short-wave
+    /// limits, weighted as for contacts of this half-length and longer ones.
     pub(crate) fn uncoupled(&self, i: usize, half_length: f64, negligible: f64) -> f64 {
-        let least = self.least(i);
-        self.last_panel(|panel| panel.couplings[i] > negligible * least * felt(half_length, panel.from))
+        let allowed = |panel: &Panel| negligible * self.least(i) * short_wave_allowance(half_length, panel.from);
+        self.last_panel(|panel| panel.couplings[i] > allowed(panel))
     }
 
-    /// The lesser of the limits that a coupling couples.
+    /// The lesser of the short-wave limits of the contacts i and i + 1.
     pub(crate) fn least(&self, i: usize) -> f64 {
-        self.far[i].limit.min(self.far[i + 1].limit)
+        self.asymptotes[i].limit.min(self.asymptotes[i + 1].limit)
     }
 
-    /// The wavenumber beyond which contact i depends on little else than its own faces: its kernel is within a third of its short-wave asymptote.
-    pub(crate) fn settles(&self, contact: usize) -> f64 {
+    /// The wavenumber beyond which contact i depends on little else than the layers at its faces: its kernel is within a third of its
+    /// short-wave limit.
+    pub(crate) fn governed_by_faces(&self, contact: usize) -> f64 {
         const LITTLE: f64 = 0.33;
-        let far = &self.far[contact];
-        let felt = self.panels.iter().rev().filter(|panel| panel.from < far.from);
-        let last = felt.filter_map(|panel| panel.last_above(contact, far.limit, LITTLE * far.limit)).next();
-        last.unwrap_or(0.0)
+        let Asymptote { from, limit, .. } = self.asymptotes[contact];
+        let mut panels = self.panels.iter().rev().filter(|panel| panel.from < from);
+        panels.find_map(|panel| panel.last_above(contact, limit, LITTLE * limit)).unwrap_or(0.0)
     }
 
     /// Ratio of the bending compliance of the laminate between the contacts i and i + 1 to the compression of both, at one
     /// wavenumber.
     pub(crate) fn coupling_strength(&self, i: usize, zeta: f64) -> f64 {
         let Some(at) = self.at(zeta) else { return 0.0 };
-        let squeezed = |i: usize| if at.panel.from < self.far[i].from { at.unit(i) } else { self.far[i].limit };
-        -at.coupling(i) / (squeezed(i) + squeezed(i + 1)).abs()
+        let compression = |i: usize| {
+            let Asymptote { from, limit, .. } = self.asymptotes[i];
+            if at.panel.from < from { at.equal_pressure(i) } else { limit }
+        };
+        -at.coupling(i) / (compression(i) + compression(i + 1)).abs()
     }
 
-    /// The upper end of the last panel that matters.
-    fn last_panel(&self, matters: impl Fn(&Panel) -> bool) -> f64 {
-        self.panels.iter().rev().find(|panel| matters(panel)).map_or(0.0, |panel| panel.to)
+    /// The upper end of the last panel with a property.
+    fn last_panel(&self, property: impl Fn(&Panel) -> bool) -> f64 {
+        self.panels.iter().rev().find(|panel| property(panel)).map_or(0.0, |panel| panel.to)
     }
 
     /// The panel that holds one wavenumber, and its values there.
@@ -372,36 +354,36 @@ impl Kernel {
         self.at(zeta).map_or(0.0, |at| at.coupling(i))
     }
 
-    /// The kernel of contact i under equal neighbouring pressures less its limit, at one wavenumber.
-    pub(crate) fn unit_excess(&self, contact: usize, zeta: f64) -> f64 {
-        self.excess_at(contact, zeta, self.at(zeta).as_ref())
+    /// The remainder of contact i at one wavenumber: the equal-pressure response minus its short-wave limit.
+    pub(crate) fn remainder(&self, contact: usize, zeta: f64) -> f64 {
+        self.remainder_at(contact, zeta, self.at(zeta).as_ref())
     }
 
-    fn excess_at(&self, contact: usize, zeta: f64, at: Option<&At>) -> f64 {
-        let far = &self.far[contact];
+    fn remainder_at(&self, contact: usize, zeta: f64, at: Option<&At>) -> f64 {
+        let asymptote = &self.asymptotes[contact];
         match at {
-            Some(at) if at.panel.from < far.from => at.unit(contact) - far.limit,
+            Some(at) if at.panel.from < asymptote.from => at.equal_pressure(contact) - asymptote.limit,
             Some(at) => {
                 let above = contact.checked_sub(1).map_or(0.0, |above| at.coupling(above));
                 let below = if contact + 1 < self.contacts() { at.coupling(contact) } else { 0.0 };
-                far.excess(zeta) + above + below
+                asymptote.remainder(zeta) + above + below
             }
-            None => far.excess(zeta),
+            None => asymptote.remainder(zeta),
         }
     }
 
-    /// For each contact the compliance λμ₀C of all that lies below it and of what it presses on above, at one wavenumber, as
-    /// if the interfaces further down slid without opening: two kernels under equal pressures, one behind the bending
-    /// of the laminate between them.
+    /// For each contact the compliance λμ₀C of all bodies below it and of the laminate above it, at one wavenumber, as
+    /// if the interfaces further down slid without opening: the equal-pressure responses of two neighbouring contacts, that of the lower one
+    /// in series with the bending of the laminate between them.
     pub(crate) fn compliances(&self, zeta: f64) -> Vec<f64> {
         let at = self.at(zeta);
         let mut compliances: Vec<f64> =
-            (0..self.contacts()).map(|i| self.far[i].limit + self.excess_at(i, zeta, at.as_ref())).collect();
+            (0..self.contacts()).map(|i| self.asymptotes[i].limit + self.remainder_at(i, zeta, at.as_ref())).collect();
         for i in (0..self.contacts() - 1).rev() {
             let bending = -at.as_ref().map_or(0.0, |at| at.coupling(i));
             let below = compliances[i + 1];
-            // springs in series; a laminate that bends when it is compressed may have a negative one, as far as it bends
-            // more easily
+            // springs in series; below a laminate that bends when it is compressed the compliance may be negative, as long as the laminate
+            // bends more easily
             compliances[i] +=
                 if bending > 0.0 && bending + below > 0.0 { bending / (bending + below) * below } else { 0.0 };
         }
@@ -409,12 +391,12 @@ impl Kernel {
     }
 
     /// Compliance λμ₀C of the lower face of a laminate under equal pressures on both faces, at one wavenumber.
-    pub(crate) fn squeezed(&self, laminate: usize, zeta: f64) -> f64 {
+    pub(crate) fn equal_pressure_bottom(&self, laminate: usize, zeta: f64) -> f64 {
         self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta)).map_or(0.0, |c| -c.equal_bottom)
     }
 
-    /// By how much a laminate becomes thinner, λμ₀C, if both faces are pressed alike, at one wavenumber.
-    pub(crate) fn thinned(&self, laminate: usize, zeta: f64) -> f64 {
+    /// Compliance λμ₀C of the thickness of a laminate under equal pressures on both faces, at one wavenumber.
+    pub(crate) fn compression(&self, laminate: usize, zeta: f64) -> f64 {
         let flexibility = self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta));
         flexibility.map_or(0.0, |c| (c.equal_top - c.equal_bottom).abs())
     }

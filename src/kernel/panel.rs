@@ -1,4 +1,4 @@
-//! A stretch of the wavenumber axis on which all kernels are polynomials to rounding.
+//! A panel of the wavenumber axis, on which all kernels are polynomials to rounding.
 use std::sync::LazyLock;
 
 use crate::numeric::buffer::Buffer;
@@ -6,18 +6,18 @@ use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 use crate::system::Unresolved;
 
-use super::{Chains, Far, Work};
+use super::{Asymptote, Chains, Work};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
 /// A panel is resolved if the last Legendre coefficients are below this, relative to the kernel's size on the panel.
 const RESOLVED: f64 = 1e-13;
-/// Kernels vary on the scale of the wavenumber itself: what is not resolved on a panel as narrow as this part of it, or
-/// below this wavenumber, is rounding.
+/// Kernels vary on the scale of the wavenumber: a component that is not resolved on a panel as narrow as this part of it, or
+/// below this wavenumber, varies by rounding errors only.
 const NARROWEST: f64 = 1.0 / 16.0;
 const LOWEST: f64 = 1e-9;
-/// A coupling below this part of the kernels that it couples, under their own pressure or equal ones, counts as zero.
-const NOTHING: f64 = 1e-17;
+/// A coupling below this part of the diagonals and of the equal-pressure responses of both contacts counts as zero.
+const NEGLIGIBLE: f64 = 1e-17;
 
 /// Kernel values at the Gauss points of one panel.
 #[derive(Clone, Debug)]
@@ -30,16 +30,16 @@ pub(crate) struct Panel {
     values: Vec<[f64; POINTS]>,
     /// The couplings that do not vanish on this panel.
     pub(crate) coupled: Vec<bool>,
-    /// Per contact: by how much its kernel under equal neighbouring pressures differs here from its limit at most, or
-    /// where the polynomial for large wavenumbers holds, from that.
-    pub(crate) excess: Vec<f64>,
-    /// The largest values of the couplings here.
+    /// Bounds on the equal-pressure response of each contact minus its short-wave limit, or, where the asymptote holds, minus
+    /// the asymptote.
+    pub(crate) remainders: Vec<f64>,
+    /// Bounds on the couplings.
     pub(crate) couplings: Vec<f64>,
     contacts: usize,
 }
 
-/// Long waves bend free laminates, λC ~ λ⁻³, except under equal loads, λC ~ λ⁻¹: powers of ζ that make the
-/// components finite at ζ = 0.
+/// Powers of ζ that make the components finite at ζ = 0: long waves bend free laminates, λC ~ λ⁻³, or λC ~ λ⁻¹ under equal
+/// loads.
 fn powers(contacts: usize, component: usize) -> i32 {
     match component / contacts {
         _ if contacts == 1 => 0,
@@ -57,8 +57,8 @@ fn power(zeta: f64, power: i32) -> f64 {
     }
 }
 
-/// Adds panels for [from, to], halved until every component is resolved, and says whether that took more than one. Where
-/// this is `expected` both halves are sampled at once, since samples of a panel that is not resolved are lost; from those of
+/// Adds panels for [from, to], halved until every component is resolved, and returns whether that took more than one. If this
+/// is `expected`, both halves are sampled at once, since samples of a panel that is not resolved are wasted; from those of
 /// the halves it follows whether one panel would have sufficed.
 pub(super) fn resolve(
     chains: &Chains,
@@ -81,7 +81,7 @@ pub(super) fn resolve(
     if let ([left, right], true) = (&panels[first..], expected)
         && left.is_one_with(chains, right)
     {
-        // what is interpolated is not as exact as what is sampled
+        // interpolated values are less accurate than samples
         let whole = Panel::new(chains, from, to, wanted, work)?;
         if whole.is_resolved(chains) {
             panels.truncate(first);
@@ -92,7 +92,7 @@ pub(super) fn resolve(
     Ok(true)
 }
 
-/// Whether components of these sizes and with these values on a panel [from, to] are resolved.
+/// Whether components of given sizes, with given values on a panel [from, to], are resolved.
 fn resolved(
     chains: &Chains,
     [from, to]: [f64; 2],
@@ -100,25 +100,26 @@ fn resolved(
     values: impl Fn(usize) -> [f64; POINTS],
 ) -> bool {
     let n = chains.contacts();
-    // equal loads on a long wave leave what bending of the laminates above and below, ζ² larger, loses to rounding
-    let lost = |i: usize| {
-        let laminates = (i.saturating_sub(1)..(i + 1).min(n - 1)).filter(|laminate| chains.rounds(*laminate));
+    // the equal-pressure response has the rounding error of the bending of the laminates above and below, over 1 + ζ²
+    let cancelled = |i: usize| {
+        let laminates =
+            (i.saturating_sub(1)..(i + 1).min(n - 1)).filter(|laminate| chains.is_limited_by_bending(*laminate));
         laminates.map(|laminate| size(2 * n + laminate)).fold(0.0, f64::max) / (1.0 + to * to)
     };
-    // a coupling need be known only as well as the kernels that it couples
+    // a coupling need be as accurate as the diagonals and equal-pressure responses of its contacts only
     let coupled = |i: usize| size(i).min(from * from * size(n + i));
     (0..3 * n - 1).all(|c| {
-        let own = size(c);
+        let size = size(c);
         let scale = match c / n {
-            0 => own,
-            1 => own.max(lost(c - n)),
-            _ => own.max(coupled(c - 2 * n)).max(coupled(c - 2 * n + 1)),
+            0 => size,
+            1 => size.max(cancelled(c - n)),
+            _ => size.max(coupled(c - 2 * n)).max(coupled(c - 2 * n + 1)),
         };
-        own == 0.0 || chebyshev::legendre_tail(&values(c)) * own <= RESOLVED * scale
+        size == 0.0 || chebyshev::legendre_tail(&values(c)) * size <= RESOLVED * scale
     })
 }
 
-/// What the values at the Gauss points contribute at a place from −1 to 1.
+/// The weights of the values at the Gauss points in the interpolated value at x, −1 ≤ x ≤ 1.
 fn interpolation(x: f64) -> [f64; POINTS] {
     static WEIGHTS: LazyLock<Vec<f64>> =
         LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
@@ -140,13 +141,13 @@ impl Panel {
                 values[c][k] = value * power(zeta, powers(contacts, c));
             }
         }
-        let (coupled, excess, couplings) = Default::default();
-        let mut panel = Self { from, to, values, coupled, excess, couplings, contacts };
+        let (coupled, remainders, couplings) = Default::default();
+        let mut panel = Self { from, to, values, coupled, remainders, couplings, contacts };
         panel.coupled = (0..contacts - 1)
             .map(|i| {
-                // it acts neither on the bending of another layer nor on bending by equal pressures
-                let own = |i: usize| panel.size(i).min(from * from * panel.size(contacts + i));
-                panel.size(2 * contacts + i) > NOTHING * own(i).min(own(i + 1))
+                // negligible next to bending by one pressure, and next to bending by equal pressures, ζ² times smaller
+                let least = |i: usize| panel.size(i).min(from * from * panel.size(contacts + i));
+                panel.size(2 * contacts + i) > NEGLIGIBLE * least(i).min(least(i + 1))
             })
             .collect();
         Ok(panel)
@@ -154,7 +155,7 @@ impl Panel {
 
     /// Whether one panel would resolve what this one and the next, of the same width, do.
     fn is_one_with(&self, chains: &Chains, next: &Self) -> bool {
-        /// What the values at the Gauss points of a half contribute to those at the points of both that lie in it.
+        /// Weights that interpolate from the Gauss points of a half to those points of the whole that lie in it.
         static HALVES: LazyLock<Vec<[f64; POINTS]>> = LazyLock::new(|| {
             let nodes = quadrature::rule(POINTS).nodes.iter();
             nodes.map(|x| interpolation(2.0 * x - x.signum())).collect()
@@ -168,7 +169,7 @@ impl Panel {
         resolved(chains, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
     }
 
-    /// Adds a flexibility that is the same for all wavenumbers to contact 0.
+    /// Adds a constant flexibility to contact 0.
     pub(super) fn add_to_first(&mut self, flexibility: f64) {
         for component in [0, self.contacts] {
             let exponent = powers(self.contacts, component);
@@ -186,7 +187,7 @@ impl Panel {
         resolved(chains, [self.from, self.to], |c| self.size(c), |c| self.values[c])
     }
 
-    /// The largest value of a component less `limit`, on the Gauss points.
+    /// The largest absolute value of a component minus `limit`, on the Gauss points.
     fn largest(&self, component: usize, limit: f64) -> f64 {
         let exponent = powers(self.contacts, component);
         let nodes = quadrature::rule(POINTS).on(self.from, self.to);
@@ -194,7 +195,7 @@ impl Panel {
         values.fold(0.0, |largest, value| largest.max(value.abs()))
     }
 
-    /// The largest wavenumber at which the kernel of contact `i` differs from `limit` by more than `little`.
+    /// The largest Gauss point at which the diagonal of contact `i` differs from `limit` by more than `little`.
     pub(super) fn last_above(&self, i: usize, limit: f64, little: f64) -> Option<f64> {
         let exponent = powers(self.contacts, i);
         let nodes: Vec<f64> = quadrature::rule(POINTS).on(self.from, self.to).map(|(zeta, _)| zeta).collect();
@@ -202,22 +203,22 @@ impl Panel {
         nodes.iter().zip(&self.values[i]).rev().find(above).map(|(zeta, _)| *zeta)
     }
 
-    /// Finds how large the components are, once the kernels for large wavenumbers are known.
-    pub(super) fn measure(&mut self, far: &[Far]) {
+    /// Bounds the remainders and the couplings, once the asymptotes are known.
+    pub(super) fn measure(&mut self, asymptotes: &[Asymptote]) {
         let n = self.contacts;
         let coupling = |i: usize| if self.coupled[i] { self.largest(2 * n + i, 0.0) } else { 0.0 };
         self.couplings = (0..n - 1).map(coupling).collect();
-        let excess = |(i, far): (usize, &Far)| {
-            if self.from < far.from {
-                self.largest(n + i, far.limit)
+        let remainder = |(i, asymptote): (usize, &Asymptote)| {
+            if self.from < asymptote.from {
+                self.largest(n + i, asymptote.limit)
             } else {
                 self.couplings[i.saturating_sub(1)..(i + 1).min(n - 1)].iter().sum()
             }
         };
-        self.excess = far.iter().enumerate().map(excess).collect();
+        self.remainders = asymptotes.iter().enumerate().map(remainder).collect();
     }
 
-    /// A part of the panel, of the same polynomials.
+    /// A part of the panel, with the same polynomials.
     pub(super) fn part(&self, from: f64, to: f64) -> Self {
         let rows: Vec<[f64; POINTS]> = quadrature::rule(POINTS).on(from, to).map(|(zeta, _)| self.row(zeta)).collect();
         let at = |values: &[f64; POINTS], k: usize| rows[k].iter().zip(values).map(|(row, value)| row * value).sum();
@@ -225,7 +226,7 @@ impl Panel {
         Self { from, to, values, ..self.clone() }
     }
 
-    /// What a value at each Gauss point contributes at one wavenumber.
+    /// The weights of the values at the Gauss points in the interpolated value at one wavenumber.
     fn row(&self, zeta: f64) -> [f64; POINTS] {
         interpolation((zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from)))
     }
@@ -235,7 +236,7 @@ impl Panel {
         At { panel: self, zeta, row: self.row(zeta) }
     }
 
-    /// What the contact equations need at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
+    /// Equal-pressure responses and couplings at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
     /// the panel or a part of it.
     pub(crate) fn values(&self, zeta: &[f64], from: f64, to: f64) -> Values {
         let count = zeta.len();
@@ -259,11 +260,13 @@ impl Panel {
             vectorised(
                 #[inline(always)]
                 || {
-                    for (four, own) in columns.chunks_exact(4 * count).zip(self.values[component].as_chunks::<4>().0) {
+                    for (four, sampled) in
+                        columns.chunks_exact(4 * count).zip(self.values[component].as_chunks::<4>().0)
+                    {
                         let (two, more) = four.split_at(2 * count);
                         let ((a, b), (c, d)) = (two.split_at(count), more.split_at(count));
                         for ((((value, a), b), c), d) in values.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-                            *value += (a * own[0] + b * own[1]) + (c * own[2] + d * own[3]);
+                            *value += (a * sampled[0] + b * sampled[1]) + (c * sampled[2] + d * sampled[3]);
                         }
                     }
                     if exponent > 0 {
@@ -276,7 +279,7 @@ impl Panel {
     }
 }
 
-/// The components of a panel at several wavenumbers.
+/// Equal-pressure responses and couplings of a panel at several wavenumbers.
 pub(crate) struct Values {
     count: usize,
     contacts: usize,
@@ -284,14 +287,14 @@ pub(crate) struct Values {
 }
 
 impl Values {
-    /// The kernel of contact `i` under equal neighbouring pressures.
-    pub(crate) fn unit(&self, i: usize) -> &[f64] {
+    /// The equal-pressure response of contact `i`.
+    pub(crate) fn equal_pressure(&self, i: usize) -> &[f64] {
         &self.values[i * self.count..(i + 1) * self.count]
     }
 
     /// The coupling of the contacts `i` and `i + 1`.
     pub(crate) fn coupling(&self, i: usize) -> &[f64] {
-        self.unit(self.contacts + i)
+        self.equal_pressure(self.contacts + i)
     }
 }
 
@@ -308,8 +311,8 @@ impl At<'_> {
         value / power(self.zeta, powers(self.panel.contacts, component))
     }
 
-    /// The kernel of contact `i` under equal neighbouring pressures.
-    pub(super) fn unit(&self, i: usize) -> f64 {
+    /// The equal-pressure response of contact `i`.
+    pub(super) fn equal_pressure(&self, i: usize) -> f64 {
         self.component(self.panel.contacts + i)
     }
 
@@ -328,12 +331,12 @@ mod tests {
 
     /// Next to a loose thin layer that bends very easily equal-pressure responses keep their accuracy.
     #[test]
-    fn kernels_next_to_thin_sheets_are_resolved() {
+    fn kernels_next_to_thin_layers_are_resolved() {
         let layer = |thickness: f64, modulus: f64| Homogeneous::new(thickness, modulus, 0.3).unwrap();
         let ground = HalfPlane::new(10.0, 0.25).unwrap();
         for thickness in [1e-1, 1e-2, 1e-3] {
-            let sheet = Stack::builder(Plane::Strain).layer(layer(thickness, 1.0)).receding();
-            let soft = sheet.layer(layer(0.3, 0.05)).bonded().layer(layer(0.1, 50.0)).bonded();
+            let thin = Stack::builder(Plane::Strain).layer(layer(thickness, 1.0)).receding();
+            let soft = thin.layer(layer(0.3, 0.05)).bonded().layer(layer(0.1, 50.0)).bonded();
             let stack = soft.layer(layer(0.4, 0.1)).bonded().layer(ground).build().unwrap();
             let kernel = Kernel::new(&stack).unwrap();
             let mut exact = [0.0; 5];
@@ -341,8 +344,8 @@ mod tests {
                 let zeta = 0.01 * 1.02f64.powi(k);
                 kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Work::default()).unwrap();
                 for i in 0..2 {
-                    let found = kernel.unit_excess(i, zeta) + kernel.far(i).limit;
-                    // long waves matter the less the longer they are
+                    let found = kernel.remainder(i, zeta) + kernel.asymptote(i).limit;
+                    // the longer the waves, the less accurate they need be
                     let off = (found / exact[2 + i] - 1.0).abs() * zeta.min(1.0);
                     assert!(off < 1e-11, "thickness {thickness}, contact {i}, zeta {zeta:e}: {off:e}");
                 }

@@ -55,7 +55,7 @@ impl<'a> Stats<'a> {
             wavenumbers: stats.wavenumbers,
             layers_evaluated: stats.layers,
             layers_repeated: stats.repeated,
-            layers_below_decay_depth: stats.unfelt,
+            layers_below_decay_depth: stats.below_decay_depth,
             couplings_vanished: stats.uncoupled,
             wavenumbers_interpolated: stats.interpolated,
             modes: &stats.modes,

@@ -11,7 +11,7 @@ impl fmt::Display for Stats {
         writeln!(f, "{:>8} wavenumbers evaluated", self.wavenumbers)?;
         writeln!(f, "{:>8} layers evaluated, all wavenumbers together", self.layers)?;
         writeln!(f, "{:>8} layers skipped, in sequences that repeat others", self.repeated)?;
-        writeln!(f, "{:>8} layers skipped below their decay depth", self.unfelt)?;
+        writeln!(f, "{:>8} layers skipped below their decay depth", self.below_decay_depth)?;
         writeln!(f, "{:>8} values of couplings that vanish", self.uncoupled)?;
         writeln!(f, "{:>8} wavenumbers interpolated, all integrals together", self.interpolated)?;
         writeln!(f, "{:>8} modes of each contact", list(&self.modes))?;

@@ -7,7 +7,7 @@ use super::contrast;
 use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
 use crate::scene::Item;
 
-/// What lies between two layers.
+/// An interface, or the interfaces on both sides of layers of thickness 0, merged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Between {
     Joint(Joint),
@@ -30,26 +30,26 @@ impl Between {
     }
 }
 
-/// A group of joined layers and what lies below it.
+/// A group of joined layers and the interface below it.
 #[derive(Debug, Default)]
 struct Groups {
     finished: Vec<Laminate>,
     open: Vec<Placed>,
-    /// What joins the layers of `open`.
+    /// The joints between the layers of `open`.
     joints: Vec<Joint>,
-    /// Below the last layer of `open`, while the layer on its other side is not known yet.
+    /// The interface below the last layer of `open`, as long as the layer on its other side is not known.
     below: Option<Between>,
     dropped: Vec<Placed>,
 }
 
 impl Groups {
-    /// One interface more; `None` if springs are left without a layer on one side.
+    /// Adds an interface; `None` if springs are left without a layer on one side.
     fn interface(&mut self, next: Between) -> Option<()> {
-        // above the first layer that is there, there is nothing
+        // the interfaces above the first layer are dropped
         if self.open.is_empty() {
             return (!next.gives_way()).then_some(());
         }
-        // of the interfaces around layers that are not there, a receding one prevails; jumps at others add up
+        // of the interfaces around dropped layers, a receding one takes precedence; compliances of others add up
         self.below = Some(match (self.below, next) {
             (None, next) => next,
             (Some(Between::Joint(before)), Between::Joint(next)) => Between::Joint(before.in_series(next)),
@@ -59,7 +59,7 @@ impl Groups {
         Some(())
     }
 
-    /// Closes the open group if what follows is not joined to it.
+    /// Closes the open group if the next layer is not joined to it.
     fn begin_next(&mut self) {
         match self.below.take() {
             Some(Between::Receding) => {
@@ -241,14 +241,14 @@ mod tests {
     fn layers_of_no_thickness_leave_one_interface() {
         use Item::{Bonded, Receding, Rigid};
         let (one, none) = (|| strip(1.0), || strip(0.0));
-        // a receding interface prevails
+        // a receding interface takes precedence
         assert_eq!(groups(&[one(), Bonded, none(), Receding, ground()]), (vec![vec![1]], vec![]));
         assert_eq!(groups(&[one(), Receding, none(), Bonded, ground()]), (vec![vec![1]], vec![]));
         assert_eq!(groups(&[one(), Bonded, none(), Bonded, one(), Receding, Rigid]), (vec![vec![1, 3]], vec![]));
         assert_eq!(groups(&[one(), Receding, none(), Bonded, none(), Bonded, one(), Bonded, Rigid]), {
             (vec![vec![1]], vec![4])
         });
-        // the first layer takes its lower interface with it
+        // a dropped first layer drops the interface below it
         assert_eq!(groups(&[none(), Receding, one(), Bonded, ground()]), (vec![], vec![2]));
         assert_eq!(groups(&[none(), Receding, none(), Receding, ground()]), (vec![], vec![]));
     }

@@ -3,7 +3,7 @@ use recede_layers::{Layer, Material, Plane};
 
 use super::{MAX_CONTRAST, Placed, Stack, StackProblem};
 
-/// Parts of the thickness at which the material of a layer is looked at, besides its kinks.
+/// Depths at which the material of a layer is evaluated, in parts of the thickness, besides its kinks.
 const DEPTHS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// A body with its smallest or largest modulus.
@@ -19,9 +19,8 @@ impl Extreme {
     }
 }
 
-/// Refuses moduli whose ratio is larger than [`MAX_CONTRAST`], and says which layer, by its number, has the largest one.
-/// Of a half-plane its face counts: deeper down a graded one may become as stiff as it likes. A punch comes before all
-/// layers.
+/// Rejects moduli whose ratio is larger than [`MAX_CONTRAST`], with the number of the layer that has the largest one.
+/// Of a half-plane the face counts: deeper down a graded one may have any modulus. A punch comes before all layers.
 pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), (StackProblem, usize)> {
     let (mut softest, mut stiffest): (Option<Extreme>, Option<Extreme>) = (None, None);
     let mut look = |number: usize, moduli: [f64; 2], name: &dyn Fn() -> String| {
@@ -57,7 +56,7 @@ fn range(placed: &Placed, plane: Plane) -> [f64; 2] {
     let depths = DEPTHS.iter().map(|part| part * thickness).chain(inside);
     depths
         .map(|depth| moduli(&layer.material(depth, plane)))
-        .fold([f64::INFINITY, 0.0], |[least, most], own| [least.min(own[0]), most.max(own[1])])
+        .fold([f64::INFINITY, 0.0], |[least, most], [low, high]| [least.min(low), most.max(high)])
 }
 
 /// The smaller and the larger of c66 and c11 − c12²/c22.

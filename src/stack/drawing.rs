@@ -72,7 +72,7 @@ impl Stack {
         lines.join("\n")
     }
 
-    /// A line on the layers that are not there.
+    /// A line that names the dropped layers.
     fn left_out(&self) -> Option<String> {
         const SHOWN: usize = 5;
         let names: Vec<String> = self.dropped.iter().take(SHOWN).map(Placed::name).collect();
@@ -90,7 +90,7 @@ fn centred(text: &str, width: usize) -> String {
     format!("{text:^0$}", width + 2).trim_end().to_owned()
 }
 
-/// What is written in the box of a layer.
+/// The text in the box of a layer.
 fn label(number: usize, notation: &Notation) -> String {
     format!(" {number} {}({}) ", notation.kind, notation.parameters)
 }

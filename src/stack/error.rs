@@ -1,7 +1,7 @@
-//! What can be wrong with the structure of a stack.
+//! Errors in the structure of a stack.
 use super::{MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING};
 
-/// Items that do not make a stack.
+/// The items do not make a stack.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{problem}")]
 pub struct StackError {
@@ -74,16 +74,16 @@ pub enum StackProblem {
         /// The base.
         base: String,
     },
-    /// Nothing between the punch and the rigid base.
+    /// No layer between the punch and the rigid base can deform.
     #[error("nothing can deform between the punch and the rigid base")]
     NothingElastic,
-    /// A support that is no elastic body, with nothing bonded to it.
+    /// A support that is no elastic body, without a layer bonded to it.
     #[error("nothing is bonded to {base}")]
     NotBonded {
         /// The support.
         base: String,
     },
-    /// Springs, on one side of which no layer is left.
+    /// Springs with a dropped layer on one side.
     #[error("next to {layer}, which is not there, springs have nothing to hold")]
     LooseSprings {
         /// The layer of thickness 0.

@@ -5,8 +5,8 @@ use recede_layers::conformance::rough_face;
 use super::{Placed, Stack, StackError, StackProblem};
 
 impl Stack {
-    /// Looks at the material next to all loaded faces, since no wavenumber would be large enough for the kernels otherwise.
-    /// Layers with closed forms are left out: what they respond does not come from the material as a function of the depth.
+    /// Checks the material next to all loaded faces: without a slope there, kernels have no short-wave asymptote.
+    /// Layers with closed forms are not checked, since their response does not come from the material as a function of the depth.
     pub(crate) fn check_faces(&self) -> Result<(), StackError> {
         let laminates = self.laminates.iter().map(|laminate| &laminate.layers);
         let bottoms = laminates.clone().filter_map(|layers| layers.last()).map(|layer| (layer, true));
@@ -15,7 +15,7 @@ impl Stack {
         tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane, bottom, self.length()))
     }
 
-    /// A length to compare depths of a half-plane with.
+    /// The length with which depths in a half-plane are compared.
     fn length(&self) -> f64 {
         let total = self.total_thickness();
         if total > 0.0 { total } else { 1.0 }

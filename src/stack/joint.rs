@@ -1,9 +1,8 @@
-//! What joins two layers of a laminate.
+//! A joint of two layers of a laminate: an interface that stays closed.
 use std::fmt;
 
-/// An interface that does not open, given by two stiffnesses: how the jump of the displacements across it follows from the
-/// stresses, σ_yy = normal times the jump of v, σ_xy = tangential times that of u. Bonded layers, layers that slide, and springs are the same
-/// with other numbers.
+/// An interface that does not open, given by two stiffnesses: σ_yy is `normal` times the jump of v, σ_xy is `tangential` times the
+/// jump of u. Bonded and sliding interfaces and springs differ in these numbers only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
     /// Stress per length; infinite where v is continuous.
@@ -18,7 +17,7 @@ impl Joint {
     /// v is continuous, and there is no friction.
     pub const SLIDING: Self = Self { normal: f64::INFINITY, tangential: 0.0 };
 
-    /// Both, one on top of the other with nothing between: jumps add up.
+    /// Two joints in series, with no layer between them: compliances add up.
     pub(super) fn in_series(self, other: Self) -> Self {
         let together = |a: f64, b: f64| (a.recip() + b.recip()).recip();
         Self { normal: together(self.normal, other.normal), tangential: together(self.tangential, other.tangential) }

@@ -2,7 +2,7 @@
 use super::{Base, Foundation, Joint, Laminate, Placed, Stack};
 
 impl Stack {
-    /// A stack of fewer layers that is the same to any wave, and how many layers it has less: those that are
+    /// An equivalent stack of fewer layers, and the number of layers that were merged: those that are
     /// [one body](recede_layers::Layer::continues) with the layer, or the half-plane, to which they are bonded.
     pub(crate) fn merged(&self) -> (Self, usize) {
         let (mut layers, mut joints) = (self.base.layers.clone(), self.base.joints.clone());
@@ -25,7 +25,7 @@ impl Stack {
     }
 }
 
-/// Makes one layer of neighbours that are one body; how many layers are left out.
+/// Makes one layer of neighbours that are one body; returns the number of layers that were merged.
 fn merge(layers: &mut Vec<Placed>, joints: &mut Vec<Joint>) -> usize {
     let before = layers.len();
     let (mut whole, mut between): (Vec<Placed>, Vec<Joint>) = Default::default();
@@ -82,7 +82,7 @@ mod tests {
         assert_eq!(merged(&[one(), Bonded, one(), Receding, ground()]), (vec![vec![2.0]], vec![], 0, 1));
         assert_eq!(merged(&[one(), Bonded, one(), Bonded, Rigid]), (vec![], vec![2.0], 1, 1));
         assert_eq!(merged(&[one(), Receding, one(), Bonded, ground()]), (vec![vec![1.0]], vec![], 0, 1));
-        // where something slides or gives way there are two
+        // interfaces that slide or have springs separate two bodies
         assert_eq!(merged(&[one(), Sliding, one(), Sliding, ground()]), (vec![], vec![1.0, 1.0], 2, 0));
         let spring = Item::Spring(Spring::new(2.0, None).unwrap());
         assert_eq!(merged(&[one(), spring, one(), Bonded, one(), Receding, Rigid]), {

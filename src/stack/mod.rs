@@ -25,13 +25,13 @@ pub const MAX_LAYERS: usize = 5000;
 pub const MAX_RECEDING: usize = 32;
 
 /// Largest ratio of two moduli in a stack, the punch included: diamond is some 1e12 times as stiff as the softest gels, and
-/// beyond 1/rounding one body is rigid to the other.
+/// beyond the inverse of rounding one body counts as rigid next to the other.
 pub const MAX_CONTRAST: f64 = 1e15;
 
-/// Layers in order, grouped by what is joined to what.
+/// Layers in order, in groups that are joined to each other.
 ///
 /// Receding interfaces divide a stack into free *laminates* and the *base*; a receding interface lies between
-/// consecutive laminates, and between the last laminate and the base. Layers of thickness zero are not there.
+/// consecutive laminates, and between the last laminate and the base. Layers of thickness zero are dropped.
 ///
 /// ```
 /// use recede::{Exponential, HalfPlane, Homogeneous, Plane, Stack};
@@ -67,7 +67,7 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// How the layer is called in messages, e.g. `layer 1 (Homogeneous)`.
+    /// The name of the layer in messages, e.g. `layer 1 (Homogeneous)`.
     pub fn name(&self) -> String {
         format!("layer {} ({})", self.number, self.layer.notation().kind)
     }
@@ -90,7 +90,7 @@ impl Laminate {
         &self.layers
     }
 
-    /// What joins each layer to the next, from the top down: one less than there are layers.
+    /// The joints of each layer with the next, from the top down: one less than there are layers.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
@@ -115,12 +115,12 @@ impl Base {
         &self.layers
     }
 
-    /// What joins each layer to the next, from the top down, and the last one to the foundation.
+    /// The joints of each layer with the next, from the top down, and of the last one with the foundation.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
 
-    /// What everything rests on.
+    /// The foundation.
     pub fn foundation(&self) -> &Foundation {
         &self.foundation
     }
@@ -131,7 +131,7 @@ impl Base {
     }
 }
 
-/// What everything rests on.
+/// The foundation of a stack.
 #[derive(Clone, Debug)]
 pub enum Foundation {
     /// A layer without a thickness, which fills everything below.
@@ -140,7 +140,7 @@ pub enum Foundation {
     Support {
         /// Its number, counted with the layers.
         number: usize,
-        /// What it allows at its face.
+        /// The support itself.
         support: Arc<dyn Support>,
     },
     /// A rigid body.
@@ -163,7 +163,7 @@ impl<'a> Group<'a> {
         self.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
     }
 
-    /// What joins each layer to the next, and the last one to a rigid foundation.
+    /// The joints of each layer with the next, and of the last one with a rigid foundation.
     pub(crate) fn joints(&self) -> &'a [Joint] {
         self.joints
     }

@@ -1,5 +1,5 @@
 //! Wall time against true error: the paper's method taken literally, collocation with equilibrium built in, the Galerkin
-//! solver, on the same scenes, in one run on one thread. Then the times that are promised.
+//! solver, on the same scenes, in one run on one thread. Then the times that have targets.
 //!
 //! ```text
 //! cargo bench --bench work_precision                 prints tables

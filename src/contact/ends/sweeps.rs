@@ -280,7 +280,7 @@ impl<'a> Sweeps<'a> {
     /// miss grows.
     fn falls(&self, i: usize) -> bool {
         let is_smooth = self.problem.sides[i].is_smooth();
-        self.problem.kernel.far(i).is_constant() && is_smooth && !self.strong.contains(&true)
+        self.problem.kernel.asymptote(i).is_constant() && is_smooth && !self.strong.contains(&true)
     }
 
     /// Takes what is left of the steps; whether sweeps have converged.

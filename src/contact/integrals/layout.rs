@@ -87,7 +87,7 @@ struct Group {
 impl Group {
     /// Where its tail ends; contacts end to matter at `ends`, and couplings at `coupled`.
     fn ends(&self, kernel: &Kernel, ends: &[f64], coupled: &[f64]) -> Ends {
-        let finite = |i: &usize| if kernel.far(*i).is_constant() { ends[*i] } else { kernel.far(*i).from };
+        let finite = |i: &usize| if kernel.asymptote(*i).is_constant() { ends[*i] } else { kernel.asymptote(*i).from };
         let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(coupled.len())];
         let to = self.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
         let together = self.contacts.iter().skip(1).map(|below| coupled[below - 1]).fold(0.0, f64::max);
@@ -130,7 +130,7 @@ impl Layout {
         // a given pressure has no equation of its own
         let end = |i: usize| match orders[i] {
             0 => 0.0,
-            orders => kernel.blurs(i, half_lengths[i], turning(orders) / half_lengths[i], negligible),
+            orders => kernel.oscillations_vanish(i, half_lengths[i], turning(orders) / half_lengths[i], negligible),
         };
         let ends: Vec<f64> = (0..n).map(end).collect();
         let coupled: Vec<f64> = half_lengths
@@ -163,7 +163,7 @@ impl Layout {
             let tail = if group.from.is_infinite() {
                 let i = group.contacts[0];
                 // kernels that never vanish
-                let rest = !kernel.far(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
+                let rest = !kernel.asymptote(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
                 if rest { Tail::beyond(ends[i]) } else { Tail::default() }
             } else {
                 let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
@@ -179,7 +179,7 @@ impl Layout {
     /// Adds the tail of a group, the real wavenumbers of which are as many as `reach`.
     fn extend(&mut self, kernel: &Kernel, group: &Group, reach: usize, tail: Tail) {
         for i in &group.contacts {
-            tail.extend(&mut self.own[*i].unit, |zeta| kernel.unit_excess(*i, zeta));
+            tail.extend(&mut self.own[*i].unit, |zeta| kernel.remainder(*i, zeta));
         }
         for i in group.contacts.iter().skip(1).map(|below| below - 1) {
             self.coupling[i].plain.resize(reach, 0.0);
@@ -226,7 +226,8 @@ impl Layout {
     /// Without wavenumbers; `tail_of` tells which of the tails is that of a contact.
     fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
         let n = kernel.contacts();
-        let own = |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.far(i).limit, tail: tail_of(i) };
+        let own =
+            |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.asymptote(i).limit, tail: tail_of(i) };
         Self {
             zeta: Vec::new(),
             own: (0..n).map(own).collect(),
@@ -304,14 +305,15 @@ impl Layout {
     fn weigh(&mut self, plan: &Plan, values: Option<&Values>, first: usize, weights: &[f64], (from, to): (f64, f64)) {
         let (kernel, zeta) = (plan.kernel, &self.zeta[first..]);
         for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
-            let (far, start) = (kernel.far(i), own.unit.plain.len());
+            let (far, start) = (kernel.asymptote(i), own.unit.plain.len());
             match values {
                 Some(values) if from < far.from => {
-                    let excess = weights.iter().zip(values.unit(i)).map(|(weight, unit)| weight * (unit - far.limit));
+                    let excess =
+                        weights.iter().zip(values.equal_pressure(i)).map(|(weight, unit)| weight * (unit - far.limit));
                     own.unit.plain.extend(excess);
                 }
                 _ => {
-                    let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.excess(*zeta));
+                    let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.remainder(*zeta));
                     own.unit.plain.extend(excess);
                     let neighbours = i.saturating_sub(1)..(i + 1).min(kernel.contacts() - 1);
                     for coupling in neighbours.filter_map(|i| values.map(|values| values.coupling(i))) {
@@ -340,9 +342,9 @@ impl Plan<'_> {
         for (i, (a, reach)) in self.half_lengths.iter().zip(&self.reaches).enumerate() {
             if to <= *reach {
                 frequency = frequency.max(a + a.max(self.span));
-                let far = self.kernel.far(i);
-                let beyond = if from < far.from { 0.0 } else { far.excess(from).abs() };
-                size = size.max((beyond + panel.map_or(0.0, |panel| panel.excess[i])) / far.limit);
+                let far = self.kernel.asymptote(i);
+                let beyond = if from < far.from { 0.0 } else { far.remainder(from).abs() };
+                size = size.max((beyond + panel.map_or(0.0, |panel| panel.remainders[i])) / far.limit);
             }
         }
         for (i, (pair, reach)) in self.half_lengths.windows(2).zip(&self.coupled).enumerate() {

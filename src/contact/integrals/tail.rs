@@ -93,7 +93,7 @@ impl Tail {
             }
             reached = panel.to;
         }
-        if contacts.iter().any(|i| !kernel.far(*i).is_constant()) {
+        if contacts.iter().any(|i| !kernel.asymptote(*i).is_constant()) {
             // ζ = start/u
             let nodes = rule(smooth_points(orders, from / reached)).on(0.0, 1.0);
             tail.add(nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));

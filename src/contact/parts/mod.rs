@@ -362,7 +362,7 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
     if kernel.vanishes(i, shortest, negligible) <= end {
         return 0.0;
     }
-    (kernel.unit_excess(i, end) / kernel.far(i).limit).abs() / end
+    (kernel.remainder(i, end) / kernel.asymptote(i).limit).abs() / end
 }
 
 /// By how much two levels differ.

@@ -47,12 +47,12 @@ impl<'a> Compliances<'a> {
 
     /// What the kernel of contact i tends to for short waves.
     pub(super) fn limit(&self, i: usize) -> f64 {
-        self.kernel.far(self.contacts.start + i).limit
+        self.kernel.asymptote(self.contacts.start + i).limit
     }
 
     /// The kernel of contact i if its neighbours have the same pressure.
     pub(super) fn own(&self, i: usize, zeta: f64) -> f64 {
-        self.limit(i) + self.kernel.unit_excess(self.contacts.start + i, zeta)
+        self.limit(i) + self.kernel.remainder(self.contacts.start + i, zeta)
     }
 
     /// The coupling of contact i and one of which the pressure is given.

@@ -64,7 +64,7 @@ impl Level {
         let counts: Vec<usize> = found.modes.iter().map(Vec::len).collect();
         let (half_lengths, n) = (&found.support.half_lengths, counts.len());
         let local = |i: usize| {
-            let limit = problem.kernel.far(i).limit;
+            let limit = problem.kernel.asymptote(i).limit;
             problem.sides[i].local(half_lengths[i], limit, (4 * FINEST).max(counts[i]))
         };
         let locals: Vec<Option<Local>> = (0..n).map(local).collect();
@@ -132,7 +132,7 @@ impl Truncation {
         let (left, arithmetic) = (found.residuals[i], negligible + ROUNDING);
         let intensity = found.support.intensity(i);
         // where modes fall like a power, the terms of the pressure at x = 0 are averaged
-        let averaged = !problem.kernel.far(i).is_constant();
+        let averaged = !problem.kernel.asymptote(i).is_constant();
         let swept = weight(&own, found.solved[i]..own.len());
         let (beyond, fall) = beyond(&own);
         let peak =
@@ -279,7 +279,7 @@ impl<'a> Propagation<'a> {
         let half_lengths = &self.found.support.half_lengths;
         let (kernel, other) = (self.problem.kernel, &self.truncations[k]);
         let last = 2.0 * self.found.modes[k].len() as f64 / half_lengths[k];
-        let sensitivity = (kernel.coupling(i.min(k), last).abs() / kernel.far(i).limit).min(1.0);
+        let sensitivity = (kernel.coupling(i.min(k), last).abs() / kernel.asymptote(i).limit).min(1.0);
         sensitivity * other.unaveraged * half_lengths[i] / (half_lengths[k] * self.truncations[i].size)
     }
 

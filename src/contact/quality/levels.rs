@@ -76,7 +76,7 @@ impl<'a> Levels<'a> {
         let mut coarse: Vec<usize> = solved.iter().map(coarse).collect();
         one_where_known(problem, &mut solved);
         one_where_known(problem, &mut coarse);
-        let graded = (0..n).map(|i| !problem.kernel.far(i).is_constant()).collect();
+        let graded = (0..n).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
         let tolerance = problem.tolerance.max(BEST);
         let newton = Newton::new(problem, work);
         let before = (coarse.clone(), coarse.clone());
@@ -256,7 +256,7 @@ fn enough_modes(coarse: &[f64], solved: usize, tolerance: f64) -> usize {
 /// Modes to begin with: enough to resolve waves so short that their compliance is that of the layers at the faces alone.
 fn coarsest(kernel: &Kernel, half_lengths: &[f64], finest: usize) -> Vec<usize> {
     let modes = |(i, a): (usize, &f64)| {
-        let wanted = (PER_WAVE * a * kernel.settles(i)).min(finest as f64).max(COARSEST as f64);
+        let wanted = (PER_WAVE * a * kernel.governed_by_faces(i)).min(finest as f64).max(COARSEST as f64);
         (wanted as usize).next_multiple_of(4)
     };
     half_lengths.iter().enumerate().map(modes).collect()

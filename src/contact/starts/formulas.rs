@@ -54,7 +54,7 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
     let mut local = ON_RIGID_BASE * thickness;
     for _ in 0..4 {
         let zeta = TYPICAL / local;
-        let below = (kernel.compliances(zeta)[laminate + 1] - kernel.squeezed(laminate, zeta)).max(0.0);
+        let below = (kernel.compliances(zeta)[laminate + 1] - kernel.equal_pressure_bottom(laminate, zeta)).max(0.0);
         let soft = ON_SOFT_BASE * (0.5 * rigidity * below).cbrt();
         local = ((ON_RIGID_BASE * thickness).powf(BETWEEN) + soft.powf(BETWEEN)).powf(BETWEEN.recip());
     }

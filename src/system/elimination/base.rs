@@ -1,13 +1,13 @@
-//! The chain of a base: layers joined to what holds them.
+//! The chain of a base: layers joined to a foundation.
 use std::sync::Arc;
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Vector2};
 use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
+use super::cut_off::{Taken, cut_off};
 use super::free::{junctions, layers};
 use super::half::{Eliminated, Half, displacement, eliminate_two, stacked, stress};
 use super::junction::{Junction, Rows};
-use super::reach::{Taken, reached};
 use super::repeats::{self, Bodies, Repeat};
 use crate::system::{BlockSystem, Component, Side};
 
@@ -25,7 +25,7 @@ pub struct BaseChain {
     pub(super) repeats: Vec<Repeat>,
 }
 
-/// What ends a base.
+/// The lower end of a base.
 #[derive(Clone, Debug)]
 pub(super) enum Foot {
     /// A half-plane, a column of two amplitudes.
@@ -36,9 +36,9 @@ pub(super) enum Foot {
     Held(Box<Rows<2>>),
 }
 
-/// What lies below an interface of a base, eliminated.
+/// The bodies below an interface of a base, eliminated.
 pub(super) enum Below {
-    /// Two states, of which those on the upper side of what lies below are made.
+    /// Two states of which all states at the upper face of these bodies are combinations.
     Allows(Matrix4x2<f64>),
     /// Two rows on the states at the bottom face of the layer above.
     Holds(Matrix2x4<f64>),
@@ -53,10 +53,10 @@ pub(super) struct UnitStresses {
 }
 
 impl BaseChain {
-    /// The base of a block system; it has no layers where everything lies loose on a rigid base.
+    /// The base of a block system; it has no layers if all layers are above a receding interface on a rigid base.
     pub fn of(system: &BlockSystem) -> Self {
         let components = system.components();
-        components.iter().find(|own| !own.is_free()).map_or_else(Self::rigid, Self::new)
+        components.iter().find(|component| !component.is_free()).map_or_else(Self::rigid, Self::new)
     }
 
     fn new(component: &Component<'_>) -> Self {
@@ -73,7 +73,7 @@ impl BaseChain {
         Self { layers, junctions, load: Half::of_face(component.rows_at(0), Side::Below).by_load, foot, repeats }
     }
 
-    /// Nothing that gives way.
+    /// A rigid base without layers.
     fn rigid() -> Self {
         let foot = Foot::Held(Box::new(Rows::new(std::iter::empty())));
         Self { layers: Vec::new(), junctions: Vec::new(), load: Vector2::new(1.0, 0.0), foot, repeats: Vec::new() }
@@ -85,44 +85,44 @@ impl BaseChain {
         self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
     }
 
-    /// The same, and how many of the layers it took, the foundation not counted.
+    /// The same, and the number of layers for it, the foundation not counted.
     pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(f64, Taken)> {
-        let reached = reached(&self.layers, &self.junctions, 0..self.layers.len(), wave);
+        let cut_off = cut_off(&self.layers, &self.junctions, 0..self.layers.len(), wave);
         let states = |column: &dyn Layer| match column.face_states(wave) {
             FaceStates::HalfPlane { top } => Some(top),
             FaceStates::Finite { .. } => None,
         };
-        let mut below = self.below(reached, wave, states)?;
-        let bodies = Bodies::new(&self.layers, &self.repeats, 0..reached, wave);
+        let mut below = self.below(cut_off, wave, states)?;
+        let bodies = Bodies::new(&self.layers, &self.repeats, 0..cut_off, wave);
         for body in bodies.iter(wave).rev() {
             let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
             let across = self.across(body.layers.end, wave);
             let amplitudes = UnitStresses::new(&below, across, &top, &bottom)?.amplitudes;
             below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
         }
-        let Below::Allows(allowed) = below else { return Some((0.0, Taken { reached, evaluated: 0 })) };
+        let Below::Allows(allowed) = below else { return Some((0.0, Taken { cut_off, evaluated: 0 })) };
         let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
-        let unit = solve_equilibrated(stress, self.load)?;
-        Some(((allowed.row(1) * unit)[0], Taken { reached, evaluated: bodies.evaluated }))
+        let shares = solve_equilibrated(stress, self.load)?;
+        Some(((allowed.row(1) * shares)[0], Taken { cut_off, evaluated: bodies.evaluated }))
     }
 
-    /// What lies below the layers that a wave reaches; `states` gives those at the face of a half-plane.
+    /// The bodies below the layers above the cut-off; `states` gives the states at the face of a half-plane.
     pub(super) fn below(
         &self,
-        reached: usize,
+        cut_off: usize,
         wave: &Wave,
         states: impl FnOnce(&dyn Layer) -> Option<Matrix4x2<f64>>,
     ) -> Option<Below> {
         Some(match &self.foot {
-            // too deep to matter: as good as rigid
-            _ if reached < self.layers.len() => Below::Allows(with_unit_stress(&Matrix2::zeros())),
+            // fields have decayed: the layers below the cut-off count as rigid
+            _ if cut_off < self.layers.len() => Below::Allows(with_unit_stress(&Matrix2::zeros())),
             Foot::HalfPlane(layer) => Below::Allows(states(&**layer)?),
             Foot::Support(support) => Below::Allows(support.face_states(wave)),
             Foot::Held(rows) => Below::Holds(rows.at(wave)[0]),
         })
     }
 
-    /// The rows below so many layers, for the states above and below; `None` if these are the same.
+    /// The rows below this number of layers, for the states above and below; `None` if these are the same.
     pub(super) fn across(&self, layers: usize, wave: &Wave) -> Option<[Matrix4<f64>; 2]> {
         self.junctions.get(layers.checked_sub(1)?)?.at(wave, Side::Above)
     }
@@ -173,7 +173,7 @@ pub(super) fn with_unit_stress(flexibility: &Matrix2<f64>) -> Matrix4x2<f64> {
     states
 }
 
-/// Two rows that vanish on what a base allows, and on nothing else: by reciprocity its states do no work on each other,
+/// Two rows that vanish on the states that a base allows, and on no others: by reciprocity these do no work on each other,
 /// U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂ = 0. Unlike a flexibility they exist for any base, be it rigid or free to slide.
 pub(super) fn reciprocal(allowed: &Matrix4x2<f64>) -> Matrix2x4<f64> {
     Matrix2x4::from_fn(|i, j| if j < 2 { -allowed[(3 - j, i)] } else { allowed[(3 - j, i)] })

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, Wave};
 
+use super::cut_off::{Taken, cut_off};
 use super::half::{Half, Meeting};
 use super::junction::Junction;
-use super::reach::{Taken, reached};
 use super::repeats::{self, Bodies, Repeat};
 use crate::system::{BlockSystem, Component, Side};
 
@@ -40,10 +40,10 @@ impl FreeChain {
     /// The free laminates of a block system, from the top down.
     pub fn all(system: &BlockSystem) -> Vec<Self> {
         let components = system.components();
-        components.iter().filter(|own| own.is_free()).map(|own| Self::new(own, system.plane())).collect()
+        components.iter().filter(|component| component.is_free()).map(|free| Self::new(free, system.plane())).collect()
     }
 
-    /// The layers' stiffness decides where elimination from both faces meets.
+    /// Elimination from both faces meets next to the neutral axis, which follows from the stiffness of the layers.
     fn new(component: &Component<'_>, plane: Plane) -> Self {
         let layers = layers(component);
         let junctions = junctions(component);
@@ -58,13 +58,13 @@ impl FreeChain {
         self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
     }
 
-    /// The same, and how many layers it took.
+    /// The same, and the number of layers for it.
     pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(Flexibility, Taken)> {
         let count = self.layers.len();
-        let above = reached(&self.layers, &self.junctions, 0..count, wave);
-        let below = reached(&self.layers, &self.junctions, (0..count).rev(), wave);
+        let above = cut_off(&self.layers, &self.junctions, 0..count, wave);
+        let below = cut_off(&self.layers, &self.junctions, (0..count).rev(), wave);
         if above + below <= count && above < count {
-            // the faces do not feel each other
+            // the fields of either face have decayed before the other one
             let (top, mut taken) = self.part(0..above, 0, wave)?;
             let (bottom, more) = self.part(count - below..count, count, wave)?;
             taken += more;
@@ -82,10 +82,10 @@ impl FreeChain {
 
     /// Flexibility of some of the layers, eliminated from both faces to the interface above layer `meeting`.
     fn part(&self, range: Range<usize>, meeting: usize, wave: &Wave) -> Option<(Flexibility, Taken)> {
-        let reached = range.len();
+        let cut_off = range.len();
         if let [layer] = &self.layers[range.clone()] {
-            let own = layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
-            return Some((own?, Taken { reached, evaluated: 1 }));
+            let flexibility = layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
+            return Some((flexibility?, Taken { cut_off, evaluated: 1 }));
         }
         let [upper, lower] =
             [range.start..meeting, meeting..range.end].map(|part| Bodies::new(&self.layers, &self.repeats, part, wave));
@@ -104,7 +104,7 @@ impl FreeChain {
         }
         let evaluated = upper.evaluated + lower.evaluated;
         let junction = self.junction(meeting).filter(|_| inside(meeting));
-        Some((Meeting::of(above, below, junction, wave)?.flexibility(), Taken { reached, evaluated }))
+        Some((Meeting::of(above, below, junction, wave)?.flexibility(), Taken { cut_off, evaluated }))
     }
 
     /// The interface above a layer; `None` above the first one.
@@ -118,7 +118,7 @@ impl FreeChain {
     }
 }
 
-/// The layers of a component; those without closed forms remember what is computed of them.
+/// The layers of a component; those without closed forms keep what is computed of them.
 pub(super) fn layers(component: &Component<'_>) -> Vec<Arc<dyn Layer>> {
     let layers = component.columns().iter().filter_map(|column| column.body().layer());
     layers.map(|layer| Remembering::of(layer.clone())).collect()
@@ -131,7 +131,7 @@ pub(super) fn junctions(component: &Component<'_>) -> Vec<Junction> {
 
 /// The interface, counted as the layer below it, that is nearest to the neutral axis of bending.
 fn neutral_interface(layers: &[Arc<dyn Layer>], plane: Plane) -> usize {
-    // three points tell where a layer is stiff, also if it is graded
+    // Simpson's rule, for graded layers
     let mut depth = 0.0;
     let (mut stiffness, mut moment) = (0.0, 0.0);
     let mut faces = vec![0.0];

@@ -8,9 +8,9 @@ use recede_layers::{Flexibility, State, Wave, solve_equilibrated};
 use super::junction::{Junction, Rows};
 use crate::system::{Row, Side};
 
-/// What the amplitudes eliminated so far make of the other ones: the stresses (S, T) at the interface and V at the face, as
+/// The result of the elimination so far: the stresses (S, T) at the interface and V at the face, as
 /// functions of the displacements w = (U, V) at the interface and of the load. Under equal loads on both faces of the
-/// chain, S means the excess over the load.
+/// chain, S is the stress minus the load.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Half {
     pub(super) stiffness: Matrix2<f64>,
@@ -21,8 +21,8 @@ pub(super) struct Half {
     pub(super) face_by_equal: f64,
 }
 
-/// A layer put back: its amplitudes and, where the interface before it is not bonded, the displacements on the other side of
-/// that. Columns for the displacements w at its far face, for the load and for equal loads.
+/// The back substitution of a layer: its amplitudes and, where the interface before it is not bonded, the displacements on the other
+/// side of that. Columns for the displacements w at its far face, for the load and for equal loads.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PutBack {
     pub(super) amplitudes: Matrix4<f64>,
@@ -33,7 +33,7 @@ pub(super) struct PutBack {
 pub(super) type FaceOf<'a> = (&'a Matrix4<f64>, &'a State);
 
 impl Half {
-    /// Nothing yet: the interface is the loaded face itself, at which these rows hold for the layer on this side.
+    /// Before the first layer: the interface is the loaded face itself, at which these rows hold for the layer on this side.
     pub(super) fn of_face<'a>(rows: impl Iterator<Item = &'a Row> + Clone, side: Side) -> Self {
         let mut loads = Vector2::zeros();
         loads
@@ -41,9 +41,9 @@ impl Half {
             .zip(rows.clone())
             .for_each(|(load, row)| *load = if row.pressure.is_some() { 1.0 } else { 0.0 });
         let [above, below] = Rows::<2>::new(rows).plain();
-        let own = if side == Side::Above { above } else { below };
-        // without springs on it a face has no stiffness of its own
-        let by_load = own.fixed_columns::<2>(2).into_owned().try_inverse().map(|inverse| inverse * loads);
+        let rows = if side == Side::Above { above } else { below };
+        // without springs on it a face has no stiffness
+        let by_load = rows.fixed_columns::<2>(2).into_owned().try_inverse().map(|inverse| inverse * loads);
         let by_load = by_load.unwrap_or(Vector2::repeat(f64::NAN));
         Self {
             stiffness: Matrix2::zeros(),
@@ -90,14 +90,15 @@ impl Half {
     /// displacements, and these are eliminated, which leaves two rows on the state of the layer.
     fn through_rows(&self, rows: &[Matrix4<f64>; 2], near: FaceOf<'_>, far: FaceOf<'_>) -> Option<(Self, PutBack)> {
         let [(near, near_uniform), (far, far_uniform)] = [near, far];
-        let [own, other] = rows;
-        let own_stress = own.fixed_columns::<2>(2);
+        let [this_side, layer_side] = rows;
+        let stress_columns = this_side.fixed_columns::<2>(2);
         // columns for the state of the layer, for the load and for equal loads
-        let mut rest = Matrix4x6::zeros();
-        rest.fixed_view_mut::<4, 4>(0, 0).copy_from(other);
-        rest.set_column(4, &(own_stress * self.by_load));
-        rest.set_column(5, &(own_stress * self.by_equal + other * near_uniform + of_uniform(rows)));
-        let Eliminated { left, solved } = eliminate_two(own.fixed_columns::<2>(0) + own_stress * self.stiffness, rest)?;
+        let mut known = Matrix4x6::zeros();
+        known.fixed_view_mut::<4, 4>(0, 0).copy_from(layer_side);
+        known.set_column(4, &(stress_columns * self.by_load));
+        known.set_column(5, &(stress_columns * self.by_equal + layer_side * near_uniform + of_uniform(rows)));
+        let unknowns = this_side.fixed_columns::<2>(0) + stress_columns * self.stiffness;
+        let Eliminated { left, solved } = eliminate_two(unknowns, known)?;
         let condition: Matrix2x4<f64> = left.fixed_columns::<4>(0) * near;
         let mut loads = Matrix4::zeros();
         loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
@@ -106,8 +107,8 @@ impl Half {
         let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
         let mut before: Matrix2x4<f64> = solved.fixed_columns::<4>(0) * near * amplitudes;
         for case in [0, 1] {
-            let own = before.column(2 + case) + solved.column(4 + case);
-            before.set_column(2 + case, &own);
+            let column = before.column(2 + case) + solved.column(4 + case);
+            before.set_column(2 + case, &column);
         }
         let half = self.beyond(far, far_uniform, &amplitudes, &(self.face * before));
         Some((half, PutBack { amplitudes, before: Some(before) }))
@@ -142,7 +143,7 @@ pub(super) struct Meeting {
 }
 
 impl Meeting {
-    /// `junction` is the interface; `None` if one of the halves is nothing but a loaded face.
+    /// `junction` is the interface; `None` if one of the halves has no layers.
     pub(super) fn of(above: Half, below: Half, junction: Option<&Junction>, wave: &Wave) -> Option<Self> {
         let displacements = match junction.and_then(|junction| junction.at(wave, Side::Above)) {
             None => {
@@ -159,8 +160,8 @@ impl Meeting {
                 loads.set_column(2, &-equal);
                 for (i, (rows, half)) in rows.iter().zip([&above, &below]).enumerate() {
                     let stress = rows.fixed_columns::<2>(2);
-                    let own = rows.fixed_columns::<2>(0) + stress * half.stiffness;
-                    matrix.fixed_view_mut::<4, 2>(0, 2 * i).copy_from(&own);
+                    let columns = rows.fixed_columns::<2>(0) + stress * half.stiffness;
+                    matrix.fixed_view_mut::<4, 2>(0, 2 * i).copy_from(&columns);
                     loads.set_column(i, &-(stress * half.by_load));
                     let equal = loads.column(2) - stress * half.by_equal;
                     loads.set_column(2, &equal);
@@ -172,7 +173,7 @@ impl Meeting {
         Some(Self { above, below, displacements })
     }
 
-    /// How far the faces move.
+    /// The flexibility of the faces.
     pub(super) fn flexibility(&self) -> Flexibility {
         let Self { above, below, displacements: [at_above, at_below] } = self;
         let (top, bottom) = (above.face * at_above, below.face * at_below);
@@ -196,23 +197,23 @@ fn uniform() -> Vector2<f64> {
 pub(super) struct Eliminated<const M: usize> {
     /// Two rows without the unknowns.
     pub(super) left: SMatrix<f64, 2, M>,
-    /// The unknowns as functions of the rest.
+    /// The unknowns as functions of the other columns.
     pub(super) solved: SMatrix<f64, 2, M>,
 }
 
-/// Eliminates two unknowns from four rows, of which `rest` are the other columns; `None` if the rows do not determine them.
+/// Eliminates two unknowns from four rows, whose other columns are `others`; `None` if the rows do not determine the unknowns.
 ///
 /// Written out on arrays of known sizes, as [`solve_equilibrated`] is.
 pub(super) fn eliminate_two<const M: usize>(
     unknowns: Matrix4x2<f64>,
-    rest: SMatrix<f64, 4, M>,
+    others: SMatrix<f64, 4, M>,
 ) -> Option<Eliminated<M>> {
     let sizes = [unknowns.column(0).amax().recip(), unknowns.column(1).amax().recip()];
-    let mut own: [[f64; 2]; 4] = std::array::from_fn(|i| [unknowns[(i, 0)], unknowns[(i, 1)]]);
-    let mut rest: [[f64; M]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| rest[(i, j)]));
-    // the largest entry, columns measured by their largest, then the largest that is left of the other column
+    let mut unknowns: [[f64; 2]; 4] = std::array::from_fn(|i| [unknowns[(i, 0)], unknowns[(i, 1)]]);
+    let mut others: [[f64; M]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| others[(i, j)]));
+    // pivots: the largest entry, columns scaled by their largest, then the largest remaining entry of the other column
     let mut largest = (0.0, 0, 0);
-    for (i, row) in own.iter().enumerate() {
+    for (i, row) in unknowns.iter().enumerate() {
         for (column, size) in sizes.iter().enumerate() {
             let found = row[column].abs() * size;
             if found > largest.0 {
@@ -221,44 +222,44 @@ pub(super) fn eliminate_two<const M: usize>(
         }
     }
     let (_, first, column) = largest;
-    eliminate(&mut own, &mut rest, first, column);
-    let left = |row: usize| if row == first { 0.0 } else { own[row][1 - column].abs() };
+    eliminate(&mut unknowns, &mut others, first, column);
+    let left = |row: usize| if row == first { 0.0 } else { unknowns[row][1 - column].abs() };
     let second = (1..4).fold(0, |best, row| if left(row) > left(best) { row } else { best });
     if largest.0 == 0.0 || left(second) == 0.0 {
         return None;
     }
-    eliminate(&mut own, &mut rest, second, 1 - column);
+    eliminate(&mut unknowns, &mut others, second, 1 - column);
     let (mut left, mut solved) = (SMatrix::<f64, 2, M>::zeros(), SMatrix::<f64, 2, M>::zeros());
     for (row, column) in [(first, column), (second, 1 - column)] {
-        let factor = -own[row][column].recip();
+        let factor = -unknowns[row][column].recip();
         for j in 0..M {
-            solved[(column, j)] = factor * rest[row][j];
+            solved[(column, j)] = factor * others[row][j];
         }
     }
     for (i, row) in (0..4).filter(|row| *row != first && *row != second).enumerate() {
         for j in 0..M {
-            left[(i, j)] = rest[row][j];
+            left[(i, j)] = others[row][j];
         }
     }
     Some(Eliminated { left, solved })
 }
 
-/// Takes a row, times what makes the entries of a column vanish, from all others.
+/// Subtracts a multiple of the pivot row from each other row, so that the entries of a column vanish there.
 #[inline(always)]
-fn eliminate<const M: usize>(own: &mut [[f64; 2]; 4], rest: &mut [[f64; M]; 4], row: usize, column: usize) {
-    let (pivot, other) = (own[row], rest[row]);
+fn eliminate<const M: usize>(unknowns: &mut [[f64; 2]; 4], others: &mut [[f64; M]; 4], row: usize, column: usize) {
+    let (pivot, other) = (unknowns[row], others[row]);
     let divided = pivot[column].recip();
     for i in (0..4).filter(|i| *i != row) {
-        let factor = own[i][column] * divided;
-        own[i][1 - column] -= factor * pivot[1 - column];
-        own[i][column] = 0.0;
+        let factor = unknowns[i][column] * divided;
+        unknowns[i][1 - column] -= factor * pivot[1 - column];
+        unknowns[i][column] = 0.0;
         for j in 0..M {
-            rest[i][j] -= factor * other[j];
+            others[i][j] -= factor * other[j];
         }
     }
 }
 
-/// What the rows of an interface make of uniform pressure on both of its sides.
+/// The rows of an interface applied to uniform pressure on both of its sides.
 fn of_uniform(rows: &[Matrix4<f64>; 2]) -> Vector4<f64> {
     let [above, below] = rows;
     (above + below).fixed_columns::<2>(2) * uniform()

@@ -1,19 +1,19 @@
-//! Fields inside the chains at one wavenumber: what was eliminated, put back layer by layer.
+//! Fields inside the chains at one wavenumber: back substitution of the eliminated amplitudes, layer by layer.
 use std::ops::Range;
 
 use nalgebra::{Matrix2, Vector2, Vector3, Vector4};
 use recede_layers::{FaceStates, InnerStates, LayerStates, State, Wave, solve_equilibrated};
 
 use super::base::{BaseChain, Below, UnitStresses, with_unit_stress};
+use super::cut_off::cut_off;
 use super::free::FreeChain;
 use super::half::{FaceOf, Meeting, PutBack, displacement, stacked, stress};
-use super::reach::reached;
 use crate::system::Side;
 
 /// Amplitudes S of loads on the shear-free faces of a chain.
 ///
-/// Nearly equal loads on both faces of a thin laminate are to be given as `equal` and the small rest: the answer to
-/// that keeps its digits, and the answers to either load alone would cancel.
+/// Nearly equal loads on both faces of a thin laminate are to be given as `equal` and the small difference: the responses to either load
+/// alone would cancel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Load {
     /// On the top face alone.
@@ -32,10 +32,10 @@ impl FreeChain {
     /// if a layer's states are not finite or do not determine its fields.
     pub fn states(&self, wave: &Wave, depths: &Depths, load: &Load) -> Option<Vec<Vec<State>>> {
         let count = self.layers.len();
-        let above = reached(&self.layers, &self.junctions, 0..count, wave);
-        let below = reached(&self.layers, &self.junctions, (0..count).rev(), wave);
+        let above = cut_off(&self.layers, &self.junctions, 0..count, wave);
+        let below = cut_off(&self.layers, &self.junctions, (0..count).rev(), wave);
         if above + below <= count && above < count {
-            // a load on one face does not reach the other one, nor what lies between
+            // the fields of either load have decayed before the other face
             let split = count - below;
             let from_top = Load { top: load.top + load.equal, ..Load::default() };
             let from_bottom = Load { bottom: load.bottom + load.equal, ..Load::default() };
@@ -84,17 +84,17 @@ impl FreeChain {
         let loads = Vector3::new(load.top, load.bottom, load.equal);
         let mut found = vec![Vec::new(); range.len()];
         for (side, order) in order.iter().enumerate() {
-            let own = if side == 0 { load.top } else { load.bottom };
+            let on_face = if side == 0 { load.top } else { load.bottom };
             let mut w: Vector2<f64> = meet.displacements[side] * loads;
             for (i, PutBack { amplitudes, before }) in order.iter().zip(&eliminated[side]).rev() {
-                let by = Vector4::new(w[0], w[1], own, load.equal);
-                let own_amplitudes = amplitudes * by;
+                let by = Vector4::new(w[0], w[1], on_face, load.equal);
+                let amplitudes = amplitudes * by;
                 let [(near, uniform), _] = faces(of(*i), side)?;
                 w = match before {
                     Some(before) => before * by,
-                    None => displacement(near) * own_amplitudes + uniform.fixed_rows::<2>(0) * load.equal,
+                    None => displacement(near) * amplitudes + uniform.fixed_rows::<2>(0) * load.equal,
                 };
-                found[i - range.start] = combine(&of(*i).inside, &own_amplitudes, load.equal)?;
+                found[i - range.start] = combine(&of(*i).inside, &amplitudes, load.equal)?;
             }
         }
         Some(found)
@@ -134,10 +134,10 @@ impl BaseChain {
     /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers and, if it is elastic, of the
     /// foundation, under a load S on the top face; `None` as for a laminate.
     pub fn states(&self, wave: &Wave, depths: &Depths, load: f64) -> Option<Vec<Vec<State>>> {
-        let reached = reached(&self.layers, &self.junctions, 0..self.layers.len(), wave);
+        let cut_off = cut_off(&self.layers, &self.junctions, 0..self.layers.len(), wave);
         let mut found: Vec<Vec<State>> = depths.iter().map(|depths| vec![State::zeros(); depths.len()]).collect();
         let mut ground = None;
-        let mut below = self.below(reached, wave, |column| {
+        let mut below = self.below(cut_off, wave, |column| {
             let depths = depths.get(self.layers.len()).map_or(&[][..], Vec::as_slice);
             let states = column.states(wave, depths);
             let FaceStates::HalfPlane { top } = states.faces else { return None };
@@ -146,19 +146,19 @@ impl BaseChain {
             ground = Some((states.inside, amplitudes));
             Some(top * amplitudes)
         })?;
-        let mut eliminated = Vec::with_capacity(reached);
-        for i in (0..reached).rev() {
+        let mut eliminated = Vec::with_capacity(cut_off);
+        for i in (0..cut_off).rev() {
             let states = self.layers[i].states(wave, &depths[i]);
             let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
-            let own = UnitStresses::new(&below, self.across(i + 1, wave), top, bottom)?;
-            below = Below::Allows(with_unit_stress(&(displacement(top) * own.amplitudes)));
-            let handed_on = own.below.unwrap_or(stress(bottom) * own.amplitudes);
-            eliminated.push((states.inside, own.amplitudes, handed_on));
+            let unit = UnitStresses::new(&below, self.across(i + 1, wave), top, bottom)?;
+            below = Below::Allows(with_unit_stress(&(displacement(top) * unit.amplitudes)));
+            let at_bottom = unit.below.unwrap_or(stress(bottom) * unit.amplitudes);
+            eliminated.push((states.inside, unit.amplitudes, at_bottom));
         }
         let mut at_top = self.load * load;
-        for (i, (inside, amplitudes, handed_on)) in eliminated.iter().rev().enumerate() {
+        for (i, (inside, amplitudes, at_bottom)) in eliminated.iter().rev().enumerate() {
             found[i] = combine(inside, &(amplitudes * at_top), 0.0)?;
-            at_top = handed_on * at_top;
+            at_top = at_bottom * at_top;
         }
         if let (Some((inside, amplitudes)), Some(last)) = (ground, found.last_mut()) {
             let two: Vector2<f64> = amplitudes * at_top;

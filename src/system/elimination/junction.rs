@@ -19,35 +19,35 @@ pub(super) struct Rows<const N: usize> {
 }
 
 impl<const N: usize> Rows<N> {
-    /// Rows that are missing stay zero, which makes whatever they hold singular.
+    /// Missing rows stay zero, so that the matrix of a chain with them is singular.
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         let zeros = [SMatrix::zeros(); 2];
-        let mut own = Self { plain: zeros, stiffness: zeros, largest: [0.0; N] };
+        let mut all = Self { plain: zeros, stiffness: zeros, largest: [0.0; N] };
         for (i, row) in rows.take(N).enumerate() {
             for block in row.blocks.iter() {
                 let sign = if block.negative { -1.0 } else { 1.0 };
                 let (matrices, factor) = match block.stiffness {
-                    Some(stiffness) => (&mut own.stiffness, sign * stiffness),
-                    None => (&mut own.plain, sign),
+                    Some(stiffness) => (&mut all.stiffness, sign * stiffness),
+                    None => (&mut all.plain, sign),
                 };
-                own.largest[i] = own.largest[i].max(block.stiffness.map_or(0.0, f64::abs));
+                all.largest[i] = all.largest[i].max(block.stiffness.map_or(0.0, f64::abs));
                 matrices[index(block.side())][(i, block.quantity.index())] += factor;
             }
         }
-        own
+        all
     }
 
     /// The rows at one wavenumber, for the states above and below.
     pub(super) fn at(&self, wave: &Wave) -> [SMatrix<f64, N, 4>; 2] {
         let mut filled = self.plain;
         // states hold λμ₀ times the displacements
-        let unit = wave.wavenumber * wave.modulus;
+        let displacement = wave.wavenumber * wave.modulus;
         for (i, stiffness) in self.largest.into_iter().enumerate() {
             if stiffness > 0.0 {
                 // λμ₀ and the stiffness may be of any size: only their ratio counts
-                let largest = unit.max(stiffness);
-                for (filled, own) in filled.iter_mut().zip(&self.stiffness) {
-                    let row = filled.row(i) * (unit / largest) + own.row(i) / largest;
+                let largest = displacement.max(stiffness);
+                for (filled, stiffness) in filled.iter_mut().zip(&self.stiffness) {
+                    let row = filled.row(i) * (displacement / largest) + stiffness.row(i) / largest;
                     filled.set_row(i, &row);
                 }
             }
@@ -88,12 +88,12 @@ impl Junction {
         self.rows.is_none()
     }
 
-    /// The rows at one wavenumber for the state on the near side, which is this one, and for that on the far side; `None` if
+    /// The rows at one wavenumber for the state on the side `near`, and for that on the other side; `None` if
     /// both states are the same.
     pub(super) fn at(&self, wave: &Wave, near: Side) -> Option<[Matrix4<f64>; 2]> {
-        let own = index(near);
-        let mut rows = self.rows.as_ref()?[own].at(wave);
-        rows.swap(0, own);
+        let near = index(near);
+        let mut rows = self.rows.as_ref()?[near].at(wave);
+        rows.swap(0, near);
         Some(rows)
     }
 }
@@ -105,8 +105,8 @@ fn index(side: Side) -> usize {
     }
 }
 
-/// The same rows with stresses of the near side replaced by those of the far side, where a row says that both are equal. What
-/// springs carry then follows from their jump: the stress on the near side, as it is known from a stiffness and a load, would
+/// The same rows with stresses of the near side replaced by those of the far side, where a row says that both are equal. The
+/// stress of springs then follows from the jump: the stress on the near side, computed from a stiffness and a load, would
 /// cancel where the springs are soft.
 fn with_far_stresses(mut rows: Rows<4>, near: Side) -> Rows<4> {
     let (near, far) = (index(near), 1 - index(near));

@@ -1,7 +1,7 @@
 //! Sequences of layers that are repeated: where a wave is long, many repetitions are one body.
 //!
-//! From the bottom of a sequence to its top the state changes by x ↦ P x + p, p what comes of equal loads. Twice the
-//! sequence is P² and P p + p, so that 2^k of them take k products. A body of 2m sequences has the state in its middle for
+//! From the bottom of a sequence to its top the state changes by x ↦ P x + p, with p due to equal loads. The transfer through two
+//! sequences is P² and P p + p, so that 2^k of them take k products. A body of 2m sequences has the state in its middle for
 //! amplitudes, like a thin layer: P^m above it and P^(−m) below. By reciprocity P^(−1) has the entries of P, some with the
 //! other sign: nothing is inverted, and entries small like powers of λh keep all their digits.
 use std::collections::HashMap;
@@ -13,24 +13,24 @@ use recede_layers::{FaceStates, Key, Layer, Wave};
 
 use super::junction::Junction;
 
-/// Longest sequence that is looked for, in layers.
+/// Longest sequence that is recognised, in layers.
 const LONGEST: usize = 16;
 /// Fewer repetitions save nothing.
 const FEWEST: usize = 4;
-/// Solutions that grow swamp those that decay unless P^m has no larger trace than this, 4 cosh 1: that of a homogeneous layer
-/// with λh = 1. Laminates of unlike layers have solutions that grow much faster.
+/// Largest trace of P^m, 4 cosh 1, that of a homogeneous layer with λh = 1: beyond it, rounding errors of growing solutions exceed the
+/// decaying solutions. Laminates of unlike layers have solutions that grow much faster.
 const LARGEST: f64 = 6.2;
-/// Amplitudes that are states to this, relative, in the middle of a layer.
+/// Relative tolerance within which the amplitudes of a layer have to be states inside it.
 const RECIPROCAL: f64 = 1e-13;
 
 /// A sequence of bonded layers, repeated.
 #[derive(Clone, Debug)]
 pub(super) struct Repeat {
-    /// The layers that it takes.
+    /// The layers of all repetitions.
     layers: Range<usize>,
-    /// Layers of the sequence.
+    /// Number of layers of one sequence.
     period: usize,
-    /// Thickness of the sequence.
+    /// Thickness of one sequence.
     thickness: f64,
 }
 
@@ -40,13 +40,13 @@ pub(super) struct Body {
     pub(super) states: FaceStates,
 }
 
-/// What a chain is evaluated as: which layers, and what the upper half of them is, if they are several.
+/// Layers that are evaluated as one body, with the index of the transfer through their upper half, if they are several.
 struct Piece {
     layers: Range<usize>,
     power: Option<usize>,
 }
 
-/// How a sequence changes the state from its bottom to its top.
+/// The transfer of the state from the bottom of a sequence to its top.
 #[derive(Clone, Copy)]
 struct Transfer {
     matrix: Matrix4<f64>,
@@ -60,7 +60,7 @@ pub(super) fn find(layers: &[Arc<dyn Layer>], junctions: &[Junction]) -> Vec<Rep
     let mut repeats = Vec::new();
     let mut first = 0;
     while first + FEWEST <= layers.len() {
-        // how far each layer is bonded to the next and is as that one period before
+        // the end of the layers that are bonded to the next and equal to that one period before
         let end = |period: usize| {
             let like = |i: &usize| kinds[*i].is_some() && kinds[*i] == kinds[*i - period] && bonded(*i - 1);
             let inside = (first + 1..first + period).all(|i| kinds[i].is_some() && bonded(i - 1));
@@ -71,8 +71,8 @@ pub(super) fn find(layers: &[Arc<dyn Layer>], junctions: &[Junction]) -> Vec<Rep
         let enough = found.filter(|(period, end)| end - first >= FEWEST * period);
         match enough.max_by_key(|(period, end)| (*end, std::cmp::Reverse(*period))) {
             Some((period, end)) => {
-                let own = layers[first..first + period].iter().map(|layer| layer.thickness().unwrap_or(0.0));
-                repeats.push(Repeat { layers: first..end, period, thickness: own.sum() });
+                let thicknesses = layers[first..first + period].iter().map(|layer| layer.thickness().unwrap_or(0.0));
+                repeats.push(Repeat { layers: first..end, period, thickness: thicknesses.sum() });
                 first = end;
             }
             None => first += 1,
@@ -81,15 +81,15 @@ pub(super) fn find(layers: &[Arc<dyn Layer>], junctions: &[Junction]) -> Vec<Rep
     repeats
 }
 
-/// Which layers are the same: the same number, none where that is not known.
+/// Equal numbers for equal layers; none for layers without a key.
 fn kinds(layers: &[Arc<dyn Layer>]) -> Vec<Option<usize>> {
     let mut first: HashMap<Key, usize> = HashMap::new();
-    let own = |(i, layer): (usize, &Arc<dyn Layer>)| {
+    let kind = |(i, layer): (usize, &Arc<dyn Layer>)| {
         // a base is not repeated
         layer.thickness()?;
         Some(*first.entry(layer.key()?).or_insert(i))
     };
-    layers.iter().enumerate().map(own).collect()
+    layers.iter().enumerate().map(kind).collect()
 }
 
 /// Some layers of a chain as bodies, top down, for one wave.
@@ -97,67 +97,67 @@ pub(super) struct Bodies<'a> {
     layers: &'a [Arc<dyn Layer>],
     pieces: Vec<Piece>,
     /// Layers after these, each of which is a body.
-    rest: Range<usize>,
+    single: Range<usize>,
     /// Sequences of repeats, each 1, 2, 4, ... times.
     powers: Vec<Transfer>,
-    /// How many layers are evaluated.
+    /// Number of layers evaluated.
     pub(super) evaluated: usize,
 }
 
 impl<'a> Bodies<'a> {
     pub(super) fn new(layers: &'a [Arc<dyn Layer>], repeats: &[Repeat], range: Range<usize>, wave: &Wave) -> Self {
-        let mut bodies = Self { layers, pieces: Vec::new(), rest: range, powers: Vec::new(), evaluated: 0 };
+        let mut bodies = Self { layers, pieces: Vec::new(), single: range, powers: Vec::new(), evaluated: 0 };
         for repeat in repeats {
             bodies.join(repeat, wave);
         }
-        bodies.evaluated += bodies.rest.len();
+        bodies.evaluated += bodies.single.len();
         bodies
     }
 
-    /// Makes bodies of what is left of a repeat.
+    /// Makes bodies of the repetitions within these layers.
     fn join(&mut self, repeat: &Repeat, wave: &Wave) {
         // a sequence begins wherever it is cut
-        let first = repeat.layers.start.max(self.rest.start);
-        let count = repeat.layers.end.min(self.rest.end).saturating_sub(first) / repeat.period;
+        let first = repeat.layers.start.max(self.single.start);
+        let count = repeat.layers.end.min(self.single.end).saturating_sub(first) / repeat.period;
         if count < FEWEST || wave.wavenumber * repeat.thickness > 1.0 {
             return;
         }
         let once = Transfer::of(&self.layers[first..first + repeat.period], wave);
-        let own = self.powers.len();
+        let first_power = self.powers.len();
         let doubled = std::iter::successors(once, |power| Some(power.after(power)));
         let most = (count / 2).ilog2() as usize + 1;
         self.powers.extend(doubled.take(most).take_while(|power| power.matrix.trace() <= LARGEST));
-        if self.powers.len() == own {
+        if self.powers.len() == first_power {
             return;
         }
-        let before = self.rest.start..first;
+        let before = self.single.start..first;
         self.evaluated += before.len() + repeat.period;
         self.pieces.extend(before.map(|i| Piece { layers: i..i + 1, power: None }));
         let (mut next, mut left) = (first, count);
-        for power in (own..self.powers.len()).rev() {
-            let together = 2 << (power - own);
+        for power in (first_power..self.powers.len()).rev() {
+            let together = 2 << (power - first_power);
             while left >= together {
                 let layers = next..next + together * repeat.period;
                 (next, left) = (layers.end, left - together);
                 self.pieces.push(Piece { layers, power: Some(power) });
             }
         }
-        self.rest.start = next;
+        self.single.start = next;
     }
 
     /// Top down, or the other way round.
     pub(super) fn iter(&self, wave: &Wave) -> impl DoubleEndedIterator<Item = Body> {
-        let single = |i: usize| Body { layers: i..i + 1, states: self.layers[i].face_states(wave) };
+        let one = |i: usize| Body { layers: i..i + 1, states: self.layers[i].face_states(wave) };
         let pieces = self.pieces.iter().map(move |piece| match piece.power {
             Some(power) => Body { layers: piece.layers.clone(), states: self.powers[power].about_the_middle() },
-            None => single(piece.layers.start),
+            None => one(piece.layers.start),
         });
-        pieces.chain(self.rest.clone().map(single))
+        pieces.chain(self.single.clone().map(one))
     }
 }
 
 impl Transfer {
-    /// Of a few layers, top down; `None` if the amplitudes of one of them are no states inside it.
+    /// The transfer through a few layers, top down; `None` if the amplitudes of one of them are no states inside it.
     fn of(layers: &[Arc<dyn Layer>], wave: &Wave) -> Option<Self> {
         let mut all: Option<Self> = None;
         for layer in layers {
@@ -171,18 +171,18 @@ impl Transfer {
                 return None;
             }
             let matrix = top * adjoint(&bottom) / size;
-            let own = Self { matrix, uniform: at_top - matrix * at_bottom };
-            all = Some(all.map_or(own, |above| above.after(&own)));
+            let through = Self { matrix, uniform: at_top - matrix * at_bottom };
+            all = Some(all.map_or(through, |above| above.after(&through)));
         }
         all
     }
 
-    /// This above another one.
+    /// The transfer through this sequence above another one.
     fn after(&self, below: &Self) -> Self {
         Self { matrix: self.matrix * below.matrix, uniform: self.uniform + self.matrix * below.uniform }
     }
 
-    /// A body of twice as much as functions of the state in its middle.
+    /// The face states of twice this sequence, as functions of the state in its middle.
     fn about_the_middle(&self) -> FaceStates {
         let bottom = adjoint(&self.matrix);
         FaceStates::Finite { top: self.matrix, bottom, uniform: [self.uniform, -(bottom * self.uniform)] }
@@ -190,7 +190,7 @@ impl Transfer {
 }
 
 /// −J Xᵀ J with the form xᵀ J y = U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂, the work of two fields on each other, which is the same in all
-/// depths: the inverse of what changes states from one depth to another.
+/// depths: the inverse of a transfer matrix.
 fn adjoint(matrix: &Matrix4<f64>) -> Matrix4<f64> {
     let sign = |i: usize| if i < 2 { 1.0 } else { -1.0 };
     Matrix4::from_fn(|i, k| sign(i) * sign(k) * matrix[(3 - k, 3 - i)])
@@ -210,7 +210,7 @@ mod tests {
         FreeChain::all(&BlockSystem::new(stack)).remove(0)
     }
 
-    /// So many layers bonded to each other, of the kinds of the sequence in turn.
+    /// This number of layers bonded to each other, of the kinds of the sequence in turn.
     fn layers(count: usize, sequence: &[Item]) -> crate::stack::StackBuilder {
         let layer = |i: usize| sequence[i % sequence.len()].clone();
         (1..count).fold(Stack::builder(Plane::Strain).item(layer(0)), |stack, i| stack.bonded().item(layer(i)))
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_repeated_is_found() {
+    fn repeated_sequences_are_found() {
         let [a, b, c] = [strip(0.01, 1.0, 0.3), strip(0.02, 3.0, 0.2), strip(0.01, 1.0, 0.31)];
         let found = |items: &[Item]| {
             let stack = layers(items.len(), items).receding().rigid().build().unwrap();
@@ -244,7 +244,7 @@ mod tests {
         assert_eq!(of("cababababa"), [(1..9, 2)]);
         assert_eq!(of("abcabcabcabcacacacac"), [(0..12, 3), (12..20, 2)]);
         assert_eq!(of("abacab"), []);
-        // a joint that gives way is no repetition
+        // a sequence across an interface that slides is no repetition
         let spring = Item::Sliding;
         let stack = layers(4, &[a.clone(), b.clone()]).item(spring).item(a.clone());
         let stack = (1..4).fold(stack, |stack, i| stack.bonded().item([&a, &b][i % 2].clone()));
@@ -270,15 +270,15 @@ mod tests {
             for wave in waves() {
                 let (found, taken) = chain.flexibility_and_taken(&wave).unwrap();
                 let (expected, all) = plain.flexibility_and_taken(&wave).unwrap();
-                assert!(all.evaluated == all.reached && taken.reached == all.reached);
+                assert!(all.evaluated == all.cut_off && taken.cut_off == all.cut_off);
                 if wave.wavenumber < 1.0 {
                     assert!(3 * taken.evaluated < all.evaluated, "{taken:?}");
                 }
                 let parts = |c: &Flexibility| [c.top, c.bottom, c.equal_top, c.equal_bottom, c.coupling];
-                for (k, (own, expected)) in parts(&found).into_iter().zip(parts(&expected)).enumerate() {
-                    // under equal loads a laminate of unlike layers bends, and keeps the digits that this leaves
+                for (k, (value, expected)) in parts(&found).into_iter().zip(parts(&expected)).enumerate() {
+                    // a laminate of unlike layers bends under equal loads: its response has the rounding error of bending
                     let bending = if k == 2 || k == 3 { 1e-14 * found.top } else { 0.0 };
-                    assert!((own - expected).abs() <= 5e-14 * expected.abs() + bending, "{count} {wave:?}: {k}");
+                    assert!((value - expected).abs() <= 5e-14 * expected.abs() + bending, "{count} {wave:?}: {k}");
                 }
                 let [found, expected] = [&base, &plain_base].map(|base| base.flexibility(&wave).unwrap());
                 assert!((found / expected - 1.0).abs() < 5e-14, "{count} {wave:?}: base");

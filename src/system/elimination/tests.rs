@@ -1,4 +1,4 @@
-//! What is put back inside the layers obeys the rows that are printed.
+//! Fields inside the layers satisfy the rows that are printed.
 use proptest::prelude::*;
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane, State, Wave};
 
@@ -69,14 +69,14 @@ proptest! {
     fn fields_inside_obey_the_rows(
         above in prop::collection::vec((layer(), interface()), 1..7),
         rigid in any::<bool>(),
-        reach in (0.3f64.ln()..20f64.ln()).prop_map(f64::exp),
+        lambda_h in (0.3f64.ln()..20f64.ln()).prop_map(f64::exp),
     ) {
         let stack = above.into_iter().fold(Stack::builder(Plane::Strain), |stack, (layer, interface)| {
             stack.item(layer).item(interface)
         });
         let stack = if rigid { stack.rigid() } else { stack.layer(HalfPlane::new(0.7, 0.3).unwrap()) }.build().unwrap();
         let system = BlockSystem::new(&stack);
-        let wave = Wave { wavenumber: reach / stack.total_thickness(), modulus: 1.7, plane: Plane::Strain };
+        let wave = Wave { wavenumber: lambda_h / stack.total_thickness(), modulus: 1.7, plane: Plane::Strain };
         let components = system.components();
         let free = FreeChain::all(&system);
         for (component, chain) in components.iter().filter(|component| component.is_free()).zip(&free) {

@@ -1,8 +1,8 @@
-//! What holds at each kind of interface: the one place where it is written.
+//! The conditions at each kind of interface: the one place where they are written.
 //!
 //! A relation is written over both sides. Where there is no layer on one side the body there is rigid:
-//! [`BlockSystem`](super::matrix::BlockSystem) takes its displacements for zero, and leaves out the relations that only
-//! tell its stresses. So a base needs no relations of its own.
+//! [`BlockSystem`](super::matrix::BlockSystem) sets its displacements to zero, and leaves out the relations that contain only
+//! its stresses. So a rigid base needs no relations of its own.
 use std::ops::Neg;
 
 use super::names::{Pressure, Quantity, Side};
@@ -71,7 +71,7 @@ pub(super) fn contact(contact: usize) -> [Relation; 4] {
     [pressed(Above), sheared(Above), pressed(Below), sheared(Below)]
 }
 
-/// An interface that stays closed: the jump of each displacement, then the stresses that are handed on.
+/// An interface that stays closed: the jump of each displacement, then the stresses that are transmitted.
 pub(super) fn joint(joint: &Joint) -> [Relation; 4] {
     let jump = |displacement: Quantity, stress: Quantity, stiffness: f64| {
         let [above, below] = [Above.of(displacement), Below.of(displacement)];
@@ -83,13 +83,18 @@ pub(super) fn joint(joint: &Joint) -> [Relation; 4] {
             Relation::zero([above, -below])
         }
     };
-    let handed_on = |stress: Quantity, stiffness: f64| {
-        // nothing is handed on where nothing hinders the jump
+    let transmitted = |stress: Quantity, stiffness: f64| {
+        // without stiffness no stress is transmitted
         if stiffness == 0.0 {
             Relation::zero([Below.of(stress)])
         } else {
             Relation::zero([Above.of(stress), -Below.of(stress)])
         }
     };
-    [jump(U, T, joint.tangential), jump(V, S, joint.normal), handed_on(S, joint.normal), handed_on(T, joint.tangential)]
+    [
+        jump(U, T, joint.tangential),
+        jump(V, S, joint.normal),
+        transmitted(S, joint.normal),
+        transmitted(T, joint.tangential),
+    ]
 }

@@ -8,7 +8,7 @@ use super::conditions::{self, Relation, Term};
 use super::names::{Face, Place, Pressure, Quantity, Side};
 use crate::stack::{Joint, Stack};
 
-/// What a row asks at an interface, as its blocks tell.
+/// The kind of condition of a row, as its blocks show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
     /// The quantity is the same on both sides.
@@ -92,12 +92,12 @@ impl Deref for Blocks {
 
 impl FromIterator<Block> for Blocks {
     fn from_iter<I: IntoIterator<Item = Block>>(blocks: I) -> Self {
-        let mut own = Self::default();
-        for (place, block) in own.list.iter_mut().zip(blocks) {
+        let mut collected = Self::default();
+        for (place, block) in collected.list.iter_mut().zip(blocks) {
             *place = block;
-            own.count += 1;
+            collected.count += 1;
         }
-        own
+        collected
     }
 }
 
@@ -106,14 +106,14 @@ impl FromIterator<Block> for Blocks {
 pub struct Row {
     /// Where the condition holds.
     pub place: Place,
-    /// The blocks from left to right; everywhere else there is nothing.
+    /// The blocks from left to right; all others are zero.
     pub blocks: Blocks,
     /// The right-hand side; `None` is zero.
     pub pressure: Option<Pressure>,
 }
 
 impl Row {
-    /// What is asked; `None` of a row without blocks.
+    /// The kind of condition; `None` for a row without blocks.
     pub fn condition(&self) -> Option<Condition> {
         let first = self.blocks.first()?;
         Some(match (self.blocks.iter().find(|block| block.stiffness.is_some()), self.blocks.len(), self.pressure) {
@@ -152,8 +152,8 @@ impl BlockSystem {
         Self::with_joints(stack, conditions::joint)
     }
 
-    /// The same, with what holds at each joint told by the caller: four relations that connect the layers on both sides. On a
-    /// rigid base those that tell its stresses are left out.
+    /// The same with given relations at each joint, four that connect the layers on both sides. On a
+    /// rigid base, relations that contain only its stresses are left out.
     pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
@@ -217,8 +217,8 @@ impl BlockSystem {
         above.map_or(Place::Punch, |above| Place::Between { above: self.columns[above].number, below })
     }
 
-    /// The rows of an interface between two columns. What has no column is rigid: its displacements are zero, and its
-    /// stresses are whatever they need to be.
+    /// The rows of an interface between two columns. A body without a column is rigid: its displacements are zero, and its
+    /// stresses are not unknowns.
     fn interface(&mut self, place: Place, columns: [Option<usize>; 2], relations: [Relation; 4]) {
         let [above, below] = columns;
         for Relation { terms, pressure } in relations {
@@ -236,7 +236,7 @@ impl BlockSystem {
                 Some(Block { column, layer: self.columns[column].number, face, quantity, negative, stiffness })
             };
             let blocks: Blocks = terms.filter_map(block).collect();
-            // what only a rigid body is asked for holds of itself
+            // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
                 self.rows.push(Row { place, blocks, pressure });
             }
@@ -310,7 +310,7 @@ mod tests {
             }
             let ground = HalfPlane::new(1.0, 0.25).unwrap();
             let built = if rigid { stack.rigid().build() } else { stack.layer(ground).build() };
-            // what is refused are layers of no thickness: nothing else on a rigid base, or next to springs
+            // rejected are dropped layers alone on a rigid base, or next to springs
             let stack = match built {
                 Ok(stack) => stack,
                 Err(error) => {

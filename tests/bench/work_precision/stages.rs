@@ -1,4 +1,4 @@
-//! Times that are promised: cold scenes, one more load, many layers, and the bare minimum of work.
+//! Times with targets: cold scenes, one more load, many layers, and the bare minimum of work.
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -37,11 +37,7 @@ pub fn table(text: &mut String) {
         let (more, _) = time(|| for_many.press(&scene.punch, force()).expect("a solution"));
         line(format!("| the same, one more of many loads | {} |", seconds(more)));
         let least = bare_minimum(model.stack(), &solution);
-        line(format!(
-            "| the same, cold, over the bare minimum ({}); promised are 3 | {:.1} |",
-            seconds(least),
-            cold / least
-        ));
+        line(format!("| the same, cold, over the bare minimum ({}); target 3 | {:.1} |", seconds(least), cold / least));
     }
     let layered = |count: usize, difference: f64| {
         let punch = Punch::cylinder(500.0).expect("a punch");
@@ -52,7 +48,7 @@ pub fn table(text: &mut String) {
     for (count, time) in [(10, ten), (100, hundred), (1000, thousand)] {
         line(format!("| {count} bonded layers on a half-plane, cold | {} |", seconds(time)));
     }
-    line(format!("| 1000 layers over 10; promised are 50 | {:.1} |", thousand / ten));
+    line(format!("| 1000 layers over 10; target 50 | {:.1} |", thousand / ten));
     line(format!("| 1000 layers over 100 | {:.1} |", thousand / hundred));
     let unlike = layered(1000, 1e-12);
     line(format!("| 1000 bonded layers, no two of them alike, cold | {} |", seconds(unlike)));

@@ -3,17 +3,17 @@ use recede_layers::{Layer, Plane};
 
 use crate::stack::Stack;
 
-/// Relative changes of the moduli with the depth that define the length of a graded half-plane, the first that is reached
-/// anywhere: the length only scales the wavenumber axis, on which panels double in width, so that other values give the same
-/// kernels. What changes less than the last of them is homogeneous to rounding.
+/// Relative changes of the moduli with the depth, the first of which that occurs at any depth defines the length of a graded half-plane.
+/// The length only scales the wavenumber axis, on which panels double in width, so that other values give the same
+/// kernels. A half-plane whose moduli change by less than the last value is homogeneous to rounding.
 const CHANGES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
-/// Natural logarithm of the depths looked at, in the unit of the scene: from 1e-300 to 1e300.
+/// Natural logarithm of the largest depth searched, in the unit of the scene: from 1e-300 to 1e300.
 const DEEPEST: f64 = 690.0;
 /// Bisections of that interval: the depth is then known to rounding.
 const BISECTIONS: usize = 64;
 
-/// The length by which kernels vary: the total thickness of the layers or, without any, that over which the moduli of the
-/// half-plane do. `None` for a homogeneous half-plane, which has no length.
+/// The length over which kernels vary: the total thickness of the layers or, without layers, the depth over which the moduli of the
+/// half-plane vary. `None` for a homogeneous half-plane, in which no length occurs.
 pub(super) fn intrinsic_length(stack: &Stack) -> Option<f64> {
     let total = stack.total_thickness();
     if total > 0.0 {
@@ -22,7 +22,7 @@ pub(super) fn intrinsic_length(stack: &Stack) -> Option<f64> {
     variation(&*stack.base().foundation().half_plane()?.layer, stack.plane())
 }
 
-/// The depth over which the moduli of a half-plane would change by all of themselves, at the rate at which they begin to.
+/// The depth over which the moduli of a half-plane would change by 100 %, at their rate of change next to the face.
 fn variation(layer: &dyn Layer, plane: Plane) -> Option<f64> {
     let face = layer.material(0.0, plane);
     let change = |depth: f64| {

@@ -1,4 +1,4 @@
-//! How many layers of a chain the fields of a face reach.
+//! The cut-off of a chain: the layers below it are so far from a loaded face that its fields have decayed there.
 use std::sync::Arc;
 
 use recede_layers::{Layer, Plane, Wave};
@@ -12,25 +12,25 @@ const END: f64 = 40.0;
 /// since nothing but their bending resists: by no less than λd·λd/(λd + LOOSE). Among plates of different stiffness fields decay faster.
 const LOOSE: f64 = 4.0;
 
-/// How many layers a flexibility has taken.
+/// The number of layers for one flexibility.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Taken {
-    /// Those that the wave reaches.
-    pub(crate) reached: usize,
-    /// Those that were evaluated, others being equal to them.
+    /// Layers above the cut-off.
+    pub(crate) cut_off: usize,
+    /// Layers evaluated: less than those above the cut-off where sequences are repeated.
     pub(crate) evaluated: usize,
 }
 
 impl std::ops::AddAssign for Taken {
     fn add_assign(&mut self, other: Self) {
-        self.reached += other.reached;
+        self.cut_off += other.cut_off;
         self.evaluated += other.evaluated;
     }
 }
 
-/// How many of the layers, in the order `outwards` from a face, the fields of a load on that face reach; `junctions` are those between
-/// each layer and the next.
-pub(super) fn reached(
+/// The number of layers, in the order `outwards` from a loaded face, after which the fields of the load have decayed; `junctions` are
+/// those between each layer and the next.
+pub(super) fn cut_off(
     layers: &[Arc<dyn Layer>],
     junctions: &[Junction],
     outwards: impl Iterator<Item = usize>,
@@ -45,12 +45,12 @@ pub(super) fn reached(
         }
         let layer = &*layers[i];
         let thickness = layer.thickness().unwrap_or(f64::INFINITY);
-        let mut own = wave.wavenumber * thickness;
-        if own.is_finite() && (is_loose(i) || i.checked_sub(1).is_some_and(is_loose)) {
-            own *= own / (own + LOOSE);
+        let mut phase = wave.wavenumber * thickness;
+        if phase.is_finite() && (is_loose(i) || i.checked_sub(1).is_some_and(is_loose)) {
+            phase *= phase / (phase + LOOSE);
         }
-        // unless what stiffens a layer along its faces carries the fields farther
-        length += if length + own > END { own * slowest_decay(layer, thickness, wave.plane) } else { own };
+        // fields decay more slowly in layers that are stiff along their faces
+        length += if length + phase > END { phase * slowest_decay(layer, thickness, wave.plane) } else { phase };
         count += 1;
     }
     count

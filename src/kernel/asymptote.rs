@@ -1,0 +1,81 @@
+//! Large wavenumbers: the short-wave asymptote of a kernel and the terms due to the grading at its own faces.
+use crate::numeric::chebyshev::{self, Series};
+use crate::system::Unresolved;
+
+use super::{Chains, Work};
+
+/// Points of the fit.
+const POINTS: usize = 17;
+/// The fit is good if its last coefficients are below this part of the kernel.
+const RESOLVED: f64 = 3e-15;
+
+/// The diagonal of one contact for ζ ≥ `from`: a polynomial in from/ζ, constant next to homogeneous material,
+/// 1 + O(β/ζ) next to a graded face.
+#[derive(Clone, Debug)]
+pub(crate) struct Asymptote {
+    /// The lowest wavenumber at which it holds.
+    pub(crate) from: f64,
+    /// The short-wave limit g∞, for ζ → ∞, which makes the Cauchy kernel.
+    pub(crate) limit: f64,
+    /// The remainder: the kernel minus its short-wave limit, in u = from/ζ; `None` if it vanishes.
+    pub(super) remainder: Option<Series>,
+    /// A bound on the remainder over u.
+    pub(super) rate: f64,
+}
+
+impl Asymptote {
+    /// Fits the diagonal of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
+    pub(super) fn fit(chains: &Chains, contact: usize, from: f64, work: &mut Work) -> Result<Option<Self>, Unresolved> {
+        let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
+        let mut components = vec![0.0; 3 * chains.contacts() - 1];
+        let mut values = Vec::with_capacity(POINTS);
+        let points = chebyshev::points(0.0, 1.0, POINTS);
+        for u in &points {
+            // u = 0 stands for a wavenumber so large that the kernel depends on the material at the face only
+            chains.sample(from / u.max(1e-25), &wanted, &mut components, work)?;
+            values.push(components[contact]);
+        }
+        let series = Series::from_values_at_points(0.0, 1.0, &values);
+        if series.tail() > RESOLVED {
+            return Ok(None);
+        }
+        let limit = series.eval(0.0);
+        let spread = values.iter().map(|value| (value - limit).abs()).fold(0.0, f64::max);
+        if spread <= RESOLVED * limit {
+            return Ok(Some(Self { from, limit, remainder: None, rate: 0.0 }));
+        }
+        let remainder: Vec<f64> = values.iter().map(|value| value - limit).collect();
+        let rates = points.iter().zip(&remainder).skip(1).map(|(u, remainder)| (remainder / u).abs());
+        let rate = rates.fold(0.0, f64::max);
+        Ok(Some(Self { from, limit, remainder: Some(Series::from_values_at_points(0.0, 1.0, &remainder)), rate }))
+    }
+
+    /// Whether the kernel equals its limit.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.remainder.is_none()
+    }
+
+    /// A constant kernel that holds for all wavenumbers.
+    pub(super) fn starts_at_zero(&mut self) {
+        self.from = 0.0;
+    }
+
+    /// The wavenumber ζ beyond which the remainder is below `little` (1 + ζa) of the limit; 0 if that is before `from`.
+    pub(super) fn vanishes(&self, half_length: f64, little: f64) -> f64 {
+        let remainder = self.rate * self.from / (little * self.limit);
+        // ζ (1 + ζa) = remainder, without a difference
+        let from = 2.0 * remainder / (1.0 + (1.0 + 4.0 * half_length * remainder).sqrt());
+        if from > self.from { from } else { 0.0 }
+    }
+
+    /// The same for `little` (ζa)²: the parts of products of waves that oscillate.
+    pub(super) fn oscillations_vanish(&self, half_length: f64, little: f64) -> f64 {
+        let remainder = self.rate * self.from / (little * self.limit);
+        self.vanishes(half_length, little).min((remainder / (half_length * half_length)).cbrt()).max(self.from)
+    }
+
+    /// The kernel minus its short-wave limit at ζ ≥ `from`.
+    pub(crate) fn remainder(&self, zeta: f64) -> f64 {
+        self.remainder.as_ref().map_or(0.0, |series| series.eval(self.from / zeta))
+    }
+}
