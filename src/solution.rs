@@ -34,7 +34,7 @@ pub struct Contact {
     /// Half-length a: the contact covers |x| < a, but for what is `opening`. Of several loads, as far as the farthest of them
     /// reaches.
     pub half_length: f64,
-    /// The solver's estimate of the absolute error of `half_length`; as large as that where the pressure fades before an end
+    /// The solver's estimate of the absolute error of `half_length`; as large as that where the pressure decays before an end
     /// is found, on which nothing else depends.
     pub half_length_error: f64,
     /// Half-length of the part about x = 0 in which the bodies do not touch: 0 where they do at x = 0. A thin, stiff layer may
@@ -50,7 +50,7 @@ pub struct Contact {
     pub resultant: f64,
     /// What the pressure is the sum of: one strip, but where several loads press.
     pub(crate) strips: Vec<Strip>,
-    /// Where the bodies touch again, from the middle outwards: empty where the contact is one interval.
+    /// Intervals of re-contact, from the middle outwards: empty where the contact is one interval.
     pub parts: Vec<Part>,
 }
 

@@ -86,7 +86,6 @@ impl<'a> Levels<'a> {
     fn run(&mut self, start: Start) -> Result<Refined, ContactError> {
         // a warm start has no coarse level to compare with, so that its error estimate may not be trusted
         let mut is_doubtful = matches!(start, Start::Warm { .. });
-        let is_guess = matches!(start, Start::Guess { .. });
         let (mut half_lengths, rough) = match start {
             Start::Guess { half_lengths } | Start::Cold { half_lengths } => {
                 self.newton.coarse(half_lengths, &self.coarse, self.tolerance)?
@@ -124,7 +123,7 @@ impl<'a> Levels<'a> {
             }
             if level.swept.iter().all(|swept| *swept) {
                 admissible::check_pressures(self.problem, &level, f64::INFINITY)?;
-            } else if is_guess {
+            } else {
                 admissible::check_gross_tension(self.problem, &level)?;
             }
             self.before = (self.solved.clone(), self.modes.clone());
