@@ -36,7 +36,15 @@ pub(super) struct Equations<'a> {
 /// The equations at given ends, linear in the pressures: one for each pressure and one for each end.
 pub(super) struct System {
     pub(super) matrix: Mat<f64>,
-    pub(super) right: Vec<f64>,
+    right: Vec<f64>,
+    /// The largest entry of each row before it was scaled to 1.
+    scales: Vec<f64>,
+}
+
+/// One equation: its entries and its right-hand side.
+struct Equation {
+    entries: Vec<f64>,
+    right: f64,
 }
 
 impl System {
@@ -54,6 +62,12 @@ impl System {
         let all = Mat::from_fn(pressures.len(), 1, |row, _| pressures[row]);
         let found = &self.matrix * &all;
         self.right.iter().enumerate().map(|(row, right)| found[(row, 0)] - right).collect()
+    }
+
+    /// What pressures leave of other equations, in the same order, scaled as these are.
+    pub(super) fn residuals_of(&self, equations: &Equations, pressures: &[f64]) -> Vec<f64> {
+        let all = equations.rows_with(Some(pressures)).into_iter().zip(&self.scales);
+        all.map(|(equation, scale)| (equation.entries[0] - equation.right) / scale).collect()
     }
 }
 
@@ -74,9 +88,24 @@ struct Waves {
 }
 
 impl Waves {
+    /// The one transform of all pressures together, given these, in place of theirs.
+    fn combined(self, pressures: &[f64]) -> Self {
+        let sum = |less_resultants: bool| {
+            let mut sum = vec![0.0; self.transforms.nrows()];
+            for (column, pressure) in pressures.iter().enumerate() {
+                let values = self.column(column, less_resultants);
+                sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += pressure * value);
+            }
+            sum
+        };
+        let (plain, remainder) = (sum(false), sum(true));
+        let transforms = Mat::from_fn(plain.len(), 1, |row, _| plain[row]);
+        Self { transforms, remainders: vec![remainder], tests: self.tests }
+    }
+
     /// One column of the transforms, or of what they are less resultants.
     fn column(&self, column: usize, less_resultants: bool) -> &[f64] {
-        let count = self.transforms.ncols() / self.remainders.len().max(1);
+        let count = (self.transforms.ncols() / self.remainders.len().max(1)).max(1);
         if less_resultants && column.is_multiple_of(count) {
             &self.remainders[column / count]
         } else {
@@ -112,15 +141,33 @@ impl Equations<'_> {
         self.intervals[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
     }
 
-    /// The equations: those that fix pressures at given ends, each scaled to its largest entry, and then those that are left
-    /// over for the ends.
+    /// The equations, each scaled to its largest entry.
     pub(super) fn system(&self) -> System {
+        let equations = self.rows_with(None);
+        let largest = |row: &[f64]| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+        let scales: Vec<f64> = equations.iter().map(|equation| largest(&equation.entries)).collect();
         let size = self.intervals.len() * self.count;
-        let mut kept: Vec<(Vec<f64>, f64)> = Vec::with_capacity(size);
-        let mut left: Vec<(Vec<f64>, f64)> = Vec::new();
-        let Blocks { blocks, loads } = self.blocks();
+        let entry = |row: usize, column: usize| equations[row].entries[column] / scales[row];
+        let matrix = Mat::from_fn(equations.len(), size, entry);
+        let right = equations.iter().zip(&scales).map(|(equation, scale)| equation.right / scale).collect();
+        System { matrix, right, scales }
+    }
+
+    /// Where the pressures of a contact stand among all.
+    fn places_of(&self, contact: usize) -> Range<usize> {
+        let first = self.of(contact).next().map_or(0, |(index, _)| index * self.count);
+        first..first + self.of(contact).count() * self.count
+    }
+
+    /// The equations: those that fix pressures at given ends, and then those that are left over for the ends. With pressures given,
+    /// each has one entry, what all of these make of it: that takes as many operations less as there are pressures.
+    fn rows_with(&self, pressures: Option<&[f64]>) -> Vec<Equation> {
+        let size = if pressures.is_some() { 1 } else { self.intervals.len() * self.count };
+        let mut kept: Vec<Equation> = Vec::with_capacity(self.intervals.len() * self.count);
+        let mut left: Vec<Equation> = Vec::new();
+        let Blocks { blocks, loads } = self.blocks(pressures);
         for (contact, blocks) in blocks.into_iter().enumerate().skip(self.first()) {
-            let place = |contact: usize| self.of(contact).next().map_or(0, |(index, _)| index * self.count);
+            let place = |contact: usize| if pressures.is_some() { 0 } else { self.places_of(contact).start };
             let mut at = 0;
             for (index, interval) in self.of(contact) {
                 let rows = self.rows(index);
@@ -137,31 +184,30 @@ impl Equations<'_> {
                     let two_ends = row == 1 && self.is_apart(index);
                     let end = row == 0 || row >= interval.tests(self.count).len() || two_ends;
                     let list = if end { &mut left } else { &mut kept };
-                    list.push((entries, right));
+                    list.push(Equation { entries, right });
                 }
                 at += rows;
             }
             // equilibrium
             let mut entries = vec![0.0; size];
             for (index, interval) in self.of(contact) {
-                entries[index * self.count] = interval.resultant();
+                match pressures {
+                    Some(pressures) => entries[0] += interval.resultant() * pressures[index * self.count],
+                    None => entries[index * self.count] = interval.resultant(),
+                }
             }
-            kept.push((entries, 1.0));
+            kept.push(Equation { entries, right: 1.0 });
         }
         kept.extend(left);
-        let largest = |row: &[f64]| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-        let scales: Vec<f64> = kept.iter().map(|(row, _)| largest(row)).collect();
-        let matrix = Mat::from_fn(kept.len(), size, |row, column| kept[row].0[column] / scales[row]);
-        let right = kept.iter().zip(&scales).map(|((_, right), scale)| right / scale).collect();
-        System { matrix, right }
+        kept
     }
 
-    /// What all pressures do to all tests.
-    fn blocks(&self) -> Blocks {
+    /// What all pressures do to all tests, or with pressures given what these do together.
+    fn blocks(&self, pressures: Option<&[f64]>) -> Blocks {
         let n = self.contacts();
         let rows = |contact: usize| self.of(contact).map(|(index, _)| self.rows(index)).sum();
-        let zeros =
-            |contact: usize, other: usize| (other, Mat::zeros(rows(contact), self.of(other).count() * self.count));
+        let columns = |contact: usize| if pressures.is_some() { 1 } else { self.places_of(contact).len() };
+        let zeros = |contact: usize, other: usize| (other, Mat::zeros(rows(contact), columns(other)));
         let coupled =
             |contact: usize| [Some(contact), contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
         let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
@@ -173,6 +219,10 @@ impl Equations<'_> {
             let mut above: Option<Waves> = None;
             for contact in 0..n {
                 let waves = self.waves(contact, first..self.layout.zeta.len().min(first + 8 * TOGETHER));
+                let waves = match pressures {
+                    Some(pressures) => waves.combined(&pressures[self.places_of(contact)]),
+                    None => waves,
+                };
                 self.add_own(contact, first, &waves, &mut blocks[contact][0].1);
                 if contact == 1 && self.first() == 1 {
                     let given = self.given(first, waves.tests.nrows());
@@ -189,7 +239,16 @@ impl Equations<'_> {
             }
         }
         for (contact, blocks) in blocks.iter_mut().enumerate() {
-            self.add_half_plane(contact, self.layout.own[contact].limit, &mut blocks[0].1);
+            let mut block = Mat::zeros(rows(contact), self.places_of(contact).len());
+            self.add_half_plane(contact, self.layout.own[contact].limit, &mut block);
+            match pressures {
+                Some(pressures) => {
+                    let own = &pressures[self.places_of(contact)];
+                    let own = MatRef::from_column_major_slice(own, own.len(), 1);
+                    blocks[0].1 += &block * own;
+                }
+                None => blocks[0].1 += block,
+            }
         }
         Blocks { blocks, loads }
     }

@@ -48,9 +48,10 @@ struct Work {
 }
 
 impl Work {
-    /// Counts equations of a size, with integrals over `wavenumbers`; `None` if they are too many.
-    fn spend(&mut self, size: usize, wavenumbers: usize, times: usize) -> Option<()> {
-        self.operations += times as f64 * (wavenumbers + size) as f64 * (size * size) as f64;
+    /// Counts integrals over `wavenumbers` of tests times fields, both of which are made `times` times; a Bessel function takes as
+    /// long as some 64 multiplications. `None` if they are too many.
+    fn spend(&mut self, fields: usize, tests: usize, wavenumbers: usize, times: usize) -> Option<()> {
+        self.operations += (wavenumbers + fields) as f64 * tests as f64 * (fields + 64 * times) as f64;
         (self.operations <= MOST_OPERATIONS).then_some(())
     }
 }
@@ -263,9 +264,9 @@ fn converge(
             Some(kept) => kept,
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
         };
-        let system = |intervals: &[Interval]| Equations { kernel, problem, layout: &waves, intervals, count }.system();
-        work.spend(intervals.len() * count, waves.zeta.len(), 1)?;
-        let here = system(&intervals);
+        work.spend(intervals.len() * count, intervals.len() * count, waves.zeta.len(), 1)?;
+        let equations = Equations { kernel, problem, layout: &waves, intervals: &intervals, count };
+        let here = equations.system();
         *work.steps.last_mut()? += 1;
         let (at, spacings) = (ends(&intervals), spacings(&intervals));
         // to begin with, the pressures that go with these ends
@@ -277,8 +278,11 @@ fn converge(
         let derivatives = match kept.take() {
             Some(kept) => kept,
             None => {
-                work.spend(intervals.len() * count, waves.zeta.len(), at.len())?;
-                let residuals_at = |ends: &[f64]| Some(system(&with_ends(&intervals, ends)?).residuals(&own));
+                work.spend(0, intervals.len() * count, waves.zeta.len(), at.len())?;
+                let residuals_at = |ends: &[f64]| {
+                    let moved = with_ends(&intervals, ends)?;
+                    Some(here.residuals_of(&Equations { intervals: &moved, ..equations }, &own))
+                };
                 derivatives(&at, &spacings, &residuals, residuals_at)?
             }
         };

@@ -19,8 +19,8 @@ pub(crate) const COARSE: f64 = 1e-4;
 /// Sweeps, and steps with kept derivatives, that change this much of what the one before changed do not end.
 pub(crate) const SLOW: f64 = 0.5;
 /// Steps without progress after which an iteration is given up: a step shorter than all before, or fewer violated inequalities. Of those
-/// that converge none was seen to need more than nine. Twice as many: scenes that are not solved take twice the time.
-pub(crate) const PATIENCE: usize = 10;
+/// that converge one was seen to need 18, all others nine at most. Twice as many: scenes that are not solved take twice the time.
+pub(crate) const PATIENCE: usize = 20;
 /// Pressures are looked at in this many places per mode: the highest mode is seen at three places of each of its arches.
 pub(crate) const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places next to a contact, and as many farther out.

@@ -127,6 +127,10 @@ impl<'a> Levels<'a> {
                 admissible::check_gross_tension(self.problem, &level)?;
             }
             self.before = (self.solved.clone(), self.modes.clone());
+            // no digit on two levels: more modes do not help
+            if level.worst_error() > 1.0 && best.as_ref().is_some_and(|best| best.worst_error() > 1.0) {
+                return Err(self.problem.not_converged(&level.support.half_lengths));
+            }
             let may_grow = self.grow(&level);
             fewer = level.counts.clone();
             half_lengths = level.support.half_lengths.clone();
