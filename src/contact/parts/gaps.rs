@@ -18,7 +18,9 @@ pub(super) struct Check {
 }
 
 /// Checks the Signorini conditions; `None` if a pressure or a gap is negative. `coarse` has fewer pressures, and tells how far gaps are known.
-pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<Check> {
+pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64) -> Option<Check> {
+    // less than an answer is wrong by counts as zero
+    let zero = COARSE.max(error);
     let kernel = problem.kernel;
     let (intervals, coefficients) = (&level.intervals, &level.coefficients);
     let count = coefficients.first()?.len();
@@ -40,7 +42,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             tensions[interval.contact] = -least / most;
         }
     }
-    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -COARSE * largest) {
+    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -zero * largest) {
         return None;
     }
     let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
@@ -66,7 +68,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level) -> Option<
             let others = before.gaps(interval.contact, &coarse.coefficients, from_before, to_before, PLACES);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(&others).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
-            if gaps.iter().any(|(_, gap)| *gap < -(COARSE * widest + SAFETY * known)) {
+            if gaps.iter().any(|(_, gap)| *gap < -(zero * widest + SAFETY * known)) {
                 return None;
             }
             min_gap = gaps.iter().fold(min_gap, |least, (_, gap)| least.min(*gap));

@@ -131,7 +131,7 @@ fn solve_from(problem: &Problem, intervals: Vec<Interval>, joint: bool, work: &m
             problem.tolerance
         ));
     }
-    let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse)?;
+    let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst())?;
     // pressures in tension are wrong by that
     errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
     let stats =
