@@ -100,8 +100,12 @@ impl<'a> Newton<'a> {
         // strongly coupled contacts are sensitive to small changes of derivatives, and their truncation error is judged by how
         // far these half-lengths are off
         let strongly = strongly_coupled(self.problem.kernel, &half_lengths).contains(&true);
-        let (step, enough) = if strongly { (NEARBY, 0.5 * linear(tolerance, counts)) } else { (ROUGHLY, COARSE) };
-        let aim = Aim { negligible: COARSE, step, ends: MINOR * COARSE };
+        let (aim, enough) = if strongly {
+            let fine = MINOR * COARSE;
+            (Aim { negligible: fine, step: NEARBY, ends: fine }, 0.5 * linear(tolerance, counts))
+        } else {
+            (Aim { negligible: COARSE, step: ROUGHLY, ends: MINOR * COARSE }, COARSE)
+        };
         let Point { mut support, pressures, linearised, layout } = self.iterate(half_lengths, counts, counts, aim)?;
         // on with the same derivatives
         let Pressures { mut modes, mut step, .. } = pressures;

@@ -4,7 +4,7 @@
 //! interval. What the kernels have in common with half-planes, g∞, is integrated in space: on its own interval sin jφ
 //! makes g∞ T_j(s), elsewhere g∞ ρ^j with ρ = s ∓ √(s² − 1). Half-lengths that are not right show in the first test of
 //! each interval, and in gaps between intervals that do not close.
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use faer::linalg::solvers::Solve;
@@ -17,11 +17,10 @@ use crate::contact::parts::interval::Interval;
 use crate::contact::problem::Problem;
 use crate::kernel::Kernel;
 use crate::numeric::dot;
-use crate::numeric::quadrature::rule;
 
 /// Points of integrals over an interval, per pressure, and more.
 const PER_PRESSURE: usize = 3;
-const POINTS: usize = 48;
+pub(super) const POINTS: usize = 48;
 
 /// The equations of some intervals, in the order of contacts and outwards.
 pub(super) struct Equations<'a> {
@@ -120,12 +119,12 @@ impl Equations<'_> {
     }
 
     /// The intervals of one contact.
-    fn of(&self, contact: usize) -> impl Iterator<Item = (usize, &Interval)> {
+    pub(super) fn of(&self, contact: usize) -> impl Iterator<Item = (usize, &Interval)> {
         self.intervals.iter().enumerate().filter(move |(_, interval)| interval.contact == contact)
     }
 
     /// The gap that ends where an interval begins.
-    fn opening(&self, index: usize) -> Option<[f64; 2]> {
+    pub(super) fn opening(&self, index: usize) -> Option<[f64; 2]> {
         let interval = &self.intervals[index];
         let before = self.intervals.get(index.checked_sub(1)?)?;
         (before.contact == interval.contact).then(|| [before.to(), interval.from()])
@@ -137,7 +136,7 @@ impl Equations<'_> {
     }
 
     /// Tests of an interval: their orders, and whether a gap is to be closed besides.
-    fn rows(&self, index: usize) -> usize {
+    pub(super) fn rows(&self, index: usize) -> usize {
         self.intervals[index].tests(self.count).len() + usize::from(self.opening(index).is_some())
     }
 
@@ -352,58 +351,8 @@ impl Equations<'_> {
         tests.transpose() * &weighted
     }
 
-    /// What a half-plane would do, in space.
-    fn add_half_plane(&self, contact: usize, limit: f64, block: &mut Mat<f64>) {
-        let mut at = 0;
-        for (index, interval) in self.of(contact) {
-            let tests = interval.tests(self.count);
-            let rows = self.rows(index);
-            for (source, (other, from)) in self.of(contact).enumerate() {
-                let column = source * self.count;
-                let own = other == index;
-                if own {
-                    for (row, test) in tests.iter().enumerate() {
-                        if let Some(m) = interval.orders(self.count).position(|order| order == *test) {
-                            block[(at + row, column + m)] += limit * FRAC_PI_2;
-                        }
-                    }
-                }
-                if own && interval.is_central() {
-                    continue;
-                }
-                let mut slopes = vec![0.0; self.count];
-                for (theta, weight) in self.places() {
-                    slopes.fill(0.0);
-                    from.outside(interval.middle + interval.half * theta.cos(), self.count, own, &mut slopes);
-                    for (row, test) in tests.iter().enumerate() {
-                        let factor = limit * weight * (*test as f64 * theta).cos();
-                        for (m, slope) in slopes.iter().enumerate() {
-                            block[(at + row, column + m)] += factor * slope;
-                        }
-                    }
-                }
-            }
-            if let Some([start, end]) = self.opening(index) {
-                let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-                let mut slopes = vec![0.0; self.count];
-                for (theta, weight) in rule(POINTS + self.count).on(0.0, PI) {
-                    let x = middle + half * theta.cos();
-                    for (source, (_, from)) in self.of(contact).enumerate() {
-                        slopes.fill(0.0);
-                        from.outside(x, self.count, false, &mut slopes);
-                        for (m, slope) in slopes.iter().enumerate() {
-                            block[(at + rows - 1, source * self.count + m)] +=
-                                limit * weight * half * theta.sin() * slope;
-                        }
-                    }
-                }
-            }
-            at += rows;
-        }
-    }
-
     /// θ and weights of ∫ ... dθ from 0 to π.
-    fn places(&self) -> impl Iterator<Item = (f64, f64)> {
+    pub(super) fn places(&self) -> impl Iterator<Item = (f64, f64)> {
         let points = POINTS + PER_PRESSURE * self.count;
         (0..points).map(move |q| (PI * (q as f64 + 0.5) / points as f64, PI / points as f64))
     }
@@ -469,17 +418,5 @@ impl Equations<'_> {
             }
         }
         response
-    }
-
-    /// The slope at x outside a contact on a half-plane with λμ₀C = 1.
-    pub(super) fn half_plane(&self, contact: usize, coefficients: &[Vec<f64>], x: f64) -> f64 {
-        let mut slopes = vec![0.0; self.count];
-        let mut sum = 0.0;
-        for (index, interval) in self.of(contact) {
-            slopes.fill(0.0);
-            interval.outside(x, self.count, false, &mut slopes);
-            sum += dot(&slopes, &coefficients[index]);
-        }
-        sum
     }
 }

@@ -4,6 +4,7 @@
 //! pressures on each interval until two numbers of them agree.
 mod equations;
 mod gaps;
+mod half_plane;
 mod interval;
 
 use crate::contact::problem::accuracy::{PATIENCE, ROUNDING, SAFETY};

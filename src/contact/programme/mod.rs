@@ -14,7 +14,6 @@ mod grid;
 mod tests;
 
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::ZERO;
 use active_set::Programme;
 use compliances::Compliances;
 use energy::Energy;
@@ -36,6 +35,11 @@ const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
 /// side of an end are refined.
 const UNRESOLVED: usize = 2;
 
+/// An interval off the middle counts as no shorter than this part of its distance from there. Twice as much: ends of short intervals are
+/// not resolved, and Newton's method does not find them.
+const SHORTEST: f64 = 0.02;
+/// A smaller part of the force on a contact is rounding. Ten times as much: intervals of re-contact are missed.
+const LEAST_FORCE: f64 = 1e-8;
 /// An interval of re-contact this many times farther from the middle than where the contact ends is no artefact of rounding.
 const FAR: f64 = 1.5;
 
@@ -227,7 +231,7 @@ fn separate_where_unloaded(touching: &mut [bool], forces: &[f64]) {
     while start < touching.len() {
         let length = touching[start..].iter().take_while(|touches| **touches == touching[start]).count();
         let part = start..start + length;
-        if touching[start] && forces[part.clone()].iter().sum::<f64>() < ZERO {
+        if touching[start] && forces[part.clone()].iter().sum::<f64>() < LEAST_FORCE {
             touching[part].fill(false);
         }
         start += length;
@@ -244,7 +248,7 @@ fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
     };
     let room = |edge: usize| {
         let x = grid.edges()[edge];
-        if touching[0] { x } else { strip(edge).clamp(SHORT * x, x) }
+        if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
     };
     transitions.map(|edge| (edge, fine * room(edge))).collect()
 }

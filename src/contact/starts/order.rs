@@ -95,14 +95,16 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             self.far = penetration;
             active = programme::active(self.problem, &self.expected, penetration);
             let all = active.as_deref().unwrap_or_default();
-            if self.several.is_none()
-                && let Some(i) = several(self.problem, all, true)
-            {
+            let certain = several(self.problem, all, true);
+            // intervals of re-contact that a solution leaves out may be short
+            let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
+            let is_asked = certain.is_some() || left_out && several(self.problem, all, false).is_some();
+            if self.several.is_none() && is_asked {
                 if let Some(solution) = parts::solve(self.problem, all) {
                     return Ok(Outcome::Solved(Box::new(solution)));
                 }
                 // one of the intervals may carry a force next to nothing
-                self.several = Some(self.problem.interfaces[i]);
+                self.several = certain.map(|i| self.problem.interfaces[i]);
             }
             if let Some(solution) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(solution)));
