@@ -27,8 +27,10 @@ struct Watch {
     least: (f64, f64),
 }
 
-impl Watch {
-    const BEGIN: Self = Self { last: f64::INFINITY, outwards: 0, least: (f64::INFINITY, 0.0) };
+impl Default for Watch {
+    fn default() -> Self {
+        Self { last: f64::INFINITY, outwards: 0, least: (f64::INFINITY, 0.0) }
+    }
 }
 
 /// Which contacts decay.
@@ -43,7 +45,7 @@ impl Decaying {
     /// Begins a new solution of Newton's method.
     pub(crate) fn begin(&mut self, contacts: usize) {
         self.seen.resize(contacts, false);
-        self.watches = vec![Watch::BEGIN; contacts];
+        self.watches = vec![Watch::default(); contacts];
     }
 
     /// Looks at a step before it is taken, with the support where it begins, and freezes the ends on which no more than

@@ -164,7 +164,7 @@ impl<'a> Sweeps<'a> {
         support.advance(&point.pressures.step);
         modes.iter_mut().zip(counts).for_each(|(own, count)| own.resize(*count, 0.0));
         let n = solved.len();
-        let infinite = vec![Estimate::INFINITE; n];
+        let infinite = vec![Estimate::both(f64::INFINITY); n];
         Self {
             problem,
             layout: &point.layout,

@@ -58,9 +58,6 @@ pub(crate) struct Own {
     tail: usize,
 }
 
-/// Digits of integrands that matter.
-const FEWEST_DIGITS: f64 = 3.0;
-
 /// What a layout is built from.
 struct Plan<'a> {
     kernel: &'a Kernel,
@@ -283,7 +280,7 @@ impl Layout {
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
     fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
         let Some((frequency, size)) = plan.wanted(panel, from, to) else { return };
-        let digits = (size / plan.negligible).log10().clamp(FEWEST_DIGITS, f64::from(f64::DIGITS));
+        let digits = (size / plan.negligible).log10().clamp(1.0, f64::from(f64::DIGITS));
         let needed = points(frequency * (to - from), digits);
         let parts = needed.div_ceil(LARGEST).min(MOST_WAVENUMBERS / LARGEST + 1);
         if plan.span > 0.0 && parts > MOST_PARTS {

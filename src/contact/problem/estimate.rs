@@ -11,8 +11,6 @@ pub(crate) struct Estimate {
 }
 
 impl Estimate {
-    pub(crate) const INFINITE: Self = Self { length: f64::INFINITY, pressure: f64::INFINITY };
-
     pub(crate) const fn new(length: f64, pressure: f64) -> Self {
         Self { length, pressure }
     }

@@ -307,11 +307,11 @@ mod tests {
 
     /// The rows by a rule of very many points.
     fn brute(punch: &Punch, half_length: f64, rows: usize) -> Vec<f64> {
-        const POINTS: usize = 1_000_000;
+        let points = 1_000_000;
         let mut sums = vec![0.0; rows];
-        for q in 0..POINTS {
-            let theta = FRAC_PI_2 * (q as f64 + 0.5) / POINTS as f64;
-            let slope = punch.slope(half_length * theta.cos()) * PI / POINTS as f64;
+        for q in 0..points {
+            let theta = FRAC_PI_2 * (q as f64 + 0.5) / f64::from(points);
+            let slope = punch.slope(half_length * theta.cos()) * PI / f64::from(points);
             for (m, sum) in sums.iter_mut().enumerate() {
                 *sum += alternating(m) * slope * (order(m) * theta).cos();
             }

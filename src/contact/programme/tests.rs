@@ -1,5 +1,6 @@
 //! The programme against the solver: nothing in common but the kernels.
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::SAFETY;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::selftest::{Ranges, scene};
@@ -10,9 +11,6 @@ use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Equilibrium, State};
 use crate::contact::programme::grid::Grid;
 use crate::contact::programme::{COARSE, active, answer};
-
-/// Ends are right to so many elements.
-const ELEMENTS: f64 = 3.0;
 
 /// Calls back with so many random scenes, the kernels of each, what is expected of it, and the solver's answer.
 fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f64], &Solution)) {
@@ -39,7 +37,7 @@ fn half_lengths_are_those_of_the_quadratic_programme() {
         for (active, contact) in active.iter().zip(solution.contacts()) {
             assert_eq!(active.separate.len(), 1, "{number}: {active:?}");
             let error = active.end() * problem.kernel.length() / contact.half_length - 1.0;
-            assert!(error.abs() < ELEMENTS * COARSE.ends, "{number}, {}: {error}", contact.interface);
+            assert!(error.abs() < SAFETY * COARSE.ends, "{number}, {}: {error}", contact.interface);
         }
     });
 }
