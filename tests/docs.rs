@@ -11,6 +11,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+#[path = "docs/constants.rs"]
+mod constants;
 #[path = "docs/library.rs"]
 mod library;
 #[path = "docs/messages.rs"]

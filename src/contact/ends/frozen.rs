@@ -9,8 +9,10 @@ use crate::contact::problem::support::{Decay, End, Support};
 use crate::contact::problem::{Problem, Side};
 
 /// Steps that are longer than this part of the one before do not lead to an end: where a pressure falls exponentially, all are
-/// of one length.
+/// of one length ...
 const CONTRACTS: f64 = 0.95;
+/// ... unless they are as short as this, relative.
+const SHORT: f64 = 1e-3;
 /// The number of steps outwards, none much shorter than the one before, after which a contact is said to decay.
 const STEPS: usize = 2;
 /// The sensitivity to an end goes through a minimum where modes resolve it no longer: there it rises by this factor.
@@ -67,6 +69,10 @@ impl Decaying {
             let (step, a) = (pressures.step[i], &mut support.half_lengths[i]);
             let length = step.abs() * *a;
             let before = std::mem::replace(&mut watch.last, length);
+            if step.abs() < SHORT {
+                watch.outwards = 0;
+                continue;
+            }
             let leads_on = length > CONTRACTS * before;
             let outwards = step > 0.0 && leads_on;
             watch.outwards = if outwards { watch.outwards + 1 } else { 0 };
