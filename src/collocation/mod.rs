@@ -241,8 +241,10 @@ impl Collocation<'_> {
         for (phi, s) in phi.iter().zip(&nodes.s) {
             let pressure = phi * (1.0 - s * s).sqrt() / a;
             if pressure < -ZERO * level.peaks[i].abs() {
-                let x = s * a * self.problem.kernel.length();
-                return Err(NoSolution::Tension { interface: self.problem.interfaces[i], x }.into());
+                let length = self.problem.kernel.length();
+                let half_lengths = level.half_lengths.iter().map(|a| a * length).collect();
+                let (interface, x) = (self.problem.interfaces[i], s * a * length);
+                return Err(NoSolution::Tension { interface, x, half_lengths }.into());
             }
             least = least.min(pressure);
         }

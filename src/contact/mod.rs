@@ -101,7 +101,7 @@ fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attemp
         let start = Start::Cold { half_lengths: refined.level.support.half_lengths.clone() };
         let looser = problem.on(problem.kernel, problem.interfaces, looser);
         match refine(&looser, start, work) {
-            Ok(other) if other.level.worst_error() < worst => {
+            Ok(other) if other.level.is_better_than(&refined.level) => {
                 let not_met =
                     other.not_met.or(refined.not_met).filter(|_| other.level.worst_error() > problem.tolerance);
                 refined = Refined { level: other.level, not_met };

@@ -115,11 +115,15 @@ impl<'a> Newton<'a> {
         let mut start = modes.clone();
         loop {
             let last = support.longest(&step);
+            // a step that is hardly shorter than the one before, or longer, leads nowhere
+            if last > SLOW * before {
+                return Ok((support.half_lengths, modes));
+            }
             linearised.follow(&mut modes, &step);
             secants.improve(&start, &mut modes, &mut step);
             self.advance(&mut support, &step, 1.0);
             // what comes next is as much shorter again
-            if last > SLOW * before || last * last / before <= enough {
+            if last * last / before <= enough {
                 return Ok((support.half_lengths, modes));
             }
             before = last;

@@ -127,8 +127,7 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
         // where a pressure decays there is no tension but that of truncation
         let most = if level.support.decay(i).is_some() { most.min(NO_GAP) } else { most };
         if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.uncertainty).min(most * least.largest) {
-            let x = least.s * level.support.half_lengths[i] * problem.kernel.length();
-            return Err(NoSolution::Tension { interface: problem.interfaces[i], x }.into());
+            return Err(least.tension(problem, level, i));
         }
         if level.remainders[i].is_some() && least.pressure < -NO_GAP * least.largest {
             // the series is not known well enough there to tell tension from truncation
@@ -145,8 +144,7 @@ pub(crate) fn check_gross_tension(problem: &Problem, level: &Level) -> Result<()
     for i in problem.unknown().filter(|i| level.remainders[*i].is_none()) {
         let least = Least::of(level, i);
         if least.pressure < -GROSS * least.largest {
-            let x = least.s * level.support.half_lengths[i] * problem.kernel.length();
-            return Err(NoSolution::Tension { interface: problem.interfaces[i], x }.into());
+            return Err(least.tension(problem, level, i));
         }
     }
     Ok(())
@@ -164,6 +162,14 @@ struct Least {
 }
 
 impl Least {
+    /// The error that says so, where it is tension.
+    fn tension(&self, problem: &Problem, level: &Level, i: usize) -> ContactError {
+        let length = problem.kernel.length();
+        let half_lengths: Vec<f64> = level.support.half_lengths.iter().map(|a| a * length).collect();
+        let (interface, x) = (problem.interfaces[i], self.s * half_lengths[i]);
+        NoSolution::Tension { interface, x, half_lengths }.into()
+    }
+
     fn of(level: &Level, i: usize) -> Self {
         let modes = &level.modes[i];
         let mut pressures = pressures(modes, modes.len());

@@ -4,6 +4,7 @@
 //! what sweeps have left), what strongly coupled contacts share of that, and what each contact is sensitive to of the errors
 //! of the others ([`Propagation`]).
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
+use std::cmp::Ordering;
 use std::f64::consts::PI;
 
 use crate::contact::ends::Converged;
@@ -104,6 +105,15 @@ impl Level {
     pub(crate) fn worst_error(&self) -> f64 {
         let of_contact = |error: &Estimate| if error.length > UNKNOWN { error.pressure } else { error.worst() };
         numeric::largest(self.errors.iter().map(of_contact))
+    }
+
+    /// Whether more is known than on another level: more half-lengths, or all of them to more digits.
+    pub(crate) fn is_better_than(&self, other: &Self) -> bool {
+        let unknown = |level: &Self| level.errors.iter().filter(|error| error.length > UNKNOWN).count();
+        match unknown(self).cmp(&unknown(other)) {
+            Ordering::Equal => self.worst_error() < other.worst_error(),
+            fewer => fewer == Ordering::Less,
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::contact::ends::newton::{Newton, Work};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::accuracy::{COARSE, SLOW};
 use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
 use crate::contact::quality::admissible;
 use crate::contact::quality::estimates::{BEST, Level, UNCONVERGED};
@@ -22,6 +22,8 @@ const FINER: usize = 8;
 const GRADED: usize = 40;
 /// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
+/// Levels, one after the other, that are hardly better than the best one before, after which rounding is said to prevail.
+const WITHOUT_GAIN: usize = 2;
 
 /// What is known to begin with.
 pub(crate) enum Start {
@@ -98,6 +100,7 @@ impl<'a> Levels<'a> {
         self.first(&rough);
         let mut fewer = self.coarse.clone();
         let mut best: Option<Level> = None;
+        let mut without_gain = 0;
         loop {
             let found = self.converge(&half_lengths, &fewer);
             let fully_solved = found.as_ref().is_ok_and(|found| found.fully_solved.contains(&true));
@@ -135,11 +138,11 @@ impl<'a> Levels<'a> {
             fewer = level.counts.clone();
             half_lengths = level.support.half_lengths.clone();
             // where rounding prevails, more modes make errors larger
-            let level = match best.take() {
-                Some(best) if best.worst_error() <= level.worst_error() => best,
-                _ => level,
-            };
-            if !may_grow {
+            let is_better = best.as_ref().is_none_or(|best| level.is_better_than(best));
+            let gains = best.as_ref().is_none_or(|best| level.worst_error() < SLOW * best.worst_error());
+            without_gain = if gains { 0 } else { without_gain + 1 };
+            let level = best.take().filter(|_| !is_better).unwrap_or(level);
+            if !may_grow || without_gain == WITHOUT_GAIN {
                 return Ok(self.refined(level));
             }
             best = Some(level);

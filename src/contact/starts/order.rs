@@ -58,6 +58,14 @@ pub(crate) fn solve_in_order(
     problem.too_small(&reaches).map_or(Ok(solution), Err)
 }
 
+/// A root of the equations with a contact in tension, in units of L.
+struct RootInTension {
+    half_lengths: Vec<f64>,
+    contact: usize,
+    /// Where the tension begins.
+    x: f64,
+}
+
 /// How a step of the search ended, unless there is no solution for certain.
 enum Outcome {
     Solved(Box<Solution>),
@@ -109,7 +117,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             if let Some(solution) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(solution)));
             }
-            match self.solve_from_ends(self.ends(all))? {
+            match self.solve_from_ends(&self.ends(all), failure)? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
             }
@@ -168,35 +176,48 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         self.expected.iter().enumerate().map(end).collect()
     }
 
-    /// Newton's method from the ends of the quadratic programme; where a contact is in tension there, with that end where the
-    /// tension begins: non-physical roots can overestimate the contact.
-    fn solve_from_ends(&mut self, mut half_lengths: Vec<f64>) -> Result<Outcome, ContactError> {
-        let mut so_far = 0;
-        loop {
-            let failure = match self.attempt(Start::Cold { half_lengths: half_lengths.clone() })? {
-                Outcome::Failed(failure) => failure,
+    /// Newton's method from the ends of the quadratic programme. A root in tension next to these is right to more digits than they
+    /// are, but for the contact in tension: that starts shorter.
+    fn solve_from_ends(&mut self, ends: &[f64], mut failure: Box<ContactError>) -> Result<Outcome, ContactError> {
+        let is_next = |root: &[f64]| root.iter().zip(ends).all(|(root, end)| (root / end).ln().abs() < CONFIRMED);
+        let mut start = match self.root_in_tension(&failure) {
+            Some(root) if is_next(&root.half_lengths) => self.shorter(root.half_lengths.clone(), &root, 0),
+            _ => ends.to_vec(),
+        };
+        for so_far in 0..SHORTER {
+            match self.attempt(Start::Cold { half_lengths: start.clone() })? {
+                Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
-            };
-            let ContactError::NoSolution(NoSolution::Tension { interface, x }) = *failure else {
-                return Ok(Outcome::Failed(failure));
-            };
-            let free = |i: &usize| self.problem.interfaces[*i] == interface && !self.problem.sides[*i].is_flat();
-            match (0..half_lengths.len()).find(free) {
-                Some(i) if so_far + 1 < SHORTER => {
-                    half_lengths[i] = self.shorter(i, x / self.problem.kernel.length(), so_far);
-                    so_far += 1;
-                }
-                _ => return Ok(Outcome::Failed(failure)),
             }
+            let Some(root) = self.root_in_tension(&failure) else { break };
+            start = self.shorter(start, &root, so_far);
         }
+        Ok(Outcome::Failed(failure))
     }
 
-    /// Where contact i may end if it is in tension at x: there, and later where the thinner of its bodies carries no bending moment.
-    fn shorter(&self, i: usize, x: f64, so_far: usize) -> f64 {
+    /// The root that failed for tension in a contact whose end is sought.
+    fn root_in_tension(&self, failure: &ContactError) -> Option<RootInTension> {
+        let ContactError::NoSolution(NoSolution::Tension { interface, x, half_lengths }) = failure else { return None };
+        let length = self.problem.kernel.length();
+        let free = |i: &usize| self.problem.interfaces[*i] == *interface && !self.problem.sides[*i].is_flat();
+        let contact = (0..half_lengths.len()).find(free)?;
+        Some(RootInTension { half_lengths: half_lengths.iter().map(|a| a / length).collect(), contact, x: x / length })
+    }
+
+    /// The start with a contact in tension that ends where the tension begins, or a neighbour's contact shortly before: nothing presses
+    /// there any more. Tried again, it ends where the thinner of its bodies carries no bending moment.
+    fn shorter(&self, mut start: Vec<f64>, root: &RootInTension, so_far: usize) -> Vec<f64> {
+        let (i, x) = (root.contact, root.x);
         let laminates = self.problem.kernel.laminates();
         let neighbours = i.checked_sub(1).into_iter().chain([i]).filter_map(|l| laminates.get(l));
         let thickness = neighbours.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
-        (x - BENT * so_far as f64 * thickness).max(0.5 * x)
+        let shortly_before =
+            |k: &usize| k.abs_diff(i) == 1 && (x - BENT * thickness..x).contains(&root.half_lengths[*k]);
+        start[i] = match (0..start.len()).find(shortly_before) {
+            Some(k) if so_far == 0 => root.half_lengths[k],
+            _ => (x - BENT * so_far as f64 * thickness).max(0.5 * x),
+        };
+        start
     }
 
     /// What is left where Newton's method has failed from all starts: several intervals, if the quadratic programme may have
