@@ -31,6 +31,7 @@ use answer::{Answer, stats};
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
+use problem::support::End;
 use quality::levels::{Refined, Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
@@ -91,8 +92,9 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
 /// Newton's method over refinement levels, the sign check, and the answer.
 fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
     let mut refined = refine(problem, start, work)?;
-    // a tolerance too strict for double precision may end with larger errors than a looser one
-    for power in 1..=2 {
+    // the end of a decaying contact is sought further out under a strict tolerance, where more is lost to rounding
+    let decays = |refined: &Refined| refined.level.support.ends.iter().any(|end| matches!(end, End::Frozen(_)));
+    for power in 1..=if decays(&refined) { 2 } else { 0 } {
         let looser = 10f64.powi(power) * problem.tolerance.max(estimates::BEST);
         let worst = refined.level.worst_error();
         if worst <= looser || worst > estimates::UNKNOWN {

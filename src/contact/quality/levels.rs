@@ -22,9 +22,6 @@ const FINER: usize = 8;
 const GRADED: usize = 40;
 /// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
-/// Levels, one after the other, that are hardly better than the best one before, after which rounding is said to prevail.
-const WITHOUT_GAIN: usize = 2;
-
 /// What is known to begin with.
 pub(crate) enum Start {
     /// Half-lengths from formulas: Newton's method may converge to a non-physical root, which is given up as soon as it shows.
@@ -100,7 +97,7 @@ impl<'a> Levels<'a> {
         self.first(&rough);
         let mut fewer = self.coarse.clone();
         let mut best: Option<Level> = None;
-        let mut without_gain = 0;
+        let mut gained = true;
         loop {
             let found = self.converge(&half_lengths, &fewer);
             let fully_solved = found.as_ref().is_ok_and(|found| found.fully_solved.contains(&true));
@@ -140,9 +137,11 @@ impl<'a> Levels<'a> {
             // where rounding prevails, more modes make errors larger
             let is_better = best.as_ref().is_none_or(|best| level.is_better_than(best));
             let gains = best.as_ref().is_none_or(|best| level.worst_error() < SLOW * best.worst_error());
-            without_gain = if gains { 0 } else { without_gain + 1 };
+            // neither this level nor the one before has gained anything
+            let is_stuck = !gains && !gained;
+            gained = gains;
             let level = best.take().filter(|_| !is_better).unwrap_or(level);
-            if !may_grow || without_gain == WITHOUT_GAIN {
+            if !may_grow || is_stuck {
                 return Ok(self.refined(level));
             }
             best = Some(level);

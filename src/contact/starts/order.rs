@@ -117,7 +117,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             if let Some(solution) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(solution)));
             }
-            match self.solve_from_ends(&self.ends(all), failure)? {
+            match self.solve_from_ends(self.ends(all), failure)? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
             }
@@ -176,21 +176,24 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         self.expected.iter().enumerate().map(end).collect()
     }
 
-    /// Newton's method from the ends of the quadratic programme. A root in tension next to these is right to more digits than they
-    /// are, but for the contact in tension: that starts shorter.
-    fn solve_from_ends(&mut self, ends: &[f64], mut failure: Box<ContactError>) -> Result<Outcome, ContactError> {
-        let is_next = |root: &[f64]| root.iter().zip(ends).all(|(root, end)| (root / end).ln().abs() < CONFIRMED);
-        let mut start = match self.root_in_tension(&failure) {
-            Some(root) if is_next(&root.half_lengths) => self.shorter(root.half_lengths.clone(), &root, 0),
-            _ => ends.to_vec(),
+    /// Newton's method from the ends of the quadratic programme; then from those of the last root in tension, with a shorter contact
+    /// where the tension is. If its other ends are next to those of the quadratic programme, they are right to more digits.
+    fn solve_from_ends(&mut self, ends: Vec<f64>, mut failure: Box<ContactError>) -> Result<Outcome, ContactError> {
+        let is_next = |root: &RootInTension| {
+            let mut others = (0..ends.len()).filter(|k| *k != root.contact);
+            others.all(|k| (root.half_lengths[k] / ends[k]).ln().abs() < CONFIRMED)
         };
+        let mut root = self.root_in_tension(&failure).filter(is_next);
+        let mut start = ends.clone();
         for so_far in 0..SHORTER {
             match self.attempt(Start::Cold { half_lengths: start.clone() })? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
             }
-            let Some(root) = self.root_in_tension(&failure) else { break };
-            start = self.shorter(start, &root, so_far);
+            root = self.root_in_tension(&failure).or(root);
+            let Some(root) = &root else { break };
+            start.clone_from(if is_next(root) { &root.half_lengths } else { &ends });
+            start[root.contact] = self.shorter(root, so_far);
         }
         Ok(Outcome::Failed(failure))
     }
@@ -204,20 +207,19 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         Some(RootInTension { half_lengths: half_lengths.iter().map(|a| a / length).collect(), contact, x: x / length })
     }
 
-    /// The start with a contact in tension that ends where the tension begins, or a neighbour's contact shortly before: nothing presses
-    /// there any more. Tried again, it ends where the thinner of its bodies carries no bending moment.
-    fn shorter(&self, mut start: Vec<f64>, root: &RootInTension, so_far: usize) -> Vec<f64> {
-        let (i, x) = (root.contact, root.x);
+    /// Where a contact in tension may end: where the tension begins, or a neighbour's contact ends shortly before, since nothing presses
+    /// there any more. Tried again, where the thinner of its bodies carries no bending moment.
+    fn shorter(&self, root: &RootInTension, so_far: usize) -> f64 {
+        let RootInTension { half_lengths, contact, x } = root;
         let laminates = self.problem.kernel.laminates();
-        let neighbours = i.checked_sub(1).into_iter().chain([i]).filter_map(|l| laminates.get(l));
+        let neighbours = contact.checked_sub(1).into_iter().chain([*contact]).filter_map(|l| laminates.get(l));
         let thickness = neighbours.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
         let shortly_before =
-            |k: &usize| k.abs_diff(i) == 1 && (x - BENT * thickness..x).contains(&root.half_lengths[*k]);
-        start[i] = match (0..start.len()).find(shortly_before) {
-            Some(k) if so_far == 0 => root.half_lengths[k],
+            |k: &usize| k.abs_diff(*contact) == 1 && (x - BENT * thickness..*x).contains(&half_lengths[*k]);
+        match (0..half_lengths.len()).find(shortly_before) {
+            Some(k) if so_far == 0 => half_lengths[k],
             _ => (x - BENT * so_far as f64 * thickness).max(0.5 * x),
-        };
-        start
+        }
     }
 
     /// What is left where Newton's method has failed from all starts: several intervals, if the quadratic programme may have
