@@ -96,7 +96,7 @@ fn no_scene_takes_more_than_it_did() {
                 interpolated: 216,
                 factorisations: 2,
                 steps: 5,
-                allocations: [114, 335],
+                allocations: [133, 509],
             },
         ),
         (
@@ -108,7 +108,7 @@ fn no_scene_takes_more_than_it_did() {
                 interpolated: 488,
                 factorisations: 2,
                 steps: 8,
-                allocations: [115, 445],
+                allocations: [137, 639],
             },
         ),
         (
@@ -120,7 +120,7 @@ fn no_scene_takes_more_than_it_did() {
                 interpolated: 304,
                 factorisations: 3,
                 steps: 7,
-                allocations: [139, 532],
+                allocations: [163, 768],
             },
         ),
         (
@@ -132,7 +132,7 @@ fn no_scene_takes_more_than_it_did() {
                 interpolated: 3668,
                 factorisations: 4,
                 steps: 27,
-                allocations: [1136, 1484],
+                allocations: [1295, 1785],
             },
         ),
     ];
