@@ -31,8 +31,7 @@ use answer::{Answer, stats};
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
-use problem::support::End;
-use quality::levels::{Refined, Start, refine};
+use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
 use starts::order::{Attempt, solve_in_order};
@@ -91,26 +90,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
 
 /// Newton's method over refinement levels, the sign check, and the answer.
 fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
-    let mut refined = refine(problem, start, work)?;
-    // the end of a decaying contact is sought further out under a strict tolerance, where more is lost to rounding
-    let decays = |refined: &Refined| refined.level.support.ends.iter().any(|end| matches!(end, End::Frozen(_)));
-    for power in 1..=if decays(&refined) { 2 } else { 0 } {
-        let looser = 10f64.powi(power) * problem.tolerance.max(estimates::BEST);
-        let worst = refined.level.worst_error();
-        if worst <= looser || worst > estimates::UNKNOWN {
-            break;
-        }
-        let start = Start::Cold { half_lengths: refined.level.support.half_lengths.clone() };
-        let looser = problem.on(problem.kernel, problem.interfaces, looser);
-        match refine(&looser, start, work) {
-            Ok(other) if other.level.is_better_than(&refined.level) => {
-                let not_met =
-                    other.not_met.or(refined.not_met).filter(|_| other.level.worst_error() > problem.tolerance);
-                refined = Refined { level: other.level, not_met };
-            }
-            _ => {}
-        }
-    }
+    let refined = refine(problem, start, work)?;
     // a half-length that no pressure is sensitive to need not be known
     let is_unknown = |error: &Estimate| {
         error.worst().is_nan() || error.length > estimates::UNKNOWN && error.pressure > estimates::UNKNOWN

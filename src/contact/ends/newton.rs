@@ -8,7 +8,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, SLOW};
+use crate::contact::problem::accuracy::{COARSE, MINOR, MOST_OPERATIONS, SLOW};
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -40,6 +40,8 @@ pub(crate) struct Work {
     pub(crate) factorisations: usize,
     /// Why each refinement level ended.
     pub(crate) stopped: Vec<Stopped>,
+    /// Multiplications, about: those of integrals over products of modes, and of factorisations; see [`MOST_OPERATIONS`].
+    pub(crate) operations: f64,
 }
 
 impl Work {
@@ -177,7 +179,7 @@ impl<'a> Newton<'a> {
         Err(problem.not_converged(&support.half_lengths))
     }
 
-    /// The equations at a support, solved for the pressures and factorised.
+    /// The equations at a support, solved for the pressures and factorised; `None` also after too many operations.
     fn linearise(&mut self, layout: &Layout, support: &Support, solved: &[usize]) -> Option<(Pressures, Linearised)> {
         let half_lengths = &support.half_lengths;
         let bases = Basis::all(layout, self.problem, half_lengths, solved);
@@ -185,6 +187,11 @@ impl<'a> Newton<'a> {
         let strong = strongly_coupled(self.problem.kernel, half_lengths);
         self.work.step();
         self.work.factorisations += 1;
+        let (unknowns, products) = solved.iter().fold((0, 0), |(n, p), count| (n + count, p + count * count));
+        self.work.operations += layout.nodes() as f64 * products as f64 + (unknowns as f64).powi(3) / 3.0;
+        if self.work.operations > MOST_OPERATIONS {
+            return None;
+        }
         let free: Vec<usize> = support.free().collect();
         solve(&Equations::new(layout, &bases, solved, &strong, support), &slopes, &free)
     }

@@ -7,7 +7,7 @@ mod gaps;
 mod half_plane;
 mod interval;
 
-use crate::contact::problem::accuracy::{PATIENCE, ROUNDING, SAFETY};
+use crate::contact::problem::accuracy::{MOST_OPERATIONS, PATIENCE, ROUNDING, SAFETY};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -26,9 +26,6 @@ use interval::Interval;
 /// Pressures on each interval: the first number of them, doubled until the tolerance is met, and the last.
 const COARSEST: usize = 12;
 const FINEST: usize = 96;
-/// Multiplications at most, all starts together: some seconds. The hardest scene that is known to be solved needs two thirds of
-/// it; with twice as many, scenes that are not solved take twice the time.
-const MOST_OPERATIONS: f64 = 1.5e11;
 /// An end moves by at most this part of the intervals next to it in one step.
 const LONGEST_STEP: f64 = 0.4;
 /// Derivatives are kept as long as steps, in units of those intervals, are shorter than this, and become shorter by this factor.

@@ -9,9 +9,8 @@ use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
 use crate::solution::{Form, Part, Solution, Stats, Strip};
 
-use super::compliances::Compliances;
 use super::grid::Grid;
-use super::{Aim, Cycle, Cycles, FINE, First, UNRESOLVED, cycles};
+use super::{Cycle, FINE, UNRESOLVED, cycles};
 
 /// ... and by this part at least: elements well inside a contact are the same on all grids.
 const LEAST_ERROR: f64 = 0.02;
@@ -22,23 +21,10 @@ const RESULTANT: f64 = 1e-3;
 
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
 pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
-    let Cycles { first, cycles: all } = Cycles::new(problem, expected, far, FINE);
-    let mut contacts = Vec::with_capacity(problem.contacts());
-    let eliminated = match first {
-        First::Given(_) => 1,
-        // a contact that is a line load to the others is found by itself
-        First::Short(a) => {
-            let others = all.last()?;
-            let alone = Compliances::of_first(problem.kernel, |zeta| others.transform_minus_one(1, zeta));
-            let aim = Aim { expected: &[a], far: 0.0, shorter: false, resolution: FINE };
-            contacts.push(found(problem, 0, &cycles(problem, &alone, &aim), 0)?);
-            0
-        }
-        First::Unknown => 0,
-    };
-    for i in eliminated + contacts.len()..problem.contacts() {
-        contacts.push(found(problem, i, &all, i - eliminated)?);
-    }
+    let all = cycles(problem, expected, far, FINE);
+    let eliminated = usize::from(problem.top().given().is_some());
+    let found = |i: usize| found(problem, i, &all, i - eliminated);
+    let contacts = (eliminated..problem.contacts()).map(found).collect::<Option<Vec<_>>>()?;
     let elements = all.last()?.grid.elements();
     let warning = format!(
         "accuracy about 1 %: Newton's method did not converge, so this is the solution of the quadratic programme with \

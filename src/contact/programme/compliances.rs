@@ -20,11 +20,6 @@ impl<'a> Compliances<'a> {
         Self { kernel, contacts: 0..kernel.contacts(), given: Box::new(|_| 0.0) }
     }
 
-    /// Of the contact under the punch only, with the pressure of the next one.
-    pub(super) fn of_first(kernel: &'a Kernel, next: impl Fn(f64) -> f64 + 'a) -> Self {
-        Self { kernel, contacts: 0..1, given: Box::new(next) }
-    }
-
     /// Of all contacts but that under the punch, with the pressure there.
     pub(super) fn below_first(kernel: &'a Kernel, first: impl Fn(f64) -> f64 + 'a) -> Self {
         Self { kernel, contacts: 1..kernel.contacts(), given: Box::new(first) }
@@ -38,11 +33,6 @@ impl<'a> Compliances<'a> {
     /// Whether the first of them is the contact under the punch.
     pub(super) fn is_topmost(&self) -> bool {
         self.contacts.start == 0
-    }
-
-    /// Thickness of the laminate below the first of them; `None` without.
-    pub(super) fn thickness(&self) -> Option<f64> {
-        self.kernel.laminates().get(self.contacts.start).map(|(thickness, _)| *thickness)
     }
 
     /// What the kernel of contact i tends to for short waves.

@@ -93,7 +93,7 @@ impl Grid {
         found
     }
 
-    /// Which elements touch if those of a coarser or shorter grid do that they are part of.
+    /// Which elements touch if those of a coarser grid do that they are part of.
     pub(super) fn inherit(&self, coarse: &Self, touching: &[Vec<bool>]) -> Vec<Vec<bool>> {
         let parent = |e: usize| {
             let [from, to] = self.element(e);
@@ -117,7 +117,5 @@ mod tests {
         {
             assert!(Grid::new(shortest, end, None).is_none(), "{shortest} {end}");
         }
-        let longest = Grid::new(1.0, 1e100, None).unwrap().longer(1e200);
-        assert!(longest.elements() <= MOST);
     }
 }

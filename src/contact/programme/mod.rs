@@ -23,8 +23,6 @@ pub(super) use answer::answer;
 
 /// The grid reaches this many times as far as the longest contact is expected.
 const REACH: f64 = 6.0;
-/// At most so often.
-const LONGER: usize = 3;
 /// How often the grid is made longer or finer.
 const CYCLES: usize = 14;
 /// For starts.
@@ -35,17 +33,11 @@ const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
 /// side of an end are refined.
 const UNRESOLVED: usize = 2;
 
-/// An interval off the middle counts as no shorter than this part of its distance from there. Twice as much: ends of short intervals are
+/// Intervals and gaps off the middle are no shorter than this part of their distance from there. Twice as much: ends of short intervals are
 /// not resolved, and Newton's method does not find them.
 const SHORTEST: f64 = 0.02;
 /// A smaller part of the force on a contact is rounding. Ten times as much: intervals of re-contact are missed.
 const LEAST_FORCE: f64 = 1e-8;
-/// An interval of re-contact this many times farther from the middle than where the contact ends is no artefact of rounding.
-const FAR: f64 = 1.5;
-
-/// A contact under the punch that is expected to be this much shorter than all others, and than its body is thick, is a
-/// line load to them.
-const SHORT: f64 = 0.05;
 
 /// How fine grids become.
 #[derive(Clone, Copy)]
@@ -61,7 +53,7 @@ struct Resolution {
 pub(super) struct ActiveIntervals {
     /// All that are longer than artefacts of the grid.
     pub(super) resolved: Vec<[f64; 2]>,
-    /// That about the middle and all far from it, however short.
+    /// All, however short.
     pub(super) separate: Vec<[f64; 2]>,
 }
 
@@ -75,7 +67,7 @@ impl ActiveIntervals {
         self.resolved.first().map_or(0.0, |part| part[1])
     }
 
-    /// All intervals: the resolved ones where there are several, else that about the middle and all far from it.
+    /// All intervals: the resolved ones where there are several, else all.
     pub(super) fn intervals(&self) -> &[[f64; 2]] {
         if self.resolved.len() > 1 { &self.resolved } else { &self.separate }
     }
@@ -100,121 +92,55 @@ impl Cycle {
     fn active(&self) -> Vec<ActiveIntervals> {
         let active = |touching: &Vec<bool>| ActiveIntervals {
             resolved: parts(&resolved_only(touching), &self.grid),
-            separate: apart(parts(touching, &self.grid)),
+            separate: parts(touching, &self.grid),
         };
         self.touching.iter().map(active).collect()
-    }
-}
-
-impl Cycle {
-    /// p̂/P − 1 of contact i at a wavenumber.
-    fn transform_minus_one(&self, i: usize, zeta: f64) -> f64 {
-        let part = |(e, force): (usize, &f64)| {
-            let [from, to] = self.grid.element(e);
-            force * (energy::transform_minus_width(zeta, to) - energy::transform_minus_width(zeta, from)) / (to - from)
-        };
-        self.forces[i].iter().enumerate().filter(|(_, force)| **force != 0.0).map(part).sum()
     }
 }
 
 /// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
 /// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
 pub(super) fn active(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<ActiveIntervals>> {
-    let Cycles { first, cycles } = Cycles::new(problem, expected, far, COARSE);
+    let cycles = cycles(problem, expected, far, COARSE);
     let mut active = cycles.last()?.active();
-    match first {
-        First::Unknown => {}
-        First::Given(a) => active.insert(0, ActiveIntervals::one(a)),
-        First::Short(a) => active[0] = ActiveIntervals::one(a),
+    if let Some(given) = problem.top().given() {
+        active.insert(0, ActiveIntervals::one(given.half_length));
     }
     Some(active)
 }
 
-/// What is known of the contact under the punch.
-#[derive(Clone, Copy)]
-enum First {
-    /// Nothing.
-    Unknown,
-    /// Its pressure: it is none of those of the programme. With its half-length.
-    Given(f64),
-    /// That it is a line load to all others. With the half-length expected.
-    Short(f64),
-}
-
-/// The programme of all contacts that are not known.
-struct Cycles {
-    first: First,
-    /// The last ones, two at most, with the finest grids.
-    cycles: Vec<Cycle>,
-}
-
-impl Cycles {
-    fn new(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Self {
-        let kernel = problem.kernel;
-        if let Some(given) = problem.top().given() {
-            let a = given.half_length;
-            let below = Compliances::below_first(kernel, |zeta| given.transform_minus_one(zeta));
-            let cycles = match kernel.contacts() {
-                // nothing is unknown
-                1 => Vec::new(),
-                _ => cycles(
-                    problem,
-                    &below,
-                    &Aim { expected: &expected[1..], far: far.max(a), shorter: false, resolution },
-                ),
-            };
-            return Self { first: First::Given(a), cycles };
-        }
-        let all = Compliances::all(kernel);
-        let far = far.max(problem.last_fall());
-        let is_short = all.thickness().is_some_and(|thickness| {
-            expected[1..].iter().chain([&thickness]).all(|a| expected[0].max(problem.last_fall()) < SHORT * a)
-        });
-        let first = if is_short { First::Short(expected[0]) } else { First::Unknown };
-        let aim = Aim { expected: &expected[usize::from(is_short)..], far, shorter: is_short, resolution };
-        Self { first, cycles: cycles(problem, &all, &aim) }
-    }
-}
-
-/// What a grid is made for.
-struct Aim<'a> {
-    /// Lengths of contacts that are expected.
-    expected: &'a [f64],
-    /// A place that is to be well inside the grid.
-    far: f64,
-    /// Whether the contact under the punch is far shorter.
-    shorter: bool,
-    resolution: Resolution,
-}
-
 /// The last refinement cycles, two at most, with the finest grids.
-fn cycles(problem: &Problem, kernel: &Compliances, aim: &Aim) -> Vec<Cycle> {
-    let Aim { expected, far, shorter, resolution } = *aim;
+fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Vec<Cycle> {
+    // a pressure that is given is none of those of the programme
+    let given = problem.top().given();
+    let kernel = &match given {
+        Some(given) => Compliances::below_first(problem.kernel, |zeta| given.transform_minus_one(zeta)),
+        None => Compliances::all(problem.kernel),
+    };
+    if kernel.contacts() == 0 {
+        return Vec::new();
+    }
+    let expected = &expected[problem.contacts() - kernel.contacts()..];
+    let far = far.max(given.map_or(problem.last_fall(), |given| given.half_length));
     let mut cycles: Vec<Cycle> = Vec::new();
     let longest = expected.iter().copied().fold(0.0, f64::max);
     let shortest = expected.iter().copied().fold(f64::INFINITY, f64::min);
-    let edge = problem.top().edge().filter(|_| kernel.is_topmost() && !shorter);
+    let edge = problem.top().edge().filter(|_| kernel.is_topmost());
     let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return cycles };
-    let mut longer = LONGER;
+    let mut longer = 3;
     for _ in 0..CYCLES {
-        let Some(mut energy) = Energy::new(kernel, problem, &grid) else { break };
-        if shorter {
-            // a line load about x = 0, however small the punch
-            energy.inadmissible.fill(true);
-            energy.inadmissible[0] = false;
-        }
+        let Some(energy) = Energy::new(kernel, problem, &grid) else { break };
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));
-        let looked_for = &touching[usize::from(shorter)..];
         let ends: Vec<(usize, f64)> =
-            looked_for.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
-        // an interval of re-contact that reaches the end of the grid does not end
-        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
-        cycles.push(Cycle { grid: grid.clone(), touching, forces });
+            touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
+        cycles.push(Cycle { grid: grid.clone(), touching: touching.clone(), forces });
         if cycles.len() > 2 {
             cycles.remove(0);
         }
+        // an interval of re-contact that reaches the end of the grid does not end
+        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(REACH);
@@ -272,19 +198,12 @@ fn resolved_only(touching: &[bool]) -> Vec<bool> {
     resolved
 }
 
-/// The first interval and those far from it.
-fn apart(mut parts: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    let end = parts.first().map_or(0.0, |part| part[1]);
-    parts.retain(|part| part[1] == end || part[0] > FAR * end);
-    parts
-}
-
 /// Intervals of elements that touch; gaps that are short against what lies outside them are rounding.
 fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut wide: Vec<[f64; 2]> = Vec::new();
     for part in intervals(touching, grid) {
         match wide.last_mut() {
-            Some(before) if part[0] - before[1] < SHORT * part[0] => before[1] = part[1],
+            Some(before) if part[0] - before[1] < SHORTEST * part[0] => before[1] = part[1],
             _ => wide.push(part),
         }
     }

@@ -73,6 +73,7 @@ impl<'a> Levels<'a> {
         let finer = if matches!(start, Start::Cold { .. }) { FINER } else { 1 };
         let coarse = |modes: &usize| (modes / 2 * finer).min((FINEST / 8).min(finest)).max(COARSEST);
         let mut coarse: Vec<usize> = solved.iter().map(coarse).collect();
+        solved.iter_mut().zip(&coarse).for_each(|(solved, coarse)| *solved = (*solved).max(*coarse));
         one_where_known(problem, &mut solved);
         one_where_known(problem, &mut coarse);
         let graded = (0..n).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
@@ -216,7 +217,9 @@ impl<'a> Levels<'a> {
                 true => (error(i) / self.tolerance).powf(0.2).clamp(1.25, 2.0),
                 false => 2.0,
             };
-            let grow = |count: usize| ((count as f64 * grown) as usize).next_multiple_of(4);
+            // a contact of few modes costs next to nothing beside one of many
+            let least = self.solved.iter().max().map_or(0, |largest| largest / 4);
+            let grow = |count: usize| ((count as f64 * grown) as usize).max(least).next_multiple_of(4);
             let most = with_more(self.finest, self.tolerance);
             self.solved[i] = grow(self.solved[i]).min(self.finest);
             self.modes[i] = grow(self.modes[i]).max(with_more(self.solved[i], self.tolerance)).min(most);

@@ -48,10 +48,15 @@ pub(crate) fn solve_in_order(
     let mut search = Search { problem, solve, expected, doubtful: None, several: None, far: 0.0 };
     let solution = match search.run()? {
         Outcome::Solved(solution) => *solution,
-        Outcome::Failed(failure) => match search.doubtful.take().filter(|(_, attempt)| search.knows_all(attempt)) {
-            Some((_, attempt)) => attempt.solution,
-            None => low_accuracy(&search.expected, search.far).ok_or(*failure)?,
-        },
+        Outcome::Failed(failure) => {
+            let doubtful = search.doubtful.take().filter(|(_, attempt)| search.knows_all(attempt));
+            match (doubtful, low_accuracy(&search.expected, search.far)) {
+                // the programme has one solution only, which others are measured by; ends where next to nothing presses it sees badly
+                (Some((_, attempt)), Some(low)) if !agree(&attempt.solution, &low) => low,
+                (Some((_, attempt)), _) => attempt.solution,
+                (None, low) => low.ok_or(*failure)?,
+            }
+        }
     };
     let length = problem.kernel.length();
     let reaches: Vec<f64> = solution.contacts.iter().map(|contact| contact.reach() / length).collect();
@@ -76,8 +81,9 @@ struct Search<'a, F> {
     problem: &'a Problem<'a>,
     solve: F,
     expected: Vec<f64>,
-    /// The best solution with a large error estimate, and that: Newton's method may have converged to a non-physical root.
-    doubtful: Option<(f64, Attempt)>,
+    /// The best solution with a large error estimate, how many of its ends are not known, and the estimate of the others: Newton's
+    /// method may have converged to a non-physical root.
+    doubtful: Option<((usize, f64), Attempt)>,
     /// A contact that has several intervals for certain.
     several: Option<Interface>,
     /// How far out the quadratic programme has looked for contact.
@@ -136,14 +142,17 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         };
         let contacts = &attempt.solution.contacts;
         let errors = contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
+        let endless = errors.clone().filter(|error| *error >= ENDLESS).count();
         let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
         let knows_all = self.knows_all(&attempt);
-        if knows_all && (attempt.solution.warnings.is_empty() || worst <= COARSE) {
+        // a solution of few digits may know more ends
+        let knows_most = self.doubtful.as_ref().is_none_or(|((fewer, _), _)| endless <= *fewer);
+        if knows_all && knows_most && (attempt.solution.warnings.is_empty() || worst <= COARSE) {
             return Ok(Outcome::Solved(Box::new(attempt.solution)));
         }
         let half_lengths = contacts.iter().map(|contact| contact.half_length).collect();
-        if knows_all && self.doubtful.as_ref().is_none_or(|(least, _)| worst < *least) {
-            self.doubtful = Some((worst, attempt));
+        if knows_all && self.doubtful.as_ref().is_none_or(|(least, _)| (endless, worst) < *least) {
+            self.doubtful = Some(((endless, worst), attempt));
         }
         Ok(Outcome::Failed(Box::new(NoSolution::NotConverged { half_lengths }.into())))
     }
@@ -242,6 +251,12 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         let parts = active[i].intervals().iter().map(|part| part.map(|x| x * length)).collect();
         NoSolution::Parts { interface: self.problem.interfaces[i], parts }.into()
     }
+}
+
+/// Whether the pressures of two solutions at x = 0 are the same but for their errors.
+fn agree(one: &Solution, other: &Solution) -> bool {
+    let mut pairs = one.contacts.iter().zip(&other.contacts).filter(|(one, _)| one.peak_pressure.is_finite());
+    pairs.all(|(a, b)| (a.peak_pressure - b.peak_pressure).abs() <= a.peak_pressure_error + b.peak_pressure_error)
 }
 
 /// The contact in which bodies touch in several intervals, or in none about the middle.
