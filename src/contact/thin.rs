@@ -8,7 +8,7 @@
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
 //! solved without these waves, and that change is part of the error.
-use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
+use crate::contact::problem::accuracy::{ROUNDING, SAFETY, SLOW};
 use std::f64::consts::PI;
 
 use crate::contact::error::ContactError;
@@ -18,9 +18,6 @@ use crate::contact::starts::formulas;
 use crate::kernel::{DECAYED, Kernel};
 use crate::numeric;
 use crate::solution::{Contact, Interface, Solution};
-
-/// The kernel is cut off where more waves would not make that change smaller by more than this factor; they cost time.
-const WORSE: f64 = 2.0;
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin {
@@ -169,5 +166,6 @@ fn beyond_modes(kernel: &Kernel, contact: usize, half_length: f64, half_lengths:
     let error = |from: f64| SAFETY * 2.0 / (PI * half_length) * kernel.left_out(contact, from);
     let least = error(highest);
     let octaves = std::iter::successors(Some(lowest), |from| Some(2.0 * from)).take_while(|from| *from <= highest);
-    octaves.map(|from| (from, error(from))).find(|(_, error)| *error <= WORSE * least)
+    // waves that hardly make the change smaller cost time
+    octaves.map(|from| (from, error(from))).find(|(_, error)| least >= SLOW * *error)
 }

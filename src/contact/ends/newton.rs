@@ -17,7 +17,7 @@ use crate::solution::Stopped;
 /// Longest step in the logarithm of a half-length.
 const LONGEST_STEP: f64 = 0.5;
 /// A layout serves half-lengths that differ by this much, in the logarithm.
-const LAYOUT_SERVES: f64 = 0.1;
+pub(crate) const LAYOUT_SERVES: f64 = 0.1;
 /// Steps at most: Newton's method doubles its digits with each.
 const STEPS: usize = 40;
 /// Farther from the start, in the logarithm of a half-length, Newton's method is taken to diverge.

@@ -14,8 +14,6 @@ use crate::contact::problem::profile::Slopes;
 use crate::contact::problem::support::{Support, longest};
 use crate::solution::Stopped;
 
-/// Sweeps have converged if they leave a pressure error of this many tolerances: the next level goes on.
-const PRESSURES: f64 = 10.0;
 /// The last digits come from sweeps; this many at most.
 const SWEEPS: usize = 12;
 
@@ -293,7 +291,7 @@ impl<'a> Sweeps<'a> {
         self.support.advance(&self.step);
         let enough = Estimate {
             length: self.truncation.length.max(self.tolerance),
-            pressure: self.truncation.pressure.max(PRESSURES * self.tolerance),
+            pressure: self.truncation.pressure.max(self.tolerance),
         };
         stopped != Stopped::Diverged && self.residuals.iter().all(|left| left.is_within(enough))
     }

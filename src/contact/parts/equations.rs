@@ -15,11 +15,11 @@ use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Weights;
 use crate::contact::parts::interval::Interval;
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::PER_MODE;
 use crate::kernel::Kernel;
 use crate::numeric::dot;
 
-/// Points of integrals over an interval, per pressure, and more.
-const PER_PRESSURE: usize = 3;
+/// Points of integrals over an interval, besides those of each pressure.
 pub(super) const POINTS: usize = 48;
 
 /// The equations of some intervals, in the order of contacts and outwards.
@@ -353,7 +353,7 @@ impl Equations<'_> {
 
     /// θ and weights of ∫ ... dθ from 0 to π.
     pub(super) fn places(&self) -> impl Iterator<Item = (f64, f64)> {
-        let points = POINTS + PER_PRESSURE * self.count;
+        let points = POINTS + PER_MODE * self.count;
         (0..points).map(move |q| (PI * (q as f64 + 0.5) / points as f64, PI / points as f64))
     }
 

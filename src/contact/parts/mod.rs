@@ -7,11 +7,12 @@ mod gaps;
 mod half_plane;
 mod interval;
 
-use crate::contact::problem::accuracy::{MOST_OPERATIONS, PATIENCE, ROUNDING, SAFETY};
+use crate::contact::problem::accuracy::{MOST_OPERATIONS, PATIENCE, ROUNDING, SAFETY, SLOW};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::ends::newton::LAYOUT_SERVES;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
 use crate::contact::programme::ActiveIntervals;
@@ -32,9 +33,8 @@ const LONGEST_STEP: f64 = 0.4;
 const KEPT: f64 = 0.1;
 /// Derivatives are differences over this part of the intervals next to an end.
 const DIFFERENCE: f64 = 1e-6;
+/// Steps shorter than this that no longer become shorter are rounding.
 const SHORT: f64 = 1e-7;
-/// Integrals serve ends that have moved by this part at most.
-const SERVES: f64 = 0.02;
 
 /// What Newton's method has done, all attempts together.
 #[derive(Default)]
@@ -257,7 +257,7 @@ fn converge(
     work.steps.push(0);
     while patience > 0 {
         let Lengths { ends: reach, shortest } = Lengths::of(problem, &intervals);
-        let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < SERVES);
+        let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < LAYOUT_SERVES);
         let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
             Some(kept) => kept,
             None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
@@ -290,7 +290,7 @@ fn converge(
         shortest_step = shortest_step.min(longest);
         let shorten = if way.together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
         own.iter_mut().zip(&change).for_each(|(own, change)| *own += shorten * change);
-        if longest < ROUNDING || last < SHORT && longest > 0.5 * last {
+        if longest < ROUNDING || last < SHORT && longest > SLOW * last {
             let left_out =
                 (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
             let coefficients = in_equilibrium(&intervals, own.chunks_exact(count).map(<[f64]>::to_vec).collect());

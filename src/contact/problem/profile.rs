@@ -5,6 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::problem::accuracy::ROUNDING;
 use crate::contact::problem::modes::order;
 use crate::numeric::quadrature::rule;
 use crate::scene::{Piece, Punch, Shape};
@@ -14,8 +15,6 @@ use crate::scene::{Piece, Punch, Shape};
 const NEARLY: f64 = 0.999;
 /// Most oscillations of a test function, as a phase, that one Gauss rule is asked to integrate.
 const PHASE: f64 = 150.0;
-/// Slopes at x = a/cosh u are nothing beyond this u.
-const FARTHEST: f64 = 45.0;
 /// Gauss points besides those that the oscillation takes.
 const SPARE: f64 = 14.0;
 
@@ -190,7 +189,9 @@ impl<'a> Profile<'a> {
             Shape::Flat(_) => 0.0,
             Shape::Pieces { pieces, .. } => {
                 // with x = a/cosh u the integral is that of f' over u
-                let farthest = |start: f64| (half_length * self.length / start).acosh().min(FARTHEST);
+                // slopes at x = a/cosh u are nothing beyond
+                let nothing = -2.0 * ROUNDING.ln();
+                let farthest = |start: f64| (half_length * self.length / start).acosh().min(nothing);
                 let mut ends: Vec<f64> = covered(pieces, half_length * self.length).map(farthest).collect();
                 ends.push(0.0);
                 let pieces = ends.windows(2).map(|pair| {

@@ -16,8 +16,6 @@ use super::{Cycle, FINE, UNRESOLVED, cycles};
 const LEAST_ERROR: f64 = 0.02;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
-/// Forces are those given to this part.
-const RESULTANT: f64 = 1e-3;
 
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
 pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
@@ -39,7 +37,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<So
 fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Option<Found> {
     let [before, last] = cycles else { return None };
     let force: f64 = last.forces[i].iter().filter(|force| **force > 0.0).sum();
-    if (force - 1.0).abs() > RESULTANT {
+    if (force - 1.0).abs() > COARSE {
         return None;
     }
     let side = &problem.sides[contact];

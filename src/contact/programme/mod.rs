@@ -23,8 +23,8 @@ pub(super) use answer::answer;
 
 /// The grid reaches this many times as far as the longest contact is expected.
 const REACH: f64 = 6.0;
-/// How often the grid is made longer or finer.
-const CYCLES: usize = 14;
+/// How often the grid is made longer, at most.
+const LONGER: usize = 3;
 /// For starts.
 const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
 /// For answers.
@@ -127,9 +127,8 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
     let shortest = expected.iter().copied().fold(f64::INFINITY, f64::min);
     let edge = problem.top().edge().filter(|_| kernel.is_topmost());
     let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return cycles };
-    let mut longer = 3;
-    for _ in 0..CYCLES {
-        let Some(energy) = Energy::new(kernel, problem, &grid) else { break };
+    let mut longer = LONGER;
+    while let Some(energy) = Energy::new(kernel, problem, &grid) {
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));

@@ -20,9 +20,6 @@ use crate::numeric::vector::{LANES, vectorised};
 
 /// A pressure may be wrong anywhere by this many times the part that its highest modes have in it.
 const UNRESOLVED: f64 = 10.0;
-/// But not by more than this part of the largest pressure, or than the error estimate of the answer.
-const MOST_UNCERTAIN: f64 = 1e-3;
-
 /// More modes do not change a tension of more than this part of the largest pressure. Twice as much: non-physical roots are
 /// refined for longer; half as much: admissible ones may be given up, and are found again from the quadratic programme.
 const GROSS: f64 = 0.05;
@@ -73,7 +70,8 @@ impl Level {
 
 /// Smallest pressure inside and smallest gap outside the contacts; an error if one of them is negative.
 pub(crate) fn check(problem: &Problem, level: &Level) -> Result<Check, ContactError> {
-    let most = MOST_UNCERTAIN.max(level.worst_error());
+    // no pressure is less certain than the answer
+    let most = COARSE.max(level.worst_error());
     let (min_pressure, tensions) = check_pressures(problem, level, most)?;
     let mut check = Check { min_pressure, tensions, min_gap: 0.0, recontacts: Vec::new() };
     for (i, gaps) in gaps(problem, level)?.into_iter().enumerate() {

@@ -3,7 +3,7 @@
 //! An estimate is made in three steps: what the modes of a contact itself tell ([`Truncation`]: how its last modes fall, and
 //! what sweeps have left), what strongly coupled contacts share of that, and what each contact is sensitive to of the errors
 //! of the others ([`Propagation`]).
-use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING, SAFETY};
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
@@ -23,9 +23,6 @@ pub(crate) const UNKNOWN: f64 = 0.03;
 
 /// The relative error of the half-length of a decaying contact, no end of which is found.
 pub(crate) const ENDLESS: f64 = 1.0;
-
-/// Sweeps that leave more than this have not converged.
-pub(crate) const UNCONVERGED: f64 = 1e-6;
 
 /// The error of a half-length is at least this part of that of its pressure, whatever the last modes say.
 const LEAST_LENGTH: f64 = 1e-3;
@@ -91,7 +88,7 @@ impl Level {
     /// Where sweeps have not converged, nothing is known better than by how much half-lengths differ from those of fewer modes.
     pub(crate) fn doubt(&mut self, coarse: &[f64]) {
         for (i, error) in self.errors.iter_mut().enumerate() {
-            if self.swept[i] || self.support.decay(i).is_some() || error.length <= UNCONVERGED {
+            if self.swept[i] || self.support.decay(i).is_some() || error.length <= MINOR * COARSE {
                 continue;
             }
             let change = (self.support.half_lengths[i] / coarse[i]).ln().abs();

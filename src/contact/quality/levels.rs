@@ -4,10 +4,10 @@ use crate::contact::ends::newton::{Newton, Work};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, SLOW};
+use crate::contact::problem::accuracy::{COARSE, MINOR, SLOW};
 use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
 use crate::contact::quality::admissible;
-use crate::contact::quality::estimates::{BEST, Level, UNCONVERGED};
+use crate::contact::quality::estimates::{BEST, Level};
 use crate::kernel::Kernel;
 use crate::solution::Stopped;
 
@@ -116,7 +116,7 @@ impl<'a> Levels<'a> {
                     None => return self.few_digits(half_lengths),
                 },
             };
-            if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > UNCONVERGED) {
+            if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > MINOR * COARSE) {
                 return Err(self.problem.not_converged(&level.support.half_lengths));
             }
             if level.worst_error() <= self.tolerance {

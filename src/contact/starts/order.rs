@@ -17,8 +17,6 @@ use crate::solution::{Interface, Solution};
 
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
-/// An interval off the middle counts as a contact with a gap about x = 0 if it ends this many times farther out than it begins.
-const OPEN: f64 = 2.0;
 /// How often a contact in tension is tried again with its end where the tension begins, and before. Twice as often: nothing else is
 /// found.
 const SHORTER: usize = 3;
@@ -266,7 +264,7 @@ fn several(problem: &Problem, active: &[ActiveIntervals], certain: bool) -> Opti
     let count = |active: &ActiveIntervals| if certain { finite(active) } else { active.separate.len() };
     // a contact with a gap about x = 0 has two intervals, one on either side
     let open = |active: &ActiveIntervals| match active.resolved[..] {
-        [[from, to]] => !certain && from > 0.0 && to.is_finite() && to > OPEN * from,
+        [[from, to]] => !certain && from > 0.0 && to.is_finite(),
         _ => false,
     };
     // under a punch, an interval off the middle is an artefact of a grid too coarse for it

@@ -19,7 +19,6 @@ use crate::solution::Interface;
 
 const APART: f64 = 0.25;
 const COUNT: usize = 480;
-const LOWEST: f64 = -0.5 * APART * COUNT as f64;
 /// Points that an interpolation takes.
 const POINTS: usize = 10;
 
@@ -95,13 +94,13 @@ impl Table {
     }
 
     fn place(&self, kernel: &Kernel, load: f64) -> Option<Place<'_>> {
-        let at = (load.ln() - LOWEST) / APART;
+        let at = load.ln() / APART + 0.5 * COUNT as f64;
         let first = (at.floor() as usize).checked_sub(POINTS / 2 - 1)?;
         let points = self.points.get(first..first + POINTS)?;
         let answers: Option<Vec<&Answer>> = points
             .iter()
             .zip(first..)
-            .map(|(point, k)| point.get_or_init(|| answer(kernel, LOWEST + APART * k as f64)).as_ref())
+            .map(|(point, k)| point.get_or_init(|| answer(kernel, APART * (k as f64 - 0.5 * COUNT as f64))).as_ref())
             .collect();
         let mut row = [0.0; POINTS];
         interpolation_row(&self.nodes, &self.weights, at - first as f64, &mut row);
