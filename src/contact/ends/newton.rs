@@ -8,7 +8,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, MOST_OPERATIONS, SLOW};
+use crate::contact::problem::accuracy::{COARSE, MINOR, MOST_OPERATIONS, PATIENCE, SLOW};
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -18,8 +18,6 @@ use crate::solution::Stopped;
 const LONGEST_STEP: f64 = 0.5;
 /// A layout serves half-lengths that differ by this much, in the logarithm.
 pub(crate) const LAYOUT_SERVES: f64 = 0.1;
-/// Steps at most: Newton's method doubles its digits with each.
-const STEPS: usize = 40;
 /// Farther from the start, in the logarithm of a half-length, Newton's method is taken to diverge.
 const FARTHEST: f64 = 4.0;
 /// Iterated Galerkin sweeps begin when what is left of a Newton step is below this.
@@ -152,8 +150,8 @@ impl<'a> Newton<'a> {
         let mut kept: Option<LaidOut> = None;
         self.work.steps.push(0);
         self.decaying.begin(solved.len());
-        let mut last = f64::INFINITY;
-        for _ in 0..STEPS {
+        let (mut last, mut shortest, mut patience) = (f64::INFINITY, f64::INFINITY, PATIENCE);
+        while patience > 0 {
             if !near(&support.half_lengths, &start, FARTHEST) {
                 break;
             }
@@ -172,6 +170,8 @@ impl<'a> Newton<'a> {
                 return Ok(Point { support, pressures, linearised, layout: laid_out.layout });
             }
             last = left;
+            patience = if left < shortest { PATIENCE } else { patience - 1 };
+            shortest = shortest.min(left);
             let shorten = (LONGEST_STEP / support.longest(&pressures.step)).min(1.0);
             self.advance(&mut support, &pressures.step, shorten);
             kept = Some(laid_out);

@@ -5,13 +5,11 @@ use crate::numeric::bessel;
 use crate::scene::Load;
 use crate::solution::{Contact, Form, Interface, Strip};
 
+use crate::contact::problem::accuracy::ROUNDING;
 #[cfg(test)]
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::modes::order;
 
-/// Smallest half-width, in units of L, by which numbers of the solver are scaled: the contacts see a load through its
-/// transform, which is exact for any half-width, and no wave in it is as short as this.
-const NARROWEST: f64 = 1e-10;
 /// Terms of the series of pressures that do not vanish smoothly at their ends: enough wherever they have no closed form.
 const TERMS: usize = 64;
 
@@ -19,7 +17,8 @@ const TERMS: usize = 64;
 pub(crate) struct Given<'a> {
     /// What presses.
     pub(crate) load: &'a Load,
-    /// As far as it reaches, or [`NARROWEST`], in units of L.
+    /// As far as it reaches, or what rounding leaves of L, in units of L: the contacts see a load through its transform, which is exact for
+    /// any half-width, and no wave in it is as short as this.
     pub(crate) half_length: f64,
     transform_minus_one: Box<dyn Fn(f64) -> f64 + 'a>,
 }
@@ -27,7 +26,7 @@ pub(crate) struct Given<'a> {
 impl<'a> Given<'a> {
     /// A load, with the length L in the units of the scene.
     pub(crate) fn new(load: &'a Load, length: f64) -> Self {
-        let half_length = (load.half_width() / length).max(NARROWEST);
+        let half_length = (load.half_width() / length).max(ROUNDING);
         Self { load, half_length, transform_minus_one: Box::new(move |zeta| transform_minus_one(load, zeta / length)) }
     }
 
