@@ -39,20 +39,23 @@ pub(super) fn solve(
     solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
 ) -> Result<Solution, ContactError> {
     let Some(thin) = Thin::new(problem)? else { return solve(problem) };
-    let without = || {
+    let without = |operations: f64| {
         let interfaces = thin.interfaces(problem.interfaces);
         // no more digits are of use than are left
         let tolerance = problem.tolerance.max(0.1 * thin.error);
-        Ok(thin.admit(solve(&problem.on(&thin.kernel, &interfaces, tolerance))?, problem.interfaces))
+        let mut simpler = problem.on(&thin.kernel, &interfaces, tolerance);
+        simpler.operations = operations;
+        Ok(thin.admit(solve(&simpler)?, problem.interfaces))
     };
     if thin.error <= problem.tolerance || thin.is_unresolved() {
-        return without().or_else(|_: ContactError| solve(problem));
+        return without(problem.operations).or_else(|_: ContactError| solve(problem));
     }
     let found = solve(problem);
     if found.as_ref().is_ok_and(|all| worst(all) <= thin.error) {
         return found;
     }
-    match (&found, without()) {
+    // both together take half as long again as one at most
+    match (&found, without(0.5 * problem.operations)) {
         (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found,
         (_, Ok(without)) => Ok(without),
         (_, Err(_)) => found,

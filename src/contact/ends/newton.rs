@@ -8,7 +8,7 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, MOST_OPERATIONS, PATIENCE, SLOW};
+use crate::contact::problem::accuracy::{COARSE, MINOR, PATIENCE, SLOW};
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -38,7 +38,7 @@ pub(crate) struct Work {
     pub(crate) factorisations: usize,
     /// Why each refinement level ended.
     pub(crate) stopped: Vec<Stopped>,
-    /// Multiplications, about: those of integrals over products of modes, and of factorisations; see [`MOST_OPERATIONS`].
+    /// Multiplications, about: those of integrals over products of modes, and of factorisations; see [`Problem::operations`].
     pub(crate) operations: f64,
 }
 
@@ -189,7 +189,7 @@ impl<'a> Newton<'a> {
         self.work.factorisations += 1;
         let (unknowns, products) = solved.iter().fold((0, 0), |(n, p), count| (n + count, p + count * count));
         self.work.operations += layout.nodes() as f64 * products as f64 + (unknowns as f64).powi(3) / 3.0;
-        if self.work.operations > MOST_OPERATIONS {
+        if self.work.operations > self.problem.operations {
             return None;
         }
         let free: Vec<usize> = support.free().collect();

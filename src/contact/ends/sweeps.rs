@@ -7,15 +7,12 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{Layout, negligible};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING, SLOW};
+use crate::contact::problem::accuracy::{COARSE, MINOR, PATIENCE, ROUNDING, SLOW};
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
 use crate::contact::problem::profile::Slopes;
 use crate::contact::problem::support::{Support, longest};
 use crate::solution::Stopped;
-
-/// The last digits come from sweeps; this many at most.
-const SWEEPS: usize = 12;
 
 impl Newton<'_> {
     /// A fine solution: goes on from half-lengths nearby, found with `fewer` modes, and sweeps with more modes than are solved
@@ -188,7 +185,7 @@ impl<'a> Sweeps<'a> {
         let linear = linear(self.tolerance, self.solved);
         let strong = self.strong.clone();
         let (mut bases, mut slopes) = (self.bases(), self.slopes());
-        for sweep in 0..SWEEPS {
+        for sweep in 0..PATIENCE {
             work.step();
             let equations = Equations::new(self.layout, &bases, self.solved, &strong, &self.support);
             let found = self.linearised.sweep(&equations, &slopes, &self.drift, &mut self.modes);

@@ -7,7 +7,7 @@ mod gaps;
 mod half_plane;
 mod interval;
 
-use crate::contact::problem::accuracy::{MOST_OPERATIONS, PATIENCE, ROUNDING, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{PATIENCE, ROUNDING, SAFETY, SLOW};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -41,8 +41,9 @@ const SHORT: f64 = 1e-7;
 struct Work {
     /// Steps for each number of pressures.
     steps: Vec<usize>,
-    /// Multiplications, about, see [`MOST_OPERATIONS`].
+    /// Multiplications, about, and how many there may be.
     operations: f64,
+    most: f64,
 }
 
 impl Work {
@@ -50,7 +51,7 @@ impl Work {
     /// long as some 64 multiplications. `None` if they are too many.
     fn spend(&mut self, fields: usize, tests: usize, wavenumbers: usize, times: usize) -> Option<()> {
         self.operations += (wavenumbers + fields) as f64 * tests as f64 * (fields + 64 * times) as f64;
-        (self.operations <= MOST_OPERATIONS).then_some(())
+        (self.operations <= self.most).then_some(())
     }
 }
 
@@ -77,7 +78,7 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
     let fewer = (merged != all).then_some(merged);
     let starts = [Some(all), fewer].into_iter().flatten();
-    let mut work = Work::default();
+    let mut work = Work { most: problem.operations, ..Work::default() };
     starts
         .flat_map(|intervals| [false, true].map(|joint| (intervals.clone(), joint)))
         .find_map(|(intervals, joint)| solve_from(problem, intervals, joint, &mut work))

@@ -28,4 +28,4 @@ pub(crate) const PLACES: usize = 24;
 /// Multiplications at most, all starts together, for contacts of one interval each, and as many again where there are several: some
 /// seconds. The hardest scenes that are known to be solved need two thirds of it. Twice as many: scenes that are not solved take twice
 /// the time.
-pub(crate) const MOST_OPERATIONS: f64 = 1.5e11;
+pub(crate) const MOST_OPERATIONS: f64 = 1e11;

@@ -13,6 +13,7 @@ use crate::kernel::Kernel;
 use crate::scene::Punch;
 use crate::solution::Interface;
 
+use accuracy::MOST_OPERATIONS;
 use load::Given;
 use profile::{Local, Profile, Slopes};
 use support::{End, Support, span};
@@ -29,6 +30,8 @@ pub(crate) struct Problem<'a> {
     pub(crate) force: f64,
     /// Relative error wanted.
     pub(crate) tolerance: f64,
+    /// Multiplications at most, see [`MOST_OPERATIONS`].
+    pub(crate) operations: f64,
 }
 
 /// What is special about a contact.
@@ -58,7 +61,7 @@ impl<'a> Problem<'a> {
         };
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
         let sides = std::iter::once(top).chain(closed).collect();
-        Self { kernel, interfaces, sides, punch, force, tolerance }
+        Self { kernel, interfaces, sides, punch, force, tolerance, operations: MOST_OPERATIONS }
     }
 
     /// The same punch and force on another kernel in the same units, with another tolerance.

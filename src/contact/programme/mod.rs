@@ -25,10 +25,12 @@ pub(super) use answer::answer;
 const REACH: f64 = 6.0;
 /// How often the grid is made longer, at most.
 const LONGER: usize = 3;
+/// How often it is made longer or finer.
+const CYCLES: usize = 14;
 /// For starts.
-const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
+const COARSE: Resolution = Resolution { ends: 0.02, elements: 150 };
 /// For answers.
-const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
+const FINE: Resolution = Resolution { ends: 0.005, elements: 450 };
 /// Contact intervals, and gaps between them, of no more than this many elements may be artefacts of the grid; as many elements on either
 /// side of an end are refined.
 const UNRESOLVED: usize = 2;
@@ -44,7 +46,7 @@ const LEAST_FORCE: f64 = 1e-8;
 struct Resolution {
     /// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it.
     ends: f64,
-    /// Grids of more elements are not refined.
+    /// Elements besides those of the first grid: with more, none are refined.
     elements: usize,
 }
 
@@ -128,7 +130,9 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
     let edge = problem.top().edge().filter(|_| kernel.is_topmost());
     let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return cycles };
     let mut longer = LONGER;
-    while let Some(energy) = Energy::new(kernel, problem, &grid) {
+    let most = grid.elements() + resolution.elements;
+    for _ in 0..CYCLES {
+        let Some(energy) = Energy::new(kernel, problem, &grid) else { break };
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));
@@ -143,7 +147,7 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
         if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(REACH);
-        } else if grid.elements() > resolution.elements || !grid.refine(&ends) {
+        } else if grid.elements() > most || !grid.refine(&ends) {
             break;
         }
     }
