@@ -17,9 +17,9 @@ use crate::solution::{Interface, Solution};
 
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
-/// How often a contact in tension is tried again with its end where the tension begins, and before. Twice as often: nothing else is
-/// found.
-const SHORTER: usize = 3;
+/// How often Newton's method starts from the ends that the quadratic programme has seen, with a shorter contact each time there is
+/// tension. With three, two of 2,001 random scenes are not found that are with five.
+const SHORTER: usize = 5;
 /// Each time by this many thicknesses of the thinner body: over about that length it carries a bending moment.
 const BENT: f64 = 2.5;
 
