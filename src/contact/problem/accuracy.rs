@@ -25,7 +25,5 @@ pub(crate) const PATIENCE: usize = 20;
 pub(crate) const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places next to a contact, and as many farther out.
 pub(crate) const PLACES: usize = 24;
-/// Multiplications at most, all starts together, for contacts of one interval each, and as many again where there are several: some
-/// seconds. The hardest scenes that are known to be solved need two thirds of it. Twice as many: scenes that are not solved take twice
-/// the time.
+/// Multiplications at most, all starts together: some seconds. Twice as many: scenes that are not solved take twice the time.
 pub(crate) const MOST_OPERATIONS: f64 = 1e11;

@@ -12,8 +12,6 @@ use crate::solution::{Form, Part, Solution, Stats, Strip};
 use super::grid::Grid;
 use super::{Cycle, FINE, UNRESOLVED, cycles};
 
-/// ... and by this part at least: elements well inside a contact are the same on all grids.
-const LEAST_ERROR: f64 = 0.02;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
 
@@ -57,7 +55,13 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         () if side.is_sharp() => f64::INFINITY,
         () => middle(last) / force,
     };
-    Some(Found { intervals, peak, peak_error: LEAST_ERROR * peak + change / force, strips: last.strips(i, force) })
+    // elements well inside a contact are the same on all grids: no better than the coarse ones
+    Some(Found {
+        intervals,
+        peak,
+        peak_error: super::COARSE.ends * peak + change / force,
+        strips: last.strips(i, force),
+    })
 }
 
 /// Where contact i of the programme touches, from the middle outwards.

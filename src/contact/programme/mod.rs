@@ -28,9 +28,9 @@ const LONGER: usize = 3;
 /// How often it is made longer or finer.
 const CYCLES: usize = 14;
 /// For starts.
-const COARSE: Resolution = Resolution { ends: 0.02, elements: 150 };
+const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
 /// For answers.
-const FINE: Resolution = Resolution { ends: 0.005, elements: 450 };
+const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
 /// Contact intervals, and gaps between them, of no more than this many elements may be artefacts of the grid; as many elements on either
 /// side of an end are refined.
 const UNRESOLVED: usize = 2;
