@@ -1,4 +1,4 @@
-//! The page on numerical constants lists those that the contact solver has.
+//! The page on numerical constants lists every named constant of the contact solver, and no other.
 use super::{files, read, root};
 
 /// Each row of the page has the file, the name and the value of a constant.

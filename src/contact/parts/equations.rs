@@ -158,7 +158,7 @@ impl Equations<'_> {
         first..first + self.of(contact).count() * self.count
     }
 
-    /// The equations: those that fix pressures at given ends, and then those that are left over for the ends. With pressures given,
+    /// The equations: those that determine pressures at prescribed ends, and then those that determine the ends. With pressures prescribed,
     /// each has one entry, what all of these make of it: that takes as many operations less as there are pressures.
     fn rows_with(&self, pressures: Option<&[f64]>) -> Vec<Equation> {
         let size = if pressures.is_some() { 1 } else { self.intervals.len() * self.count };

@@ -113,7 +113,7 @@ pub(super) fn active(problem: &Problem, expected: &[f64], far: f64) -> Option<Ve
 
 /// The last refinement cycles, two at most, with the finest grids.
 fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Vec<Cycle> {
-    // a pressure that is given is none of those of the programme
+    // a prescribed traction is no unknown of the programme
     let given = problem.top().given();
     let kernel = &match given {
         Some(given) => Compliances::below_first(problem.kernel, |zeta| given.transform_minus_one(zeta)),
@@ -138,12 +138,12 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));
         let ends: Vec<(usize, f64)> =
             touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
-        cycles.push(Cycle { grid: grid.clone(), touching: touching.clone(), forces });
+        // an interval of re-contact that reaches the end of the grid does not end
+        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
+        cycles.push(Cycle { grid: grid.clone(), touching, forces });
         if cycles.len() > 2 {
             cycles.remove(0);
         }
-        // an interval of re-contact that reaches the end of the grid does not end
-        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(REACH);

@@ -3,7 +3,8 @@
 //! 1. Closed-form estimates of the half-lengths ([`super::formulas`]).
 //! 2. The coarse quadratic programme, asked once the former have failed: it cannot converge to a non-physical root. Where it
 //!    sees several intervals in a contact, [`parts`] solves for these; else Newton's method begins at its ends.
-//! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning.
+//! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning, unless there is
+//!    a solution with a large error estimate that has the same pressures.
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::parts;
 use crate::contact::problem::Problem;
@@ -49,7 +50,8 @@ pub(crate) fn solve_in_order(
         Outcome::Failed(failure) => {
             let doubtful = search.doubtful.take().filter(|(_, attempt)| search.knows_all(attempt));
             match (doubtful, low_accuracy(&search.expected, search.far)) {
-                // the programme has one solution only, which others are measured by; ends where next to nothing presses it sees badly
+                // the quadratic programme has one solution only; its pressures decide, not its ends, which it resolves badly where
+                // pressures are small
                 (Some((_, attempt)), Some(low)) if !agree(&attempt.solution, &low) => low,
                 (Some((_, attempt)), _) => attempt.solution,
                 (None, low) => low.ok_or(*failure)?,
