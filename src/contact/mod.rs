@@ -31,6 +31,7 @@ use answer::{Answer, stats};
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
+use problem::iteration::Operations;
 use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
@@ -74,7 +75,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
         let known = Answer { contacts: Vec::new(), min_pressure: 0.0, min_gap: 0.0, stats, warnings: Vec::new() };
         return Ok(known.into_solution(problem));
     }
-    let mut work = Work::default();
+    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     if let Some(start) = table.and_then(|table| table.start(problem))
         && let Ok(attempt) = solve_from(problem, start, &mut work)
         && attempt.solution.warnings.is_empty()

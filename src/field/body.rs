@@ -72,9 +72,20 @@ pub(super) struct Body {
 #[derive(Clone, Debug)]
 pub(super) struct Face {
     pub(super) surface: Surface,
-    /// The remainder of the fields there for short waves, size·λ^(−power) per unit of p̂; 0 if the material is homogeneous.
+    /// What the closed form leaves of the fields there.
+    pub(super) remainder: Remainder,
+}
+
+/// A remainder for short waves, size·λ^(−power) per unit of p̂.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Remainder {
     pub(super) size: f64,
     pub(super) power: f64,
+}
+
+impl Remainder {
+    /// That of a homogeneous material.
+    const NONE: Self = Self { size: 0.0, power: 2.0 };
 }
 
 /// The layers from the top down, without those of thickness 0.
@@ -151,7 +162,7 @@ impl Body {
             surface.shift = f64::INFINITY;
             let same = |l: f64| Some(self.remainder(&surface, side, placed, plane, &wave(l / length))? < NEGLIGIBLE);
             if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| same(l) == Some(true)) {
-                return Some(Face { surface, size: 0.0, power: 2.0 });
+                return Some(Face { surface, remainder: Remainder::NONE });
             }
             surface = Surface::new(&material, length, modulus)?;
         }
@@ -162,12 +173,12 @@ impl Body {
         let remainders = remainders?;
         let (first, last) = (remainders[0], remainders[remainders.len() - 1]);
         if last <= NEGLIGIBLE {
-            return Some(Face { surface, size: 0.0, power: 2.0 });
+            return Some(Face { surface, remainder: Remainder::NONE });
         }
         let power = ((first / last).log2() / f64::from(DOUBLINGS - 1)).clamp(0.0, 3.0);
         let size =
             remainders.iter().enumerate().map(|(k, remainder)| remainder * (short * 2f64.powi(k as i32)).powf(power));
-        Some(Face { surface, size: size.fold(0.0, f64::max), power })
+        Some(Face { surface, remainder: Remainder { size: size.fold(0.0, f64::max), power } })
     }
 
     /// The remainder of the stresses next to a face, per unit load on it: their largest difference from those of the surface.

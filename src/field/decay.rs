@@ -2,7 +2,7 @@
 use std::f64::consts::PI;
 
 use super::Field;
-use super::body::PlacedLayer;
+use super::body::{PlacedLayer, Remainder};
 use super::pressure::Pressure;
 use super::sum::Row;
 use super::waves::{self, Precision};
@@ -18,8 +18,8 @@ struct Decay<'a> {
     distance: f64,
     /// Fields that do not come from the face directly fall faster, like e^(−λ·reflected).
     reflected: f64,
-    /// The remainder that the closed form leaves of the face, size·λ^(−power); `None` if there is no closed form.
-    remainder: Option<[f64; 2]>,
+    /// The remainder that the closed form leaves of the face; `None` if there is no closed form.
+    remainder: Option<Remainder>,
     /// The pressure on the face.
     pressure: &'a Pressure,
     /// Length over which its resultant is spread, to be compared with the truncation error.
@@ -35,7 +35,7 @@ impl Decay<'_> {
     /// A bound on the contribution of all waves beyond a wavenumber, in parts of the mean pressure.
     fn truncation(&self, from: f64) -> f64 {
         let t = from * self.distance;
-        let Some([size, power]) = self.remainder else { return (-t).exp() };
+        let Some(Remainder { size, power }) = self.remainder else { return (-t).exp() };
         if size == 0.0 {
             return 0.0;
         }
@@ -93,7 +93,7 @@ impl Field {
             let decay = Decay {
                 distance,
                 reflected: (distance + shift).min(2.0 * thickness - distance),
-                remainder: face.map(|face| [face.size, face.power]),
+                remainder: face.map(|face| face.remainder),
                 pressure,
                 length: pressure.half_length.max(shift),
             };

@@ -16,6 +16,15 @@ pub(super) struct Pressure {
     strips: Vec<(f64, StripPressure)>,
 }
 
+/// The transform of a pressure at a wavenumber, eq. (22).
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Transform {
+    /// p̂
+    pub(super) value: f64,
+    /// p̂ − P, which is O(λ²), accurate to rounding.
+    pub(super) variation: f64,
+}
+
 impl Pressure {
     pub(super) fn new(contact: &Contact) -> Self {
         let strips = contact.strips.iter().map(|strip| (strip.at, StripPressure::new(strip))).collect();
@@ -73,28 +82,30 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| images(*at) * strip.resultant()).sum()
     }
 
-    /// p̂ and p̂ − P at some wavenumbers, eq. (22); the latter is O(λ²) and accurate to rounding.
-    pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
-        let mut sums = vec![[0.0; 2]; wavenumbers.len()];
+    /// The transforms at some wavenumbers.
+    pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+        let mut sums = vec![Transform::default(); wavenumbers.len()];
         for (at, strip) in &self.strips {
             let resultant = strip.resultant();
             for ((sum, variation), wavenumber) in
                 sums.iter_mut().zip(strip.minus_resultant(wavenumbers)).zip(wavenumbers)
             {
-                let [all, variation] = if *at == 0.0 {
-                    [resultant + variation, variation]
+                if *at == 0.0 {
+                    sum.value += resultant + variation;
+                    sum.variation += variation;
                 } else {
                     // 2 cos λx (P + variation) − 2P
                     let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
                     let both = 2.0 * (cos * cos - sin * sin);
-                    [both * (resultant + variation), both * variation - 4.0 * sin * sin * resultant]
-                };
-                *sum = [sum[0] + all, sum[1] + variation];
+                    sum.value += both * (resultant + variation);
+                    sum.variation += both * variation - 4.0 * sin * sin * resultant;
+                }
             }
             if strip.is_skew() {
                 for ((sum, odd), wavenumber) in sums.iter_mut().zip(strip.sines(wavenumbers)).zip(wavenumbers) {
                     let odd = -2.0 * (wavenumber * at).sin() * odd;
-                    *sum = [sum[0] + odd, sum[1] + odd];
+                    sum.value += odd;
+                    sum.variation += odd;
                 }
             }
         }

@@ -9,6 +9,7 @@ use recede_layers::{State, Wave};
 use super::body::{Body, Face, PlacedLayer, components};
 use super::error::FieldError;
 use super::potentials::Components;
+use super::pressure::{Pressure, Transform};
 use super::strip::Singularity;
 use super::waves::{self, CutOff, Panel, Precision};
 use super::{Field, Load};
@@ -34,6 +35,16 @@ struct Active {
     end: f64,
     /// ∫ (V at the depth − V at the reference point) dλ/π
     lift: f64,
+}
+
+/// How far the sums over wavenumbers go.
+struct CutOffs {
+    /// Pressure by pressure.
+    pressures: Vec<CutOff>,
+    /// For the reference points of the bodies.
+    origins: Vec<f64>,
+    /// The rows with anything to sum, by their sets, those with the largest cut-offs first.
+    active: Vec<Active>,
 }
 
 /// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
@@ -127,34 +138,16 @@ impl Field {
         values: &mut [Vec<Components>],
     ) -> Result<(), FieldError> {
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
-        let extent = |contact: usize| farthest + self.length(contact);
-        let most = |contact: usize| waves::most(extent(contact));
-        let mut cut_offs: Vec<CutOff> =
-            (0..self.pressures.len()).map(|i| CutOff { end: 0.0, extent: extent(i) }).collect();
-        // the last wavenumber of a row
-        let mut end_of = |row: &Row| {
-            self.ends(row, precision, most).fold(0.0, |last: f64, (contact, end)| {
-                cut_offs[contact].end = cut_offs[contact].end.max(end);
-                last.max(end)
-            })
-        };
-        let wanted = rows.iter().enumerate().filter(|(_, row)| !sets[row.set].is_empty());
-        let mut active: Vec<Active> = wanted
-            .map(|(index, row)| Active { row: *row, index, end: end_of(row), lift: 0.0 })
-            .filter(|active| active.end > 0.0)
-            .collect();
+        let CutOffs { pressures: cut_offs, origins, mut active } = self.cut_offs(rows, sets, precision, farthest);
         if active.is_empty() {
             return Ok(());
         }
-        let origins: Vec<f64> =
-            self.bodies.iter().map(|body| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row))).collect();
-        let is_cut = |contact: usize| cut_offs[contact].end >= most(contact);
+        let is_cut = |contact: usize| cut_offs[contact].end >= waves::most(cut_offs[contact].extent);
         let near = (0..cut_offs.len()).filter(|i| is_cut(*i)).filter_map(|i| self.nearest(rows, precision, i));
         let near = near.fold(f64::INFINITY, f64::min);
         if farthest > near && sets.iter().flatten().any(|x| *x <= near) {
             return self.integrate_apart(near, rows, sets, precision, values);
         }
-        active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
         let panels = waves::panels(&cut_offs, self.origin(), precision).ok_or(FieldError::TooFar { x: farthest })?;
         let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.layers.len()) as f64;
         if evaluations > precision.evaluations {
@@ -165,13 +158,13 @@ impl Field {
         // ∫ V at the reference points, panel by panel
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
-            let (wavenumbers, weights) = panel.points();
-            let block = self.block(panel, (&wavenumbers, &weights), &mut active, &origins, &cut_offs)?;
-            for (body, origin) in block.references.iter().enumerate() {
-                references[body][k] = *origin;
+            let waves = self.waves(panel, &cut_offs);
+            let mut block = Block { values: vec![0.0; 5 * waves.count() * active.len()] };
+            for (body, references) in references.iter_mut().enumerate() {
+                references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
             }
             for sum in &mut sums {
-                sum.add(&wavenumbers, &block, &active, panel.lo);
+                sum.add(&waves, &block, &active);
             }
         }
         for sum in &sums {
@@ -184,6 +177,29 @@ impl Field {
             values[active.index].iter_mut().for_each(|value| value[4] += active.lift - beyond);
         }
         Ok(())
+    }
+
+    /// The cut-offs for these rows, with places as far out as `farthest`.
+    fn cut_offs(&self, rows: &[Row], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
+        let cut_off = |contact: usize| CutOff { end: 0.0, extent: farthest + self.length(contact) };
+        let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
+        let most: Vec<f64> = pressures.iter().map(|cut_off| waves::most(cut_off.extent)).collect();
+        // the last wavenumber of a row
+        let mut end_of = |row: &Row| {
+            self.ends(row, precision, |contact| most[contact]).fold(0.0, |last: f64, (contact, end)| {
+                pressures[contact].end = pressures[contact].end.max(end);
+                last.max(end)
+            })
+        };
+        let wanted = rows.iter().enumerate().filter(|(_, row)| !sets[row.set].is_empty());
+        let mut active: Vec<Active> = wanted
+            .map(|(index, row)| Active { row: *row, index, end: end_of(row), lift: 0.0 })
+            .filter(|active| active.end > 0.0)
+            .collect();
+        active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
+        let mut origin = |body: &Body| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row));
+        let origins = if active.is_empty() { Vec::new() } else { self.bodies.iter().map(&mut origin).collect() };
+        CutOffs { pressures, origins, active }
     }
 
     /// The same for the places up to `near` and for those beyond separately: far from a short contact, the short waves that matter next
@@ -219,75 +235,74 @@ impl Field {
         Some(Row { layer, depth, set: 0 })
     }
 
-    /// The transformed components, times weights, in all rows whose cut-off is beyond a panel.
-    fn block(
+    /// The wavenumbers of a panel, with the transforms of the pressures there.
+    fn waves(&self, panel: &Panel, cut_offs: &[CutOff]) -> Waves {
+        let (wavenumbers, weights) = panel.points();
+        let of = |(pressure, cut_off): (&Pressure, &CutOff)| match cut_off.end > panel.lo {
+            true => pressure.transforms(&wavenumbers),
+            false => vec![Transform { value: 0.0, variation: -pressure.resultant() }; wavenumbers.len()],
+        };
+        let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
+        Waves { from: panel.lo, wavenumbers, weights, transforms }
+    }
+
+    /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and ∫ V at the
+    /// reference point of the body.
+    fn add_body(
         &self,
-        panel: &Panel,
-        (wavenumbers, weights): (&[f64], &[f64]),
+        index: usize,
+        waves: &Waves,
         active: &mut [Active],
-        origins: &[f64],
-        cut_offs: &[CutOff],
-    ) -> Result<Block, FieldError> {
-        let n = wavenumbers.len();
-        let mut transforms: Vec<Vec<[f64; 2]>> = vec![Vec::new(); self.pressures.len()];
-        let mut block = Block { values: vec![0.0; 5 * n * active.len()], references: vec![0.0; self.bodies.len()] };
-        for (i, body) in self.bodies.iter().enumerate() {
-            // (depth, row or `None` for the reference point), layer by layer
-            let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
-            for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > panel.lo) {
-                let placed = &self.layers[active.row.layer];
-                if placed.body == i {
-                    wanted[placed.place].push((active.row.depth, Some(k)));
-                }
-            }
-            if wanted.iter().all(Vec::is_empty) && origins[i] <= panel.lo {
-                continue;
-            }
-            let contacts = 1 + usize::from(body.bottom.is_some());
-            for contact in body.contact..body.contact + contacts {
-                let (transform, pressure) = (&mut transforms[contact], &self.pressures[contact]);
-                if transform.is_empty() {
-                    *transform = if cut_offs[contact].end > panel.lo {
-                        pressure.transforms(wavenumbers)
-                    } else {
-                        vec![[0.0, -pressure.resultant()]; n]
-                    };
-                }
-            }
-            if let Some((place, depth)) = body.reference.filter(|_| origins[i] > 0.0) {
-                wanted[place].push((depth, None));
-            }
-            wanted.iter_mut().for_each(|wanted| wanted.sort_by(|a, b| a.0.total_cmp(&b.0)));
-            let depths: Vec<Vec<f64>> =
-                wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
-            let layers: Vec<&PlacedLayer> = self.layers.iter().filter(|placed| placed.body == i).collect();
-            for (q, (wavenumber, weight)) in wavenumbers.iter().zip(weights).enumerate() {
-                let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
-                let load = self.load(body, *wavenumber, |contact| transforms[contact][q]);
-                let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
-                let mut reference = 0.0;
-                let mut lifts: Vec<(usize, f64)> = Vec::new();
-                for ((placed, wanted), states) in layers.iter().zip(&wanted).zip(&states) {
-                    for ((depth, row), state) in wanted.iter().zip(states) {
-                        let remainder = self
-                            .remainder(body, placed, (*depth, *wavenumber), state, |contact| transforms[contact][q])
-                            .map(|value| value * weight / PI);
-                        match row {
-                            Some(k) => {
-                                for (c, value) in remainder.into_iter().enumerate() {
-                                    block.values[(5 * k + c) * n + q] = value;
-                                }
-                                lifts.push((*k, remainder[4]));
-                            }
-                            None => reference = remainder[4],
-                        }
-                    }
-                }
-                lifts.into_iter().for_each(|(k, value)| active[k].lift += value - reference);
-                block.references[i] += reference;
+        origin: f64,
+        block: &mut Block,
+    ) -> Result<f64, FieldError> {
+        let body = &self.bodies[index];
+        let n = waves.count();
+        // (depth, row or `None` for the reference point), layer by layer
+        let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
+        for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > waves.from) {
+            let placed = &self.layers[active.row.layer];
+            if placed.body == index {
+                wanted[placed.place].push((active.row.depth, Some(k)));
             }
         }
-        Ok(block)
+        let mut reference = 0.0;
+        if wanted.iter().all(Vec::is_empty) && origin <= waves.from {
+            return Ok(reference);
+        }
+        if let Some((place, depth)) = body.reference.filter(|_| origin > 0.0) {
+            wanted[place].push((depth, None));
+        }
+        wanted.iter_mut().for_each(|wanted| wanted.sort_by(|a, b| a.0.total_cmp(&b.0)));
+        let depths: Vec<Vec<f64>> =
+            wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
+        let layers: Vec<&PlacedLayer> = self.layers.iter().filter(|placed| placed.body == index).collect();
+        for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
+            let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
+            let transform = |contact: usize| waves.transforms[contact][q];
+            let load = load(body, *wavenumber, transform);
+            let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
+            let mut at_reference = 0.0;
+            let mut lifts: Vec<(usize, f64)> = Vec::new();
+            for ((placed, wanted), states) in layers.iter().zip(&wanted).zip(&states) {
+                for ((depth, row), state) in wanted.iter().zip(states) {
+                    let remainder = self.remainder(body, placed, (*depth, *wavenumber), state, transform);
+                    let remainder = remainder.map(|value| value * weight / PI);
+                    match row {
+                        Some(k) => {
+                            for (c, value) in remainder.into_iter().enumerate() {
+                                block.values[(5 * k + c) * n + q] = value;
+                            }
+                            lifts.push((*k, remainder[4]));
+                        }
+                        None => at_reference = remainder[4],
+                    }
+                }
+            }
+            lifts.into_iter().for_each(|(k, value)| active[k].lift += value - at_reference);
+            reference += at_reference;
+        }
+        Ok(reference)
     }
 
     /// The components of a state at a depth, minus those of the closed forms of the faces.
@@ -297,37 +312,52 @@ impl Field {
         placed: &PlacedLayer,
         (depth, wavenumber): (f64, f64),
         state: &State,
-        transform: impl Fn(usize) -> [f64; 2],
+        transform: impl Fn(usize) -> Transform,
     ) -> Components {
         let mut remainder = components(state, &placed.layer.material(depth, self.plane), self.modulus);
         for (face, contact, distance) in faces(body, placed, depth) {
             let surface = face.surface.transformed(wavenumber, distance);
-            let [p, _] = transform(contact);
-            remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= p * surface);
+            let pressure = transform(contact).value;
+            remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= pressure * surface);
         }
         let displacement = 1.0 / (wavenumber * self.modulus);
         remainder[3] *= displacement;
         remainder[4] *= displacement;
         remainder
     }
+}
 
-    /// The loads on a body: for long waves, the equal part of both pressures and their small difference.
-    fn load(&self, body: &Body, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> Load {
-        let [top, top_variation] = transform(body.contact);
-        let Some(bottom) = body.bottom else { return Load { top: -top, ..Load::default() } };
-        let [other, other_variation] = transform(body.contact + 1);
-        if wavenumber * (bottom - body.top) > 1.0 {
-            Load { top: -top, bottom: -other, equal: 0.0 }
-        } else {
-            Load { top: 0.0, bottom: top_variation - other_variation, equal: -top }
-        }
+/// The loads on a body: for long waves, the equal part of both pressures and their small difference.
+fn load(body: &Body, wavenumber: f64, transform: impl Fn(usize) -> Transform) -> Load {
+    let top = transform(body.contact);
+    let Some(bottom) = body.bottom else { return Load { top: -top.value, ..Load::default() } };
+    let other = transform(body.contact + 1);
+    if wavenumber * (bottom - body.top) > 1.0 {
+        Load { top: -top.value, bottom: -other.value, equal: 0.0 }
+    } else {
+        Load { top: 0.0, bottom: top.variation - other.variation, equal: -top.value }
     }
 }
 
-/// One panel: component c of row k at the wavenumber q stands at (5k + c)·n + q.
+/// The wavenumbers of one panel.
+struct Waves {
+    /// Where the panel begins.
+    from: f64,
+    wavenumbers: Vec<f64>,
+    weights: Vec<f64>,
+    /// Transforms of the pressures, contact by contact.
+    transforms: Vec<Vec<Transform>>,
+}
+
+impl Waves {
+    fn count(&self) -> usize {
+        self.wavenumbers.len()
+    }
+}
+
+/// Transformed components in one panel: component c of row k at the wavenumber q stands at (5k + c)·n + q.
 struct Block {
     values: Vec<f64>,
-    references: Vec<f64>,
 }
 
 /// The sums over wavenumbers at the places of one set, for its rows: column by column, one value per place.
@@ -347,16 +377,16 @@ impl<'a> Sums<'a> {
         Self { places, rows, displacements, values: std::array::from_fn(|_| vec![0.0; size]) }
     }
 
-    /// Adds a panel that begins at the wavenumber `lo`.
-    fn add(&mut self, wavenumbers: &[f64], block: &Block, active: &[Active], lo: f64) {
-        let (n, m) = (wavenumbers.len(), self.places.len());
-        let count = active[self.rows.clone()].partition_point(|active| active.end > lo);
+    /// Adds a panel.
+    fn add(&mut self, waves: &Waves, block: &Block, active: &[Active]) {
+        let (n, m) = (waves.count(), self.places.len());
+        let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
         if count == 0 || m == 0 {
             return;
         }
         // sin λx, cos λx and cos λx − 1, which is formed without cancellation
         let mut tables = [vec![0.0; m * n], vec![0.0; m * n], vec![0.0; m * n]];
-        for (q, wavenumber) in wavenumbers.iter().enumerate() {
+        for (q, wavenumber) in waves.wavenumbers.iter().enumerate() {
             for (k, x) in self.places.iter().enumerate() {
                 let (sin, cos) = (0.5 * wavenumber * x).sin_cos();
                 let at = q * m + k;

@@ -56,15 +56,7 @@ pub fn map(
     let values = range(points().map(|point| quantity.of(point)), clipped).ok_or_else(|| {
         PlotError::Empty(format!("{} is infinite or not known at all points of the map", quantity.name()))
     })?;
-    let along = WIDTH / (x.1 - x.0);
-    let true_height = along * (depth.1 - depth.0);
-    let height = true_height.clamp(HEIGHTS[0], HEIGHTS[1]);
-    let across = height / (depth.1 - depth.0);
-    let begins_on_top = depth.0 <= 0.0;
-    let top = if begins_on_top { ABOVE } else { TOP };
-    let on_ground = field.layers().last().is_some_and(|(_, [_, to])| to <= depth.1 * (1.0 + 1e-9));
-    let ground = if on_ground { GROUND } else { 0.0 };
-    let frame = Frame { left: LEFT, top, right: LEFT + WIDTH, bottom: top + height + ground };
+    let Layout { frame, scale, shown, stretched, ground } = Layout::new(field, x, depth);
     let map = Map {
         scene,
         contacts: solution.contacts(),
@@ -76,7 +68,7 @@ pub fn map(
         chart: Chart {
             frame,
             x: Scale::around([x.0, x.1]),
-            y: Scale::around([depth.0, depth.1 + ground / across]).reversed(),
+            y: Scale::around([depth.0, depth.1 + ground]).reversed(),
             x_label: italic("x"),
             x_unit: unit(scene, Dimension::Length),
             y_label: "depth".into(),
@@ -84,23 +76,52 @@ pub fn map(
             curves: Vec::new(),
             labels: Labels::AtEnds,
         },
-        scale: [along, across],
+        scale,
     };
-    let lowest = (frame.bottom + BELOW).max(top + BAR[1] + TOP);
+    let lowest = (frame.bottom + BELOW).max(frame.top + BAR[1] + TOP);
     let right = BETWEEN + BAR[0] + RIGHT;
-    let name = if begins_on_top { 9.0 + 0.58 * SMALL * scene.punch.label().chars().count() as f64 } else { 0.0 };
+    let name = if shown { 9.0 + 0.58 * SMALL * scene.punch.label().chars().count() as f64 } else { 0.0 };
     let mut picture = Picture::new(LEFT + WIDTH + right.max(name), lowest);
     for grid in grids {
         map.bands(&mut picture, grid);
     }
-    if begins_on_top {
+    if shown {
         map.punch().draw(&mut picture);
     }
     map.interfaces(&mut picture);
     map.chart.draw(&mut picture);
-    map.largest(&mut picture, frame.bottom + BELOW - 12.0, height / true_height);
+    map.largest(&mut picture, frame.bottom + BELOW - 12.0, stretched);
     map.bar(&mut picture);
     Ok(picture)
+}
+
+/// Where a map stands in the picture.
+struct Layout {
+    frame: Frame,
+    /// Units of the picture per unit of length, along and across the layers.
+    scale: [f64; 2],
+    /// Whether the map begins on top, so that the punch is seen.
+    shown: bool,
+    /// How much higher the map is than to scale.
+    stretched: f64,
+    /// Depth of the ground drawn below the last layer.
+    ground: f64,
+}
+
+impl Layout {
+    /// For places and depths between these.
+    fn new(field: &Field, x: (f64, f64), depth: (f64, f64)) -> Self {
+        let along = WIDTH / (x.1 - x.0);
+        let to_scale = along * (depth.1 - depth.0);
+        let height = to_scale.clamp(HEIGHTS[0], HEIGHTS[1]);
+        let across = height / (depth.1 - depth.0);
+        let shown = depth.0 <= 0.0;
+        let top = if shown { ABOVE } else { TOP };
+        let on_ground = field.layers().last().is_some_and(|(_, [_, to])| to <= depth.1 * (1.0 + 1e-9));
+        let ground = if on_ground { GROUND } else { 0.0 };
+        let frame = Frame { left: LEFT, top, right: LEFT + WIDTH, bottom: top + height + ground };
+        Self { frame, scale: [along, across], shown, stretched: height / to_scale, ground: ground / across }
+    }
 }
 
 /// Whether a quantity is infinite or not defined because stresses are infinite at this point.

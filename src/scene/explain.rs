@@ -56,8 +56,6 @@ pub(super) fn place(code: &Code, subject: &Subject) -> At {
 
 /// Message and hint. `rest` is the text from the place of the error on.
 pub(super) fn explain(code: &Code, subject: &Subject, rest: &str) -> (String, Option<String>) {
-    let found = token(rest);
-    let expected = |what: &str| format!("{}: {what} is expected, found {found}", subject.name());
     if place(code, subject) == At::Next && rest.trim().is_empty() {
         return ("the text ends too early".into(), Some("is a closing `)`, `]` or `\"` missing?".into()));
     }
@@ -80,6 +78,18 @@ pub(super) fn explain(code: &Code, subject: &Subject, rest: &str) -> (String, Op
         Code::InvalidValueForType { expected, found } => {
             (format!("{}: {expected} is expected, found {found}", subject.name()), None)
         }
+        Code::ExpectedDifferentStructName { expected, found } => {
+            (format!("{} begins with `{expected}(`, found `{found}`", subject.owner), did_you_mean(found, &[expected]))
+        }
+        other => syntax(other, subject, rest),
+    }
+}
+
+/// The same where the text is not written as a scene is.
+fn syntax(code: &Code, subject: &Subject, rest: &str) -> (String, Option<String>) {
+    let found = token(rest);
+    let expected = |what: &str| format!("{}: {what} is expected, found {found}", subject.name());
+    match code {
         Code::ExpectedFloat | Code::ExpectedInteger => (expected("a number"), None),
         Code::ExpectedString => (expected("a text in double quotes"), None),
         Code::ExpectedStringEnd => ("a closing `\"` is missing".into(), None),
@@ -88,9 +98,6 @@ pub(super) fn explain(code: &Code, subject: &Subject, rest: &str) -> (String, Op
             expected("a name"),
             Some("names are written without quotes, fields with their names: `field: value`".into()),
         ),
-        Code::ExpectedDifferentStructName { expected, found } => {
-            (format!("{} begins with `{expected}(`, found `{found}`", subject.owner), did_you_mean(found, &[expected]))
-        }
         Code::ExpectedStructLike | Code::ExpectedNamedStructLike(_) => (
             format!("{}: `(` is expected, found {found}", subject.name()),
             Some("fields are written in parentheses: `name(field: value, ...)`".into()),

@@ -117,32 +117,46 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
         }
     }
     groups.begin_next();
+    // `check_order` has found a base
+    let foundation = foundation.ok_or(StackError { item: None, problem: StackProblem::Empty })?;
+    finish(plane, groups, foundation).map_err(|(item, problem)| match item {
+        Place::Whole => StackError { item: None, problem },
+        Place::Base => at(items.len() - 1, problem),
+        // layers and interfaces alternate
+        Place::Layer(number) => at(2 * (number - 1), problem),
+    })
+}
+
+/// Where something is wrong with a stack whose items are in order.
+enum Place {
+    Whole,
+    Base,
+    /// Number from the top.
+    Layer(usize),
+}
+
+/// The stack of these groups, within the limits.
+fn finish(plane: Plane, groups: Groups, foundation: Foundation) -> Result<Stack, (Place, StackProblem)> {
     let Groups { finished: laminates, open: layers, joints, dropped, .. } = groups;
-    let Some(foundation) = foundation else {
-        // `check_order` has found a base
-        return Err(StackError { item: None, problem: StackProblem::Empty });
-    };
     if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
-        return Err(at(items.len() - 1, StackProblem::NothingElastic));
+        return Err((Place::Base, StackProblem::NothingElastic));
     }
     if let (Foundation::Support { number, support }, true) = (&foundation, layers.is_empty()) {
         let base = format!("layer {number} ({})", support.notation().kind);
-        return Err(at(items.len() - 1, StackProblem::NotBonded { base }));
+        return Err((Place::Base, StackProblem::NotBonded { base }));
     }
-    let whole = |problem| Err(StackError { item: None, problem });
     let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + layers.len();
     if found > MAX_LAYERS {
-        return whole(StackProblem::TooManyLayers { found });
+        return Err((Place::Whole, StackProblem::TooManyLayers { found }));
     }
     if laminates.len() > MAX_RECEDING {
-        return whole(StackProblem::TooManyReceding { found: laminates.len() });
+        return Err((Place::Whole, StackProblem::TooManyReceding { found: laminates.len() }));
     }
     let stack = Stack { plane, laminates, base: Base { layers, joints, foundation }, dropped };
     if !stack.total_thickness().is_finite() {
-        return whole(StackProblem::TooThick);
+        return Err((Place::Whole, StackProblem::TooThick));
     }
-    // layers and interfaces alternate
-    contrast::check(&stack, None).map_err(|(problem, number)| at(2 * (number - 1), problem))?;
+    contrast::check(&stack, None).map_err(|(problem, number)| (Place::Layer(number), problem))?;
     Ok(stack)
 }
 

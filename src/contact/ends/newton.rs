@@ -8,7 +8,8 @@ use crate::contact::error::ContactError;
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, PATIENCE, SLOW};
+use crate::contact::problem::accuracy::{COARSE, MINOR, SLOW};
+use crate::contact::problem::iteration::{Operations, Progress};
 use crate::contact::problem::modes::{COARSEST, Modes};
 use crate::contact::problem::support::{End, Support, longest};
 use crate::kernel::Kernel;
@@ -38,8 +39,7 @@ pub(crate) struct Work {
     pub(crate) factorisations: usize,
     /// Why each refinement level ended.
     pub(crate) stopped: Vec<Stopped>,
-    /// Multiplications, about: those of integrals over products of modes, and of factorisations; see [`Problem::operations`].
-    pub(crate) operations: f64,
+    pub(crate) operations: Operations,
 }
 
 impl Work {
@@ -150,11 +150,8 @@ impl<'a> Newton<'a> {
         let mut kept: Option<LaidOut> = None;
         self.work.steps.push(0);
         self.decaying.begin(solved.len());
-        let (mut last, mut shortest, mut patience) = (f64::INFINITY, f64::INFINITY, PATIENCE);
-        while patience > 0 {
-            if !near(&support.half_lengths, &start, FARTHEST) {
-                break;
-            }
+        let mut progress = Progress::default();
+        while near(&support.half_lengths, &start, FARTHEST) {
             let serves = kept.take().filter(|kept| near(&support.half_lengths, &kept.about, LAYOUT_SERVES));
             let laid_out = serves.or_else(|| self.lay_out(&support.half_lengths, modes, aim.negligible));
             let Some(laid_out) = laid_out else { break };
@@ -164,14 +161,12 @@ impl<'a> Newton<'a> {
                 continue;
             }
             let left = longest(pressures.step.iter().copied());
-            // short steps that no longer shorten are rounding
-            let stuck = last < NEARBY && left > 0.5 * last;
-            if left * left < aim.step || stuck {
+            if left * left < aim.step || progress.is_rounding(left, NEARBY) {
                 return Ok(Point { support, pressures, linearised, layout: laid_out.layout });
             }
-            last = left;
-            patience = if left < shortest { PATIENCE } else { patience - 1 };
-            shortest = shortest.min(left);
+            if !progress.goes_on(left) {
+                break;
+            }
             let shorten = (LONGEST_STEP / support.longest(&pressures.step)).min(1.0);
             self.advance(&mut support, &pressures.step, shorten);
             kept = Some(laid_out);
@@ -188,10 +183,8 @@ impl<'a> Newton<'a> {
         self.work.step();
         self.work.factorisations += 1;
         let (unknowns, products) = solved.iter().fold((0, 0), |(n, p), count| (n + count, p + count * count));
-        self.work.operations += layout.nodes() as f64 * products as f64 + (unknowns as f64).powi(3) / 3.0;
-        if self.work.operations > self.problem.operations {
-            return None;
-        }
+        // integrals over products of modes, and the factorisation
+        self.work.operations.spend(layout.nodes() as f64 * products as f64 + (unknowns as f64).powi(3) / 3.0)?;
         let free: Vec<usize> = support.free().collect();
         solve(&Equations::new(layout, &bases, solved, &strong, support), &slopes, &free)
     }

@@ -7,7 +7,8 @@ mod gaps;
 mod half_plane;
 mod interval;
 
-use crate::contact::problem::accuracy::{PATIENCE, ROUNDING, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
+use crate::contact::problem::iteration::{Operations, Progress};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -41,17 +42,14 @@ const SHORT: f64 = 1e-7;
 struct Work {
     /// Steps for each number of pressures.
     steps: Vec<usize>,
-    /// Multiplications, about, and how many there may be.
-    operations: f64,
-    most: f64,
+    operations: Operations,
 }
 
 impl Work {
     /// Counts integrals over `wavenumbers` of tests times fields, both of which are made `times` times; a Bessel function takes as
     /// long as some 64 multiplications. `None` if they are too many.
     fn spend(&mut self, fields: usize, tests: usize, wavenumbers: usize, times: usize) -> Option<()> {
-        self.operations += (wavenumbers + fields) as f64 * tests as f64 * (fields + 64 * times) as f64;
-        (self.operations <= self.most).then_some(())
+        self.operations.spend((wavenumbers + fields) as f64 * tests as f64 * (fields + 64 * times) as f64)
     }
 }
 
@@ -78,7 +76,7 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
     let fewer = (merged != all).then_some(merged);
     let starts = [Some(all), fewer].into_iter().flatten();
-    let mut work = Work { most: problem.operations, ..Work::default() };
+    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     starts
         .flat_map(|intervals| [false, true].map(|joint| (intervals.clone(), joint)))
         .find_map(|(intervals, joint)| solve_from(problem, intervals, joint, &mut work))
@@ -224,6 +222,11 @@ impl Lengths {
         }
         Self { ends, shortest }
     }
+
+    /// Whether a layout that was made for contacts with these ends serves them.
+    fn are_near(&self, about: &[f64]) -> bool {
+        self.ends.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < LAYOUT_SERVES)
+    }
 }
 
 /// How Newton's method goes on after a step.
@@ -248,69 +251,119 @@ fn converge(
     way: Way,
     work: &mut Work,
 ) -> Option<Level> {
-    let kernel = problem.kernel;
-    let mut layout: Option<(Layout, Vec<f64>)> = None;
-    let mut kept: Option<Mat<f64>> = None;
-    let mut pressures: Option<Vec<f64>> = None;
-    let (mut last, mut shortest_step, mut patience) = (f64::INFINITY, f64::INFINITY, PATIENCE);
-    let mut limit = LONGEST_STEP;
-    let mut moved_by: Vec<f64> = Vec::new();
+    let mut kept = Kept::default();
+    let mut limits = Limits::new(way);
+    let mut progress = Progress::default();
     work.steps.push(0);
-    while patience > 0 {
-        let Lengths { ends: reach, shortest } = Lengths::of(problem, &intervals);
-        let serves = |about: &Vec<f64>| reach.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < LAYOUT_SERVES);
-        let (waves, about) = match layout.take().filter(|(_, about)| serves(about)) {
-            Some(kept) => kept,
-            None => (Layout::without_tails(kernel, &reach, &shortest, negligible, 0.0)?, reach),
-        };
-        work.spend(intervals.len() * count, intervals.len() * count, waves.zeta.len(), 1)?;
-        let equations = Equations { kernel, problem, layout: &waves, intervals: &intervals, count };
-        let here = equations.system();
-        *work.steps.last_mut()? += 1;
-        let (at, spacings) = (ends(&intervals), spacings(&intervals));
-        // to begin with, the pressures that go with these ends
-        let mut own = match pressures.take() {
-            Some(own) => own,
-            None => here.pressures()?,
-        };
-        let residuals = here.residuals(&own);
-        let derivatives = match kept.take() {
+    loop {
+        let lengths = Lengths::of(problem, &intervals);
+        let layout = match kept.layout.take().filter(|(_, about)| lengths.are_near(about)) {
             Some(kept) => kept,
             None => {
-                work.spend(0, intervals.len() * count, waves.zeta.len(), at.len())?;
-                let residuals_at = |ends: &[f64]| {
-                    let moved = with_ends(&intervals, ends)?;
-                    Some(here.residuals_of(&Equations { intervals: &moved, ..equations }, &own))
-                };
-                derivatives(&at, &spacings, &residuals, residuals_at)?
+                let Lengths { ends, shortest } = &lengths;
+                (Layout::without_tails(problem.kernel, ends, shortest, negligible, 0.0)?, ends.clone())
             }
         };
-        let (change, step) = newton_step(&here.matrix, &derivatives, &residuals)?;
-        let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-        patience = if longest < shortest_step { PATIENCE } else { patience - 1 };
-        shortest_step = shortest_step.min(longest);
+        let equations = Equations { kernel: problem.kernel, problem, layout: &layout.0, intervals: &intervals, count };
+        let Step { mut pressures, derivatives, change, of_ends } =
+            Step::new(&equations, kept.pressures.take(), kept.derivatives.take(), work)?;
+        let longest = of_ends.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
         let shorten = if way.together { (LONGEST_STEP / longest).min(1.0) } else { 1.0 };
-        own.iter_mut().zip(&change).for_each(|(own, change)| *own += shorten * change);
-        if longest < ROUNDING || last < SHORT && longest > SLOW * last {
-            let left_out =
-                (0..kernel.contacts()).map(|i| left_out(kernel, &waves, i, shortest[i], negligible)).collect();
-            let coefficients = in_equilibrium(&intervals, own.chunks_exact(count).map(<[f64]>::to_vec).collect());
+        pressures.iter_mut().zip(&change).for_each(|(own, change)| *own += shorten * change);
+        if longest < ROUNDING || progress.is_rounding(longest, SHORT) {
+            let left_out = |i: usize| left_out(problem.kernel, &layout.0, i, lengths.shortest[i], negligible);
+            let left_out = (0..problem.contacts()).map(left_out).collect();
+            let coefficients = in_equilibrium(&intervals, pressures.chunks_exact(count).map(<[f64]>::to_vec).collect());
             return Some(Level { intervals, coefficients, last_step: longest, left_out });
         }
-        kept = (longest < KEPT * last && longest < KEPT).then_some(derivatives);
-        last = longest;
-        // an end where the pressure is next to nothing is known badly, and does not hold up the others; steps back and
-        // forth grow shorter
-        let back = moved_by.iter().zip(&step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
-        limit = if back && !way.together { 0.5 * limit } else { (1.5 * limit).min(LONGEST_STEP) };
-        moved_by = step.iter().map(|step| (shorten * step).clamp(-limit, limit)).collect();
-        let moved: Vec<f64> =
-            at.iter().zip(&moved_by).zip(&spacings).map(|((end, step), spacing)| end + step * spacing).collect();
+        let derivatives = (longest < KEPT * progress.last && longest < KEPT).then_some(derivatives);
+        if !progress.goes_on(longest) {
+            return None;
+        }
+        let moved_by = limits.limit(of_ends, shorten);
+        let moved = ends(&intervals).into_iter().zip(moved_by).zip(spacings(&intervals));
+        let moved: Vec<f64> = moved.map(|((end, step), spacing)| end + step * spacing).collect();
         intervals = with_ends(&intervals, &moved)?;
-        pressures = way.joint.then_some(own);
-        layout = Some((waves, about));
+        kept = Kept { layout: Some(layout), pressures: way.joint.then_some(pressures), derivatives };
     }
-    None
+}
+
+/// What the next step takes over from the one before.
+#[derive(Default)]
+struct Kept {
+    /// A layout, with the outermost ends that it was made for.
+    layout: Option<(Layout, Vec<f64>)>,
+    pressures: Option<Vec<f64>>,
+    derivatives: Option<Mat<f64>>,
+}
+
+/// A Newton step.
+struct Step {
+    /// Where the step begins.
+    pressures: Vec<f64>,
+    derivatives: Mat<f64>,
+    /// The step of the pressures.
+    change: Vec<f64>,
+    /// The step of the ends, in units of the intervals next to them.
+    of_ends: Vec<f64>,
+}
+
+impl Step {
+    /// From given pressures, or those that go with these ends, and with given derivatives, or new ones.
+    fn new(
+        equations: &Equations,
+        pressures: Option<Vec<f64>>,
+        derivatives: Option<Mat<f64>>,
+        work: &mut Work,
+    ) -> Option<Self> {
+        let Equations { intervals, layout, count, .. } = *equations;
+        let (fields, wavenumbers) = (intervals.len() * count, layout.zeta.len());
+        work.spend(fields, fields, wavenumbers, 1)?;
+        let here = equations.system();
+        *work.steps.last_mut()? += 1;
+        let pressures = match pressures {
+            Some(pressures) => pressures,
+            None => here.pressures()?,
+        };
+        let residuals = here.residuals(&pressures);
+        let derivatives = match derivatives {
+            Some(derivatives) => derivatives,
+            None => {
+                let at = ends(intervals);
+                work.spend(0, fields, wavenumbers, at.len())?;
+                let residuals_at = |ends: &[f64]| {
+                    let moved = with_ends(intervals, ends)?;
+                    Some(here.residuals_of(&Equations { intervals: &moved, ..*equations }, &pressures))
+                };
+                self::derivatives(&at, &spacings(intervals), &residuals, residuals_at)?
+            }
+        };
+        let (change, of_ends) = newton_step(&here.matrix, &derivatives, &residuals)?;
+        Some(Self { pressures, derivatives, change, of_ends })
+    }
+}
+
+/// How far ends may move.
+struct Limits {
+    way: Way,
+    limit: f64,
+    /// The last step.
+    before: Vec<f64>,
+}
+
+impl Limits {
+    fn new(way: Way) -> Self {
+        Self { way, limit: LONGEST_STEP, before: Vec::new() }
+    }
+
+    /// How far ends move that take this part of a step. One where the pressure is next to nothing is known badly, and does not hold
+    /// up the others; steps back and forth grow shorter.
+    fn limit(&mut self, step: Vec<f64>, part: f64) -> Vec<f64> {
+        let back = self.before.iter().zip(&step).map(|(before, step)| before * step).sum::<f64>() < 0.0;
+        self.limit = if back && !self.way.together { 0.5 * self.limit } else { (1.5 * self.limit).min(LONGEST_STEP) };
+        self.before = step.iter().map(|step| (part * step).clamp(-self.limit, self.limit)).collect();
+        self.before.clone()
+    }
 }
 
 /// The pressures with exactly the resultant of the force in each contact: the ends have moved since they were found.

@@ -3,6 +3,7 @@
 //! Every contact has a [`Side`] that says what is special about it. No other room asks which contact is that of the punch.
 pub(crate) mod accuracy;
 pub(crate) mod estimate;
+pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
 pub(crate) mod profile;

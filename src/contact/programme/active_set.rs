@@ -3,7 +3,7 @@
 //! Exchanging all elements at once that violate one or the other ends after a few steps as a rule. Where that goes round
 //! in circles, elements are let touch one by one, and freed again as soon as they would be in tension, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
-use crate::contact::problem::accuracy::PATIENCE;
+use crate::contact::problem::iteration::Progress;
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 
@@ -30,7 +30,7 @@ impl<'a> Programme<'a> {
         for (i, own) in touching.iter_mut().enumerate() {
             own.iter_mut().enumerate().for_each(|(e, touches)| *touches &= !self.is_inadmissible(i, e));
         }
-        let (mut fewest, mut patience) = (contacts * elements + 1, PATIENCE);
+        let mut progress = Progress::default();
         loop {
             let state = Equilibrium::new(self.energy, &touching).solve()?;
             let pressure = &state.pressures;
@@ -43,11 +43,7 @@ impl<'a> Programme<'a> {
             if wrong.is_empty() {
                 return Some((touching, self.forces(state.pressures)));
             }
-            if wrong.len() < fewest {
-                (fewest, patience) = (wrong.len(), PATIENCE);
-            } else if patience > 0 {
-                patience -= 1;
-            } else {
+            if !progress.goes_on(wrong.len() as f64) {
                 return self.descend(state.pressures);
             }
             for (i, e) in wrong {

@@ -47,6 +47,27 @@ pub(crate) fn refine(problem: &Problem, start: Start, work: &mut Work) -> Result
     refined
 }
 
+/// The best level so far: where rounding prevails, more modes make errors larger.
+#[derive(Default)]
+struct Best {
+    level: Option<Level>,
+    /// Whether the last level has gained nothing.
+    stalled: bool,
+}
+
+impl Best {
+    /// Keeps a level if it is better; whether neither this one nor the one before has gained anything.
+    fn keep(&mut self, level: Level) -> bool {
+        let gains = self.level.as_ref().is_none_or(|best| level.worst_error() < SLOW * best.worst_error());
+        let is_stuck = !gains && self.stalled;
+        self.stalled = !gains;
+        if self.level.as_ref().is_none_or(|best| level.is_better_than(best)) {
+            self.level = Some(level);
+        }
+        is_stuck
+    }
+}
+
 /// Numbers of modes from level to level.
 struct Levels<'a> {
     newton: Newton<'a>,
@@ -86,19 +107,10 @@ impl<'a> Levels<'a> {
     fn run(&mut self, start: Start) -> Result<Refined, ContactError> {
         // a warm start has no coarse level to compare with, so that its error estimate may not be trusted
         let mut is_doubtful = matches!(start, Start::Warm { .. });
-        let (mut half_lengths, rough) = match start {
-            Start::Guess { half_lengths } | Start::Cold { half_lengths } => {
-                self.newton.coarse(half_lengths, &self.coarse, self.tolerance)?
-            }
-            Start::Warm { half_lengths, mut modes } => {
-                modes.iter_mut().zip(&self.coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
-                (half_lengths, modes)
-            }
-        };
+        let (mut half_lengths, rough) = self.begin(start)?;
         self.first(&rough);
         let mut fewer = self.coarse.clone();
-        let mut best: Option<Level> = None;
-        let mut gained = true;
+        let mut best = Best::default();
         loop {
             let found = self.converge(&half_lengths, &fewer);
             let fully_solved = found.as_ref().is_ok_and(|found| found.fully_solved.contains(&true));
@@ -111,7 +123,7 @@ impl<'a> Levels<'a> {
                 // fewer modes more may be within the node budget
                 Err(_) if self.newton.budget_exceeded && self.grow_less() => continue,
                 // the node budget, or rounding, leaves the best level, or one of few digits
-                Err(_) => match best {
+                Err(_) => match best.level {
                     Some(best) => return Ok(self.refined(best)),
                     None => return self.few_digits(half_lengths),
                 },
@@ -122,31 +134,46 @@ impl<'a> Levels<'a> {
             if level.worst_error() <= self.tolerance {
                 return Ok(self.refined(level));
             }
-            if level.swept.iter().all(|swept| *swept) {
-                admissible::check_pressures(self.problem, &level, f64::INFINITY)?;
-            } else {
-                admissible::check_gross_tension(self.problem, &level)?;
-            }
+            self.give_up_early(&level, best.level.as_ref())?;
             self.before = (self.solved.clone(), self.modes.clone());
-            // no digit on two levels: more modes do not help
-            if level.worst_error() > 1.0 && best.as_ref().is_some_and(|best| best.worst_error() > 1.0) {
-                return Err(self.problem.not_converged(&level.support.half_lengths));
-            }
             let may_grow = self.grow(&level);
-            fewer = level.counts.clone();
-            half_lengths = level.support.half_lengths.clone();
-            // where rounding prevails, more modes make errors larger
-            let is_better = best.as_ref().is_none_or(|best| level.is_better_than(best));
-            let gains = best.as_ref().is_none_or(|best| level.worst_error() < SLOW * best.worst_error());
-            // neither this level nor the one before has gained anything
-            let is_stuck = !gains && !gained;
-            gained = gains;
-            let level = best.take().filter(|_| !is_better).unwrap_or(level);
-            if !may_grow || is_stuck {
-                return Ok(self.refined(level));
+            fewer.clone_from(&level.counts);
+            half_lengths.clone_from(&level.support.half_lengths);
+            let is_stuck = best.keep(level);
+            if (!may_grow || is_stuck)
+                && let Some(best) = best.level.take()
+            {
+                return Ok(self.refined(best));
             }
-            best = Some(level);
         }
+    }
+
+    /// A coarse solution, or what is known of one.
+    fn begin(&mut self, start: Start) -> Result<(Vec<f64>, Modes), ContactError> {
+        match start {
+            Start::Guess { half_lengths } | Start::Cold { half_lengths } => {
+                self.newton.coarse(half_lengths, &self.coarse, self.tolerance)
+            }
+            Start::Warm { half_lengths, mut modes } => {
+                modes.iter_mut().zip(&self.coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
+                Ok((half_lengths, modes))
+            }
+        }
+    }
+
+    /// An error if more modes will not lead to an answer: with tension that is no truncation error, and after two levels without a
+    /// digit.
+    fn give_up_early(&self, level: &Level, best: Option<&Level>) -> Result<(), ContactError> {
+        if level.swept.iter().all(|swept| *swept) {
+            admissible::check_pressures(self.problem, level, f64::INFINITY)?;
+        } else {
+            admissible::check_gross_tension(self.problem, level)?;
+        }
+        let knows_nothing = |level: &Level| level.worst_error() > 1.0;
+        if knows_nothing(level) && best.is_some_and(knows_nothing) {
+            return Err(self.problem.not_converged(&level.support.half_lengths));
+        }
+        Ok(())
     }
 
     /// Numbers of modes of the first level, after a coarse solution.
