@@ -13,7 +13,7 @@ use faer::{Mat, MatRef};
 use crate::contact::integrals::basis::TOGETHER;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Weights;
-use crate::contact::parts::interval::Interval;
+use crate::contact::parts::interval::{Interval, Table};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::kernel::Kernel;
@@ -40,12 +40,6 @@ pub(super) struct System {
     scales: Vec<f64>,
 }
 
-/// One equation: its entries and its right-hand side.
-struct Equation {
-    entries: Vec<f64>,
-    right: f64,
-}
-
 impl System {
     /// The pressures that fulfil all equations but those for the ends; `None` if there are none in double precision.
     pub(super) fn pressures(&self) -> Option<Vec<f64>> {
@@ -62,12 +56,21 @@ impl System {
         let found = &self.matrix * &all;
         self.right.iter().enumerate().map(|(row, right)| found[(row, 0)] - right).collect()
     }
+}
 
-    /// What pressures leave of other equations, in the same order, scaled as these are.
-    pub(super) fn residuals_of(&self, equations: &Equations, pressures: &[f64]) -> Vec<f64> {
-        let all = equations.rows_with(Some(pressures)).into_iter().zip(&self.scales);
-        all.map(|(equation, scale)| (equation.entries[0] - equation.right) / scale).collect()
-    }
+/// One of the equations, in a list of those that determine pressures at prescribed ends, and then those that determine the ends.
+#[derive(Clone, Copy)]
+enum Row {
+    /// A test of an interval, or the closing of the gap before it, and its place among those of its contact.
+    Test {
+        contact: usize,
+        index: usize,
+        row: usize,
+        at: usize,
+    },
+    Equilibrium {
+        contact: usize,
+    },
 }
 
 /// What all pressures do to all tests.
@@ -79,27 +82,22 @@ struct Blocks {
 }
 
 /// What is known of one contact at all wavenumbers: pressures by columns, and tests.
-struct Waves {
-    transforms: Mat<f64>,
+pub(super) struct Waves {
+    pub(super) transforms: Mat<f64>,
     /// The first transform of each interval less that of a given pressure of the same resultant: only the first have one.
     remainders: Vec<Vec<f64>>,
-    tests: Mat<f64>,
+    pub(super) tests: Mat<f64>,
 }
 
 impl Waves {
-    /// The one transform of all pressures together, given these, in place of theirs.
-    fn combined(self, pressures: &[f64]) -> Self {
-        let sum = |less_resultants: bool| {
-            let mut sum = vec![0.0; self.transforms.nrows()];
-            for (column, pressure) in pressures.iter().enumerate() {
-                let values = self.column(column, less_resultants);
-                sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += pressure * value);
-            }
-            sum
-        };
-        let (plain, remainder) = (sum(false), sum(true));
-        let transforms = Mat::from_fn(plain.len(), 1, |row, _| plain[row]);
-        Self { transforms, remainders: vec![remainder], tests: self.tests }
+    /// The transform of all pressures together, or what that is less their resultant.
+    pub(super) fn field(&self, pressures: &[f64], less_resultants: bool) -> Vec<f64> {
+        let mut sum = vec![0.0; self.transforms.nrows()];
+        for (column, pressure) in pressures.iter().enumerate() {
+            let values = self.column(column, less_resultants);
+            sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += pressure * value);
+        }
+        sum
     }
 
     /// One column of the transforms, or of what they are less resultants.
@@ -114,7 +112,7 @@ impl Waves {
 }
 
 impl Equations<'_> {
-    fn contacts(&self) -> usize {
+    pub(super) fn contacts(&self) -> usize {
         self.kernel.contacts()
     }
 
@@ -142,86 +140,84 @@ impl Equations<'_> {
 
     /// The equations, each scaled to its largest entry.
     pub(super) fn system(&self) -> System {
-        let equations = self.rows_with(None);
-        let largest = |row: &[f64]| row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-        let scales: Vec<f64> = equations.iter().map(|equation| largest(&equation.entries)).collect();
+        let Blocks { blocks, loads } = self.blocks();
+        let rows = self.list();
         let size = self.intervals.len() * self.count;
-        let entry = |row: usize, column: usize| equations[row].entries[column] / scales[row];
-        let matrix = Mat::from_fn(equations.len(), size, entry);
-        let right = equations.iter().zip(&scales).map(|(equation, scale)| equation.right / scale).collect();
+        let mut matrix = Mat::zeros(rows.len(), size);
+        let mut right = vec![1.0; rows.len()];
+        for (place, row) in rows.into_iter().enumerate() {
+            match row {
+                Row::Test { contact, index, row, at } => {
+                    for (other, block) in &blocks[contact] {
+                        let first = self.places_of(*other).start;
+                        for column in 0..block.ncols() {
+                            matrix[(place, first + column)] += block[(at, column)];
+                        }
+                    }
+                    right[place] = self.load(index, row) + if contact == 1 { loads[at] } else { 0.0 };
+                }
+                Row::Equilibrium { contact } => {
+                    for (index, interval) in self.of(contact) {
+                        matrix[(place, index * self.count)] = interval.resultant();
+                    }
+                }
+            }
+        }
+        let mut scales = Vec::with_capacity(right.len());
+        for (place, right) in right.iter_mut().enumerate() {
+            let scale = matrix.row(place).iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+            matrix.row_mut(place).iter_mut().for_each(|entry| *entry /= scale);
+            *right /= scale;
+            scales.push(scale);
+        }
         System { matrix, right, scales }
     }
 
-    /// Where the pressures of a contact stand among all.
-    fn places_of(&self, contact: usize) -> Range<usize> {
-        let first = self.of(contact).next().map_or(0, |(index, _)| index * self.count);
-        first..first + self.of(contact).count() * self.count
-    }
-
-    /// The equations: those that determine pressures at prescribed ends, and then those that determine the ends. With pressures prescribed,
-    /// each has one entry, what all of these make of it: that takes as many operations less as there are pressures.
-    fn rows_with(&self, pressures: Option<&[f64]>) -> Vec<Equation> {
-        let size = if pressures.is_some() { 1 } else { self.intervals.len() * self.count };
-        let mut kept: Vec<Equation> = Vec::with_capacity(self.intervals.len() * self.count);
-        let mut left: Vec<Equation> = Vec::new();
-        let Blocks { blocks, loads } = self.blocks(pressures);
-        for (contact, blocks) in blocks.into_iter().enumerate().skip(self.first()) {
-            let place = |contact: usize| if pressures.is_some() { 0 } else { self.places_of(contact).start };
+    /// The equations: those that determine pressures at prescribed ends, and then those that determine the ends.
+    fn list(&self) -> Vec<Row> {
+        let (mut kept, mut left) = (Vec::new(), Vec::new());
+        for contact in self.first()..self.contacts() {
             let mut at = 0;
             for (index, interval) in self.of(contact) {
-                let rows = self.rows(index);
-                for row in 0..rows {
-                    let mut entries = vec![0.0; size];
-                    for (other, block) in &blocks {
-                        for column in 0..block.ncols() {
-                            entries[place(*other) + column] += block[(at + row, column)];
-                        }
-                    }
-                    let right = self.load(index, row) + if contact == 1 { loads[at + row] } else { 0.0 };
+                for row in 0..self.rows(index) {
                     // the second end of a first interval off the middle has no gap to be closed: equilibrium gives the mean
                     // pressure, and the next test what is left over
                     let two_ends = row == 1 && self.is_apart(index);
                     let end = row == 0 || row >= interval.tests(self.count).len() || two_ends;
                     let list = if end { &mut left } else { &mut kept };
-                    list.push(Equation { entries, right });
+                    list.push(Row::Test { contact, index, row, at: at + row });
                 }
-                at += rows;
+                at += self.rows(index);
             }
-            // equilibrium
-            let mut entries = vec![0.0; size];
-            for (index, interval) in self.of(contact) {
-                match pressures {
-                    Some(pressures) => entries[0] += interval.resultant() * pressures[index * self.count],
-                    None => entries[index * self.count] = interval.resultant(),
-                }
-            }
-            kept.push(Equation { entries, right: 1.0 });
+            kept.push(Row::Equilibrium { contact });
         }
         kept.extend(left);
         kept
     }
 
-    /// What all pressures do to all tests, or with pressures given what these do together.
-    fn blocks(&self, pressures: Option<&[f64]>) -> Blocks {
+    /// Where the pressures of a contact stand among all.
+    pub(super) fn places_of(&self, contact: usize) -> Range<usize> {
+        let first = self.of(contact).next().map_or(0, |(index, _)| index * self.count);
+        first..first + self.of(contact).count() * self.count
+    }
+
+    /// What all pressures do to all tests.
+    fn blocks(&self) -> Blocks {
         let n = self.contacts();
-        let rows = |contact: usize| self.of(contact).map(|(index, _)| self.rows(index)).sum();
-        let columns = |contact: usize| if pressures.is_some() { 1 } else { self.places_of(contact).len() };
-        let zeros = |contact: usize, other: usize| (other, Mat::zeros(rows(contact), columns(other)));
+        let zeros =
+            |contact: usize, other: usize| (other, Mat::zeros(self.rows_of(contact), self.places_of(other).len()));
         let coupled =
             |contact: usize| [Some(contact), contact.checked_sub(1), (contact + 1 < n).then_some(contact + 1)];
         let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
             .map(|contact| coupled(contact).into_iter().flatten().map(|other| zeros(contact, other)).collect())
             .collect();
-        let mut loads = vec![0.0; if n > 1 { rows(1) } else { 0 }];
+        let mut loads = vec![0.0; if n > 1 { self.rows_of(1) } else { 0 }];
         // no more than two contacts at once, and some wavenumbers: tables take much memory
-        for first in (0..self.layout.zeta.len()).step_by(8 * TOGETHER) {
+        for nodes in self.stretches() {
+            let first = nodes.start;
             let mut above: Option<Waves> = None;
             for contact in 0..n {
-                let waves = self.waves(contact, first..self.layout.zeta.len().min(first + 8 * TOGETHER));
-                let waves = match pressures {
-                    Some(pressures) => waves.combined(&pressures[self.places_of(contact)]),
-                    None => waves,
-                };
+                let waves = self.waves(contact, nodes.clone());
                 self.add_own(contact, first, &waves, &mut blocks[contact][0].1);
                 if contact == 1 && self.first() == 1 {
                     let given = self.given(first, waves.tests.nrows());
@@ -238,56 +234,91 @@ impl Equations<'_> {
             }
         }
         for (contact, blocks) in blocks.iter_mut().enumerate() {
-            let mut block = Mat::zeros(rows(contact), self.places_of(contact).len());
-            self.add_half_plane(contact, self.layout.own[contact].limit, &mut block);
-            match pressures {
-                Some(pressures) => {
-                    let own = &pressures[self.places_of(contact)];
-                    let own = MatRef::from_column_major_slice(own, own.len(), 1);
-                    blocks[0].1 += &block * own;
-                }
-                None => blocks[0].1 += block,
-            }
+            self.add_half_plane(contact, self.layout.own[contact].limit, &mut blocks[0].1);
         }
         Blocks { blocks, loads }
     }
 
+    /// Stretches of wavenumbers that are looked at together.
+    pub(super) fn stretches(&self) -> impl Iterator<Item = Range<usize>> {
+        let (all, some) = (self.layout.zeta.len(), 8 * TOGETHER);
+        (0..all).step_by(some).map(move |first| first..all.min(first + some))
+    }
+
+    /// Number of the tests of a contact, and of the gaps in it to be closed.
+    pub(super) fn rows_of(&self, contact: usize) -> usize {
+        self.of(contact).map(|(index, _)| self.rows(index)).sum()
+    }
+
+    /// What pressures leave of the equations as far as it is found in space: half-planes, the load, and equilibrium.
+    pub(super) fn in_space(&self, pressures: &[f64]) -> Vec<f64> {
+        let half_planes: Vec<Mat<f64>> = (0..self.contacts())
+            .map(|contact| {
+                let own = &pressures[self.places_of(contact)];
+                let mut block = Mat::zeros(self.rows_of(contact), own.len());
+                self.add_half_plane(contact, self.layout.own[contact].limit, &mut block);
+                block * MatRef::from_column_major_slice(own, own.len(), 1)
+            })
+            .collect();
+        let of = |row: Row| match row {
+            Row::Test { contact, index, row, at } => half_planes[contact][(at, 0)] - self.load(index, row),
+            Row::Equilibrium { contact } => {
+                let own = self.of(contact);
+                own.map(|(index, interval)| interval.resultant() * pressures[index * self.count]).sum::<f64>() - 1.0
+            }
+        };
+        self.list().into_iter().map(of).collect()
+    }
+
+    /// Puts what belongs to the tests of each contact in the order of the equations, each scaled as in the system.
+    pub(super) fn in_order(&self, system: &System, of_tests: &[Mat<f64>], others: &Mat<f64>) -> Mat<f64> {
+        let mut all = others.clone();
+        for (place, row) in self.list().into_iter().enumerate() {
+            for column in 0..all.ncols() {
+                if let Row::Test { contact, at, .. } = row {
+                    all[(place, column)] += of_tests[contact][(at, column)];
+                }
+                all[(place, column)] /= system.scales[place];
+            }
+        }
+        all
+    }
+
     /// The first contact of which the pressure is unknown.
-    fn first(&self) -> usize {
+    pub(super) fn first(&self) -> usize {
         usize::from(self.problem.top().given().is_some())
     }
 
     /// The transform of what presses on a contact at some wavenumbers less that of the pressure all are compared with.
-    fn given(&self, first: usize, count: usize) -> Vec<f64> {
+    pub(super) fn given(&self, first: usize, count: usize) -> Vec<f64> {
         let Some(given) = self.problem.top().given() else { return Vec::new() };
         let zeta = &self.layout.zeta[first..first + count];
         zeta.iter().zip(self.beyond(zeta)).map(|(zeta, beyond)| given.transform_minus_one(*zeta) + beyond).collect()
     }
 
     /// By how much the transform of the pressure that all are compared with, of the resultant 1, is less than 1.
-    fn beyond(&self, zeta: &[f64]) -> Vec<f64> {
+    pub(super) fn beyond(&self, zeta: &[f64]) -> Vec<f64> {
         // as narrow as the shortest, so that few digits are lost where pressures cancel
         let end = self.intervals.iter().map(Interval::to).fold(f64::INFINITY, f64::min);
         zeta.iter().map(|zeta| -(-0.5 * (zeta * end).powi(2)).exp_m1()).collect()
     }
 
-    /// The laminates next to a contact.
-    fn couplings(&self, contact: usize) -> impl Iterator<Item = &Weights> {
-        let next = [contact.checked_sub(1), Some(contact)].into_iter().flatten();
-        next.filter_map(|coupling| self.layout.coupling.get(coupling))
+    /// The neighbours of a contact, with the weights of the laminates between.
+    pub(super) fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, &Weights)> {
+        let next = [contact.checked_sub(1).map(|above| (above, above)), Some((contact + 1, contact))];
+        next.into_iter().flatten().filter_map(|(other, coupling)| Some((other, self.layout.coupling.get(coupling)?)))
     }
 
     /// What is known of a contact at some wavenumbers, as far as it needs them.
-    fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
-        let nodes = nodes.start.min(self.layout.own[contact].reach)..nodes.end.min(self.layout.own[contact].reach);
-        let zeta = &self.layout.zeta[nodes.clone()];
+    pub(super) fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
+        let nodes = self.within(contact, nodes);
+        let zeta = &self.layout.zeta[nodes];
         let beyond = self.beyond(zeta);
         let columns = self.of(contact).count() * self.count;
-        let rows: usize = self.of(contact).map(|(index, _)| self.rows(index)).sum();
         let mut waves = Waves {
-            transforms: Mat::zeros(nodes.len(), columns),
+            transforms: Mat::zeros(zeta.len(), columns),
             remainders: Vec::new(),
-            tests: Mat::zeros(nodes.len(), rows),
+            tests: Mat::zeros(zeta.len(), self.rows_of(contact)),
         };
         let (mut column, mut row) = (0, 0);
         for (index, interval) in self.of(contact) {
@@ -295,9 +326,10 @@ impl Equations<'_> {
             let mut remainders = Vec::with_capacity(zeta.len());
             for start in (0..zeta.len()).step_by(TOGETHER) {
                 let some = start..zeta.len().min(start + TOGETHER);
-                let transforms = waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count);
-                let tested = waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests);
-                remainders.extend(interval.waves(&zeta[some.clone()], &beyond[some], transforms, tested));
+                let table = Table::new(interval, self.count, &zeta[some.clone()], &beyond[some.clone()]);
+                table.transforms(waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count));
+                table.tests(waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests));
+                remainders.extend(table.first_remainder());
             }
             waves.remainders.push(remainders);
             column += self.count;
@@ -314,10 +346,16 @@ impl Equations<'_> {
         waves
     }
 
+    /// Those of some wavenumbers that a contact needs.
+    pub(super) fn within(&self, contact: usize, nodes: Range<usize>) -> Range<usize> {
+        let reach = self.layout.own[contact].reach;
+        nodes.start.min(reach)..nodes.end.min(reach)
+    }
+
     /// Adds what the pressures of a contact do to itself, half-planes left out, by wavenumbers from `first` on.
     fn add_own(&self, contact: usize, first: usize, waves: &Waves, block: &mut Mat<f64>) {
         *block += self.tested(waves, &self.layout.own[contact].unit.plain, first, waves, false);
-        for weights in self.couplings(contact) {
+        for (_, weights) in self.neighbours(contact) {
             *block += self.tested(waves, &weights.plain, first, waves, true);
         }
     }
@@ -385,14 +423,9 @@ impl Equations<'_> {
         let mut response = vec![0.0; self.layout.own[contact].reach];
         for first in (0..response.len()).step_by(TOGETHER) {
             let nodes = first..response.len().min(first + TOGETHER);
-            let field = |waves: &Waves, contact: usize, less_resultants: bool| -> Vec<f64> {
-                let all = self.of(contact).flat_map(|(index, _)| coefficients[index].iter().copied());
-                let mut sum = vec![0.0; waves.transforms.nrows()];
-                for (column, c) in all.enumerate() {
-                    let values = waves.column(column, less_resultants);
-                    sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += c * value);
-                }
-                sum
+            let field = |waves: &Waves, contact: usize, less_resultants: bool| {
+                let all: Vec<f64> = self.of(contact).flat_map(|(index, _)| coefficients[index].clone()).collect();
+                waves.field(&all, less_resultants)
             };
             let part = &mut response[nodes.clone()];
             let zeta = &self.layout.zeta[nodes.clone()];
@@ -405,16 +438,14 @@ impl Equations<'_> {
             let waves = self.waves(contact, nodes.clone());
             add(&self.layout.own[contact].unit.plain, &field(&waves, contact, false), 1.0);
             let remainders = field(&waves, contact, true);
-            for (coupling, other) in [(contact.checked_sub(1), contact.wrapping_sub(1)), (Some(contact), contact + 1)] {
-                if let Some(weights) = coupling.and_then(|coupling| self.layout.coupling.get(coupling)) {
-                    let others = if other < self.first() {
-                        self.given(first, remainders.len())
-                    } else {
-                        field(&self.waves(other, nodes.clone()), other, true)
-                    };
-                    add(&weights.plain, &remainders, 1.0);
-                    add(&weights.plain, &others, -1.0);
-                }
+            for (other, weights) in self.neighbours(contact) {
+                let others = if other < self.first() {
+                    self.given(first, remainders.len())
+                } else {
+                    field(&self.waves(other, nodes.clone()), other, true)
+                };
+                add(&weights.plain, &remainders, 1.0);
+                add(&weights.plain, &others, -1.0);
             }
         }
         response

@@ -61,48 +61,6 @@ impl Interval {
         self.images() * self.half * FRAC_PI_2
     }
 
-    /// At some wavenumbers: transforms of `count` pressures, into as many columns, and the tests, into others. What is
-    /// returned is the first transform less that of a pressure of the same resultant, which differs from 1 by `beyond`.
-    pub(super) fn waves(
-        &self,
-        zeta: &[f64],
-        beyond: &[f64],
-        mut transforms: MatMut<'_, f64>,
-        mut tested: MatMut<'_, f64>,
-    ) -> Vec<f64> {
-        let count = transforms.ncols();
-        let highest = self.orders(count).last().unwrap_or(1);
-        let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * self.half).collect();
-        let nodes = zeta.len();
-        let mut table = vec![0.0; (highest + 1) * nodes];
-        bessel::table(highest + 1, &arguments, &mut table);
-        let phases: Vec<(f64, f64)> = zeta.iter().map(|zeta| (zeta * self.middle).sin_cos()).collect();
-        let column = |order: usize| &table[order * nodes..(order + 1) * nodes];
-        let phase = |order: usize, node: usize| {
-            let (sin, cos) = phases[node];
-            if order.is_multiple_of(2) { sin } else { cos }
-        };
-        for (m, order) in self.orders(count).enumerate() {
-            let sign = if order.is_multiple_of(2) { alternating(order / 2) } else { alternating((order - 1) / 2) };
-            let factor = self.images() * PI * sign * order as f64;
-            for (node, (zeta, value)) in zeta.iter().zip(column(order)).enumerate() {
-                transforms[(node, m)] = factor * value / zeta * phase(order, node);
-            }
-        }
-        for (row, order) in self.tests(count).iter().enumerate() {
-            let factor = PI * alternating(order / 2);
-            for (node, value) in column(*order).iter().enumerate() {
-                tested[(node, row)] = factor * value * phase(*order, node);
-            }
-        }
-        let rest = |(node, (zeta, beyond)): (usize, (&f64, &f64))| {
-            let transform_minus_one = bessel::jinc_minus_one_from(arguments[node], column(1)[node]);
-            let turned = -2.0 * (0.5 * zeta * self.middle).sin().powi(2);
-            self.resultant() * ((1.0 + transform_minus_one) * turned + transform_minus_one + beyond)
-        };
-        zeta.iter().zip(beyond).enumerate().map(rest).collect()
-    }
-
     /// Adds to `slopes` what `count` pressures make of that of a half-plane with λμ₀C = 1 at x: those on the mirror image,
     /// and unless x is on the interval itself (`own`) those on the interval.
     pub(super) fn outside(&self, x: f64, count: usize, own: bool, slopes: &mut [f64]) {
@@ -131,5 +89,147 @@ impl Interval {
         }
         let phi = s.acos();
         self.orders(coefficients.len()).zip(coefficients).map(|(order, c)| c * (order as f64 * phi).sin()).sum()
+    }
+}
+
+/// A way in which an interval moves.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Motion {
+    /// Its middle moves.
+    Shift,
+    /// Its half-length grows.
+    Growth,
+}
+
+/// Bessel functions and phases of an interval at some wavenumbers.
+pub(super) struct Table<'a> {
+    interval: &'a Interval,
+    count: usize,
+    zeta: &'a [f64],
+    /// By how much the transform of the pressure that all are compared with, of the resultant 1, is less than 1.
+    beyond: &'a [f64],
+    /// ζw
+    arguments: Vec<f64>,
+    /// J_j(ζw), order by order.
+    bessel: Vec<f64>,
+    /// sin ζm and cos ζm.
+    phases: Vec<(f64, f64)>,
+}
+
+impl<'a> Table<'a> {
+    /// For `count` pressures.
+    pub(super) fn new(interval: &'a Interval, count: usize, zeta: &'a [f64], beyond: &'a [f64]) -> Self {
+        let highest = interval.orders(count).last().unwrap_or(1);
+        let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * interval.half).collect();
+        // one order more for derivatives
+        let mut bessel = vec![0.0; (highest + 2) * zeta.len()];
+        bessel::table(highest + 2, &arguments, &mut bessel);
+        let phases = zeta.iter().map(|zeta| (zeta * interval.middle).sin_cos()).collect();
+        Self { interval, count, zeta, beyond, arguments, bessel, phases }
+    }
+
+    fn bessel(&self, order: usize) -> &[f64] {
+        &self.bessel[order * self.zeta.len()..(order + 1) * self.zeta.len()]
+    }
+
+    /// The phase of the waves of an order: sin ζm for even ones, cos ζm for odd ones.
+    fn phase(&self, order: usize, node: usize) -> f64 {
+        let (sin, cos) = self.phases[node];
+        if order.is_multiple_of(2) { sin } else { cos }
+    }
+
+    /// What the transform of a pressure is besides ζ^(-1) J_j(ζw) and the phase.
+    fn factor(&self, order: usize) -> f64 {
+        let sign = if order.is_multiple_of(2) { alternating(order / 2) } else { alternating((order - 1) / 2) };
+        self.interval.images() * PI * sign * order as f64
+    }
+
+    /// Transforms of the pressures, into as many columns.
+    pub(super) fn transforms(&self, mut into: MatMut<'_, f64>) {
+        for (m, order) in self.interval.orders(self.count).enumerate() {
+            let factor = self.factor(order);
+            for (node, (zeta, value)) in self.zeta.iter().zip(self.bessel(order)).enumerate() {
+                into[(node, m)] = factor * value / zeta * self.phase(order, node);
+            }
+        }
+    }
+
+    /// The tests, into as many columns.
+    pub(super) fn tests(&self, mut into: MatMut<'_, f64>) {
+        for (row, order) in self.interval.tests(self.count).into_iter().enumerate() {
+            let factor = PI * alternating(order / 2);
+            for (node, value) in self.bessel(order).iter().enumerate() {
+                into[(node, row)] = factor * value * self.phase(order, node);
+            }
+        }
+    }
+
+    /// The first transform less that of the pressure that all are compared with, of the same resultant.
+    pub(super) fn first_remainder(&self) -> Vec<f64> {
+        let rest = |(node, beyond): (usize, &f64)| {
+            let (jinc_minus_one, turned) = (self.jinc_minus_one(node), self.turned(node));
+            self.interval.resultant() * ((1.0 + jinc_minus_one) * turned + jinc_minus_one + beyond)
+        };
+        self.beyond.iter().enumerate().map(rest).collect()
+    }
+
+    fn jinc_minus_one(&self, node: usize) -> f64 {
+        bessel::jinc_minus_one_from(self.arguments[node], self.bessel(1)[node])
+    }
+
+    /// cos ζm − 1
+    fn turned(&self, node: usize) -> f64 {
+        -2.0 * (0.5 * self.zeta[node] * self.interval.middle).sin().powi(2)
+    }
+
+    /// The derivative of J_j(ζw) times its phase, over ζ, as the interval moves.
+    fn derivative(&self, order: usize, motion: Motion) -> impl Iterator<Item = f64> {
+        let is_even = order.is_multiple_of(2);
+        let (own, next) = (self.bessel(order), self.bessel(order + 1));
+        let before = self.bessel(order.saturating_sub(1));
+        (0..self.zeta.len()).map(move |node| match motion {
+            Motion::Growth if order == 0 => -next[node] * self.phase(order, node),
+            Motion::Growth => 0.5 * (before[node] - next[node]) * self.phase(order, node),
+            Motion::Shift if is_even => own[node] * self.phases[node].1,
+            Motion::Shift => -own[node] * self.phases[node].0,
+        })
+    }
+
+    /// The derivative of the transform of all pressures, and of what that is less their resultant.
+    pub(super) fn moved_transform(&self, pressures: &[f64], motion: Motion) -> [Vec<f64>; 2] {
+        let mut plain = vec![0.0; self.zeta.len()];
+        let add = |order: usize, pressure: f64, sum: &mut [f64]| {
+            let factor = self.factor(order) * pressure;
+            sum.iter_mut().zip(self.derivative(order, motion)).for_each(|(sum, value)| *sum += factor * value);
+        };
+        let mut remainder = plain.clone();
+        for (order, pressure) in self.interval.orders(self.count).zip(pressures).skip(1) {
+            add(order, *pressure, &mut remainder);
+        }
+        plain.clone_from(&remainder);
+        add(1, pressures[0], &mut plain);
+        match motion {
+            Motion::Shift => remainder.clone_from(&plain),
+            Motion::Growth => {
+                // (J_0 − J_2) cos ζm − 1 + what is beyond, without cancellation: J_0 = 2J_1/z − J_2
+                let growing = self.interval.images() * FRAC_PI_2 * pressures[0];
+                let second = self.bessel(2);
+                for (node, sum) in remainder.iter_mut().enumerate() {
+                    let (_, cos) = self.phases[node];
+                    let even = self.jinc_minus_one(node) - 2.0 * second[node];
+                    *sum += growing * (even * cos + self.turned(node) + self.beyond[node]);
+                }
+            }
+        }
+        [plain, remainder]
+    }
+
+    /// The derivatives of the tests times a field, summed.
+    pub(super) fn moved_tests(&self, motion: Motion, field: &[f64]) -> Vec<f64> {
+        let tested = |order: usize| {
+            let terms = self.derivative(order, motion).zip(self.zeta).zip(field);
+            PI * alternating(order / 2) * terms.map(|((value, zeta), field)| value * zeta * field).sum::<f64>()
+        };
+        self.interval.tests(self.count).into_iter().map(tested).collect()
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! The quadratic programme tells where bodies touch, roughly; Newton's method finds where exactly, with more and more
 //! pressures on each interval until two numbers of them agree.
+mod derivatives;
 mod equations;
 mod gaps;
 mod half_plane;
@@ -32,8 +33,6 @@ const FINEST: usize = 96;
 const LONGEST_STEP: f64 = 0.4;
 /// Derivatives are kept as long as steps, in units of those intervals, are shorter than this, and become shorter by this factor.
 const KEPT: f64 = 0.1;
-/// Derivatives are differences over this part of the intervals next to an end.
-const DIFFERENCE: f64 = 1e-6;
 /// Steps shorter than this that no longer become shorter are rounding.
 const SHORT: f64 = 1e-7;
 
@@ -329,13 +328,8 @@ impl Step {
         let derivatives = match derivatives {
             Some(derivatives) => derivatives,
             None => {
-                let at = ends(intervals);
-                work.spend(0, fields, wavenumbers, at.len())?;
-                let residuals_at = |ends: &[f64]| {
-                    let moved = with_ends(intervals, ends)?;
-                    Some(here.residuals_of(&Equations { intervals: &moved, ..*equations }, &pressures))
-                };
-                self::derivatives(&at, &spacings(intervals), &residuals, residuals_at)?
+                work.spend(2 * intervals.len(), fields, wavenumbers, 2)?;
+                equations.by_ends(&here, &pressures, &spacings(intervals))?
             }
         };
         let (change, of_ends) = newton_step(&here.matrix, &derivatives, &residuals)?;
@@ -379,24 +373,6 @@ fn in_equilibrium(intervals: &[Interval], mut coefficients: Vec<Vec<f64>>) -> Ve
         own.iter_mut().for_each(|c| *c /= resultant);
     }
     coefficients
-}
-
-/// Derivatives of the residuals with respect to the ends, in units of the intervals next to each of them.
-fn derivatives(
-    ends: &[f64],
-    spacings: &[f64],
-    residuals: &[f64],
-    residuals_at: impl Fn(&[f64]) -> Option<Vec<f64>>,
-) -> Option<Mat<f64>> {
-    let mut derivatives = Mat::zeros(residuals.len(), ends.len());
-    for by in 0..ends.len() {
-        let mut moved = ends.to_vec();
-        moved[by] += DIFFERENCE * spacings[by];
-        for (row, (there, here)) in residuals_at(&moved)?.iter().zip(residuals).enumerate() {
-            derivatives[(row, by)] = (there - here) / DIFFERENCE;
-        }
-    }
-    Some(derivatives)
 }
 
 /// Changes of the pressures, and steps of the ends in units of the intervals next to each of them; `None` if they are no numbers.

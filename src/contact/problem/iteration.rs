@@ -1,0 +1,58 @@
+//! When iterations end, and what they may cost: the same for all of them.
+use crate::contact::problem::accuracy::{MOST_OPERATIONS, PATIENCE, SLOW};
+
+/// The steps that an iteration has taken.
+pub(crate) struct Progress {
+    /// Length of the last step, infinite before the first.
+    pub(crate) last: f64,
+    /// That of the shortest one.
+    shortest: f64,
+    /// How many more steps there may be without a shorter one.
+    patience: usize,
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Self { last: f64::INFINITY, shortest: f64::INFINITY, patience: PATIENCE }
+    }
+}
+
+impl Progress {
+    /// Whether a step is rounding: hardly shorter than the last one, which was shorter than `short` already.
+    pub(crate) fn is_rounding(&self, step: f64, short: f64) -> bool {
+        self.last < short && step > SLOW * self.last
+    }
+
+    /// Counts a step; whether there may be another.
+    pub(crate) fn goes_on(&mut self, step: f64) -> bool {
+        self.patience = if step < self.shortest { PATIENCE } else { self.patience - 1 };
+        self.shortest = self.shortest.min(step);
+        self.last = step;
+        self.patience > 0
+    }
+}
+
+/// Multiplications, about, that were made and may be made.
+#[derive(Clone)]
+pub(crate) struct Operations {
+    pub(crate) most: f64,
+    spent: f64,
+}
+
+impl Default for Operations {
+    fn default() -> Self {
+        Self { most: MOST_OPERATIONS, spent: 0.0 }
+    }
+}
+
+impl Operations {
+    pub(crate) fn at_most(most: f64) -> Self {
+        Self { most, spent: 0.0 }
+    }
+
+    /// Counts some more; `None` if that is too many.
+    pub(crate) fn spend(&mut self, operations: f64) -> Option<()> {
+        self.spent += operations;
+        (self.spent <= self.most).then_some(())
+    }
+}
