@@ -6,10 +6,10 @@ use std::f64::consts::PI;
 
 use faer::Mat;
 
-use crate::contact::parts::equations::{Equations, System, Waves};
+use crate::contact::integrals::basis::TOGETHER;
+use crate::contact::parts::equations::{Equations, System};
 use crate::contact::parts::interval::{Motion, Table};
 use crate::contact::parts::{ends, with_ends};
-use crate::numeric::dot;
 
 /// Differences are taken over this part of the intervals next to an end.
 const DIFFERENCE: f64 = 1e-6;
@@ -17,7 +17,9 @@ const DIFFERENCE: f64 = 1e-6;
 const MOTIONS: [Motion; 2] = [Motion::Shift, Motion::Growth];
 
 /// What all pressures of a contact do at some wavenumbers, and what changes as its intervals move.
-struct Fields {
+struct Fields<'a> {
+    /// By the indices of intervals.
+    tables: Vec<(usize, Table<'a>)>,
     tests: Mat<f64>,
     plain: Vec<f64>,
     remainder: Vec<f64>,
@@ -67,10 +69,18 @@ impl Equations<'_> {
         let n = self.contacts();
         let mut sums: Vec<Mat<f64>> =
             (0..n).map(|contact| Mat::zeros(self.rows_of(contact), 2 * self.intervals.len())).collect();
-        for nodes in self.stretches() {
-            let first = nodes.start;
-            let fields: Vec<Fields> =
-                (0..n).map(|contact| self.fields(contact, self.within(contact, nodes.clone()), pressures)).collect();
+        let all = self.layout.zeta.len();
+        for first in (0..all).step_by(TOGETHER) {
+            let zeta = &self.layout.zeta[first..all.min(first + TOGETHER)];
+            let beyond = self.beyond(zeta);
+            let fields = |contact: usize| {
+                let count = self.layout.own[contact].reach.saturating_sub(first).min(zeta.len());
+                match contact < self.first() {
+                    true => self.given_field(first, count),
+                    false => self.fields(contact, &zeta[..count], &beyond[..count], pressures),
+                }
+            };
+            let fields: Vec<Fields> = (0..n).map(fields).collect();
             for contact in self.first()..n {
                 let own = &fields[contact];
                 let scaled = |weights: &[f64], field: &[f64], sign: f64, into: &mut [f64]| {
@@ -96,61 +106,52 @@ impl Equations<'_> {
                     }
                 }
                 sums[contact] += own.tests.transpose() * &moved;
-                self.add_moved_tests(contact, self.within(contact, nodes.clone()), &seen, &mut sums[contact]);
+                self.add_moved_tests(own, zeta, &seen, &mut sums[contact]);
             }
         }
         sums
     }
 
-    /// What the pressures of a contact do at some wavenumbers.
-    fn fields(&self, contact: usize, nodes: std::ops::Range<usize>, pressures: &[f64]) -> Fields {
-        let zeta = &self.layout.zeta[nodes.clone()];
-        if contact < self.first() {
-            let remainder = self.given(nodes.start, zeta.len());
-            return Fields { tests: Mat::new(), plain: Vec::new(), remainder, moved: Vec::new() };
-        }
-        let waves = self.waves(contact, nodes);
-        let own = &pressures[self.places_of(contact)];
-        let (plain, remainder) = (waves.field(own, false), waves.field(own, true));
-        let beyond = self.beyond(zeta);
-        let mut moved = Vec::new();
-        for (index, interval) in self.of(contact) {
-            let table = Table::new(interval, self.count, zeta, &beyond);
-            let own = &pressures[index * self.count..(index + 1) * self.count];
-            for (k, motion) in MOTIONS.into_iter().enumerate() {
-                moved.push((2 * index + k, table.moved_transform(own, motion)));
-            }
-        }
-        let Waves { tests, .. } = waves;
-        Fields { tests, plain, remainder, moved }
+    /// What a given pressure does.
+    fn given_field(&self, first: usize, count: usize) -> Fields<'_> {
+        let remainder = self.given(first, count);
+        Fields { tables: Vec::new(), tests: Mat::new(), plain: Vec::new(), remainder, moved: Vec::new() }
     }
 
-    /// Adds what changes as the tests of a contact, and the gaps in it, move in a field.
-    fn add_moved_tests(&self, contact: usize, nodes: std::ops::Range<usize>, seen: &[f64], sums: &mut Mat<f64>) {
-        let zeta = &self.layout.zeta[nodes];
-        let beyond = self.beyond(zeta);
+    /// What the pressures of a contact do at some wavenumbers.
+    fn fields<'a>(&'a self, contact: usize, zeta: &'a [f64], beyond: &'a [f64], pressures: &[f64]) -> Fields<'a> {
+        let tables = self.tables(contact, zeta, beyond);
+        let (mut plain, mut remainder, mut moved) = (vec![0.0; zeta.len()], vec![0.0; zeta.len()], Vec::new());
+        for (index, table) in &tables {
+            let own = &pressures[index * self.count..(index + 1) * self.count];
+            for (sum, field) in [&mut plain, &mut remainder].into_iter().zip(table.field(own)) {
+                sum.iter_mut().zip(field).for_each(|(sum, value)| *sum += value);
+            }
+            for (k, motion) in MOTIONS.into_iter().enumerate() {
+                moved.push((2 * index + k, table.moved_field(own, motion)));
+            }
+        }
+        Fields { tests: self.tests(contact, &tables, zeta), tables, plain, remainder, moved }
+    }
+
+    /// Adds what changes as the tests of a contact, and the gaps in it, move in what they see.
+    fn add_moved_tests(&self, own: &Fields, zeta: &[f64], seen: &[f64], sums: &mut Mat<f64>) {
         let mut at = 0;
-        for (index, interval) in self.of(contact) {
-            let table = Table::new(interval, self.count, zeta, &beyond);
+        for (index, table) in &own.tables {
             for (k, motion) in MOTIONS.into_iter().enumerate() {
                 for (row, value) in table.moved_tests(motion, seen).into_iter().enumerate() {
                     sums[(at + row, 2 * index + k)] += value;
                 }
             }
-            if let Some([from, to]) = self.opening(index) {
-                let row = at + self.rows(index) - 1;
-                let sine = |x: f64| {
-                    let sines: Vec<f64> = zeta.iter().map(|zeta| (zeta * x).sin()).collect();
-                    dot(&sines, seen)
-                };
+            at += self.rows(*index);
+            if let Some([from, to]) = self.opening(*index) {
+                let sine = |x: f64| zeta.iter().zip(seen).map(|(zeta, seen)| (zeta * x).sin() * seen).sum::<f64>();
                 let (from, to) = (sine(from), sine(to));
-                for (column, value) in
-                    [(2 * index - 2, -from), (2 * index - 1, -from), (2 * index, to), (2 * index + 1, -to)]
-                {
-                    sums[(row, column)] += value;
+                let before = [(2 * index - 2, -from), (2 * index - 1, -from)];
+                for (column, value) in before.into_iter().chain([(2 * index, to), (2 * index + 1, -to)]) {
+                    sums[(at - 1, column)] += value;
                 }
             }
-            at += self.rows(index);
         }
     }
 }

@@ -82,16 +82,16 @@ struct Blocks {
 }
 
 /// What is known of one contact at all wavenumbers: pressures by columns, and tests.
-pub(super) struct Waves {
-    pub(super) transforms: Mat<f64>,
+struct Waves {
+    transforms: Mat<f64>,
     /// The first transform of each interval less that of a given pressure of the same resultant: only the first have one.
     remainders: Vec<Vec<f64>>,
-    pub(super) tests: Mat<f64>,
+    tests: Mat<f64>,
 }
 
 impl Waves {
     /// The transform of all pressures together, or what that is less their resultant.
-    pub(super) fn field(&self, pressures: &[f64], less_resultants: bool) -> Vec<f64> {
+    fn field(&self, pressures: &[f64], less_resultants: bool) -> Vec<f64> {
         let mut sum = vec![0.0; self.transforms.nrows()];
         for (column, pressure) in pressures.iter().enumerate() {
             let values = self.column(column, less_resultants);
@@ -213,8 +213,9 @@ impl Equations<'_> {
             .collect();
         let mut loads = vec![0.0; if n > 1 { self.rows_of(1) } else { 0 }];
         // no more than two contacts at once, and some wavenumbers: tables take much memory
-        for nodes in self.stretches() {
-            let first = nodes.start;
+        let all = self.layout.zeta.len();
+        for first in (0..all).step_by(TOGETHER) {
+            let nodes = first..all.min(first + TOGETHER);
             let mut above: Option<Waves> = None;
             for contact in 0..n {
                 let waves = self.waves(contact, nodes.clone());
@@ -237,12 +238,6 @@ impl Equations<'_> {
             self.add_half_plane(contact, self.layout.own[contact].limit, &mut blocks[0].1);
         }
         Blocks { blocks, loads }
-    }
-
-    /// Stretches of wavenumbers that are looked at together.
-    pub(super) fn stretches(&self) -> impl Iterator<Item = Range<usize>> {
-        let (all, some) = (self.layout.zeta.len(), 8 * TOGETHER);
-        (0..all).step_by(some).map(move |first| first..all.min(first + some))
     }
 
     /// Number of the tests of a contact, and of the gaps in it to be closed.
@@ -310,46 +305,39 @@ impl Equations<'_> {
     }
 
     /// What is known of a contact at some wavenumbers, as far as it needs them.
-    pub(super) fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
-        let nodes = self.within(contact, nodes);
-        let zeta = &self.layout.zeta[nodes];
+    fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
+        let reach = self.layout.own[contact].reach;
+        let zeta = &self.layout.zeta[nodes.start.min(reach)..nodes.end.min(reach)];
         let beyond = self.beyond(zeta);
-        let columns = self.of(contact).count() * self.count;
-        let mut waves = Waves {
-            transforms: Mat::zeros(zeta.len(), columns),
-            remainders: Vec::new(),
-            tests: Mat::zeros(zeta.len(), self.rows_of(contact)),
-        };
-        let (mut column, mut row) = (0, 0);
-        for (index, interval) in self.of(contact) {
-            let tests = interval.tests(self.count).len();
-            let mut remainders = Vec::with_capacity(zeta.len());
-            for start in (0..zeta.len()).step_by(TOGETHER) {
-                let some = start..zeta.len().min(start + TOGETHER);
-                let table = Table::new(interval, self.count, &zeta[some.clone()], &beyond[some.clone()]);
-                table.transforms(waves.transforms.as_mut().submatrix_mut(start, column, some.len(), self.count));
-                table.tests(waves.tests.as_mut().submatrix_mut(start, row, some.len(), tests));
-                remainders.extend(table.first_remainder());
-            }
-            waves.remainders.push(remainders);
-            column += self.count;
-            row += tests;
-            if let Some([from, to]) = self.opening(index) {
-                // cos ζb − cos ζl
-                let closing = waves.tests.col_as_slice_mut(row);
-                for (closing, zeta) in closing.iter_mut().zip(zeta) {
-                    *closing = 2.0 * (0.5 * zeta * (to + from)).sin() * (0.5 * zeta * (to - from)).sin() / zeta;
-                }
-                row += 1;
-            }
+        let tables = self.tables(contact, zeta, &beyond);
+        let mut transforms = Mat::zeros(zeta.len(), tables.len() * self.count);
+        for ((_, table), column) in tables.iter().zip((0..).step_by(self.count)) {
+            table.transforms(transforms.as_mut().subcols_mut(column, self.count));
         }
-        waves
+        let remainders = tables.iter().map(|(_, table)| table.first_remainder()).collect();
+        Waves { transforms, remainders, tests: self.tests(contact, &tables, zeta) }
     }
 
-    /// Those of some wavenumbers that a contact needs.
-    pub(super) fn within(&self, contact: usize, nodes: Range<usize>) -> Range<usize> {
-        let reach = self.layout.own[contact].reach;
-        nodes.start.min(reach)..nodes.end.min(reach)
+    /// Bessel functions of the intervals of a contact, with their indices.
+    pub(super) fn tables<'a>(&'a self, contact: usize, zeta: &'a [f64], beyond: &'a [f64]) -> Vec<(usize, Table<'a>)> {
+        self.of(contact).map(|(index, interval)| (index, Table::new(interval, self.count, zeta, beyond))).collect()
+    }
+
+    /// The tests of a contact at some wavenumbers.
+    pub(super) fn tests(&self, contact: usize, tables: &[(usize, Table)], zeta: &[f64]) -> Mat<f64> {
+        let mut tests = Mat::zeros(zeta.len(), self.rows_of(contact));
+        let mut row = 0;
+        for (index, table) in tables {
+            table.tests(tests.as_mut().subcols_mut(row, self.rows(*index)));
+            row += self.rows(*index);
+            if let Some([from, to]) = self.opening(*index) {
+                // a slope integrated over the gap: cos ζb − cos ζl, over ζ
+                for (closing, zeta) in tests.col_as_slice_mut(row - 1).iter_mut().zip(zeta) {
+                    *closing = 2.0 * (0.5 * zeta * (to + from)).sin() * (0.5 * zeta * (to - from)).sin() / zeta;
+                }
+            }
+        }
+        tests
     }
 
     /// Adds what the pressures of a contact do to itself, half-planes left out, by wavenumbers from `first` on.

@@ -182,31 +182,49 @@ impl<'a> Table<'a> {
         -2.0 * (0.5 * self.zeta[node] * self.interval.middle).sin().powi(2)
     }
 
-    /// The derivative of J_j(ζw) times its phase, over ζ, as the interval moves.
-    fn derivative(&self, order: usize, motion: Motion) -> impl Iterator<Item = f64> {
-        let is_even = order.is_multiple_of(2);
-        let (own, next) = (self.bessel(order), self.bessel(order + 1));
-        let before = self.bessel(order.saturating_sub(1));
-        (0..self.zeta.len()).map(move |node| match motion {
-            Motion::Growth if order == 0 => -next[node] * self.phase(order, node),
-            Motion::Growth => 0.5 * (before[node] - next[node]) * self.phase(order, node),
-            Motion::Shift if is_even => own[node] * self.phases[node].1,
-            Motion::Shift => -own[node] * self.phases[node].0,
-        })
+    /// What the pressures do together: their transform, and what that is less their resultant.
+    pub(super) fn field(&self, pressures: &[f64]) -> [Vec<f64>; 2] {
+        let mut remainder = vec![0.0; self.zeta.len()];
+        let add = |order: usize, pressure: f64, sum: &mut [f64]| {
+            let factor = self.factor(order) * pressure;
+            for (node, (sum, value)) in sum.iter_mut().zip(self.bessel(order)).enumerate() {
+                *sum += factor * value / self.zeta[node] * self.phase(order, node);
+            }
+        };
+        for (order, pressure) in self.interval.orders(self.count).zip(pressures).skip(1) {
+            add(order, *pressure, &mut remainder);
+        }
+        let mut plain = remainder.clone();
+        add(1, pressures[0], &mut plain);
+        remainder.iter_mut().zip(self.first_remainder()).for_each(|(sum, value)| *sum += pressures[0] * value);
+        [plain, remainder]
     }
 
-    /// The derivative of the transform of all pressures, and of what that is less their resultant.
-    pub(super) fn moved_transform(&self, pressures: &[f64], motion: Motion) -> [Vec<f64>; 2] {
-        let mut plain = vec![0.0; self.zeta.len()];
+    /// The derivative of J_j(ζw) times its phase, over ζ, as the interval moves.
+    fn derivative(&self, order: usize, motion: Motion) -> Vec<f64> {
+        let is_even = order.is_multiple_of(2);
+        let (own, next) = (self.bessel(order), self.bessel(order + 1));
+        let pairs = self.bessel(order.saturating_sub(1)).iter().zip(next);
+        let phases = self.phases.iter().map(|(sin, cos)| if is_even { *sin } else { *cos });
+        match motion {
+            Motion::Growth if order == 0 => next.iter().zip(phases).map(|(next, phase)| -next * phase).collect(),
+            Motion::Growth => pairs.zip(phases).map(|((before, next), phase)| 0.5 * (before - next) * phase).collect(),
+            Motion::Shift if is_even => own.iter().zip(&self.phases).map(|(own, (_, cos))| own * cos).collect(),
+            Motion::Shift => own.iter().zip(&self.phases).map(|(own, (sin, _))| -own * sin).collect(),
+        }
+    }
+
+    /// The derivatives of [`Self::field`].
+    pub(super) fn moved_field(&self, pressures: &[f64], motion: Motion) -> [Vec<f64>; 2] {
         let add = |order: usize, pressure: f64, sum: &mut [f64]| {
             let factor = self.factor(order) * pressure;
             sum.iter_mut().zip(self.derivative(order, motion)).for_each(|(sum, value)| *sum += factor * value);
         };
-        let mut remainder = plain.clone();
+        let mut remainder = vec![0.0; self.zeta.len()];
         for (order, pressure) in self.interval.orders(self.count).zip(pressures).skip(1) {
             add(order, *pressure, &mut remainder);
         }
-        plain.clone_from(&remainder);
+        let mut plain = remainder.clone();
         add(1, pressures[0], &mut plain);
         match motion {
             Motion::Shift => remainder.clone_from(&plain),
@@ -227,7 +245,7 @@ impl<'a> Table<'a> {
     /// The derivatives of the tests times a field, summed.
     pub(super) fn moved_tests(&self, motion: Motion, field: &[f64]) -> Vec<f64> {
         let tested = |order: usize| {
-            let terms = self.derivative(order, motion).zip(self.zeta).zip(field);
+            let terms = self.derivative(order, motion).into_iter().zip(self.zeta).zip(field);
             PI * alternating(order / 2) * terms.map(|((value, zeta), field)| value * zeta * field).sum::<f64>()
         };
         self.interval.tests(self.count).into_iter().map(tested).collect()
