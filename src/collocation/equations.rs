@@ -40,9 +40,7 @@ pub(super) fn solve(spatial: &Spatial, nodes: &Nodes, problem: &Problem, half_le
                 }
             }
             matrix[(row, i * block + half)] = *r;
-            if i == 0 {
-                right[(row, 0)] = a * problem.top().slope(a * r);
-            }
+            right[(row, 0)] = a * problem.sides[i].slope(a * r);
         }
         // equilibrium
         let row = i * block + half;

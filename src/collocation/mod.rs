@@ -19,9 +19,9 @@ use crate::scene::Punch;
 use crate::solution::{Interface, Part, Solution, Stats, Strip};
 
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::problem::Problem;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::alternating;
+use crate::contact::problem::{Problem, Side};
 use crate::contact::quality::levels::Start;
 use crate::contact::starts::order::solve_in_order;
 use crate::contact::{ContactError, NoSolution, kernel_under};
@@ -67,10 +67,10 @@ pub(crate) fn press(
 ) -> Result<Solution, ContactError> {
     let kernel = &*kernel_under(kernel, punch, force)?;
     let problem = Problem::new(kernel, interfaces, punch, force, options.tolerance);
-    if problem.top().given().is_some() {
+    if (0..problem.contacts()).any(|i| problem.is_known(i)) {
         return Err(ContactError::LoadByCollocation);
     }
-    if problem.top().is_flat() {
+    if problem.sides.iter().any(Side::is_flat) {
         return Err(ContactError::FlatByCollocation);
     }
     let mut collocation = Collocation { problem: &problem, spatial: Spatial::new(kernel)?, steps: Vec::new() };

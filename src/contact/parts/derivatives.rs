@@ -27,6 +27,13 @@ struct Fields<'a> {
     moved: Vec<(usize, [Vec<f64>; 2])>,
 }
 
+impl Fields<'_> {
+    /// That of a given pressure.
+    fn given(remainder: Vec<f64>) -> Self {
+        Self { tables: Vec::new(), tests: Mat::new(), plain: Vec::new(), remainder, moved: Vec::new() }
+    }
+}
+
 impl Equations<'_> {
     /// Derivatives of the residuals in the order of the system, with respect to the ends, in units of `spacings`; `None` if two
     /// intervals nearly touch.
@@ -75,13 +82,13 @@ impl Equations<'_> {
             let beyond = self.beyond(zeta);
             let fields = |contact: usize| {
                 let count = self.layout.own[contact].reach.saturating_sub(first).min(zeta.len());
-                match contact < self.first() {
-                    true => self.given_field(first, count),
-                    false => self.fields(contact, &zeta[..count], &beyond[..count], pressures),
+                match self.problem.sides[contact].given() {
+                    Some(given) => Fields::given(self.given(given, &zeta[..count])),
+                    None => self.fields(contact, &zeta[..count], &beyond[..count], pressures),
                 }
             };
             let fields: Vec<Fields> = (0..n).map(fields).collect();
-            for contact in self.first()..n {
+            for contact in self.problem.unknown() {
                 let own = &fields[contact];
                 let scaled = |weights: &[f64], field: &[f64], sign: f64, into: &mut [f64]| {
                     let terms = weights.iter().skip(first).zip(&self.layout.zeta[first..]).zip(field);
@@ -110,12 +117,6 @@ impl Equations<'_> {
             }
         }
         sums
-    }
-
-    /// What a given pressure does.
-    fn given_field(&self, first: usize, count: usize) -> Fields<'_> {
-        let remainder = self.given(first, count);
-        Fields { tables: Vec::new(), tests: Mat::new(), plain: Vec::new(), remainder, moved: Vec::new() }
     }
 
     /// What the pressures of a contact do at some wavenumbers.
@@ -150,6 +151,73 @@ impl Equations<'_> {
                 let before = [(2 * index - 2, -from), (2 * index - 1, -from)];
                 for (column, value) in before.into_iter().chain([(2 * index, to), (2 * index + 1, -to)]) {
                     sums[(at - 1, column)] += value;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+
+    use crate::contact::integrals::layout::Layout;
+    use crate::contact::parts::equations::Equations;
+    use crate::contact::parts::interval::Interval;
+    use crate::contact::parts::{Lengths, ends, in_equilibrium, spacings, with_ends};
+    use crate::contact::problem::Problem;
+    use crate::kernel::Kernel;
+    use crate::scene::{Load, Punch};
+    use crate::stack::Stack;
+
+    /// Residuals without their scales.
+    fn residuals(equations: &Equations, pressures: &[f64]) -> Vec<f64> {
+        let system = equations.system();
+        system.residuals(pressures).iter().zip(&system.scales).map(|(residual, scale)| residual * scale).collect()
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_residuals() {
+        let graded = Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
+        let strip = Homogeneous::new(0.4, 1.0, 0.25).unwrap();
+        let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(graded).receding();
+        let stack = stack.layer(HalfPlane::new(0.5, 0.3).unwrap()).build().unwrap();
+        let kernel = Kernel::new(&stack).unwrap();
+        let cylinder = Punch::parabola(10.0).unwrap();
+        let load = Punch::Given(Load::uniform(0.6).unwrap());
+        for punch in [&cylinder, &load] {
+            let problem = Problem::new(&kernel, &[], punch, 0.02, 1e-10);
+            let intervals: Vec<Interval> = [(0, [0.0, 0.8]), (1, [0.0, 0.9]), (1, [1.4, 2.0]), (2, [0.3, 1.7])]
+                .into_iter()
+                .filter(|(contact, _)| !problem.is_known(*contact))
+                .map(|(contact, ends)| Interval::new(contact, ends))
+                .collect();
+            let count = 5;
+            let Lengths { ends: reach, shortest } = Lengths::of(&problem, &intervals);
+            let layout = Layout::without_tails(&kernel, &reach, &shortest, 1e-12, 0.0).unwrap();
+            let equations =
+                Equations { kernel: &kernel, problem: &problem, layout: &layout, intervals: &intervals, count };
+            let some = |i: usize| (0..count).map(|m| [1.0, 0.3, -0.2, 0.1, 0.05][(m + i) % count]).collect();
+            let pressures = in_equilibrium(&intervals, (0..intervals.len()).map(some).collect()).concat();
+            let spacings = spacings(&intervals);
+            let system = equations.system();
+            let exact = equations.by_ends(&system, &pressures, &spacings).unwrap();
+            let at = ends(&intervals);
+            for by in 0..at.len() {
+                let moved = |step: f64| {
+                    let mut moved = at.clone();
+                    moved[by] += step * spacings[by];
+                    let moved = with_ends(&intervals, &moved).unwrap();
+                    residuals(&Equations { intervals: &moved, ..equations }, &pressures)
+                };
+                let (there, before) = (moved(1e-4), moved(-1e-4));
+                for row in 0..there.len() {
+                    let expected = (there[row] - before[row]) / 2e-4 / system.scales[row];
+                    let found = exact[(row, by)];
+                    assert!(
+                        (found - expected).abs() < 1e-5 * (1.0 + expected.abs()),
+                        "{row}, {by}: {found} {expected}"
+                    );
                 }
             }
         }

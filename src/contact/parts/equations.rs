@@ -16,6 +16,7 @@ use crate::contact::integrals::tail::Weights;
 use crate::contact::parts::interval::{Interval, Table};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::PER_MODE;
+use crate::contact::problem::load::Given;
 use crate::kernel::Kernel;
 use crate::numeric::dot;
 
@@ -37,7 +38,7 @@ pub(super) struct System {
     pub(super) matrix: Mat<f64>,
     right: Vec<f64>,
     /// The largest entry of each row before it was scaled to 1.
-    scales: Vec<f64>,
+    pub(super) scales: Vec<f64>,
 }
 
 impl System {
@@ -77,8 +78,8 @@ enum Row {
 struct Blocks {
     /// For each contact, those of itself and of its neighbours.
     blocks: Vec<Vec<(usize, Mat<f64>)>>,
-    /// What a given pressure on top does to the contact below it.
-    loads: Vec<f64>,
+    /// What given pressures on neighbours do to each contact.
+    loads: Vec<Vec<f64>>,
 }
 
 /// What is known of one contact at all wavenumbers: pressures by columns, and tests.
@@ -154,7 +155,7 @@ impl Equations<'_> {
                             matrix[(place, first + column)] += block[(at, column)];
                         }
                     }
-                    right[place] = self.load(index, row) + if contact == 1 { loads[at] } else { 0.0 };
+                    right[place] = self.load(index, row) + loads[contact][at];
                 }
                 Row::Equilibrium { contact } => {
                     for (index, interval) in self.of(contact) {
@@ -176,7 +177,7 @@ impl Equations<'_> {
     /// The equations: those that determine pressures at prescribed ends, and then those that determine the ends.
     fn list(&self) -> Vec<Row> {
         let (mut kept, mut left) = (Vec::new(), Vec::new());
-        for contact in self.first()..self.contacts() {
+        for contact in self.problem.unknown() {
             let mut at = 0;
             for (index, interval) in self.of(contact) {
                 for row in 0..self.rows(index) {
@@ -211,7 +212,7 @@ impl Equations<'_> {
         let mut blocks: Vec<Vec<(usize, Mat<f64>)>> = (0..n)
             .map(|contact| coupled(contact).into_iter().flatten().map(|other| zeros(contact, other)).collect())
             .collect();
-        let mut loads = vec![0.0; if n > 1 { self.rows_of(1) } else { 0 }];
+        let mut loads: Vec<Vec<f64>> = (0..n).map(|contact| vec![0.0; self.rows_of(contact)]).collect();
         // no more than two contacts at once, and some wavenumbers: tables take much memory
         let all = self.layout.zeta.len();
         for first in (0..all).step_by(TOGETHER) {
@@ -220,10 +221,11 @@ impl Equations<'_> {
             for contact in 0..n {
                 let waves = self.waves(contact, nodes.clone());
                 self.add_own(contact, first, &waves, &mut blocks[contact][0].1);
-                if contact == 1 && self.first() == 1 {
-                    let given = self.given(first, waves.tests.nrows());
-                    let tested = self.loaded(0, first, &waves, &given);
-                    loads.iter_mut().zip(tested).for_each(|(load, tested)| *load += tested);
+                for (other, weights) in self.neighbours(contact) {
+                    let Some(given) = self.problem.sides[other].given() else { continue };
+                    let given = self.given(given, &self.layout.zeta[first..first + waves.tests.nrows()]);
+                    let tested = self.loaded(weights, first, &waves, &given);
+                    loads[contact].iter_mut().zip(tested).for_each(|(load, tested)| *load += tested);
                 }
                 if let Some(above) = &above {
                     blocks[contact][1].1 -= self.between(contact - 1, first, &waves, above);
@@ -279,15 +281,8 @@ impl Equations<'_> {
         all
     }
 
-    /// The first contact of which the pressure is unknown.
-    pub(super) fn first(&self) -> usize {
-        usize::from(self.problem.top().given().is_some())
-    }
-
-    /// The transform of what presses on a contact at some wavenumbers less that of the pressure all are compared with.
-    pub(super) fn given(&self, first: usize, count: usize) -> Vec<f64> {
-        let Some(given) = self.problem.top().given() else { return Vec::new() };
-        let zeta = &self.layout.zeta[first..first + count];
+    /// The transform of a given pressure at some wavenumbers less that of the pressure all are compared with.
+    pub(super) fn given(&self, given: &Given, zeta: &[f64]) -> Vec<f64> {
         zeta.iter().zip(self.beyond(zeta)).map(|(zeta, beyond)| given.transform_minus_one(*zeta) + beyond).collect()
     }
 
@@ -354,8 +349,8 @@ impl Equations<'_> {
     }
 
     /// What a given pressure gives to a contact through a coupling, by wavenumbers from `first` on.
-    fn loaded(&self, coupling: usize, first: usize, waves: &Waves, field: &[f64]) -> Vec<f64> {
-        let weights = &self.layout.coupling[coupling].plain;
+    fn loaded(&self, weights: &Weights, first: usize, waves: &Waves, field: &[f64]) -> Vec<f64> {
+        let weights = &weights.plain;
         let terms = weights[first.min(weights.len())..].iter().zip(&self.layout.zeta[first..]).zip(field);
         let terms: Vec<f64> = terms.map(|((weight, zeta), value)| weight * zeta / PI * value).collect();
         let tests = (0..waves.tests.ncols()).map(|row| waves.tests.col_as_slice(row));
@@ -386,19 +381,13 @@ impl Equations<'_> {
     /// The right-hand side of one row.
     fn load(&self, index: usize, row: usize) -> f64 {
         let interval = &self.intervals[index];
-        if interval.contact > 0 {
-            return 0.0;
-        }
+        let Some(profile) = self.problem.sides[interval.contact].profile() else { return 0.0 };
         match (interval.tests(self.count).get(row), self.opening(index)) {
-            (Some(test), _) => self
-                .places()
-                .map(|(theta, weight)| {
-                    weight
-                        * (*test as f64 * theta).cos()
-                        * self.problem.top().slope(interval.middle + interval.half * theta.cos())
-                })
-                .sum(),
-            (None, Some([from, to])) => self.problem.top().height(to) - self.problem.top().height(from),
+            (Some(test), _) => {
+                let slope = |theta: f64| profile.slope(interval.middle + interval.half * theta.cos());
+                self.places().map(|(theta, weight)| weight * (*test as f64 * theta).cos() * slope(theta)).sum()
+            }
+            (None, Some([from, to])) => profile.height(to) - profile.height(from),
             (None, None) => 0.0,
         }
     }
@@ -427,10 +416,9 @@ impl Equations<'_> {
             add(&self.layout.own[contact].unit.plain, &field(&waves, contact, false), 1.0);
             let remainders = field(&waves, contact, true);
             for (other, weights) in self.neighbours(contact) {
-                let others = if other < self.first() {
-                    self.given(first, remainders.len())
-                } else {
-                    field(&self.waves(other, nodes.clone()), other, true)
+                let others = match self.problem.sides[other].given() {
+                    Some(given) => self.given(given, &self.layout.zeta[first..first + remainders.len()]),
+                    None => field(&self.waves(other, nodes.clone()), other, true),
                 };
                 add(&weights.plain, &remainders, 1.0);
                 add(&weights.plain, &others, -1.0);

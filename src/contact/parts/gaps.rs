@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
 use crate::contact::parts::equations::Equations;
+use crate::contact::parts::interval::Interval;
 use crate::contact::parts::{Lengths, Level};
 use crate::contact::problem::Problem;
 use crate::numeric::quadrature::rule;
@@ -54,11 +55,8 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
     let before = Equations { intervals: &coarse.intervals, count: coarse.coefficients.first()?.len(), ..equations };
     for (i, (interval, same)) in intervals.iter().zip(&coarse.intervals).enumerate() {
         let next = intervals.get(i + 1).filter(|next| next.contact == interval.contact);
-        let end = match (next, interval.contact, problem.top().edge()) {
-            (Some(next), ..) => next.from(),
-            (None, 0, Some(edge)) => span.min(edge),
-            _ => span,
-        };
+        let edge = problem.sides[interval.contact].edge().unwrap_or(span);
+        let end = next.map_or(span.min(edge), Interval::from);
         let inwards = equations.is_apart(i).then(|| [interval.from(), 0.0, same.from(), 0.0]);
         let end_before = next.map_or(end, |_| coarse.intervals[i + 1].from());
         for [from, to, from_before, to_before] in
@@ -88,7 +86,7 @@ impl Equations<'_> {
         places: usize,
     ) -> Vec<(f64, f64)> {
         let waves = self.response(contact, coefficients);
-        let limit = self.layout.own[contact].limit;
+        let (limit, side) = (self.layout.own[contact].limit, &self.problem.sides[contact]);
         let place = |t: f64| from + (to - from) * (FRAC_PI_2 * t).sin().powi(2);
         let mut near = 0.0;
         (1..=places)
@@ -107,9 +105,7 @@ impl Equations<'_> {
                         wave * 2.0 * (0.5 * zeta * (x + from)).sin() * (0.5 * zeta * (x - from)).sin() / zeta
                     })
                     .sum();
-                let opened =
-                    if contact == 0 { self.problem.top().height(x) - self.problem.top().height(from) } else { 0.0 };
-                (x, opened - near - far)
+                (x, side.height(x) - side.height(from) - near - far)
             })
             .collect()
     }

@@ -143,7 +143,7 @@ fn starting_intervals(
     which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
 ) -> Option<Vec<Interval>> {
     let mut intervals = Vec::new();
-    for (contact, active) in active.iter().enumerate().skip(usize::from(problem.top().given().is_some())) {
+    for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
         let parts = which(active);
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
@@ -216,8 +216,10 @@ impl Lengths {
         let shortest =
             (0..problem.contacts()).map(|i| of(i).map(|interval| interval.half).fold(f64::INFINITY, f64::min));
         let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
-        if let Some(given) = problem.top().given() {
-            (ends[0], shortest[0]) = (given.half_length.max(ends[1]), shortest[1]);
+        for (i, side) in problem.sides.iter().enumerate() {
+            if let Some(given) = side.given() {
+                (ends[i], shortest[i]) = (given.half_length.max(ends[i + 1]), shortest[i + 1]);
+            }
         }
         Self { ends, shortest }
     }

@@ -82,11 +82,6 @@ impl<'a> Problem<'a> {
         self.sides.len()
     }
 
-    /// What presses on the uppermost contact.
-    pub(crate) fn top(&self) -> &Side<'a> {
-        &self.sides[0]
-    }
-
     /// Whether the pressure of contact i is given.
     pub(crate) fn is_known(&self, i: usize) -> bool {
         matches!(self.sides[i], Side::Known(_))

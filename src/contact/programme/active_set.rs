@@ -116,7 +116,7 @@ impl<'a> Programme<'a> {
     }
 
     fn is_inadmissible(&self, i: usize, e: usize) -> bool {
-        i == 0 && self.energy.inadmissible[e]
+        self.energy.inadmissible[i][e]
     }
 
     /// Elements of contact i with penetration.

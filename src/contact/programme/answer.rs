@@ -18,9 +18,8 @@ const MOST_ERROR: f64 = 0.25;
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
 pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
     let all = cycles(problem, expected, far, FINE);
-    let eliminated = usize::from(problem.top().given().is_some());
-    let found = |i: usize| found(problem, i, &all, i - eliminated);
-    let contacts = (eliminated..problem.contacts()).map(found).collect::<Option<Vec<_>>>()?;
+    let found = |(i, contact): (usize, usize)| found(problem, contact, &all, i);
+    let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
     let elements = all.last()?.grid.elements();
     let warning = format!(
         "accuracy about 1 %: Newton's method did not converge, so this is the solution of the quadratic programme with \

@@ -12,7 +12,6 @@ use std::f64::consts::PI;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
-use crate::contact::problem::Problem;
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::grid::Grid;
 use crate::numeric::bessel;
@@ -40,13 +39,13 @@ pub(super) struct Energy {
     pub(super) linear: Vec<Vec<f64>>,
     /// Resultant of each element's unit pressure.
     pub(super) resultants: Vec<f64>,
-    /// Elements that the punch does not reach.
-    pub(super) inadmissible: Vec<bool>,
+    /// Elements that the punch at a contact does not reach.
+    pub(super) inadmissible: Vec<Vec<bool>>,
 }
 
 impl Energy {
     /// `None` if the matrices of all contacts would have too many entries.
-    pub(super) fn new(kernel: &Compliances, problem: &Problem, grid: &Grid) -> Option<Self> {
+    pub(super) fn new(kernel: &Compliances, grid: &Grid) -> Option<Self> {
         let (contacts, elements) = (kernel.contacts(), grid.elements());
         if contacts.saturating_mul(elements).saturating_mul(elements) > MOST_ENTRIES {
             return None;
@@ -57,16 +56,14 @@ impl Energy {
             coupling: vec![Mat::zeros(elements, elements); contacts - 1],
             linear: vec![vec![0.0; elements]; contacts],
             resultants: widths.iter().map(|width| 2.0 * width).collect(),
-            inadmissible: vec![false; elements],
+            inadmissible: vec![vec![false; elements]; contacts],
         };
         let waves = Waves::new(grid, &widths);
         let least = waves.least(kernel);
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
         energy.add_resultants(kernel);
-        if kernel.is_topmost() {
-            energy.add_punch(problem, grid);
-        }
+        energy.add_punches(kernel, grid);
         Some(energy)
     }
 
@@ -129,10 +126,9 @@ impl Energy {
                 for ((zeta, w), beyond) in zeta.iter().zip(&beyond) {
                     let w = w / (PI * zeta);
                     let (own, coupled) = (kernel.own(i, *zeta) - least[i], kernel.coupled(i, *zeta));
-                    let given = if coupled == 0.0 { 0.0 } else { kernel.given(*zeta) };
                     weights.push(w * (own + coupled));
                     // a given neighbour counts by what it differs from the pressure that all are compared with
-                    forces.push(w * (own * (1.0 + beyond) + coupled * (beyond - given)));
+                    forces.push(w * (own * (1.0 + beyond) + coupled * beyond - kernel.given(i, *zeta)));
                 }
                 add_gram(&transforms, &weights, unit);
                 for (e, linear) in linear.iter_mut().enumerate() {
@@ -161,14 +157,17 @@ impl Energy {
         }
     }
 
-    fn add_punch(&mut self, problem: &Problem, grid: &Grid) {
-        let last = problem.top().edge().unwrap_or(f64::INFINITY);
-        for e in 0..self.elements() {
-            let [from, to] = grid.element(e);
-            self.inadmissible[e] = to > last;
-            if !self.inadmissible[e] {
-                self.linear[0][e] +=
-                    rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * problem.top().height(x)).sum::<f64>();
+    fn add_punches(&mut self, kernel: &Compliances, grid: &Grid) {
+        for i in 0..self.contacts() {
+            let Some(profile) = kernel.side(i).profile() else { continue };
+            let last = profile.edge().unwrap_or(f64::INFINITY);
+            for e in 0..self.elements() {
+                let [from, to] = grid.element(e);
+                self.inadmissible[i][e] = to > last;
+                if !self.inadmissible[i][e] {
+                    let heights = rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * profile.height(x));
+                    self.linear[i][e] += heights.sum::<f64>();
+                }
             }
         }
     }

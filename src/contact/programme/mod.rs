@@ -13,7 +13,7 @@ mod grid;
 #[cfg(test)]
 mod tests;
 
-use crate::contact::problem::Problem;
+use crate::contact::problem::{Problem, Side};
 use active_set::Programme;
 use compliances::Compliances;
 use energy::Energy;
@@ -104,35 +104,32 @@ impl Cycle {
 /// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
 pub(super) fn active(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<ActiveIntervals>> {
     let cycles = cycles(problem, expected, far, COARSE);
-    let mut active = cycles.last()?.active();
-    if let Some(given) = problem.top().given() {
-        active.insert(0, ActiveIntervals::one(given.half_length));
-    }
-    Some(active)
+    let mut found = cycles.last()?.active().into_iter();
+    let of = |side: &Side| match side.given() {
+        Some(given) => Some(ActiveIntervals::one(given.half_length)),
+        None => found.next(),
+    };
+    problem.sides.iter().map(of).collect()
 }
 
 /// The last refinement cycles, two at most, with the finest grids.
 fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Vec<Cycle> {
     // a prescribed traction is no unknown of the programme
-    let given = problem.top().given();
-    let kernel = &match given {
-        Some(given) => Compliances::below_first(problem.kernel, |zeta| given.transform_minus_one(zeta)),
-        None => Compliances::all(problem.kernel),
-    };
+    let kernel = &Compliances::new(problem);
     if kernel.contacts() == 0 {
         return Vec::new();
     }
-    let expected = &expected[problem.contacts() - kernel.contacts()..];
-    let far = far.max(given.map_or(problem.last_fall(), |given| given.half_length));
+    let given = problem.sides.iter().filter_map(|side| side.given().map(|given| given.half_length));
+    let far = given.fold(far.max(problem.last_fall()), f64::max);
     let mut cycles: Vec<Cycle> = Vec::new();
-    let longest = expected.iter().copied().fold(0.0, f64::max);
-    let shortest = expected.iter().copied().fold(f64::INFINITY, f64::min);
-    let edge = problem.top().edge().filter(|_| kernel.is_topmost());
+    let lengths = || problem.unknown().map(|i| expected[i]);
+    let (longest, shortest) = (lengths().fold(0.0, f64::max), lengths().fold(f64::INFINITY, f64::min));
+    let edge = problem.sides.iter().find_map(Side::edge);
     let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return cycles };
     let mut longer = LONGER;
     let most = grid.elements() + resolution.elements;
     for _ in 0..CYCLES {
-        let Some(energy) = Energy::new(kernel, problem, &grid) else { break };
+        let Some(energy) = Energy::new(kernel, &grid) else { break };
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));
