@@ -91,6 +91,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
 
 /// Newton's method over refinement levels, the sign check, and the answer.
 fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
+    work.operations.start();
     let refined = refine(problem, start, work)?;
     // a half-length that no pressure is sensitive to need not be known
     let is_unknown = |error: &Estimate| {

@@ -73,47 +73,40 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;
     // the programme may see several intervals, far out, where there is one with next to no force
     let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
-    let fewer = (merged != all).then_some(merged);
-    let starts = [Some(all), fewer].into_iter().flatten();
+    let starts = if merged == all { vec![all] } else { vec![all, merged] };
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    starts
-        .flat_map(|intervals| [false, true].map(|joint| (intervals.clone(), joint)))
-        .find_map(|(intervals, joint)| solve_from(problem, intervals, joint, &mut work))
-}
-
-/// The same from given intervals.
-fn solve_from(problem: &Problem, intervals: Vec<Interval>, joint: bool, work: &mut Work) -> Option<Solution> {
-    let negligible = negligible(problem.tolerance);
-    work.steps.clear();
-    let mut before: Option<Level> = None;
-    let mut best: Option<([Level; 2], Errors, usize)> = None;
-    let mut count = COARSEST;
-    while count <= FINEST {
-        let start = before.as_ref().map_or(&intervals, |before| &before.intervals);
-        let level = [true, false]
-            .map(|together| Way { together, joint })
-            .into_iter()
-            .find_map(|way| converge(problem, start.clone(), count, negligible, way, work));
-        let Some(level) = level else {
-            // where neither the first nor the second number of pressures converges, more will not
-            if best.is_some() || count > COARSEST {
-                break;
-            }
-            count *= 2;
-            continue;
-        };
-        if let Some(before) = before.replace(level.clone()) {
-            let errors = Errors::between(&level, &before);
-            // more pressures do not help against what is due to something else
-            let done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
-            if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
-                best = Some(([level, before], errors, count));
-            }
-            if done {
-                break;
+    // few pressures take the least; where none of the ways converges with them, twice as many may
+    for count in [COARSEST, 2 * COARSEST] {
+        for (intervals, way) in starts.iter().flat_map(|intervals| Way::ALL.map(|way| (intervals, way))) {
+            work.steps.clear();
+            if let Some(first) = converge(problem, intervals.clone(), count, way, &mut work)
+                && let Some(solution) = refine(problem, first, way, &mut work)
+            {
+                return Some(solution);
             }
         }
+    }
+    None
+}
+
+/// Goes on from a first solution with more and more pressures; `None` if that is no admissible answer.
+fn refine(problem: &Problem, first: Level, way: Way, work: &mut Work) -> Option<Solution> {
+    let mut count = first.count();
+    let mut before = first;
+    let mut best: Option<([Level; 2], Errors, usize)> = None;
+    while 2 * count <= FINEST {
         count *= 2;
+        let Some(level) = converge(problem, before.intervals.clone(), count, way, work) else { break };
+        let errors = Errors::between(&level, &before);
+        // more pressures do not help against what is due to something else
+        let done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
+        if best.as_ref().is_none_or(|(_, best, _)| errors.worst() < best.worst()) {
+            best = Some(([level.clone(), before], errors, count));
+        }
+        if done {
+            break;
+        }
+        before = level;
     }
     let ([level, coarse], mut errors, count) = best?;
     if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
@@ -243,15 +236,19 @@ struct Way {
     joint: bool,
 }
 
+impl Way {
+    /// In the order in which they are tried.
+    const ALL: [Self; 4] = [
+        Self { joint: true, together: true },
+        Self { joint: true, together: false },
+        Self { joint: false, together: true },
+        Self { joint: false, together: false },
+    ];
+}
+
 /// Newton's method for the ends and the pressures; `None` if it does not converge.
-fn converge(
-    problem: &Problem,
-    mut intervals: Vec<Interval>,
-    count: usize,
-    negligible: f64,
-    way: Way,
-    work: &mut Work,
-) -> Option<Level> {
+fn converge(problem: &Problem, mut intervals: Vec<Interval>, count: usize, way: Way, work: &mut Work) -> Option<Level> {
+    let negligible = negligible(problem.tolerance);
     let mut kept = Kept::default();
     let mut limits = Limits::new(way);
     let mut progress = Progress::default();
@@ -435,6 +432,11 @@ impl Errors {
 }
 
 impl Level {
+    /// Pressures on each interval.
+    fn count(&self) -> usize {
+        self.coefficients[0].len()
+    }
+
     /// p(0) of each contact, per unit of P'.
     fn peaks(&self) -> impl Iterator<Item = f64> {
         first_of_each(&self.intervals).map(|i| self.intervals[i].pressure(&self.coefficients[i], 0.0))

@@ -35,24 +35,32 @@ impl Progress {
 /// Multiplications, about, that were made and may be made.
 #[derive(Clone)]
 pub(crate) struct Operations {
-    pub(crate) most: f64,
+    /// All starts together.
+    most: f64,
     spent: f64,
+    /// Where the start that is tried ends.
+    until: f64,
 }
 
 impl Default for Operations {
     fn default() -> Self {
-        Self { most: MOST_OPERATIONS, spent: 0.0 }
+        Self::at_most(MOST_OPERATIONS)
     }
 }
 
 impl Operations {
     pub(crate) fn at_most(most: f64) -> Self {
-        Self { most, spent: 0.0 }
+        Self { most, spent: 0.0, until: most }
+    }
+
+    /// Another start: it may take half of what is left, so that something is left for those after it.
+    pub(crate) fn start(&mut self) {
+        self.until = self.spent + 0.5 * (self.most - self.spent).max(0.0);
     }
 
     /// Counts some more; `None` if that is too many.
     pub(crate) fn spend(&mut self, operations: f64) -> Option<()> {
         self.spent += operations;
-        (self.spent <= self.most).then_some(())
+        (self.spent <= self.until).then_some(())
     }
 }

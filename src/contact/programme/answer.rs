@@ -42,7 +42,9 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
     let is_open = intervals[0].from > 0.0;
     let middle = |round: &Cycle| round.pressure(i, 0);
     let change = if is_open || side.is_sharp() { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
-    let lengths = intervals.iter().map(|part| part.to_error / part.to).filter(|error| *error < ENDLESS);
+    // next to nothing depends on ends that are not known better than the grid resolves them
+    let lengths = intervals.iter().map(|part| part.to_error / part.to).zip(&intervals);
+    let lengths = lengths.filter(|(_, part)| part.to_error <= last.resolution(part.to)).map(|(error, _)| error);
     // stiff layers wrapped round a punch may carry a pressure next to nothing about x = 0
     let worst = largest(lengths.chain([change / last.largest(i)]));
     // what is no number is no answer either
@@ -67,16 +69,16 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
 fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
     let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
-    let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { SAFETY * last.grid.width(end) };
+    let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { last.resolution(end) };
     // an interval without end carries no force
     let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
-    // a decaying contact is given as far as it carries one
+    // a decaying contact is given as far as it carries one, and an end beyond is not known
     let end = last.decays(i);
     let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| Part {
         from: *from,
         from_error: error(*from),
         to: if to.is_finite() { *to } else { end },
-        to_error: if to.is_finite() { error(*to) } else { ENDLESS * end },
+        to_error: if to.is_finite() { error(*to).max(to - end) } else { ENDLESS * end },
     });
     let parts: Vec<Part> = parts.collect();
     // a gap about x = 0 counts if it is longer than artefacts of the grid
@@ -89,6 +91,11 @@ impl Cycle {
     fn pressure(&self, i: usize, e: usize) -> f64 {
         let [from, to] = self.grid.element(e);
         self.forces[i][e] / (2.0 * (to - from))
+    }
+
+    /// How far an end may be off since elements have a length.
+    fn resolution(&self, end: f64) -> f64 {
+        SAFETY * self.grid.width(end)
     }
 
     fn largest(&self, i: usize) -> f64 {

@@ -17,7 +17,9 @@ use crate::options::Options;
 use crate::scene::Punch;
 use crate::solution::Interface;
 
+/// Points are this far apart, in ln RP.
 const APART: f64 = 0.25;
+/// Number of points: loads from 1e-26 to 1e26, in the units of the stack.
 const COUNT: usize = 480;
 /// Points that an interpolation takes.
 const POINTS: usize = 10;
