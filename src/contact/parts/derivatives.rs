@@ -13,8 +13,6 @@ use crate::contact::parts::{ends, with_ends};
 
 /// Differences are taken over this part of the intervals next to an end.
 const DIFFERENCE: f64 = 1e-6;
-/// Both motions of an interval have a column each.
-const MOTIONS: [Motion; 2] = [Motion::Shift, Motion::Growth];
 
 /// What all pressures of a contact do at some wavenumbers, and what changes as its intervals move.
 struct Fields<'a> {
@@ -128,7 +126,7 @@ impl Equations<'_> {
             for (sum, field) in [&mut plain, &mut remainder].into_iter().zip(table.field(own)) {
                 sum.iter_mut().zip(field).for_each(|(sum, value)| *sum += value);
             }
-            for (k, motion) in MOTIONS.into_iter().enumerate() {
+            for (k, motion) in Motion::both().into_iter().enumerate() {
                 moved.push((2 * index + k, table.moved_field(own, motion)));
             }
         }
@@ -139,7 +137,7 @@ impl Equations<'_> {
     fn add_moved_tests(&self, own: &Fields, zeta: &[f64], seen: &[f64], sums: &mut Mat<f64>) {
         let mut at = 0;
         for (index, table) in &own.tables {
-            for (k, motion) in MOTIONS.into_iter().enumerate() {
+            for (k, motion) in Motion::both().into_iter().enumerate() {
                 for (row, value) in table.moved_tests(motion, seen).into_iter().enumerate() {
                     sums[(at + row, 2 * index + k)] += value;
                 }

@@ -101,6 +101,12 @@ pub(super) enum Motion {
     Growth,
 }
 
+impl Motion {
+    pub(super) fn both() -> [Self; 2] {
+        [Self::Shift, Self::Growth]
+    }
+}
+
 /// Bessel functions and phases of an interval at some wavenumbers.
 pub(super) struct Table<'a> {
     interval: &'a Interval,

@@ -77,7 +77,7 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     // few pressures take the least; where none of the ways converges with them, twice as many may
     for count in [COARSEST, 2 * COARSEST] {
-        for (intervals, way) in starts.iter().flat_map(|intervals| Way::ALL.map(|way| (intervals, way))) {
+        for (intervals, way) in starts.iter().flat_map(|intervals| Way::all().map(|way| (intervals, way))) {
             work.steps.clear();
             if let Some(first) = converge(problem, intervals.clone(), count, way, &mut work)
                 && let Some(solution) = refine(problem, first, way, &mut work)
@@ -238,12 +238,9 @@ struct Way {
 
 impl Way {
     /// In the order in which they are tried.
-    const ALL: [Self; 4] = [
-        Self { joint: true, together: true },
-        Self { joint: true, together: false },
-        Self { joint: false, together: true },
-        Self { joint: false, together: false },
-    ];
+    fn all() -> [Self; 4] {
+        [(true, true), (true, false), (false, true), (false, false)].map(|(joint, together)| Self { joint, together })
+    }
 }
 
 /// Newton's method for the ends and the pressures; `None` if it does not converge.
