@@ -23,7 +23,7 @@
 //! }
 //! let receding = &solution.contacts()[1];
 //! assert!((receding.half_length - 2.448_610_297_658).abs() < 1e-9);
-//! assert!(receding.pressure(1.0) < receding.peak_pressure);
+//! assert!(receding.pressure(1.0) < receding.central_pressure);
 //! assert!((receding.resultant - 0.002).abs() < 1e-15);
 //! # Ok::<(), recede::Error>(())
 //! ```

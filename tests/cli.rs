@@ -142,7 +142,7 @@ fn json_has_the_pinned_keys_and_all_digits() {
     assert_eq!(json["contacts"][0]["interface"], "punch");
     assert_eq!(json["contacts"][1]["interface"], "2|3");
     for contact in json["contacts"].as_array().unwrap() {
-        for key in ["half_length", "half_length_error", "peak_pressure", "peak_pressure_error", "resultant"] {
+        for key in ["half_length", "half_length_error", "central_pressure", "central_pressure_error", "resultant"] {
             assert!(contact[key].is_number(), "{key}");
         }
     }

@@ -30,7 +30,7 @@ fn solve(name: &str, method: Method) -> Solution {
 fn values(solution: &Solution) -> Vec<[f64; 2]> {
     let contacts = solution.contacts().iter();
     let values = contacts.flat_map(|contact| {
-        [[contact.half_length, contact.half_length_error], [contact.peak_pressure, contact.peak_pressure_error]]
+        [[contact.half_length, contact.half_length_error], [contact.central_pressure, contact.central_pressure_error]]
     });
     values.collect()
 }

@@ -52,7 +52,7 @@ fn tolerances_are_kept_and_errors_are_not_larger_than_estimated() {
             for (found, exact) in found.contacts().iter().zip(exact.contacts()) {
                 let quantities = [
                     ("half-length", found.half_length, found.half_length_error, exact.half_length),
-                    ("peak pressure", found.peak_pressure, found.peak_pressure_error, exact.peak_pressure),
+                    ("peak pressure", found.central_pressure, found.central_pressure_error, exact.central_pressure),
                 ];
                 for (quantity, found_value, estimate, exact) in quantities {
                     let true_error = (found_value - exact).abs();

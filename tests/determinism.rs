@@ -34,7 +34,7 @@ fn bits(answer: &Result<Solution, Error>) -> Vec<u64> {
     for contact in solution.contacts() {
         let pressures = [0.0, 0.31, 0.77, 0.999].map(|s| contact.pressure(s * contact.half_length));
         let values =
-            [contact.half_length, contact.half_length_error, contact.peak_pressure, contact.peak_pressure_error];
+            [contact.half_length, contact.half_length_error, contact.central_pressure, contact.central_pressure_error];
         bits.extend(values.into_iter().chain(pressures).map(f64::to_bits));
     }
     bits

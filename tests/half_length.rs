@@ -148,7 +148,7 @@ fn sweeps_vary_it_and_tell_the_force() {
     let scene = Scene::from_ron(SCENE).unwrap();
     let sweep = Sweep::new(scene.clone(), vec!["half_length=[0.2, 0.4]".parse().unwrap()]).unwrap();
     let csv = SweepCsv::new(&sweep);
-    assert!(csv.header().unwrap().contains("1|2.peak_pressure_error,force,force_error,status"));
+    assert!(csv.header().unwrap().contains("1|2.central_pressure_error,force,force_error,status"));
     for row in sweep.rows() {
         let alone = recede::solve(&scene.with("half_length", row.values[0]).unwrap()).unwrap();
         let numbers = csv.numbers(&row);

@@ -208,7 +208,7 @@ fn inside_stresses_and_jumps_are_those_that_the_interfaces_allow() {
         .layer(HalfPlane::new(0.5, 0.3).unwrap());
     let (model, solution) = solve(stack);
     let field = model.field(&solution).unwrap();
-    let peak = solution.contacts()[0].peak_pressure;
+    let peak = solution.contacts()[0].central_pressure;
     for x in [0.0, 0.2, 0.9, 2.0] {
         for (depth, layers, springs) in
             [(0.3, [1, 2], false), (0.8, [2, 3], true), (1.7, [4, 5], true), (2.0, [5, 6], false)]

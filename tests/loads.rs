@@ -83,7 +83,7 @@ fn fields_are_those_of_the_given_pressure() {
         let (model, solution) = press(strip().layer(ground(0.5)), load.clone(), 0.01);
         let top = &solution.contacts()[0];
         assert_eq!((top.half_length, top.half_length_error), (0.8, 0.0));
-        assert_eq!(top.peak_pressure, load.peak_pressure(0.01));
+        assert_eq!(top.central_pressure, load.central_pressure(0.01));
         let shape = |s: f64| match load {
             Load::Uniform { .. } => 1.0,
             Load::Parabolic { .. } => 1.0 - s * s,
@@ -91,12 +91,12 @@ fn fields_are_those_of_the_given_pressure() {
         };
         let field = model.field(&solution).unwrap();
         for s in [0.0, 0.3, 0.7, 0.9] {
-            let expected = top.peak_pressure * shape(s);
+            let expected = top.central_pressure * shape(s);
             close(top.pressure(0.8 * s), expected, 1e-14);
             close(-field.at(0.8 * s, 0.0).unwrap().sigma_yy, expected, 1e-9);
         }
         // at the bottom of the strip, the other contact
-        let below = solution.contacts()[1].peak_pressure;
+        let below = solution.contacts()[1].central_pressure;
         close(-field.at_layer(0.0, 2.0, 1).unwrap().sigma_yy, below, 1e-8);
     }
     // far from a line load the field is that of a narrow one
@@ -131,14 +131,14 @@ fn assert_same(stack: StackBuilder, found: Load, expected: Load, error: f64) {
     let (found, expected) = (press(stack.clone(), found, 0.01), press(stack, expected, 0.01));
     for (found, expected) in found.1.contacts().iter().zip(expected.1.contacts()) {
         close(found.half_length, expected.half_length, error.max(shifted));
-        close(found.peak_pressure, expected.peak_pressure, error);
+        close(found.central_pressure, expected.central_pressure, error);
         close(found.resultant, expected.resultant, error);
         for s in [0.13, 0.52, 0.93] {
             let x = s * expected.half_length;
-            assert!((found.pressure(x) - expected.pressure(x)).abs() < 10.0 * error * expected.peak_pressure);
+            assert!((found.pressure(x) - expected.pressure(x)).abs() < 10.0 * error * expected.central_pressure);
         }
     }
-    let peak = expected.1.contacts()[0].peak_pressure;
+    let peak = expected.1.contacts()[0].central_pressure;
     let [found, expected] = [&found, &expected].map(|(model, solution)| model.field(solution).unwrap());
     for (x, depth) in [(0.0, 0.0), (0.31, 0.0), (0.0, 0.4), (0.5, 0.2), (0.3, 1.5), (2.0, 3.0)] {
         let (found, expected) = (found.at(x, depth).unwrap(), expected.at(x, depth).unwrap());
@@ -215,7 +215,7 @@ fn fields_of_several_loads_are_sums() {
     let solve = |load: Load, force| model.press(&Punch::Given(load), force).unwrap();
     let all = solve(Load::several(&parts).unwrap(), 0.07);
     let each = parts.map(|part| solve(Load::several(std::slice::from_ref(&part)).unwrap(), 0.02 * part.1));
-    close(all.contacts()[0].peak_pressure, 0.04 * 0.75 / 0.4, 1e-14);
+    close(all.contacts()[0].central_pressure, 0.04 * 0.75 / 0.4, 1e-14);
     assert_eq!((all.contacts()[0].half_length, all.contacts()[0].resultant), (0.7, 0.07));
     for x in [0.0, 0.25, 0.35, 0.6, 0.71] {
         let sum: f64 = each.iter().map(|solution| solution.contacts()[0].pressure(x)).sum();
@@ -236,7 +236,7 @@ fn two_lines_on_a_half_plane_are_those_of_flamant() {
     let at = 0.8;
     let pair = Load::several(&[(at, 1.0, Load::Line)]).unwrap();
     let (model, solution) = press(Stack::builder(Plane::Strain).layer(ground(1.0)), pair, 3.0);
-    assert_eq!((solution.contacts()[0].half_length, solution.contacts()[0].peak_pressure), (at, 0.0));
+    assert_eq!((solution.contacts()[0].half_length, solution.contacts()[0].central_pressure), (at, 0.0));
     assert_eq!(solution.contacts()[0].pressure(at), f64::INFINITY);
     for (x, d) in [(0.0, 0.5), (0.8, 0.1), (1.3, 0.7), (-4.0, 2.0)] {
         let line = |x: f64| -2.0 * 1.5 / std::f64::consts::PI * d / (x * x + d * d).powi(2);
@@ -294,7 +294,7 @@ fn loads_far_apart_open_the_contact_between_them() {
 fn bonded_stacks_have_nothing_to_solve_for() {
     let (_, solution) = press(Stack::builder(Plane::Strain).layer(ground(1.0)), Load::uniform(2.0).unwrap(), 3.0);
     let [contact] = solution.contacts() else { panic!("one contact") };
-    assert_eq!((contact.half_length, contact.peak_pressure), (2.0, 0.75));
+    assert_eq!((contact.half_length, contact.central_pressure), (2.0, 0.75));
     close(contact.resultant, 3.0, 1e-14);
 }
 
@@ -324,7 +324,7 @@ fn the_command_solves_them() {
     );
     assert_eq!(json.status, Some(0), "{}", json.stderr);
     assert!(
-        json.stdout.contains("\"interface\": \"load\"") && json.stdout.contains("\"peak_pressure\": null"),
+        json.stdout.contains("\"interface\": \"load\"") && json.stdout.contains("\"central_pressure\": null"),
         "{}",
         json.stdout
     );

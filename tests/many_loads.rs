@@ -46,10 +46,10 @@ fn answers_are_those_of_any_model_in_fewer_steps() {
                 let claimed = [
                     (found.half_length, found.half_length_error, expected.half_length, expected.half_length_error),
                     (
-                        found.peak_pressure,
-                        found.peak_pressure_error,
-                        expected.peak_pressure,
-                        expected.peak_pressure_error,
+                        found.central_pressure,
+                        found.central_pressure_error,
+                        expected.central_pressure,
+                        expected.central_pressure_error,
                     ),
                 ];
                 for (found, error, expected, before) in claimed {

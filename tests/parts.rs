@@ -40,8 +40,8 @@ fn bodies_meet_where_they_touch_and_only_there() {
             let [upper, lower] = [above, below].map(|layer| field.at_layer(x, depth, layer).unwrap());
             for face in [&upper, &lower] {
                 let wrong = face.sigma_yy + contact.pressure(x);
-                assert!(wrong.abs() < 1e-6 * contact.peak_pressure, "{name} at {x}: {face:?}");
-                assert!(face.sigma_xy.abs() < 1e-6 * contact.peak_pressure, "{name} at {x}: {face:?}");
+                assert!(wrong.abs() < 1e-6 * contact.central_pressure, "{name} at {x}: {face:?}");
+                assert!(face.sigma_xy.abs() < 1e-6 * contact.central_pressure, "{name} at {x}: {face:?}");
             }
             upper.v - lower.v
         };
@@ -62,7 +62,7 @@ fn a_sheet_that_bends_as_far_as_the_punch_is_round_touches_it_in_two_strips() {
         let (model, solution) = solved(name, 1e-6);
         let contact = &solution.contacts()[0];
         let (from, to) = (contact.opening, contact.half_length);
-        assert!(0.0 < from && from < to && contact.peak_pressure == 0.0, "{name}: {contact:?}");
+        assert!(0.0 < from && from < to && contact.central_pressure == 0.0, "{name}: {contact:?}");
         assert_eq!(contact.intervals().collect::<Vec<_>>(), [[-to, -from], [from, to]]);
         assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{name}: {contact:?}");
         assert!(solution.warnings().iter().any(|warning| warning.contains("open about x = 0")));
@@ -121,7 +121,7 @@ fn estimates_cover_what_a_tighter_tolerance_changes() {
         (rough.half_length - fine.half_length, rough.half_length_error),
         (rough_part.from - fine_part.from, rough_part.from_error),
         (rough_part.to - fine_part.to, rough_part.to_error),
-        (rough.peak_pressure - fine.peak_pressure, rough.peak_pressure_error),
+        (rough.central_pressure - fine.central_pressure, rough.central_pressure_error),
     ] {
         assert!(off.abs() <= 10.0 * estimate, "{off:e} {estimate:e}");
     }

@@ -70,7 +70,7 @@ fn same(name: &str, found: &Solution, expected: &Solution) {
     assert_eq!(found.contacts().len(), expected.contacts().len(), "{name}");
     for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
         for (found, expected) in
-            [(found.half_length, expected.half_length), (found.peak_pressure, expected.peak_pressure)]
+            [(found.half_length, expected.half_length), (found.central_pressure, expected.central_pressure)]
         {
             assert!((found / expected - 1.0).abs() < SAME, "{name}: {found:?} and {expected:?}");
         }

@@ -120,7 +120,7 @@ fn contacts_are_found_though_the_first_row_has_no_solution() {
 fn contacts_that_only_some_rows_have_are_columns_of_all() {
     let sweep = sweep(&["layer[2].thickness=[0,1]"]);
     let header = SweepCsv::new(&sweep).header().unwrap();
-    for column in ["layer[2].thickness,punch.half_length,", "1|3.half_length", "2|3.peak_pressure_error"] {
+    for column in ["layer[2].thickness,punch.half_length,", "1|3.half_length", "2|3.central_pressure_error"] {
         assert!(header.contains(column), "{header}");
     }
     let lines: Vec<_> = sweep.rows().map(|row| row.result.unwrap().contacts().len()).collect();

@@ -223,7 +223,7 @@ impl Found {
 
     /// Pressures at x = 0 of both contacts, from curve to curve at their first point.
     pub fn peaks(&self) -> [Vec<f64>; 2] {
-        [0, 1].map(|contact| self.curves.iter().map(|curve| curve[0].contacts()[contact].peak_pressure).collect())
+        [0, 1].map(|contact| self.curves.iter().map(|curve| curve[0].contacts()[contact].central_pressure).collect())
     }
 
     /// Whether something is true of the half-lengths of a contact along each curve.

@@ -71,9 +71,9 @@ impl Found {
             half_length_error: first.to_error,
             opening: first.from,
             opening_error: first.from_error,
-            peak_pressure: self.peak * unit,
+            central_pressure: self.peak * unit,
             // an infinite pressure is known
-            peak_pressure_error: if self.peak.is_finite() { self.peak_error * unit } else { 0.0 },
+            central_pressure_error: if self.peak.is_finite() { self.peak_error * unit } else { 0.0 },
             resultant: strips.iter().map(|strip| strip.resultant() * images(strip)).sum(),
             strips,
             parts: intervals.collect(),

@@ -65,9 +65,9 @@ pub(super) fn solve(
 /// The largest relative error of a solution.
 fn worst(solution: &Solution) -> f64 {
     let errors = solution.contacts.iter().flat_map(|contact| {
-        let pressure = contact.peak_pressure_error / contact.peak_pressure;
+        let pressure = contact.central_pressure_error / contact.central_pressure;
         // a pressure of 0 is known, and an infinite one cannot be missed
-        let known = contact.peak_pressure == 0.0 || contact.peak_pressure.is_infinite();
+        let known = contact.central_pressure == 0.0 || contact.central_pressure.is_infinite();
         [contact.half_length_error / contact.half_length, if known { 0.0 } else { pressure }]
     });
     numeric::largest(errors)
@@ -132,8 +132,8 @@ impl Thin {
         let solved = self.interfaces(interfaces);
         for contact in &mut solution.contacts {
             contact.half_length_error += self.error * contact.half_length;
-            if contact.peak_pressure.is_finite() {
-                contact.peak_pressure_error += self.error * contact.peak_pressure.abs();
+            if contact.central_pressure.is_finite() {
+                contact.central_pressure_error += self.error * contact.central_pressure.abs();
             }
         }
         solution.warnings.extend(self.contacts.iter().map(|(contact, error)| {

@@ -61,7 +61,7 @@ const POWER: f64 = 1e-3;
 /// let solution = model.press(&Punch::cylinder(500.0)?, 0.002)?;
 /// let field = model.field(&solution)?;
 /// let under_the_punch = field.at(0.0, 0.0)?;
-/// assert!((under_the_punch.sigma_yy + solution.contacts()[0].peak_pressure).abs() < 1e-12);
+/// assert!((under_the_punch.sigma_yy + solution.contacts()[0].central_pressure).abs() < 1e-12);
 /// // the strip bends: its lower face is stretched
 /// assert!(field.at_layer(0.0, 1.0, 1)?.sigma_xx > 0.0);
 /// # Ok::<(), recede::Error>(())
@@ -137,7 +137,7 @@ impl Field {
     /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
     /// let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
     /// let error = model.field(&solution)?.stress_error(&Point { x: 0.1, depth: 0.2, layer: None })?;
-    /// assert!(error > 0.0 && error < 1e-9 * solution.contacts()[0].peak_pressure);
+    /// assert!(error > 0.0 && error < 1e-9 * solution.contacts()[0].central_pressure);
     /// # Ok::<(), recede::Error>(())
     /// ```
     ///
@@ -313,8 +313,8 @@ impl Field {
 fn pressure_error(contact: &Contact) -> f64 {
     let mean = 0.5 * contact.resultant.abs() / contact.reach();
     // the pressure at x = 0 is extrapolated from the series, the field is that of the series itself
-    let error = |peak: f64| contact.peak_pressure_error + (contact.pressure(0.0) - peak).abs();
-    let peak = if contact.peak_pressure.is_finite() { error(contact.peak_pressure) } else { 0.0 };
+    let error = |peak: f64| contact.central_pressure_error + (contact.pressure(0.0) - peak).abs();
+    let peak = if contact.central_pressure.is_finite() { error(contact.central_pressure) } else { 0.0 };
     let ends = contact.half_length_error / contact.half_length;
     let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
     peak + if rounding.is_finite() { rounding } else { 0.0 }

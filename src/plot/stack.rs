@@ -44,7 +44,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let bottom = labels.max(drawing.top + scale * total + if rigid { 12.0 } else { BASE });
     let height = bottom + 22.0 + PRESSURES + 38.0;
     let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
-    let peaks = contacts.iter().map(|contact| format!("123456789012345{}", short(contact.peak_pressure)));
+    let peaks = contacts.iter().map(|contact| format!("123456789012345{}", short(contact.central_pressure)));
     let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
     let right = SIDES.1 + 0.5 * TEXT * longest as f64;
     let mut picture = Picture::new(SIDES.0 + WIDTH + right, height);
@@ -251,8 +251,8 @@ impl Drawing<'_> {
         let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
             points: pressure(self.scene, contact),
             stroke: stroke(i),
-            label: match contact.peak_pressure.is_finite() {
-                true => format!("{symbol}(0) = {}", short(contact.peak_pressure)),
+            label: match contact.central_pressure.is_finite() {
+                true => format!("{symbol}(0) = {}", short(contact.central_pressure)),
                 false => format!("{symbol}(0) = ∞"),
             },
         });

@@ -71,8 +71,8 @@ struct Contact {
     half_length: f64,
     half_length_error: f64,
     /// `null` if it is infinite.
-    peak_pressure: Option<f64>,
-    peak_pressure_error: Option<f64>,
+    central_pressure: Option<f64>,
+    central_pressure_error: Option<f64>,
     resultant: f64,
     /// Not written unless the bodies are apart about x = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -105,8 +105,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         interface: report.name(contact),
         half_length: contact.half_length,
         half_length_error: contact.half_length_error,
-        peak_pressure: finite(contact.peak_pressure),
-        peak_pressure_error: finite(contact.peak_pressure).map(|_| contact.peak_pressure_error),
+        central_pressure: finite(contact.central_pressure),
+        central_pressure_error: finite(contact.central_pressure).map(|_| contact.central_pressure_error),
         resultant: contact.resultant,
         opening: (contact.opening > 0.0).then_some(contact.opening),
         opening_error: (contact.opening > 0.0).then_some(contact.opening_error),

@@ -7,7 +7,7 @@ use crate::solution::{Contact, Interface};
 use crate::sweep::{Row, Sweep};
 
 /// The columns of each contact.
-const OF_A_CONTACT: [&str; 4] = ["half_length", "half_length_error", "peak_pressure", "peak_pressure_error"];
+const OF_A_CONTACT: [&str; 4] = ["half_length", "half_length_error", "central_pressure", "central_pressure_error"];
 
 /// Additional columns where the force is an unknown.
 const FOUND: [&str; 2] = ["force", "force_error"];
@@ -23,7 +23,7 @@ const FOUND: [&str; 2] = ["force", "force_error"];
 /// for row in sweep.rows() {
 ///     text += &csv.line(&row)?;
 /// }
-/// assert!(text.starts_with("force,punch.half_length,punch.half_length_error,punch.peak_pressure,"));
+/// assert!(text.starts_with("force,punch.half_length,punch.half_length_error,punch.central_pressure,"));
 /// assert_eq!(text.lines().count(), 3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -103,8 +103,8 @@ impl<'a> SweepCsv<'a> {
 }
 
 fn quantities(contact: &Contact) -> [f64; OF_A_CONTACT.len()] {
-    let Contact { half_length, half_length_error, peak_pressure, peak_pressure_error, .. } = *contact;
-    [half_length, half_length_error, peak_pressure, peak_pressure_error]
+    let Contact { half_length, half_length_error, central_pressure, central_pressure_error, .. } = *contact;
+    [half_length, half_length_error, central_pressure, central_pressure_error]
 }
 
 fn status(error: &Error) -> &'static str {

@@ -42,8 +42,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         table.add_row([
             report.name(contact),
             with_error(contact.half_length, contact.half_length_error),
-            match contact.peak_pressure.is_finite() {
-                true => with_error(contact.peak_pressure, contact.peak_pressure_error),
+            match contact.central_pressure.is_finite() {
+                true => with_error(contact.central_pressure, contact.central_pressure_error),
                 false => "infinite".to_owned(),
             },
             rounded(contact.resultant),
@@ -79,7 +79,7 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
             writeln!(out, "{}: re-contact from |x| = {from} to {to}", report.name(contact))?;
         }
     }
-    if solution.contacts().iter().any(|contact| contact.peak_pressure.is_infinite()) {
+    if solution.contacts().iter().any(|contact| contact.central_pressure.is_infinite()) {
         writeln!(
             out,
             "infinite: under a line load, and next to a sharp tip, where it grows like the logarithm of 1/|x|"

@@ -15,7 +15,7 @@ use super::write::written;
 /// ```
 /// use recede::Load;
 /// let uniform = Load::uniform(0.5)?;
-/// assert_eq!(uniform.peak_pressure(3.0), 3.0);
+/// assert_eq!(uniform.central_pressure(3.0), 3.0);
 /// assert_eq!(Load::Line.half_width(), 0.0);
 /// assert!(Load::parabolic(0.0).is_err());
 /// # Ok::<(), recede::Error>(())
@@ -56,7 +56,7 @@ impl Load {
     /// let wheels = Load::several(&[(0.7, 1.0, Load::uniform(0.1)?)])?; // one on each side, half of the force each
     /// assert_eq!(wheels.to_string(), "Several([(at: 0.7, share: 1.0, load: Uniform(half_width: 0.1))])");
     /// assert!((wheels.half_width() - 0.8).abs() < 1e-15);
-    /// assert_eq!(wheels.peak_pressure(1.0), 0.0);
+    /// assert_eq!(wheels.central_pressure(1.0), 0.0);
     /// # Ok::<(), recede::Error>(())
     /// ```
     ///
@@ -118,7 +118,7 @@ impl Load {
     }
 
     /// Pressure at x = 0 for a force; infinite on a line.
-    pub fn peak_pressure(&self, force: f64) -> f64 {
+    pub fn central_pressure(&self, force: f64) -> f64 {
         let mean = 0.5 * force / self.half_width();
         match self {
             Self::Line => f64::INFINITY,
@@ -128,7 +128,7 @@ impl Load {
             Self::Several(loads) => {
                 let part = |(at, share, load): (f64, f64, &Self)| match load.half_width() {
                     0.0 if at == 0.0 => f64::INFINITY,
-                    a if at <= a => share * load.peak_pressure(force) * load.relative(at / a),
+                    a if at <= a => share * load.central_pressure(force) * load.relative(at / a),
                     _ => 0.0,
                 };
                 loads.parts().into_iter().map(part).sum()

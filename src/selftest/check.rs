@@ -137,19 +137,19 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 }
 
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
-    let Contact { half_length, half_length_error, opening, peak_pressure, peak_pressure_error, .. } = *contact;
+    let Contact { half_length, half_length_error, opening, central_pressure, central_pressure_error, .. } = *contact;
     if contact.interface == Interface::Punch && scene.punch.load().is_some() {
         // the traction is prescribed
         return None;
     }
     let sharp = contact.interface == Interface::Punch && scene.punch.is_sharp();
-    for (name, value, infinite) in [("half-length", half_length, false), ("pressure", peak_pressure, sharp)] {
+    for (name, value, infinite) in [("half-length", half_length, false), ("pressure", central_pressure, sharp)] {
         let none = name == "pressure" && opening > 0.0 && value == 0.0;
         if !(none || value > 0.0 && value.is_infinite() == infinite) {
             return Some(format!("the {name} is {value:e}"));
         }
     }
-    for (name, error) in [("half-length", half_length_error), ("pressure", peak_pressure_error)] {
+    for (name, error) in [("half-length", half_length_error), ("pressure", central_pressure_error)] {
         if !(error >= 0.0 && error.is_finite()) {
             return Some(format!("the error of the {name} is {error:e}"));
         }
@@ -172,7 +172,7 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
         return Some("a pressure is not a number".to_owned());
     }
     // tension below the answer's own error estimate is no error
-    let allowed = if sharp || opening > 0.0 { TENSION } else { TENSION.max(peak_pressure_error / peak_pressure) };
+    let allowed = if sharp || opening > 0.0 { TENSION } else { TENSION.max(central_pressure_error / central_pressure) };
     (smallest < -allowed * largest).then(|| format!("tension of {:.1e} of the largest pressure", -smallest / largest))
 }
 
@@ -232,7 +232,7 @@ mod tests {
         tensile.strips[0].coefficients = vec![first, -first];
         scene.force = tensile.resultant.into();
         assert!(wrong_contact(&scene, &tensile).unwrap().starts_with("tension of"));
-        tensile.peak_pressure_error = f64::NAN;
+        tensile.central_pressure_error = f64::NAN;
         assert_eq!(wrong_contact(&scene, &tensile).unwrap(), "the error of the pressure is NaN");
     }
 }

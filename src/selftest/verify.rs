@@ -51,7 +51,7 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
         let lengths = [found.half_length, found.half_length_error, strict.half_length, strict.half_length_error];
         let pressures =
-            [found.peak_pressure, found.peak_pressure_error, strict.peak_pressure, strict.peak_pressure_error];
+            [found.central_pressure, found.central_pressure_error, strict.central_pressure, strict.central_pressure_error];
         for (quantity, [value, estimate, truth, blur]) in [("half-length", lengths), ("pressure", pressures)] {
             // an open middle and an infinite pressure have no error
             if value.is_infinite() && truth.is_infinite() || value == 0.0 && truth == 0.0 {

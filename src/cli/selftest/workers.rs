@@ -110,7 +110,7 @@ impl Selftest {
             let worst = contacts.iter().fold(0.0, |worst: f64, contact| {
                 worst
                     .max(contact.half_length_error / contact.half_length)
-                    .max(contact.peak_pressure_error / contact.peak_pressure)
+                    .max(contact.central_pressure_error / contact.central_pressure)
             });
             let first = contacts.first().map_or(0.0, |contact| contact.half_length);
             Answer {

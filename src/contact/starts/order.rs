@@ -255,8 +255,8 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
 
 /// Whether the pressures of two solutions at x = 0 are the same but for their errors.
 fn agree(one: &Solution, other: &Solution) -> bool {
-    let mut pairs = one.contacts.iter().zip(&other.contacts).filter(|(one, _)| one.peak_pressure.is_finite());
-    pairs.all(|(a, b)| (a.peak_pressure - b.peak_pressure).abs() <= a.peak_pressure_error + b.peak_pressure_error)
+    let mut pairs = one.contacts.iter().zip(&other.contacts).filter(|(one, _)| one.central_pressure.is_finite());
+    pairs.all(|(a, b)| (a.central_pressure - b.central_pressure).abs() <= a.central_pressure_error + b.central_pressure_error)
 }
 
 /// The contact in which bodies touch in several intervals, or in none about the middle.

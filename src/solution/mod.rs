@@ -1,0 +1,180 @@
+//! What a solved scene tells.
+mod contact;
+mod peak;
+mod strip;
+
+use std::fmt;
+
+pub use contact::{Contact, Interval};
+pub(crate) use contact::Part;
+pub use peak::Peak;
+pub(crate) use strip::{Form, Strip};
+
+/// Which contact: the punch on top, or a receding interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Interface {
+    /// Punch on the top face of the stack.
+    Punch,
+    /// Receding interface between two neighbours, numbered from the top as written in the scene, starting at 1;
+    /// the base counts.
+    Between {
+        /// Number of the layer above.
+        above: usize,
+        /// Number of the layer (or base) below.
+        below: usize,
+    },
+}
+
+impl fmt::Display for Interface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Punch => write!(f, "punch"),
+            Self::Between { above, below } => write!(f, "{above}|{below}"),
+        }
+    }
+}
+
+/// Counts of what was computed for a solution, and of what was not needed.
+///
+/// What is counted for the stack was done once for its [`Model`](crate::Model), however many punches and loads follow.
+///
+/// ```
+/// use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+/// let slice = || Homogeneous::new(0.25, 1.0, 0.25);
+/// let stack = Stack::builder(Plane::Strain).layer(slice()?).bonded().layer(slice()?).receding();
+/// let model = Model::new(stack.layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+/// let stats = model.press(&Punch::cylinder(500.0)?, 0.002)?.stats().clone();
+/// assert_eq!((stats.dropped, stats.merged), (0, 1));
+/// assert_eq!(stats.layers + stats.below_decay_depth, stats.wavenumbers);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Layers of thickness zero, which are not there.
+    pub dropped: usize,
+    /// Layers that are one body with the layer or half-plane to which they are bonded, and were solved for with it.
+    pub merged: usize,
+    /// Wavenumbers at which the stack was evaluated.
+    pub wavenumbers: usize,
+    /// Layers evaluated, all wavenumbers together; a half-plane does not count.
+    pub layers: usize,
+    /// Layers that would have been evaluated, were they not in sequences that repeat others.
+    pub repeated: usize,
+    /// Layers that would have been evaluated, had they not been too deep for the wave to be felt.
+    pub below_decay_depth: usize,
+    /// Values of couplings between neighbouring contacts that vanish and were left out, all wavenumbers together.
+    pub uncoupled: usize,
+    /// Wavenumbers of the integrals of the contact equations, at which kernels were taken from values known before rather
+    /// than evaluated; all layouts of integrals together.
+    pub interpolated: usize,
+    /// Terms in the series of each pressure, contacts from the top down.
+    pub modes: Vec<usize>,
+    /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first; for each force that was tried, if
+    /// it was found.
+    pub newton_steps: Vec<usize>,
+    /// Systems of equations that were factorised.
+    pub factorisations: usize,
+    /// Why each level of refinement ended, the coarsest first; for each force that was tried, if it was found. Empty for an
+    /// answer of low accuracy, and for contacts in several intervals.
+    pub stopped: Vec<Stopped>,
+}
+
+/// Why a level of refinement ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stopped {
+    /// What is left is below the tolerance.
+    Converged,
+    /// What is left is below the truncation error: more modes are needed to make it smaller.
+    Truncated,
+    /// The iteration hardly grows shorter.
+    Slow,
+    /// The iteration goes nowhere: the modes that were solved for are all there is.
+    Diverged,
+    /// More wavenumbers would be needed than memory and time allow.
+    Budget,
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::Truncated => "truncated",
+            Self::Slow => "slow",
+            Self::Diverged => "diverged",
+            Self::Budget => "budget",
+        })
+    }
+}
+
+/// A solved scene: contacts from the top down, and what it took to find them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Hash of the stack that it belongs to, which [`crate::Model`] sets and compares.
+    pub(crate) stack: Option<u64>,
+    pub(crate) contacts: Vec<Contact>,
+    pub(crate) force: f64,
+    pub(crate) force_error: f64,
+    pub(crate) min_pressure: f64,
+    pub(crate) min_gap: f64,
+    pub(crate) stats: Stats,
+    pub(crate) warnings: Vec<String>,
+}
+
+impl Solution {
+    /// The contacts from the top down: the punch first.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on
+    /// x = 0 is all that presses.
+    pub fn extent(&self) -> Option<f64> {
+        let extent = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
+        (extent > 0.0).then_some(extent)
+    }
+
+    /// The line load P that presses, force per unit length out of plane: as given, or found for a half-length.
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+
+    /// The solver's estimate of the absolute error of the force; 0 if it was given.
+    pub fn force_error(&self) -> f64 {
+        self.force_error
+    }
+
+    /// Smallest pressure found inside the contacts by the admissibility check, in stress.
+    pub fn min_pressure(&self) -> f64 {
+        self.min_pressure
+    }
+
+    /// Smallest gap found outside the contacts by the admissibility check, in length.
+    pub fn min_gap(&self) -> f64 {
+        self.min_gap
+    }
+
+    /// Largest number of modes by which a pressure was represented.
+    pub fn modes(&self) -> usize {
+        self.stats.modes.iter().copied().max().unwrap_or(0)
+    }
+
+    /// Number of wavenumbers at which the stack was evaluated.
+    pub fn wavenumbers(&self) -> usize {
+        self.stats.wavenumbers
+    }
+
+    /// Newton steps taken, all levels together.
+    pub fn newton_steps(&self) -> usize {
+        self.stats.newton_steps.iter().sum()
+    }
+
+    /// What was computed, and what was not needed.
+    pub fn stats(&self) -> &Stats {
+        &self.stats
+    }
+
+    /// What the user should know about this result, in full sentences; empty if there is nothing.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}

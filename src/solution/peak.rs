@@ -1,0 +1,108 @@
+//! The largest pressure of a contact.
+use super::{Contact, Form, Strip};
+
+/// A strip is looked at in this many places for each term of its series: the highest term is seen at three places of each of its
+/// arches. Between them the largest pressure is found by golden sections.
+const PER_TERM: usize = 3;
+/// At least in so many places.
+const LEAST: usize = 24;
+/// Golden sections: the place is found to rounding of the pressure.
+const SECTIONS: usize = 48;
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// The largest pressure of a contact, in the units of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The pressure (compression positive); infinite under the tip of a wedge, at sharp corners, and under a line load.
+    pub pressure: f64,
+    /// The solver's estimate of its absolute error; 0 if it is infinite.
+    pub error: f64,
+    /// Where it is, x ≥ 0: the pressure is the same at −x.
+    pub x: f64,
+    /// How far off that may be: a pressure that hardly varies about its largest value says little of the place.
+    pub x_error: f64,
+}
+
+impl Peak {
+    /// The largest pressure of a contact.
+    pub(super) fn of(contact: &Contact) -> Self {
+        let infinite = contact.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
+        if let Some(x) = infinite.reduce(f64::min) {
+            return Self { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
+        }
+        let mut best = (0.0, 0.0);
+        let pressure = |x: f64| contact.pressure(x);
+        for strip in &contact.strips {
+            let terms = strip.coefficients.len().max(strip.skew.len());
+            let places = match strip.form {
+                Form::Uniform => 2,
+                _ => (PER_TERM * terms).max(LEAST),
+            };
+            // from the middle, or the end on the left, to the end on the right
+            let (first, last) = if strip.at > 0.0 { (places, -1.0) } else { (places / 2, 0.0) };
+            let place = |k: usize| {
+                let angle = std::f64::consts::PI * k as f64 / places as f64;
+                if last == 0.0 && k == first { 0.0 } else { strip.at + strip.extent * angle.cos() }
+            };
+            for k in 1..=first {
+                if pressure(place(k)) > best.1 {
+                    best = highest(&pressure, place(k + 1).max(0.0), place(k - 1), (place(k), pressure(place(k))));
+                }
+            }
+        }
+        let (x, largest) = best;
+        let error = contact.central_pressure_error + contact.truncation() + largest * contact.end_error();
+        let x_error = if x == 0.0 { 0.0 } else { flat(&pressure, x, largest, error, contact.reach()) };
+        Self { pressure: largest, error, x, x_error }
+    }
+}
+
+/// The place between two others where a function is largest, and its value there; `seen` is what is known already.
+fn highest(function: &dyn Fn(f64) -> f64, mut from: f64, mut to: f64, seen: (f64, f64)) -> (f64, f64) {
+    let mut inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
+    let mut values = inner.map(function);
+    for _ in 0..SECTIONS {
+        if values[0] > values[1] {
+            to = inner[1];
+            inner = [to - GOLDEN * (to - from), inner[0]];
+            values = [function(inner[0]), values[0]];
+        } else {
+            from = inner[0];
+            inner = [inner[1], from + GOLDEN * (to - from)];
+            values = [values[1], function(inner[1])];
+        }
+    }
+    let found = if values[0] > values[1] { (inner[0], values[0]) } else { (inner[1], values[1]) };
+    if found.1 > seen.1 { found } else { seen }
+}
+
+/// How far from x a function is still as large as there but for an error; as far as `most`.
+fn flat(function: &dyn Fn(f64) -> f64, x: f64, largest: f64, error: f64, most: f64) -> f64 {
+    let enough = largest - error.max(f64::EPSILON * largest);
+    let mut step = 1e-8 * most;
+    while step < most && (function(x - step) > enough || function(x + step) > enough) {
+        step *= 2.0;
+    }
+    step.min(most)
+}
+
+impl Contact {
+    /// What is missing of the series of the pressure, by how its last terms fall.
+    fn truncation(&self) -> f64 {
+        let of = |strip: &Strip| {
+            let terms = &strip.coefficients;
+            let size = |from: usize, to: usize| terms[from..to].iter().map(|c| c.abs()).sum::<f64>();
+            let (half, rest) = (terms.len() / 2, 3 * terms.len() / 4);
+            let (third, fourth) = (size(half, rest), size(rest, terms.len()));
+            let fall = (fourth / third).min(0.9);
+            if strip.form != Form::Series || fourth == 0.0 || third == 0.0 { 0.0 } else { fourth * fall / (1.0 - fall) }
+        };
+        self.strips.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// The largest relative error of an end that is known.
+    fn end_error(&self) -> f64 {
+        let errors = self.parts.iter().map(|part| part.to_error / part.to).filter(|error| *error < 1.0);
+        errors.fold(0.0, f64::max)
+    }
+}

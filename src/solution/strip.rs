@@ -1,0 +1,117 @@
+//! Pressures on strips, of which that of a contact is the sum.
+use std::f64::consts::PI;
+
+/// A pressure on |x − at| < extent, symmetric about x = at, and where `at` is not 0 its mirror image. In stress.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Strip {
+    /// Where its middle is, ≥ 0, in length.
+    pub(crate) at: f64,
+    /// Half-length a of the strip, 0 of a line load.
+    pub(crate) extent: f64,
+    /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
+    pub(crate) coefficients: Vec<f64>,
+    /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
+    pub(crate) skew: Vec<f64>,
+    /// How strong it is next to the sharp corners of a punch; 0 if there are none.
+    pub(crate) corners: f64,
+    /// How strong its logarithm is under a sharp tip; 0 if there is none.
+    pub(crate) tip: f64,
+    /// What else is known of it.
+    pub(crate) form: Form,
+}
+
+/// Pressures that are known in closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// What the series says.
+    Series,
+    /// All on a line.
+    Line,
+    /// The same everywhere.
+    Uniform,
+    /// Like 1 − s², s = (x − at)/a.
+    Parabolic,
+}
+
+impl Strip {
+    /// A pressure about x = 0 of which nothing is known but its series.
+    pub(crate) fn series(extent: f64, coefficients: Vec<f64>) -> Self {
+        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, form: Form::Series }
+    }
+
+    /// The same in other units of length and pressure.
+    pub(crate) fn scaled(mut self, length: f64, pressure: f64) -> Self {
+        // on a line the only coefficient is a force
+        let unit = if self.form == Form::Line { length * pressure } else { pressure };
+        self.coefficients.iter_mut().chain(&mut self.skew).for_each(|c| *c *= unit);
+        (self.at, self.extent) = (self.at * length, self.extent * length);
+        (self.corners, self.tip) = (self.corners * pressure, self.tip * pressure);
+        self
+    }
+
+    /// The resultant of one image.
+    pub(crate) fn resultant(&self) -> f64 {
+        if self.form == Form::Line {
+            return self.coefficients.iter().sum();
+        }
+        0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
+    }
+
+    /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
+    fn image(&self, x: f64, mirror: f64) -> f64 {
+        if self.form == Form::Line {
+            return if x == 0.0 { f64::INFINITY } else { 0.0 };
+        }
+        let s = x / self.extent;
+        // NaN is outside, too
+        if s.is_nan() || s.abs() > 1.0 {
+            return 0.0;
+        }
+        let mean = 0.5 * self.resultant() / self.extent;
+        match self.form {
+            // where it ends, the mean of both sides
+            Form::Uniform if s.abs() == 1.0 => 0.5 * mean,
+            Form::Uniform => mean,
+            Form::Parabolic => 1.5 * mean * (1.0 - s * s),
+            Form::Series | Form::Line => {
+                let phi = s.acos();
+                let sum = |coefficients: &[f64], first: usize| -> f64 {
+                    coefficients.iter().enumerate().map(|(m, c)| c * ((2 * m + first) as f64 * phi).sin()).sum()
+                };
+                let corners = match self.corners {
+                    0.0 => 0.0,
+                    corners if s.abs() == 1.0 => corners * f64::INFINITY,
+                    corners => corners / phi.sin(),
+                };
+                let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
+                sum(&self.coefficients, 1) + mirror * sum(&self.skew, 2) + corners + tip
+            }
+        }
+    }
+
+    /// Middle, resultant, and moment about the middle of each image.
+    pub(super) fn images(&self) -> impl Iterator<Item = (f64, f64, f64)> + use<> {
+        // ∫ x sin 2φ dx with x = a cos φ
+        let moment = 0.25 * PI * self.extent.powi(2) * self.skew.first().copied().unwrap_or(0.0);
+        let (at, resultant) = (self.at, self.resultant());
+        let count = if at == 0.0 { 1 } else { 2 };
+        [(at, resultant, moment), (-at, resultant, -moment)].into_iter().take(count)
+    }
+
+    /// Where the pressure is infinite, from the middle of the strip.
+    pub(super) fn singular(&self) -> Option<f64> {
+        match self.form {
+            Form::Line => Some(0.0),
+            _ if self.tip != 0.0 => Some(0.0),
+            _ if self.corners != 0.0 => Some(self.extent),
+            _ => None,
+        }
+    }
+
+    pub(super) fn pressure(&self, x: f64) -> f64 {
+        if self.at == 0.0 {
+            return self.image(x, 1.0);
+        }
+        self.image(x - self.at, 1.0) + self.image(x + self.at, -1.0)
+    }
+}
