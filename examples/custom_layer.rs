@@ -64,8 +64,8 @@ pub fn main() -> Result<(), recede::Error> {
     let built = recede::Model::new(stack)?.press(&Punch::cylinder(100.0)?, 0.01)?;
 
     for (one, other) in read.contacts().iter().zip(built.contacts()) {
-        println!("{}: {} ± {:e}", one.interface, one.half_length, one.half_length_error);
-        assert_eq!(one.half_length, other.half_length);
+        println!("{}: {} ± {:e}", one.interface, one.half_length().unwrap(), one.half_length_error().unwrap());
+        assert_eq!(one.half_length().unwrap(), other.half_length().unwrap());
     }
     Ok(())
 }

@@ -23,7 +23,7 @@ pub fn main() -> Result<(), Error> {
     };
     let half_lengths = |model: &Model, radius: f64| -> Result<[f64; 2], Error> {
         let solution = model.press(&Punch::cylinder(radius)?, scene.force)?;
-        Ok([0, 1].map(|i| solution.contacts()[i].half_length))
+        Ok([0, 1].map(|i| solution.contacts()[i].half_length().unwrap()))
     };
 
     println!("The full model: a strip on a graded layer on a half-plane\n");

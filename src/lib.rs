@@ -97,7 +97,7 @@ pub use scene::{
     Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,
     ValueError, Vocabulary,
 };
-pub use solution::{Contact, Interface, Part, Solution, Stats, Stopped};
+pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped};
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,
     StackProblem,

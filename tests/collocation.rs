@@ -30,7 +30,10 @@ fn solve(name: &str, method: Method) -> Solution {
 fn values(solution: &Solution) -> Vec<[f64; 2]> {
     let contacts = solution.contacts().iter();
     let values = contacts.flat_map(|contact| {
-        [[contact.half_length, contact.half_length_error], [contact.central_pressure, contact.central_pressure_error]]
+        [
+            [contact.half_length().unwrap(), contact.half_length_error().unwrap()],
+            [contact.central_pressure, contact.central_pressure_error],
+        ]
     });
     values.collect()
 }

@@ -51,7 +51,12 @@ fn tolerances_are_kept_and_errors_are_not_larger_than_estimated() {
             modes = found.modes();
             for (found, exact) in found.contacts().iter().zip(exact.contacts()) {
                 let quantities = [
-                    ("half-length", found.half_length, found.half_length_error, exact.half_length),
+                    (
+                        "half-length",
+                        found.half_length().unwrap(),
+                        found.half_length_error().unwrap(),
+                        exact.half_length().unwrap(),
+                    ),
                     ("peak pressure", found.central_pressure, found.central_pressure_error, exact.central_pressure),
                 ];
                 for (quantity, found_value, estimate, exact) in quantities {

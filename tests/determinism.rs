@@ -32,9 +32,13 @@ fn bits(answer: &Result<Solution, Error>) -> Vec<u64> {
     let mut bits = vec![solution.min_pressure().to_bits(), solution.min_gap().to_bits()];
     bits.extend([solution.modes(), solution.wavenumbers(), solution.newton_steps()].map(|count| count as u64));
     for contact in solution.contacts() {
-        let pressures = [0.0, 0.31, 0.77, 0.999].map(|s| contact.pressure(s * contact.half_length));
-        let values =
-            [contact.half_length, contact.half_length_error, contact.central_pressure, contact.central_pressure_error];
+        let pressures = [0.0, 0.31, 0.77, 0.999].map(|s| contact.pressure(s * contact.half_length().unwrap()));
+        let values = [
+            contact.half_length().unwrap(),
+            contact.half_length_error().unwrap(),
+            contact.central_pressure,
+            contact.central_pressure_error,
+        ];
         bits.extend(values.into_iter().chain(pressures).map(f64::to_bits));
     }
     bits

@@ -24,11 +24,11 @@ fn press(stack: StackBuilder, punch: Punch, force: f64) -> Solution {
 /// One contact like that of a half-plane.
 fn compare(found: &Solution, exact: hertz::Contact, half_length: f64, pressure: f64) {
     let [contact] = found.contacts() else { panic!("one contact") };
-    let off = contact.half_length / exact.half_length() - 1.0;
+    let off = contact.half_length().unwrap() / exact.half_length() - 1.0;
     assert!(off.abs() < half_length, "half-length off by {off:e}");
     let largest = exact.central_pressure();
     for s in [0.0, 0.2, 0.5, 0.8, 0.95, 0.999] {
-        let x = s * exact.half_length().min(contact.half_length);
+        let x = s * exact.half_length().min(contact.half_length().unwrap());
         let off = (contact.pressure(x) - exact.pressure(x)) / largest;
         assert!(off.abs() < pressure, "pressure at {s} a off by {off:e}");
     }
@@ -113,7 +113,7 @@ fn line_loaded(material: Material, base: Option<Material>) -> Contact {
     let solution = press(stack, Punch::parabola(radius).unwrap(), force);
     let [punch, receding] = solution.contacts() else { panic!("two contacts") };
     // so small a contact is Hertz's, but for the bending of the strip
-    assert!((punch.half_length / half_length - 1.0).abs() < 1e-6, "{punch:?}");
+    assert!((punch.half_length().unwrap() / half_length - 1.0).abs() < 1e-6, "{punch:?}");
     receding.clone()
 }
 
@@ -129,7 +129,7 @@ fn a_line_load_on_a_strip() {
         ((1.0, 0.5), Some((0.375, 0.25)), line_load::STRIP_FOUR_TIMES_STIFFER),
     ];
     for (strip, base, exact) in cases {
-        let b = line_loaded(strip, base).half_length;
+        let b = line_loaded(strip, base).half_length().unwrap();
         let off = b / exact - 1.0;
         println!("b/h = {b:.12}, known {exact:.12}, off by {off:.1e}");
         assert!(off.abs() < 1e-9, "{b} is not {exact}: off by {off:e}");
@@ -138,7 +138,7 @@ fn a_line_load_on_a_strip() {
 
 /// b/h of a strip k times as stiff as its base.
 fn recession(k: f64) -> f64 {
-    line_loaded((k, 0.25), Some((1.0, 0.25))).half_length
+    line_loaded((k, 0.25), Some((1.0, 0.25))).half_length().unwrap()
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn a_strip_that_bends_down_enough_never_lifts_off() {
     // it has no end, so none is found, and nothing else depends on it: the pressure is that without lifting
     let fading = press(1.8).unwrap();
     let below = &fading.contacts()[1];
-    assert_eq!(below.half_length, below.half_length_error);
+    assert_eq!(below.half_length().unwrap(), below.half_length_error().unwrap());
     assert!(fading.warnings()[0].contains("no end of the contact 1|2 was found"), "{:?}", fading.warnings());
     for x in [0.0, 0.7, 2.0] {
         let expected = 1e-6 * pressure_without_lifting(&graded(1.8))(x);
@@ -211,7 +211,9 @@ fn a_stiff_half_plane_is_a_rigid_base() {
         for modulus in [1e3, 1e6, 1e9, 1e12] {
             let stiff = press(strip().layer(HalfPlane::new(modulus, 0.25).unwrap()), punch.clone(), 0.002);
             let off = |(a, b): (&Contact, &Contact)| {
-                (a.half_length / b.half_length - 1.0).abs().max((a.central_pressure / b.central_pressure - 1.0).abs())
+                (a.half_length().unwrap() / b.half_length().unwrap() - 1.0)
+                    .abs()
+                    .max((a.central_pressure / b.central_pressure - 1.0).abs())
             };
             let off = stiff.contacts().iter().zip(rigid.contacts()).map(off).fold(0.0, f64::max);
             assert!(off < 3.0 / modulus + 1e-10, "modulus {modulus:e}: off by {off:e}");

@@ -8,6 +8,7 @@ use crate::support;
 
 use std::f64::consts::PI;
 
+use crate::support::outwards;
 use recede::{
     ContactError, Error, Exponential, HalfPlane, Homogeneous, Load, Method, Model, Options, Plane, Punch, Scene,
     Solution, Stack,
@@ -60,7 +61,7 @@ fn on_a_half_plane_the_pressure_is_that_of_sadowsky() {
     ] {
         let solution = press(&model, a);
         let [contact] = solution.contacts() else { panic!("one contact") };
-        assert_eq!((contact.half_length, contact.half_length_error), (a, 0.0));
+        assert_eq!((contact.half_length().unwrap(), contact.half_length_error().unwrap()), (a, 0.0));
         assert_eq!(solution.warnings(), [""; 0]);
         close(contact.central_pressure, force / (PI * a), 1e-12, "p(0)");
         assert!(contact.central_pressure_error < 1e-10 * contact.central_pressure);
@@ -97,7 +98,7 @@ fn the_face_under_the_punch_stays_flat() {
             }
             for contact in solution.contacts() {
                 close(contact.resultant, 0.01, 1e-12, "resultant");
-                let estimate = contact.half_length_error / contact.half_length;
+                let estimate = contact.half_length_error().unwrap() / contact.half_length().unwrap();
                 assert!(estimate < 1e-9, "stack {i}, {half_width}: {contact:?}");
             }
         }
@@ -113,7 +114,10 @@ fn ever_sharper_corners_come_to_those() {
             let found = with_radius(radius);
             let pairs = found.contacts().iter().zip(expected.contacts());
             let of = |(found, expected): (&recede::Contact, &recede::Contact)| {
-                [found.half_length / expected.half_length - 1.0, found.central_pressure / expected.central_pressure - 1.0]
+                [
+                    found.half_length().unwrap() / expected.half_length().unwrap() - 1.0,
+                    found.central_pressure / expected.central_pressure - 1.0,
+                ]
             };
             pairs.flat_map(of).collect::<Vec<f64>>()
         };
@@ -131,35 +135,29 @@ fn loose_layers_do_not_care_how_hard_the_punch_is_pressed() {
     let (_, model) = layered().remove(1);
     let [light, heavy] = [1e-9, 3.0].map(|force| model.press(&Punch::flat(0.5).unwrap(), force).unwrap());
     for (light, heavy) in light.contacts().iter().zip(heavy.contacts()) {
-        close(heavy.half_length, light.half_length, 1e-12, "half-length");
+        close(heavy.half_length().unwrap(), light.half_length().unwrap(), 1e-12, "half-length");
         close(heavy.central_pressure, 3e9 * light.central_pressure, 1e-12, "pressure");
     }
     // a narrow punch is a line load
     let line = recede::exact::line_load::EQUAL_MODULI;
     let narrow = self::model(stack().layer(strip(1.0)).receding().layer(ground(1.0)));
-    close(press(&narrow, 1e-4).contacts()[1].half_length, line, 1e-7, "half-length under a narrow punch");
+    close(press(&narrow, 1e-4).contacts()[1].half_length().unwrap(), line, 1e-7, "half-length under a narrow punch");
 }
 
 #[test]
 fn a_thin_strip_is_bent_away_from_the_middle_of_a_wide_punch() {
     let thin = model(stack().layer(strip(1.0)).receding().layer(ground(1e-3)));
     let wide = thin.press(&Punch::flat(3.0).unwrap(), 0.01).unwrap();
-    assert!(
-        wide.warnings()[0].contains("constant pressures on each of") && wide.warnings()[1].contains("open about x = 0")
-    );
+    assert!(wide.warnings()[0].contains("constant pressures on each of"));
     let [punch, ground] = wide.contacts() else { panic!("two contacts") };
-    assert_eq!((punch.half_length, punch.half_length_error), (3.0, 0.0));
-    assert!(
-        0.95 < punch.opening / 3.0 && punch.opening + punch.opening_error < 3.0,
-        "{} {}",
-        punch.opening,
-        punch.opening_error
-    );
+    let [edge] = outwards(punch)[..] else { panic!("{punch:?}") };
+    assert_eq!((edge.right, edge.right_error), (3.0, 0.0));
+    assert!(0.95 < edge.left / 3.0 && edge.left + edge.left_error < 3.0, "{edge:?}");
     // far down it does not matter how narrow the strips are
     let lines = Load::several(&[(3.0, 1.0, Load::Line)]).unwrap();
     let lines = thin.press(&Punch::Given(lines), 0.01).unwrap();
-    let off = (ground.half_length - lines.contacts()[1].half_length).abs();
-    assert!(off < ground.half_length_error, "{off}");
+    let off = (ground.half_length().unwrap() - lines.contacts()[1].half_length().unwrap()).abs();
+    assert!(off < ground.half_length_error().unwrap(), "{off}");
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn stack() -> StackBuilder {
 fn half_lengths(stack: StackBuilder) -> Vec<f64> {
     let model = Model::new(stack.build().expect("a legal stack")).expect("a kernel");
     let solution = model.press(&Punch::parabola(300.0).expect("legal"), 0.003).expect("a solution");
-    solution.contacts().iter().map(|contact| contact.half_length).collect()
+    solution.contacts().iter().map(|contact| contact.half_length().unwrap()).collect()
 }
 
 #[track_caller]

@@ -44,7 +44,12 @@ fn answers_are_those_of_any_model_in_fewer_steps() {
             assert_eq!(found.warnings(), expected.warnings(), "{name}, {force}");
             for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
                 let claimed = [
-                    (found.half_length, found.half_length_error, expected.half_length, expected.half_length_error),
+                    (
+                        found.half_length().unwrap(),
+                        found.half_length_error().unwrap(),
+                        expected.half_length().unwrap(),
+                        expected.half_length_error().unwrap(),
+                    ),
                     (
                         found.central_pressure,
                         found.central_pressure_error,

@@ -68,7 +68,7 @@ fn the_misprint_is_one() {
 /// a and b of a scene of the full model.
 fn full(name: &str) -> [f64; 2] {
     let solution = recede::solve(&recede::Scene::read(scene_file(name)).unwrap()).unwrap();
-    [0, 1].map(|i| solution.contacts()[i].half_length)
+    [0, 1].map(|i| solution.contacts()[i].half_length().unwrap())
 }
 
 #[test]

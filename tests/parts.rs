@@ -1,7 +1,9 @@
 //! Contacts in several intervals: what is solved for is what the fields inside the bodies say.
 use std::path::Path;
 
-use recede::{Contact, Interface, Model, Options, Part, Scene, Solution};
+use recede::{Contact, Interface, Interval, Model, Options, Scene, Solution};
+
+use crate::support::outwards;
 
 fn solved(name: &str, tolerance: f64) -> (Model, Solution) {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
@@ -12,17 +14,18 @@ fn solved(name: &str, tolerance: f64) -> (Model, Solution) {
     (model, solution)
 }
 
-/// The contact that has another part, and that part.
-fn in_parts(solution: &Solution) -> (&Contact, Part) {
-    let contact = solution.contacts().iter().find(|contact| !contact.parts.is_empty()).unwrap();
-    (contact, contact.parts[0])
+/// The contact that has several intervals, the one about x = 0, and the next one.
+fn in_parts(solution: &Solution) -> (&Contact, Interval, Interval) {
+    let contact = solution.contacts().iter().find(|contact| contact.intervals().len() > 1).unwrap();
+    let intervals = outwards(contact);
+    (contact, intervals[0], intervals[1])
 }
 
-/// Places in both parts, in the gap between them, and beyond.
-fn places(contact: &Contact, part: Part) -> [Vec<f64>; 2] {
+/// Places in both intervals, in the gap between them, and beyond.
+fn places(first: Interval, next: Interval) -> [Vec<f64>; 2] {
     let between = |from: f64, to: f64| [0.1, 0.3, 0.5, 0.7, 0.9].map(|t| from + t * (to - from));
-    let touching = between(0.0, contact.half_length).into_iter().chain(between(part.from, part.to));
-    let open = between(contact.half_length, part.from).into_iter().chain([1.2 * part.to, 1.5 * part.to]);
+    let touching = between(0.0, first.right).into_iter().chain(between(next.left, next.right));
+    let open = between(first.right, next.left).into_iter().chain([1.2 * next.right, 1.5 * next.right]);
     [touching.collect(), open.collect()]
 }
 
@@ -30,11 +33,11 @@ fn places(contact: &Contact, part: Part) -> [Vec<f64>; 2] {
 fn bodies_meet_where_they_touch_and_only_there() {
     for name in ["seed_1_number_79", "seed_2_number_92"] {
         let (model, solution) = solved(name, 1e-6);
-        let (contact, part) = in_parts(&solution);
+        let (contact, first, part) = in_parts(&solution);
         let Interface::Between { above, below } = contact.interface else { panic!("{name}: {contact:?}") };
         let field = model.field(&solution).unwrap();
         let depth = field.layers().find(|(layer, _)| *layer == above).unwrap().1[1];
-        let [touching, open] = places(contact, part);
+        let [touching, open] = places(first, part);
         // approach of the upper body to the lower one, up to a constant
         let apart = |x: f64| {
             let [upper, lower] = [above, below].map(|layer| field.at_layer(x, depth, layer).unwrap());
@@ -61,11 +64,11 @@ fn a_sheet_that_bends_as_far_as_the_punch_is_round_touches_it_in_two_strips() {
     for (name, radius) in [("seed_2_number_70", 277.1897857911962), ("seed_21_number_638", 13.072514773277263f64)] {
         let (model, solution) = solved(name, 1e-6);
         let contact = &solution.contacts()[0];
-        let (from, to) = (contact.opening, contact.half_length);
+        let [mirrored, Interval { left: from, right: to, .. }] = contact.intervals()[..] else { panic!("{contact:?}") };
         assert!(0.0 < from && from < to && contact.central_pressure == 0.0, "{name}: {contact:?}");
-        assert_eq!(contact.intervals().collect::<Vec<_>>(), [[-to, -from], [from, to]]);
+        assert_eq!([mirrored.left, mirrored.right], [-to, -from]);
+        assert!((mirrored.force / solution.force() - 0.5).abs() < 1e-9 && mirrored.centroid < -from, "{mirrored:?}");
         assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{name}: {contact:?}");
-        assert!(solution.warnings().iter().any(|warning| warning.contains("open about x = 0")));
         // height of the punch above the face, up to a constant
         let field = model.field(&solution).unwrap();
         let apart =
@@ -88,27 +91,38 @@ fn a_sheet_that_bends_as_far_as_the_punch_is_round_touches_it_in_two_strips() {
 fn parts_share_the_force_and_push() {
     for name in ["seed_1_number_0", "seed_1_number_21", "seed_1_number_74", "seed_1_number_79"] {
         let (_, solution) = solved(name, 1e-6);
-        let (contact, part) = in_parts(&solution);
+        let (contact, first, part) = in_parts(&solution);
         for contact in solution.contacts() {
             assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{name}: {contact:?}");
         }
-        let [touching, open] = places(contact, part);
+        let [touching, open] = places(first, part);
         let even = |x: &f64| (contact.pressure(-x) - contact.pressure(*x)).abs() < 1e-9 * contact.pressure(0.0);
         assert!(touching.iter().all(|x| contact.pressure(*x) > 0.0 && even(x)), "{name}");
         assert!(open.iter().all(|x| contact.pressure(*x) == 0.0));
         // by a rule that knows nothing of series
         let all: f64 = contact
             .intervals()
-            .map(|[from, to]| {
+            .into_iter()
+            .map(|Interval { left: from, right: to, force, centroid, .. }| {
                 let count = 4000;
                 let place = |k: usize| std::f64::consts::PI * (k as f64 + 0.5) / count as f64;
                 let half = 0.5 * (to - from);
                 let term = |theta: f64| half * theta.sin() * contact.pressure(0.5 * (from + to) + half * theta.cos());
-                (0..count).map(|k| term(place(k))).sum::<f64>() * std::f64::consts::PI / count as f64
+                let sum = |moment: bool| {
+                    let at = |k: usize| if moment { 0.5 * (from + to) + half * place(k).cos() } else { 1.0 };
+                    let terms = (0..count).map(|k| term(place(k)) * at(k));
+                    terms.sum::<f64>() * std::f64::consts::PI / count as f64
+                };
+                assert!((sum(false) / force - 1.0).abs() < 1e-6, "{name}: {force}");
+                assert!(
+                    (sum(true) - force * centroid).abs() < 1e-6 * (force * (to - from)).abs(),
+                    "{name}: {centroid}"
+                );
+                sum(false)
             })
             .sum();
         assert!((all / contact.resultant - 1.0).abs() < 1e-6, "{name}: {all} {}", contact.resultant);
-        assert_eq!(contact.reach(), part.to);
+        assert_eq!(contact.reach(), part.right);
     }
 }
 
@@ -116,11 +130,11 @@ fn parts_share_the_force_and_push() {
 fn estimates_cover_what_a_tighter_tolerance_changes() {
     let (_, rough) = solved("seed_1_number_79", 1e-4);
     let (_, fine) = solved("seed_1_number_79", 1e-7);
-    let ((rough, rough_part), (fine, fine_part)) = (in_parts(&rough), in_parts(&fine));
+    let ((rough, rough_first, rough_next), (fine, fine_first, fine_next)) = (in_parts(&rough), in_parts(&fine));
     for (off, estimate) in [
-        (rough.half_length - fine.half_length, rough.half_length_error),
-        (rough_part.from - fine_part.from, rough_part.from_error),
-        (rough_part.to - fine_part.to, rough_part.to_error),
+        (rough_first.right - fine_first.right, rough_first.right_error),
+        (rough_next.left - fine_next.left, rough_next.left_error),
+        (rough_next.right - fine_next.right, rough_next.right_error),
         (rough.central_pressure - fine.central_pressure, rough.central_pressure_error),
     ] {
         assert!(off.abs() <= 10.0 * estimate, "{off:e} {estimate:e}");
@@ -147,18 +161,18 @@ fn contacts_of_any_number_of_intervals_meet_the_tolerance() {
     for places in [&[3.0, 12.0, 25.0][..], &[3.0, 12.0, 25.0, 41.0]] {
         let (model, solution) = pairs_on_a_loose_strip(places);
         let contact = &solution.contacts()[1];
-        assert_eq!(contact.parts.len() + 1, places.len(), "{places:?}: {contact:?}");
-        let mut errors = vec![(contact.half_length, contact.half_length_error)];
-        errors.extend(contact.parts.iter().flat_map(|part| [(part.from, part.from_error), (part.to, part.to_error)]));
+        let outwards = outwards(contact);
+        assert_eq!(outwards.len(), places.len(), "{places:?}: {contact:?}");
+        let ends = |interval: &Interval| [(interval.left, interval.left_error), (interval.right, interval.right_error)];
         let tolerance = Options::default().tolerance;
-        assert!(errors.iter().all(|(end, error)| error / end <= tolerance), "{places:?}: {errors:?}");
+        let mut errors = outwards.iter().flat_map(ends);
+        assert!(errors.all(|(end, error)| error / end.abs() <= tolerance), "{places:?}: {outwards:?}");
         assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-9, "{places:?}: {contact:?}");
         // the gap between strip and half-plane, up to a constant, from the fields inside both
         let field = model.field(&solution).unwrap();
         let gap = |x: f64| [1, 2].map(|layer| field.at_layer(x, 1.0, layer).unwrap().v);
         let gap = |x: f64| gap(x).iter().zip([1.0, -1.0]).map(|(v, sign)| sign * v).sum::<f64>();
-        let mut intervals = vec![[contact.opening, contact.half_length]];
-        intervals.extend(contact.parts.iter().map(|part| [part.from, part.to]));
+        let intervals: Vec<[f64; 2]> = outwards.iter().map(|part| [part.left.max(0.0), part.right]).collect();
         let inside = |[from, to]: [f64; 2]| [0.1, 0.5, 0.9].map(|t| from + t * (to - from));
         let touching: Vec<f64> = intervals.iter().flat_map(|interval| inside(*interval)).collect();
         let mut open: Vec<f64> = intervals.windows(2).flat_map(|pair| inside([pair[0][1], pair[1][0]])).collect();

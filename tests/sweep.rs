@@ -277,7 +277,7 @@ fn a_large_grid_begins_at_once() {
     assert_eq!(sweep.len(), 1_000_000_000);
     let small = self::sweep(&["layer[2].beta=[-2]", "punch.radius=500:1000:10"]);
     let few = |rows: &mut dyn Iterator<Item = recede::SweepRow>| {
-        rows.take(3).map(|row| row.result.unwrap().contacts()[0].half_length).collect::<Vec<_>>()
+        rows.take(3).map(|row| row.result.unwrap().contacts()[0].half_length().unwrap()).collect::<Vec<_>>()
     };
     let expected = few(&mut small.rows());
     assert_eq!(few(&mut sweep.rows()), expected);

@@ -85,7 +85,9 @@ impl Page {
         for (contact, number) in numbers.into_iter().enumerate() {
             let curve = |solution: &Solution| {
                 let contact = &solution.contacts()[contact];
-                let x = |i: usize| -contact.half_length * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
+                let x = |i: usize| {
+                    -contact.half_length().unwrap() * (std::f64::consts::PI * i as f64 / POINTS as f64).cos()
+                };
                 (0..=POINTS).map(|i| (x(i), contact.pressure(x(i)))).collect::<Vec<_>>()
             };
             let curves = found.curves.iter().map(|solutions| curve(&solutions[0])).collect();
@@ -213,12 +215,14 @@ impl Page {
 impl Found {
     /// Half-lengths, or whatever else, of a contact along one curve.
     fn of(&self, curve: usize, contact: usize) -> Vec<f64> {
-        self.curves[curve].iter().map(|solution| solution.contacts()[contact].half_length).collect()
+        self.curves[curve].iter().map(|solution| solution.contacts()[contact].half_length().unwrap()).collect()
     }
 
     /// Half-lengths of both contacts, from curve to curve at their first point.
     pub fn half_lengths(&self) -> [Vec<f64>; 2] {
-        [0, 1].map(|contact| self.curves.iter().map(|curve| curve[0].contacts()[contact].half_length).collect())
+        [0, 1].map(|contact| {
+            self.curves.iter().map(|curve| curve[0].contacts()[contact].half_length().unwrap()).collect()
+        })
     }
 
     /// Pressures at x = 0 of both contacts, from curve to curve at their first point.
@@ -257,7 +261,7 @@ impl Found {
     pub fn nested(&self, contact: usize) -> bool {
         self.curves.windows(2).all(|pair| {
             let [outer, inner] = [&pair[0][0], &pair[1][0]].map(|solution| &solution.contacts()[contact]);
-            let x = |i: usize| outer.half_length * i as f64 / POINTS as f64;
+            let x = |i: usize| outer.half_length().unwrap() * i as f64 / POINTS as f64;
             (0..POINTS).all(|i| inner.pressure(x(i)) < outer.pressure(x(i)))
         })
     }

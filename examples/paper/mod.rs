@@ -66,7 +66,7 @@ pub fn table(name: &str) -> Result<Table, Error> {
         let model = Model::new(Stack::from_items(scene.plane, &items)?)?;
         for entry in entries {
             let solution = model.press(&Punch::cylinder(entry.radius)?, 1.0 / entry.load)?;
-            let half_length = |i: usize| solution.contacts()[i].half_length;
+            let half_length = |i: usize| solution.contacts()[i].half_length().unwrap();
             rows.push((entry.clone(), [half_length(0), half_length(1)]));
         }
     }

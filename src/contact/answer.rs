@@ -35,11 +35,9 @@ impl Answer {
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
             Some(given) => Some(load::contact(given.load, *interface, force)),
-            None => found.next().and_then(|found| found.into_contact(*interface, length, unit)),
+            None => found.next().map(|found| found.into_contact(*interface, length, unit)),
         };
         let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();
-        let mut warnings = self.warnings;
-        warnings.extend(in_several_intervals(&contacts));
         Solution {
             contacts,
             stack: None,
@@ -48,47 +46,31 @@ impl Answer {
             min_pressure: self.min_pressure * unit,
             min_gap: self.min_gap * problem.force * length,
             stats: self.stats,
-            warnings,
+            warnings: self.warnings,
         }
     }
 }
 
 impl Found {
-    fn into_contact(self, interface: Interface, length: f64, unit: f64) -> Option<Contact> {
-        let intervals = self.intervals.into_iter().map(|Part { from, from_error, to, to_error }| Part {
+    fn into_contact(self, interface: Interface, length: f64, unit: f64) -> Contact {
+        let scaled = |Part { from, from_error, to, to_error }| Part {
             from: from * length,
             from_error: from_error * length,
             to: to * length,
             to_error: to_error * length,
-        });
-        let mut intervals = intervals.collect::<Vec<_>>().into_iter();
-        let first = intervals.next()?;
+        };
         let strips: Vec<Strip> = self.strips.into_iter().map(|strip| strip.scaled(length, unit)).collect();
         let images = |strip: &Strip| if strip.at == 0.0 { 1.0 } else { 2.0 };
-        Some(Contact {
+        Contact {
             interface,
-            half_length: first.to,
-            half_length_error: first.to_error,
-            opening: first.from,
-            opening_error: first.from_error,
             central_pressure: self.peak * unit,
             // an infinite pressure is known
             central_pressure_error: if self.peak.is_finite() { self.peak_error * unit } else { 0.0 },
             resultant: strips.iter().map(|strip| strip.resultant() * images(strip)).sum(),
             strips,
-            parts: intervals.collect(),
-        })
+            parts: self.intervals.into_iter().map(scaled).collect(),
+        }
     }
-}
-
-/// What is to be said of contacts in several intervals.
-fn in_several_intervals(contacts: &[Contact]) -> impl Iterator<Item = String> {
-    contacts.iter().flat_map(|Contact { interface, opening, parts, .. }| {
-        let several = "is in several parts: its half-length is that of the innermost";
-        let apart = "is open about x = 0: its half-length is where the innermost part of it ends";
-        let both = [(!parts.is_empty(), several), (*opening > 0.0, apart)];
-        both.into_iter().filter(|(said, _)| *said).map(move |(_, what)| format!("contact {interface} {what}"))
-    })
 }
 
 /// What it took to evaluate the stack.

@@ -156,15 +156,15 @@ impl Search {
     /// the one wanted.
     fn solved(&mut self, solution: &Solution) -> Option<f64> {
         let found = solution.contacts.first()?;
-        let missing = (self.half_length / found.half_length).ln();
-        let known = Known { trial: self.trial, missing, half_length: found.half_length };
+        let missing = (self.half_length / found.innermost().to).ln();
+        let known = Known { trial: self.trial, missing, half_length: found.innermost().to };
         if let Some(last) = self.last
             && last.missing != missing
         {
             let secant = (known.trial - last.trial) / (last.missing - missing);
             self.slope = if secant.is_finite() && secant > 0.0 { secant } else { self.slope };
         }
-        let error = found.half_length_error / found.half_length;
+        let error = found.innermost().to_error / found.innermost().to;
         if missing.abs() <= self.enough.max(MET * error) {
             return Some(error + missing.abs());
         }

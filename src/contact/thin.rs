@@ -68,7 +68,7 @@ fn worst(solution: &Solution) -> f64 {
         let pressure = contact.central_pressure_error / contact.central_pressure;
         // a pressure of 0 is known, and an infinite one cannot be missed
         let known = contact.central_pressure == 0.0 || contact.central_pressure.is_infinite();
-        [contact.half_length_error / contact.half_length, if known { 0.0 } else { pressure }]
+        [contact.innermost().to_error / contact.innermost().to, if known { 0.0 } else { pressure }]
     });
     numeric::largest(errors)
 }
@@ -131,7 +131,7 @@ impl Thin {
     fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
         let solved = self.interfaces(interfaces);
         for contact in &mut solution.contacts {
-            contact.half_length_error += self.error * contact.half_length;
+            contact.innermost().to_error += self.error * contact.innermost().to;
             if contact.central_pressure.is_finite() {
                 contact.central_pressure_error += self.error * contact.central_pressure.abs();
             }

@@ -225,7 +225,7 @@ impl Map<'_> {
             if visible(upper) {
                 self.interface(picture, upper, contact.map(|(contact, _)| contact));
                 if let Some((contact, (symbol, _))) = contact {
-                    labels.push((upper, format!("{symbol} = {}{length}", short(contact.half_length))));
+                    labels.push((upper, format!("{symbol} = {}{length}", short(contact.innermost().to))));
                 }
             }
             if k + 1 == self.layers.len() && to.is_finite() && visible(lower) {
@@ -236,7 +236,7 @@ impl Map<'_> {
                 hatching(picture, (left, right), lower);
                 self.interface(picture, lower, last.map(|(contact, _)| contact));
                 if let Some((contact, (symbol, _))) = last {
-                    labels.push((lower, format!("{symbol} = {}{length}", short(contact.half_length))));
+                    labels.push((lower, format!("{symbol} = {}{length}", short(contact.innermost().to))));
                 }
             }
         }
@@ -264,7 +264,8 @@ impl Map<'_> {
         };
         let mut touching = Vec::new();
         let mut before = left;
-        for [from, to] in contact.intervals().map(|interval| interval.map(end)).chain([[right, right]]) {
+        let intervals = contact.intervals().into_iter().map(|interval| [interval.left, interval.right].map(end));
+        for [from, to] in intervals.chain([[right, right]]) {
             if before < from {
                 picture.line(&[(before, y), (from, y)], open);
             }

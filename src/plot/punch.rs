@@ -39,7 +39,7 @@ impl Punch<'_> {
         if let Some(load) = punch.load() {
             return self.load(load, picture);
         }
-        let touching = self.contact.map_or(0.0, |contact| contact.half_length);
+        let touching = self.contact.map_or(0.0, |contact| contact.innermost().to);
         let rise = |x: f64| {
             let x = (x - self.middle) / along;
             (across * (punch.profile(x) - punch.profile(touching))).clamp(0.0, HIGHEST)

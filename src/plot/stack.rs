@@ -8,7 +8,7 @@ use super::punch::{ABOVE, Punch};
 use super::scale::{Scale, label};
 use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::scene::{Load, Scene};
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Interval, Solution};
 use crate::stack::{Placed, Stack};
 
 /// Width of the drawing, without what is left and right of it, in points.
@@ -173,20 +173,20 @@ impl Drawing<'_> {
                 // farther out it has opened
                 let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
                 let mut from = left;
-                for [start, end] in contact.intervals() {
-                    picture.line(&[(from, y), (self.middle + self.scale * start, y)], open);
-                    from = self.middle + self.scale * end;
+                for Interval { left, right, .. } in contact.intervals() {
+                    picture.line(&[(from, y), (self.middle + self.scale * left, y)], open);
+                    from = self.middle + self.scale * right;
                 }
                 picture.line(&[(from, y), (right, y)], open);
             }
             for interval in contact.intervals() {
-                let [from, to] = interval.map(|x| self.middle + self.scale * x);
+                let [from, to] = [interval.left, interval.right].map(|x| self.middle + self.scale * x);
                 picture.line(&[(from, y), (to, y)], touching);
                 for end in [from, to] {
                     picture.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching });
                 }
             }
-            let text = format!("{symbol} = {}{unit}", short(contact.half_length));
+            let text = format!("{symbol} = {}{unit}", short(contact.innermost().to));
             picture.text((left - 6.0, label), &text, SMALL, INK, Anchor::Right);
         }
     }

@@ -5,7 +5,7 @@ use super::names::{Dimension, of_path, symbols, unit};
 use super::picture::{Anchor, Picture};
 use super::scale::{Scale, label};
 use super::style::{INK, TEXT, curve};
-use crate::solution::Interface;
+use crate::solution::{Contact, Interface};
 use crate::sweep::{Axis, Sweep};
 
 /// Size of one plane of curves, in points.
@@ -97,7 +97,7 @@ pub fn sweep(sweep: &Sweep, rows: &[Vec<f64>]) -> Result<Picture, PlotError> {
         let quantities =
             [(0, format!("half-length {length}"), Dimension::Length), (2, format!("{pressure}(0)"), Dimension::Stress)];
         for (line, (offset, y_label, dimension)) in quantities.into_iter().enumerate() {
-            let at = axes.len() + 4 * column + offset;
+            let at = axes.len() + Contact::COLUMNS.len() * column + offset;
             let named = column + 1 == interfaces.len() && !others.is_empty();
             let curves = families.iter().enumerate().map(|(i, family)| Curve {
                 points: family.rows.iter().map(|row| (number(&rows[*row], along), number(&rows[*row], at))).collect(),

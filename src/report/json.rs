@@ -68,50 +68,60 @@ impl<'a> Stats<'a> {
 #[derive(Serialize)]
 struct Contact {
     interface: String,
-    half_length: f64,
-    half_length_error: f64,
+    /// `null` unless the contact is one interval about x = 0.
+    half_length: Option<f64>,
+    half_length_error: Option<f64>,
     /// `null` if it is infinite.
     central_pressure: Option<f64>,
     central_pressure_error: Option<f64>,
+    /// `null` if it is infinite.
+    peak_pressure: Option<f64>,
+    peak_pressure_error: Option<f64>,
+    peak_at: f64,
+    peak_at_error: f64,
     resultant: f64,
-    /// Not written unless the bodies are apart about x = 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    opening: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    opening_error: Option<f64>,
-    /// Not written if the contact is one interval.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    parts: Vec<Part>,
+    intervals: Vec<Interval>,
 }
 
 #[derive(Serialize)]
-struct Part {
-    from: f64,
-    from_error: f64,
-    to: f64,
-    to_error: f64,
+struct Interval {
+    left: f64,
+    right: f64,
+    left_error: f64,
+    right_error: f64,
+    force: f64,
+    centroid: f64,
 }
 
-impl Part {
-    fn of(part: &solution::Part) -> Self {
-        let solution::Part { from, from_error, to, to_error } = *part;
-        Self { from, from_error, to, to_error }
+impl Interval {
+    fn of(interval: solution::Interval) -> Self {
+        let solution::Interval { left, left_error, right, right_error, force, centroid } = interval;
+        Self { left, right, left_error, right_error, force, centroid }
+    }
+}
+
+impl Contact {
+    fn of(name: String, contact: &solution::Contact) -> Self {
+        let peak = contact.peak();
+        Self {
+            interface: name,
+            half_length: contact.half_length(),
+            half_length_error: contact.half_length_error(),
+            central_pressure: finite(contact.central_pressure),
+            central_pressure_error: finite(contact.central_pressure).map(|_| contact.central_pressure_error),
+            peak_pressure: finite(peak.pressure),
+            peak_pressure_error: finite(peak.pressure).map(|_| peak.error),
+            peak_at: peak.x,
+            peak_at_error: peak.x_error,
+            resultant: contact.resultant,
+            intervals: contact.intervals().into_iter().map(Interval::of).collect(),
+        }
     }
 }
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let solution = report.solution;
-    let contacts = solution.contacts().iter().map(|contact| Contact {
-        interface: report.name(contact),
-        half_length: contact.half_length,
-        half_length_error: contact.half_length_error,
-        central_pressure: finite(contact.central_pressure),
-        central_pressure_error: finite(contact.central_pressure).map(|_| contact.central_pressure_error),
-        resultant: contact.resultant,
-        opening: (contact.opening > 0.0).then_some(contact.opening),
-        opening_error: (contact.opening > 0.0).then_some(contact.opening_error),
-        parts: contact.parts.iter().map(Part::of).collect(),
-    });
+    let contacts = solution.contacts().iter().map(|contact| Contact::of(report.name(contact), contact));
     let document = Document {
         scene: report.scene.title(),
         contacts: contacts.collect(),

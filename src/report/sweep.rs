@@ -6,9 +6,6 @@ use crate::scene::Force;
 use crate::solution::{Contact, Interface};
 use crate::sweep::{Row, Sweep};
 
-/// The columns of each contact.
-const OF_A_CONTACT: [&str; 4] = ["half_length", "half_length_error", "central_pressure", "central_pressure_error"];
-
 /// Additional columns where the force is an unknown.
 const FOUND: [&str; 2] = ["force", "force_error"];
 
@@ -23,7 +20,7 @@ const FOUND: [&str; 2] = ["force", "force_error"];
 /// for row in sweep.rows() {
 ///     text += &csv.line(&row)?;
 /// }
-/// assert!(text.starts_with("force,punch.half_length,punch.half_length_error,punch.central_pressure,"));
+/// assert!(text.starts_with("force,punch_half_length,punch_half_length_error,punch_central_pressure,"));
 /// assert_eq!(text.lines().count(), 3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -49,8 +46,8 @@ impl<'a> SweepCsv<'a> {
     /// # Errors
     /// None in practice.
     pub fn header(&self) -> io::Result<String> {
-        let axes = self.sweep.axes().iter().map(|axis| axis.path().to_owned());
-        let of = |interface: &Interface| OF_A_CONTACT.map(|quantity| format!("{interface}.{quantity}"));
+        let axes = self.sweep.axes().iter().map(|axis| column(axis.path()));
+        let of = |interface: &Interface| Contact::COLUMNS.map(|quantity| format!("{}_{quantity}", owner(interface)));
         let contacts = self.sweep.interfaces().iter().flat_map(of);
         line(
             axes.chain(contacts)
@@ -80,7 +77,7 @@ impl<'a> SweepCsv<'a> {
         let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());
         let of = |interface: &Interface| {
             let contact = contacts.iter().find(|contact| contact.interface == *interface);
-            contact.map_or([f64::NAN; OF_A_CONTACT.len()], quantities)
+            contact.map_or([f64::NAN; Contact::COLUMNS.len()], Contact::numbers)
         };
         let force = match &row.result {
             Ok(solution) => [solution.force(), solution.force_error()],
@@ -97,14 +94,23 @@ impl<'a> SweepCsv<'a> {
 
     /// The numbers of a row from its line.
     pub fn numbers_of(&self, line: &str) -> Vec<f64> {
-        let numbers = self.sweep.axes().len() + OF_A_CONTACT.len() * self.sweep.interfaces().len() + self.found().len();
+        let numbers =
+            self.sweep.axes().len() + Contact::COLUMNS.len() * self.sweep.interfaces().len() + self.found().len();
         line.split(',').take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect()
     }
 }
 
-fn quantities(contact: &Contact) -> [f64; OF_A_CONTACT.len()] {
-    let Contact { half_length, half_length_error, central_pressure, central_pressure_error, .. } = *contact;
-    [half_length, half_length_error, central_pressure, central_pressure_error]
+/// The name of a column, which needs no quotes in other programs: `layer[2].beta` becomes `layer_2_beta`.
+fn column(path: &str) -> String {
+    path.replace(['[', '.'], "_").replace(']', "")
+}
+
+/// How the columns of a contact begin.
+fn owner(interface: &Interface) -> String {
+    match interface {
+        Interface::Punch => "punch".to_owned(),
+        Interface::Between { above, below } => format!("contact_{above}_{below}"),
+    }
 }
 
 fn status(error: &Error) -> &'static str {

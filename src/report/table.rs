@@ -6,7 +6,7 @@ use comfy_table::{LineStyle, Table, TableStyle};
 use super::Report;
 use super::digits::{plain, rounded, with_error};
 use crate::field::MaxShear;
-use crate::solution::Part;
+use crate::solution::Interval;
 
 const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
@@ -41,7 +41,10 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     for contact in solution.contacts() {
         table.add_row([
             report.name(contact),
-            with_error(contact.half_length, contact.half_length_error),
+            match (contact.half_length(), contact.half_length_error()) {
+                (Some(half_length), Some(error)) => with_error(half_length, error),
+                _ => "see below".to_owned(),
+            },
             match contact.central_pressure.is_finite() {
                 true => with_error(contact.central_pressure, contact.central_pressure_error),
                 false => "infinite".to_owned(),
@@ -66,17 +69,33 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     )
 }
 
-/// Below the table: open middles and re-contact intervals, and what an infinite pressure means.
+/// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
 fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let solution = report.solution;
     for contact in solution.contacts() {
-        if contact.opening > 0.0 {
-            let opening = with_error(contact.opening, contact.opening_error);
-            writeln!(out, "{}: open for |x| < {opening}", report.name(contact))?;
+        let name = report.name(contact);
+        if contact.half_length().is_none() {
+            // x ≥ 0 only: the rest is the mirror image
+            for Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
+                let share = rounded(force);
+                match left + right {
+                    0.0 => writeln!(out, "{name}: |x| < {} carries {share}", with_error(right, right_error))?,
+                    middle if middle > 0.0 => {
+                        let (from, to) = (with_error(left, left_error), with_error(right, right_error));
+                        writeln!(out, "{name}: x from {from} to {to}, and its mirror image, carry {share} each")?;
+                    }
+                    _ => {}
+                }
+            }
         }
-        for Part { from, from_error, to, to_error } in &contact.parts {
-            let (from, to) = (with_error(*from, *from_error), with_error(*to, *to_error));
-            writeln!(out, "{}: re-contact from |x| = {from} to {to}", report.name(contact))?;
+        let peak = contact.peak();
+        if peak.x > peak.x_error {
+            let x = with_error(peak.x, peak.x_error);
+            let pressure = match peak.pressure.is_finite() {
+                true => with_error(peak.pressure, peak.error),
+                false => "infinite".to_owned(),
+            };
+            writeln!(out, "{name}: largest pressure {pressure} at |x| = {x}")?;
         }
     }
     if solution.contacts().iter().any(|contact| contact.central_pressure.is_infinite()) {

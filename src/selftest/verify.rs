@@ -49,9 +49,14 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
     // a prescribed traction has no error
     let given = usize::from(scene.punch.load().is_some());
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
-        let lengths = [found.half_length, found.half_length_error, strict.half_length, strict.half_length_error];
-        let pressures =
-            [found.central_pressure, found.central_pressure_error, strict.central_pressure, strict.central_pressure_error];
+        let lengths =
+            [found.innermost().to, found.innermost().to_error, strict.innermost().to, strict.innermost().to_error];
+        let pressures = [
+            found.central_pressure,
+            found.central_pressure_error,
+            strict.central_pressure,
+            strict.central_pressure_error,
+        ];
         for (quantity, [value, estimate, truth, blur]) in [("half-length", lengths), ("pressure", pressures)] {
             // an open middle and an infinite pressure have no error
             if value.is_infinite() && truth.is_infinite() || value == 0.0 && truth == 0.0 {

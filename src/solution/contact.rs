@@ -112,6 +112,38 @@ impl Contact {
         Peak::of(self)
     }
 
+    /// What tables list of each contact, by name.
+    pub(crate) const COLUMNS: [&str; 10] = [
+        "half_length",
+        "half_length_error",
+        "central_pressure",
+        "central_pressure_error",
+        "peak_pressure",
+        "peak_pressure_error",
+        "peak_at",
+        "intervals",
+        "left",
+        "right",
+    ];
+
+    /// The numbers of these columns, NaN where there is none: of several intervals, how many there are, and where the first one
+    /// begins and the last one ends.
+    pub(crate) fn numbers(&self) -> [f64; Self::COLUMNS.len()] {
+        let (peak, intervals) = (self.peak(), self.intervals());
+        [
+            self.half_length().unwrap_or(f64::NAN),
+            self.half_length_error().unwrap_or(f64::NAN),
+            self.central_pressure,
+            self.central_pressure_error,
+            peak.pressure,
+            peak.error,
+            peak.x,
+            intervals.len() as f64,
+            -self.reach(),
+            self.reach(),
+        ]
+    }
+
     /// An interval with the force on it, and where that acts.
     fn loaded(&self, interval: Interval) -> Interval {
         let images = self.strips.iter().flat_map(Strip::images);
@@ -137,8 +169,7 @@ impl Default for Part {
 impl Part {
     /// The interval for x ≥ 0, or both images where it begins at 0.
     fn interval(&self) -> Interval {
-        let (left, left_error) =
-            if self.from > 0.0 { (self.from, self.from_error) } else { (-self.to, self.to_error) };
+        let (left, left_error) = if self.from > 0.0 { (self.from, self.from_error) } else { (-self.to, self.to_error) };
         Interval { left, left_error, right: self.to, right_error: self.to_error, force: 0.0, centroid: 0.0 }
     }
 

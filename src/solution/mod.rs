@@ -5,8 +5,8 @@ mod strip;
 
 use std::fmt;
 
-pub use contact::{Contact, Interval};
 pub(crate) use contact::Part;
+pub use contact::{Contact, Interval};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip};
 

@@ -37,3 +37,8 @@ pub fn recede_in(folder: &Path, arguments: &[&str], stdin: &[u8]) -> Run {
         stderr: String::from_utf8(output.stderr).unwrap(),
     }
 }
+
+/// The intervals of a contact for x ≥ 0, outwards; the first is that about x = 0 unless the bodies are apart there.
+pub fn outwards(contact: &recede::Contact) -> Vec<recede::Interval> {
+    contact.intervals().into_iter().filter(|interval| interval.right > 0.0).collect()
+}

@@ -109,10 +109,10 @@ impl Selftest {
             let contacts = solution.contacts();
             let worst = contacts.iter().fold(0.0, |worst: f64, contact| {
                 worst
-                    .max(contact.half_length_error / contact.half_length)
+                    .max(contact.intervals().last().map_or(0.0, |last| last.right_error / last.right))
                     .max(contact.central_pressure_error / contact.central_pressure)
             });
-            let first = contacts.first().map_or(0.0, |contact| contact.half_length);
+            let first = contacts.first().map_or(0.0, |contact| contact.reach());
             Answer {
                 modes: solution.modes(),
                 wavenumbers: solution.wavenumbers(),

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 use crate::numeric::bessel;
 use crate::scene::Load;
-use crate::solution::{Contact, Form, Interface, Strip};
+use crate::solution::{Contact, Form, Interface, Part, Strip};
 
 use crate::contact::problem::accuracy::ROUNDING;
 #[cfg(test)]
@@ -88,18 +88,30 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
 
 /// What is said of a load in place of a contact: nothing of it is unknown.
 pub(crate) fn contact(load: &Load, interface: Interface, force: f64) -> Contact {
+    let strips = strips(load, force);
     Contact {
         interface,
-        half_length: load.half_width(),
-        half_length_error: 0.0,
         central_pressure: load.central_pressure(force),
         central_pressure_error: 0.0,
         resultant: force,
-        strips: strips(load, force),
-        opening: 0.0,
-        opening_error: 0.0,
-        parts: Vec::new(),
+        parts: parts(&strips),
+        strips,
     }
+}
+
+/// Where strips press for x ≥ 0, those that overlap as one.
+fn parts(strips: &[Strip]) -> Vec<Part> {
+    let mut ends: Vec<[f64; 2]> =
+        strips.iter().map(|strip| [(strip.at - strip.extent).max(0.0), strip.at + strip.extent]).collect();
+    ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut parts: Vec<Part> = Vec::new();
+    for [from, to] in ends {
+        match parts.last_mut().filter(|last| from <= last.to) {
+            Some(last) => last.to = last.to.max(to),
+            None => parts.push(Part { from, to, ..Part::default() }),
+        }
+    }
+    parts
 }
 
 #[cfg(test)]

@@ -141,7 +141,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             Err(error) => return Err(error),
         };
         let contacts = &attempt.solution.contacts;
-        let errors = contacts.iter().map(|contact| contact.half_length_error / contact.half_length);
+        let errors = contacts.iter().map(|contact| contact.innermost().to_error / contact.innermost().to);
         let endless = errors.clone().filter(|error| *error >= ENDLESS).count();
         let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
         let knows_all = self.knows_all(&attempt);
@@ -150,7 +150,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         if knows_all && knows_most && (attempt.solution.warnings.is_empty() || worst <= COARSE) {
             return Ok(Outcome::Solved(Box::new(attempt.solution)));
         }
-        let half_lengths = contacts.iter().map(|contact| contact.half_length).collect();
+        let half_lengths = contacts.iter().map(|contact| contact.innermost().to).collect();
         if knows_all && self.doubtful.as_ref().is_none_or(|(least, _)| (endless, worst) < *least) {
             self.doubtful = Some(((endless, worst), attempt));
         }
@@ -167,9 +167,11 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         let length = self.problem.kernel.length();
         let is_same = |solution: &Solution| {
             let contacts = solution.contacts.iter().zip(active);
-            let mut known = contacts.filter(|(contact, _)| contact.half_length_error < CONFIRMED * contact.half_length);
+            let mut known =
+                contacts.filter(|(contact, _)| contact.innermost().to_error < CONFIRMED * contact.innermost().to);
             !active.is_empty()
-                && known.all(|(contact, active)| (contact.half_length / (active.end() * length)).ln().abs() < CONFIRMED)
+                && known
+                    .all(|(contact, active)| (contact.innermost().to / (active.end() * length)).ln().abs() < CONFIRMED)
         };
         let (_, attempt) = self.doubtful.take_if(|(_, attempt)| is_same(&attempt.solution))?;
         Some(attempt.solution)
@@ -256,7 +258,9 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
 /// Whether the pressures of two solutions at x = 0 are the same but for their errors.
 fn agree(one: &Solution, other: &Solution) -> bool {
     let mut pairs = one.contacts.iter().zip(&other.contacts).filter(|(one, _)| one.central_pressure.is_finite());
-    pairs.all(|(a, b)| (a.central_pressure - b.central_pressure).abs() <= a.central_pressure_error + b.central_pressure_error)
+    pairs.all(|(a, b)| {
+        (a.central_pressure - b.central_pressure).abs() <= a.central_pressure_error + b.central_pressure_error
+    })
 }
 
 /// The contact in which bodies touch in several intervals, or in none about the middle.

@@ -98,8 +98,9 @@ fn cut_off() -> Result<Diagram, Box<dyn Error>> {
     let mut points = Vec::new();
     for step in -16..=-1 {
         let lowest = 10f64.powf(0.5 * f64::from(step));
-        let found = cutoff::receding_half_length(lowest, [punch.half_length, receding.half_length]);
-        let error = found.map_or(f64::NAN, |found| (found / receding.half_length - 1.0).abs());
+        let found =
+            cutoff::receding_half_length(lowest, [punch.half_length().unwrap(), receding.half_length().unwrap()]);
+        let error = found.map_or(f64::NAN, |found| (found / receding.half_length().unwrap() - 1.0).abs());
         println!("lowest wavenumber {lowest:.1e}: error of b {error:.1e}");
         points.push((lowest, error));
     }

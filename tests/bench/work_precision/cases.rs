@@ -75,7 +75,7 @@ impl Case {
 
 /// Half-lengths and pressures at x = 0 of a solution.
 pub fn values(solution: &recede::Solution) -> Vec<f64> {
-    solution.contacts().iter().flat_map(|contact| [contact.half_length, contact.central_pressure]).collect()
+    solution.contacts().iter().flat_map(|contact| [contact.half_length().unwrap(), contact.central_pressure]).collect()
 }
 
 fn truth(scene: &Scene, known: Option<&Known>) -> Vec<f64> {

@@ -81,7 +81,8 @@ fn bare_minimum(stack: &Stack, solution: &Solution) -> f64 {
     let bessel = time(|| {
         let mut values = vec![0.0; orders * wavenumbers.len()];
         for contact in solution.contacts() {
-            let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * contact.half_length).collect();
+            let arguments: Vec<f64> =
+                wavenumbers.iter().map(|wavenumber| wavenumber * contact.half_length().unwrap()).collect();
             bessel::table(orders, &arguments, &mut values);
         }
         values
