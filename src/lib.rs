@@ -19,10 +19,12 @@
 //! let model = Model::new(stack)?; // serves any punch and load
 //! let solution = model.press(&Punch::cylinder(500.0)?, 0.002)?;
 //! for contact in solution.contacts() {
-//!     println!("{}: {} ± {:e}", contact.interface, contact.half_length, contact.half_length_error);
+//!     for interval in contact.intervals() {
+//!         println!("{}: {} to {} ± {:e}", contact.interface, interval.left, interval.right, interval.right_error);
+//!     }
 //! }
 //! let receding = &solution.contacts()[1];
-//! assert!((receding.half_length - 2.448_610_297_658).abs() < 1e-9);
+//! assert!((receding.reach() - 2.448_610_297_658).abs() < 1e-9);
 //! assert!(receding.pressure(1.0) < receding.central_pressure);
 //! assert!((receding.resultant - 0.002).abs() < 1e-15);
 //! # Ok::<(), recede::Error>(())

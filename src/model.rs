@@ -26,7 +26,7 @@ use crate::stack::Stack;
 /// for force in [0.001, 0.002] {
 ///     let solution = model.press(&Punch::cylinder(500.0)?, force)?;
 ///     let [punch, receding] = solution.contacts() else { unreachable!() };
-///     assert!(punch.half_length < receding.half_length);
+///     assert!(punch.reach() < receding.reach());
 /// }
 /// # Ok::<(), recede::Error>(())
 /// ```
@@ -148,7 +148,7 @@ impl Scene {
 ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
 /// let solution = recede::solve(&recede::Scene::from_ron(text)?)?;
 /// let hertz = (500.0 * 0.002 * 3.0 / (2.0 * std::f64::consts::PI)).sqrt();
-/// assert!((solution.contacts()[0].half_length / hertz - 1.0).abs() < 1e-12);
+/// assert!((solution.contacts()[0].reach() / hertz - 1.0).abs() < 1e-12);
 /// # Ok::<(), recede::Error>(())
 /// ```
 ///

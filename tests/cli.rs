@@ -30,11 +30,10 @@ fn open_middles_and_re_contacts_stand_under_the_table() {
         stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
         HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     let again = fs::read_to_string("tests/data/hard/seed_23_number_1121.ron").unwrap();
-    for (scene, line) in [(apart, "1|2: open for |x| < 28.5475"), (&again, "1|2: re-contact from |x| = ")] {
+    for (scene, line) in [(apart, "1|2: x from 28.5475"), (&again, ", and its mirror image, carry ")] {
         let Run { status, stdout, stderr } = recede(&["solve", "-"], scene.as_bytes());
         assert_eq!(status, Some(0), "{stderr}");
         assert!(stdout.contains(line), "{stdout}");
-        assert!(stderr.contains("warning: "), "{stderr}");
     }
 }
 
@@ -221,7 +220,12 @@ fn csv_has_one_line_for_each_contact_with_the_same_numbers_as_json() {
     for (line, contact) in lines.zip(json["contacts"].as_array().unwrap()) {
         for (key, value) in keys.iter().zip(line.split(',')).skip(1) {
             // the reader of JSON used here rounds the last digit in its own way
-            let (csv, json) = (value.parse::<f64>().unwrap(), contact[*key].as_f64().unwrap());
+            let json = match *key {
+                "intervals" => contact["intervals"].as_array().unwrap().len() as f64,
+                "left" | "left_error" | "right" | "right_error" => contact["intervals"][0][*key].as_f64().unwrap(),
+                key => contact[key].as_f64().unwrap(),
+            };
+            let csv = value.parse::<f64>().unwrap();
             assert!((csv - json).abs() <= 1e-15 * json.abs(), "{key}: {csv} {json}");
         }
     }

@@ -46,11 +46,10 @@ fn scenes_are_solved() {
         let solution = recede::solve(&scene).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         assert_eq!(solution.warnings(), [""; 0], "{}", file.display());
         for contact in solution.contacts() {
-            assert!(
-                contact.half_length_error().unwrap() <= 1e-10 * contact.half_length().unwrap(),
-                "{}: {contact:?}",
-                file.display()
-            );
+            for interval in contact.intervals() {
+                let error = interval.left_error.max(interval.right_error);
+                assert!(error <= 1e-10 * contact.reach(), "{}: {contact:?}", file.display());
+            }
             assert!((contact.resultant / solution.force() - 1.0).abs() < 1e-12, "{}: {contact:?}", file.display());
         }
     }

@@ -303,7 +303,7 @@ fn on_faces_stresses_are_the_limits_from_inside_whatever_the_layer() {
         let solution = model.press(&scene.punch, scene.force).expect("solved");
         let field = model.field(&solution).unwrap();
         // a line load has no length, and stresses under it are infinite
-        let lengths = solution.contacts().iter().map(|contact| contact.half_length().unwrap()).filter(|a| *a > 0.0);
+        let lengths = solution.contacts().iter().map(recede::Contact::reach).filter(|a| *a > 0.0);
         let shortest = lengths.fold(f64::INFINITY, f64::min);
         let peak = solution.contacts().iter().map(|contact| contact.pressure(0.2 * shortest)).fold(0.0, f64::max);
         for (number, [from, to]) in field.layers() {

@@ -131,11 +131,11 @@ fn assert_same(stack: StackBuilder, found: Load, expected: Load, error: f64) {
     let shifted = (found.half_width() / expected.half_width() - 1.0).abs();
     let (found, expected) = (press(stack.clone(), found, 0.01), press(stack, expected, 0.01));
     for (found, expected) in found.1.contacts().iter().zip(expected.1.contacts()) {
-        close(found.half_length().unwrap(), expected.half_length().unwrap(), error.max(shifted));
+        close(found.reach(), expected.reach(), error.max(shifted));
         close(found.central_pressure, expected.central_pressure, error);
         close(found.resultant, expected.resultant, error);
         for s in [0.13, 0.52, 0.93] {
-            let x = s * expected.half_length().unwrap();
+            let x = s * expected.reach();
             assert!((found.pressure(x) - expected.pressure(x)).abs() < 10.0 * error * expected.central_pressure);
         }
     }
@@ -239,7 +239,7 @@ fn two_lines_on_a_half_plane_are_those_of_flamant() {
     let at = 0.8;
     let pair = Load::several(&[(at, 1.0, Load::Line)]).unwrap();
     let (model, solution) = press(Stack::builder(Plane::Strain).layer(ground(1.0)), pair, 3.0);
-    assert_eq!((solution.contacts()[0].half_length().unwrap(), solution.contacts()[0].central_pressure), (at, 0.0));
+    assert_eq!((solution.contacts()[0].reach(), solution.contacts()[0].central_pressure), (at, 0.0));
     assert_eq!(solution.contacts()[0].pressure(at), f64::INFINITY);
     for (x, d) in [(0.0, 0.5), (0.8, 0.1), (1.3, 0.7), (-4.0, 2.0)] {
         let line = |x: f64| -2.0 * 1.5 / std::f64::consts::PI * d / (x * x + d * d).powi(2);

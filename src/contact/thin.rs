@@ -131,7 +131,10 @@ impl Thin {
     fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
         let solved = self.interfaces(interfaces);
         for contact in &mut solution.contacts {
-            contact.innermost().to_error += self.error * contact.innermost().to;
+            for part in &mut contact.parts {
+                part.from_error += self.error * part.from;
+                part.to_error += self.error * part.to;
+            }
             if contact.central_pressure.is_finite() {
                 contact.central_pressure_error += self.error * contact.central_pressure.abs();
             }

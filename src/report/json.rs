@@ -44,6 +44,7 @@ struct Stats<'a> {
     wavenumbers_interpolated: usize,
     modes: &'a [usize],
     newton_steps: &'a [usize],
+    stopped: Vec<String>,
     factorisations: usize,
 }
 
@@ -60,6 +61,7 @@ impl<'a> Stats<'a> {
             wavenumbers_interpolated: stats.interpolated,
             modes: &stats.modes,
             newton_steps: &stats.newton_steps,
+            stopped: stats.stopped.iter().map(ToString::to_string).collect(),
             factorisations: stats.factorisations,
         }
     }

@@ -113,7 +113,7 @@ impl Contact {
     }
 
     /// What tables list of each contact, by name.
-    pub(crate) const COLUMNS: [&str; 10] = [
+    pub(crate) const COLUMNS: [&str; 12] = [
         "half_length",
         "half_length_error",
         "central_pressure",
@@ -123,7 +123,9 @@ impl Contact {
         "peak_at",
         "intervals",
         "left",
+        "left_error",
         "right",
+        "right_error",
     ];
 
     /// The numbers of these columns, NaN where there is none: of several intervals, how many there are, and where the first one
@@ -139,8 +141,10 @@ impl Contact {
             peak.error,
             peak.x,
             intervals.len() as f64,
-            -self.reach(),
-            self.reach(),
+            intervals.first().map_or(0.0, |first| first.left),
+            intervals.first().map_or(0.0, |first| first.left_error),
+            intervals.last().map_or(0.0, |last| last.right),
+            intervals.last().map_or(0.0, |last| last.right_error),
         ]
     }
 

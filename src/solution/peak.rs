@@ -31,12 +31,13 @@ impl Peak {
             return Self { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
         }
         let pressure = |x: f64| contact.pressure(x);
-        let mut best = (0.0, pressure(0.0));
+        let mut best = (0.0, contact.central_pressure);
+        let by_rounding = 1.0 + 4.0 * f64::EPSILON;
         for strip in &contact.strips {
             let places = strip.places();
             for (k, x) in places.iter().enumerate() {
                 let here = pressure(*x);
-                if here > best.1 {
+                if here > best.1 * by_rounding {
                     let around = |k: Option<usize>, end: f64| k.and_then(|k| places.get(k)).copied().unwrap_or(end);
                     let (left, right) = (around(k.checked_sub(1), *x), around(Some(k + 1), *x));
                     best = highest(&pressure, left, right, (*x, here));
@@ -44,8 +45,11 @@ impl Peak {
             }
         }
         let (x, largest) = best;
+        if x == 0.0 {
+            return Self { pressure: largest, error: contact.central_pressure_error, x, x_error: 0.0 };
+        }
         let error = contact.central_pressure_error + contact.truncation() + largest * contact.end_error();
-        let x_error = if x == 0.0 { 0.0 } else { flat(&pressure, x, largest, error, contact.reach()) };
+        let x_error = flat(&pressure, x, largest, error, contact.reach());
         Self { pressure: largest, error, x, x_error }
     }
 }

@@ -50,7 +50,7 @@ const MOST_ROWS: usize = 1_000_000_000;
 /// let mut receding = Vec::new();
 /// for row in sweep.rows() {
 ///     let solution = row.result?;
-///     receding.push((row.values[0], row.values[1], solution.contacts()[1].half_length));
+///     receding.push((row.values[0], row.values[1], solution.contacts()[1].reach()));
 /// }
 /// assert_eq!((receding[1].0, receding[1].1), (0.001, 10.0));
 /// assert!(receding[1].2 < receding[0].2, "a stiffer half-plane is touched less far");

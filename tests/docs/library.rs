@@ -14,12 +14,7 @@ fn main() -> Result<(), recede::Error> {
     for force in [0.001, 0.002, 0.004] {
         let solution = model.press(&Punch::cylinder(500.0)?, force)?;
         for contact in solution.contacts() {
-            println!(
-                "{force} {}: {:.8} {:.8}",
-                contact.interface,
-                contact.half_length().unwrap(),
-                contact.pressure(0.5)
-            );
+            println!("{force} {}: {:.8} {:.8}", contact.interface, contact.reach(), contact.pressure(0.5));
         }
     }
     Ok(())

@@ -40,5 +40,11 @@ pub fn recede_in(folder: &Path, arguments: &[&str], stdin: &[u8]) -> Run {
 
 /// The intervals of a contact for x ≥ 0, outwards; the first is that about x = 0 unless the bodies are apart there.
 pub fn outwards(contact: &recede::Contact) -> Vec<recede::Interval> {
-    contact.intervals().into_iter().filter(|interval| interval.right > 0.0).collect()
+    contact.intervals().into_iter().filter(|interval| interval.right >= 0.0).collect()
+}
+
+/// Where the innermost of them ends, and the error of that.
+pub fn innermost_end(contact: &recede::Contact) -> (f64, f64) {
+    let innermost = outwards(contact)[0];
+    (innermost.right, innermost.right_error)
 }

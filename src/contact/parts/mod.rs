@@ -107,7 +107,7 @@ fn refine(problem: &Problem, first: Level, way: Way, work: &mut Work) -> Option<
     let mut warnings = Vec::new();
     if errors.worst() > problem.tolerance {
         warnings.push(format!(
-            "the tolerance {:e} is not met with {count} pressures on each interval of contacts in several parts; the error \
+            "the tolerance {:e} is not met with {count} pressures on each interval of contacts of several intervals; the error \
              estimates tell what was reached",
             problem.tolerance
         ));
