@@ -24,6 +24,7 @@ mod half_planes;
 mod hard_scenes;
 mod hostile;
 mod interfaces;
+mod intervals;
 mod invariance;
 mod kinds;
 mod layers;

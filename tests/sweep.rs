@@ -120,7 +120,9 @@ fn contacts_are_found_though_the_first_row_has_no_solution() {
 fn contacts_that_only_some_rows_have_are_columns_of_all() {
     let sweep = sweep(&["layer[2].thickness=[0,1]"]);
     let header = SweepCsv::new(&sweep).header().unwrap();
-    for column in ["layer_2_thickness,punch_half_length,", "contact_1_3_half_length", "contact_2_3_central_pressure_error"] {
+    for column in
+        ["layer_2_thickness,punch_half_length,", "contact_1_3_half_length", "contact_2_3_central_pressure_error"]
+    {
         assert!(header.contains(column), "{header}");
     }
     let lines: Vec<_> = sweep.rows().map(|row| row.result.unwrap().contacts().len()).collect();

@@ -78,13 +78,13 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
             // x ≥ 0 only: the rest is the mirror image
             for Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = rounded(force);
+                let (from, to) = (place(left, left_error), place(right, right_error));
                 match left + right {
-                    0.0 => writeln!(out, "{name}: |x| < {} carries {share}", with_error(right, right_error))?,
-                    middle if middle > 0.0 => {
-                        let (from, to) = (with_error(left, left_error), with_error(right, right_error));
-                        writeln!(out, "{name}: x from {from} to {to}, and its mirror image, carry {share} each")?;
-                    }
-                    _ => {}
+                    0.0 if right > 0.0 => writeln!(out, "{name}: |x| < {to} carries {share}")?,
+                    0.0 => writeln!(out, "{name}: x = 0 carries {share}")?,
+                    middle if middle < 0.0 => {}
+                    _ if left == right => writeln!(out, "{name}: x = {to} and x = -{to} carry {share} each")?,
+                    _ => writeln!(out, "{name}: x from {from} to {to}, and its mirror image, carry {share} each")?,
                 }
             }
         }
@@ -105,6 +105,11 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
         )?;
     }
     Ok(())
+}
+
+/// A place that is given, or one that was found.
+fn place(x: f64, error: f64) -> String {
+    if error == 0.0 { rounded(x) } else { with_error(x, error) }
 }
 
 /// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.

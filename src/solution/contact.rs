@@ -60,7 +60,9 @@ impl Contact {
     /// All intervals in which the bodies touch, or on which a load presses, from left to right.
     pub fn intervals(&self) -> Vec<Interval> {
         let mirrored = self.parts.iter().rev().filter(|part| part.from > 0.0).map(|part| part.mirrored());
-        mirrored.chain(self.parts.iter().map(Part::interval)).map(|interval| self.loaded(interval)).collect()
+        let mut intervals: Vec<Interval> = mirrored.chain(self.parts.iter().map(Part::interval)).collect();
+        self.share(&mut intervals);
+        intervals
     }
 
     /// The half-length a of a contact that is one interval |x| < a; `None` if it is none, or several.
@@ -102,10 +104,10 @@ impl Contact {
     /// ```
     /// use recede::{HalfPlane, Model, Plane, Punch, Stack};
     /// let stack = Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?;
-    /// let solution = Model::new(stack)?.press(&Punch::rounded_flat(1.0, 100.0)?, 0.01)?;
+    /// let solution = Model::new(stack)?.press(&Punch::rounded_flat(0.5, 20.0)?, 0.05)?;
     /// let (contact, peak) = (&solution.contacts()[0], solution.contacts()[0].peak());
-    /// // next to where the flat part ends
-    /// assert!(peak.pressure > 1.5 * contact.central_pressure && (0.9..1.1).contains(&peak.x));
+    /// // beyond where the flat part ends
+    /// assert!(peak.pressure > 1.2 * contact.central_pressure && peak.x > 0.5);
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn peak(&self) -> Peak {
@@ -148,19 +150,20 @@ impl Contact {
         ]
     }
 
-    /// An interval with the force on it, and where that acts.
-    fn loaded(&self, interval: Interval) -> Interval {
-        let images = self.strips.iter().flat_map(Strip::images);
-        let (mut force, mut moment) = (0.0, 0.0);
-        for (middle, resultant, own_moment) in images {
-            if (interval.left..=interval.right).contains(&middle) {
-                force += resultant;
-                moment += resultant * middle + own_moment;
+    /// Gives each strip of the pressure to the interval that it lies in; in low-accuracy answers one may lie next to it.
+    fn share(&self, intervals: &mut [Interval]) {
+        for (middle, resultant, moment) in self.strips.iter().flat_map(Strip::images) {
+            let outside = |interval: &Interval| (interval.left - middle).max(middle - interval.right).max(0.0);
+            if let Some(own) = intervals.iter_mut().min_by(|a, b| outside(a).total_cmp(&outside(b))) {
+                own.force += resultant;
+                own.centroid += resultant * middle + moment;
             }
         }
-        let middle = 0.5 * (interval.left + interval.right);
-        let centroid = if interval.left == -interval.right || force == 0.0 { middle } else { moment / force };
-        Interval { force, centroid, ..interval }
+        for Interval { left, right, force, centroid, .. } in intervals {
+            let is_in_the_middle = *left == -*right || *force == 0.0;
+            *centroid =
+                if is_in_the_middle { 0.5 * (*left + *right) } else { (*centroid / *force).clamp(*left, *right) };
+        }
     }
 }
 

@@ -31,7 +31,8 @@ impl Peak {
             return Self { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
         }
         let pressure = |x: f64| contact.pressure(x);
-        let mut best = (0.0, contact.central_pressure);
+        let middle = pressure(0.0);
+        let mut best = (0.0, middle);
         let by_rounding = 1.0 + 4.0 * f64::EPSILON;
         for strip in &contact.strips {
             let places = strip.places();
@@ -46,9 +47,11 @@ impl Peak {
         }
         let (x, largest) = best;
         if x == 0.0 {
-            return Self { pressure: largest, error: contact.central_pressure_error, x, x_error: 0.0 };
+            return Self { pressure: contact.central_pressure, error: contact.central_pressure_error, x, x_error: 0.0 };
         }
-        let error = contact.central_pressure_error + contact.truncation() + largest * contact.end_error();
+        // the series is wrong elsewhere as it is seen to be in the middle
+        let truncation = contact.truncation().max((middle - contact.central_pressure).abs());
+        let error = contact.central_pressure_error + truncation + largest * contact.end_error();
         let x_error = flat(&pressure, x, largest, error, contact.reach());
         Self { pressure: largest, error, x, x_error }
     }

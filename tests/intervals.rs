@@ -1,0 +1,129 @@
+//! Contacts as lists of intervals, and their largest pressures.
+//!
+//! Goal: for scenes of all kinds intervals are in order and apart, carry the whole force in balance, and the pressure integrates to
+//! what they say; nowhere is a pressure larger than the largest one.
+use recede::selftest::{Check, Outcome, Ranges, scene_of_any_kind};
+use recede::{Contact, HalfPlane, Load, Model, Options, Plane, Punch, Scene, Solution, Stack};
+
+/// The contacts of scenes of all kinds, and of hard ones with several intervals.
+fn contacts() -> Vec<(String, Contact)> {
+    let random =
+        (0..60).map(|number| (format!("{number}"), scene_of_any_kind(&Ranges::moderate(), 17, number).unwrap()));
+    let hard = ["seed_1_number_79", "seed_2_number_70", "seed_23_number_1121"].map(|name| {
+        let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
+        (name.to_owned(), Scene::read(std::path::Path::new(&path)).unwrap())
+    });
+    let solved =
+        random.chain(hard).filter_map(|(name, scene)| match Check::of_contacts(&scene, &Options::default()).outcome {
+            Outcome::Solved(solution) => Some((name, *solution)),
+            _ => None,
+        });
+    let each = |(name, solution): (String, Solution)| {
+        let contacts = solution.contacts().to_vec();
+        contacts.into_iter().map(move |contact| (name.clone(), contact)).collect::<Vec<_>>()
+    };
+    solved.flat_map(each).collect()
+}
+
+/// Places x = from + (to − from)(1 − cos φ)/2, and how much of the interval belongs to each.
+fn dense(from: f64, to: f64, count: usize) -> impl Iterator<Item = (f64, f64)> {
+    let step = std::f64::consts::PI / count as f64;
+    (0..count).map(move |k| {
+        let phi = (k as f64 + 0.5) * step;
+        (from + 0.5 * (to - from) * (1.0 - phi.cos()), 0.5 * (to - from) * step * phi.sin())
+    })
+}
+
+fn half_plane(punch: &Punch, force: f64) -> Solution {
+    let stack = Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap();
+    Model::new(stack).unwrap().press(punch, force).unwrap()
+}
+
+#[test]
+fn intervals_carry_the_force_in_balance() {
+    let (mut several, mut seen) = (0, 0);
+    for (name, contact) in contacts() {
+        let intervals = contact.intervals();
+        several += usize::from(intervals.len() > 1);
+        seen += 1;
+        assert!(intervals.windows(2).all(|pair| pair[0].right < pair[1].left), "{name}: {intervals:?}");
+        let force: f64 = intervals.iter().map(|interval| interval.force).sum();
+        let moment: f64 = intervals.iter().map(|interval| interval.force * interval.centroid).sum();
+        assert!((force / contact.resultant - 1.0).abs() < 1e-12, "{name}: {force} {}", contact.resultant);
+        assert!(moment.abs() <= 1e-12 * contact.resultant * contact.reach(), "{name}: {moment:e}");
+        let whole = contact.half_length().is_some();
+        assert_eq!(whole, intervals.len() == 1, "{name}");
+        for interval in intervals {
+            assert!((interval.left..=interval.right).contains(&interval.centroid), "{name}: {interval:?}");
+            // a singular pressure has a part of the force next to its singularity that this rule sees slowly
+            if contact.peak().pressure.is_finite() && interval.right > interval.left {
+                let places = dense(interval.left, interval.right, 4000);
+                let [force, moment] = places.fold([0.0; 2], |sum, (x, weight)| {
+                    let force = weight * contact.pressure(x);
+                    [sum[0] + force, sum[1] + force * x]
+                });
+                let error = 1e-4 * contact.resultant;
+                assert!((force - interval.force).abs() < error, "{name}: {force} {interval:?}");
+                let expected = interval.force * interval.centroid;
+                assert!((moment - expected).abs() < error * contact.reach(), "{name}: {moment} {interval:?}");
+            }
+        }
+    }
+    assert!(several > 3 && seen > 80, "{several} of {seen}");
+}
+
+#[test]
+fn no_pressure_is_larger_than_the_largest() {
+    let mut away = 0;
+    for (name, contact) in contacts() {
+        let peak = contact.peak();
+        if peak.pressure.is_infinite() {
+            assert_eq!(contact.pressure(peak.x), f64::INFINITY, "{name}: {peak:?}");
+            continue;
+        }
+        away += usize::from(peak.x > 0.0);
+        // next to graded faces the pressure in the middle is known better than its series
+        let found = contact.pressure(peak.x);
+        assert!((found / peak.pressure - 1.0).abs() < 1e-7, "{name}: {found} {peak:?}");
+        for interval in contact.intervals() {
+            for (x, _) in dense(interval.left, interval.right, 5000) {
+                let more = contact.pressure(x) - peak.pressure;
+                assert!(more <= peak.error + 1e-7 * peak.pressure, "{name}: {more:e} at {x}, {peak:?}");
+            }
+        }
+    }
+    assert!(away > 5, "{away}");
+}
+
+#[test]
+fn largest_pressures_are_those_of_closed_forms() {
+    // a parabola: 2P/(πa) in the middle
+    let contact = &half_plane(&Punch::parabola(500.0).unwrap(), 0.002).contacts()[0].clone();
+    assert_eq!((contact.peak().pressure, contact.peak().x), (contact.central_pressure, 0.0));
+    // next to a sharp tip and next to sharp corners it is infinite
+    let infinite = |contact: &Contact| (contact.peak().pressure, contact.peak().error, contact.peak().x);
+    let wedge = half_plane(&Punch::wedge(0.01).unwrap(), 0.002);
+    assert_eq!(infinite(&wedge.contacts()[0]), (f64::INFINITY, 0.0, 0.0));
+    let flat = half_plane(&Punch::flat(0.5).unwrap(), 0.002);
+    assert_eq!(infinite(&flat.contacts()[0]), (f64::INFINITY, 0.0, 0.5));
+    // a fourth power: p = p₀ (1 + 2s²)√(1 − s²), largest where s² = 1/2
+    let power = half_plane(&Punch::power(4.0, 1.0, 0.01).unwrap(), 0.002);
+    let contact = &power.contacts()[0];
+    let (peak, expected) = (contact.peak(), contact.half_length().unwrap() * 0.5f64.sqrt());
+    assert!((peak.x - expected).abs() <= peak.x_error && peak.x_error < 1e-4 * expected, "{peak:?} {expected}");
+    let ratio = 2f64.sqrt();
+    assert!((peak.pressure / contact.central_pressure - ratio).abs() < 1e-11, "{peak:?} {ratio}");
+}
+
+#[test]
+fn a_load_presses_in_intervals_too() {
+    let pair = |half_width: f64| {
+        let load = Load::uniform(half_width).unwrap();
+        Load::several(&[(2.0, 0.75, load), (0.0, 0.25, Load::Line)]).unwrap()
+    };
+    let stack = || Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap();
+    let solution = Model::new(stack()).unwrap().press(&Punch::Given(pair(0.5)), 4.0).unwrap();
+    let found: Vec<_> =
+        solution.contacts()[0].intervals().iter().map(|i| [i.left, i.right, i.force, i.centroid]).collect();
+    assert_eq!(found, [[-2.5, -1.5, 1.5, -2.0], [0.0, 0.0, 1.0, 0.0], [1.5, 2.5, 1.5, 2.0]]);
+}
