@@ -82,6 +82,7 @@ mod solution;
 mod stack;
 mod sweep;
 mod system;
+mod validity;
 
 pub use contact::{ContactError, NoSolution};
 pub use errors::Error;
@@ -99,7 +100,7 @@ pub use scene::{
     Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,
     ValueError, Vocabulary,
 };
-pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped};
+pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,
     StackProblem,

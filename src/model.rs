@@ -12,6 +12,7 @@ use crate::options::{Method, Options};
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Interface, Solution};
 use crate::stack::Stack;
+use crate::validity;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
 ///
@@ -101,7 +102,9 @@ impl Model {
             Force::Given(force) => press(force),
             Force::ForHalfLength(half_length) => contact::press_to(kernel, punch, half_length, options, press),
         };
-        Ok(Solution { stack: self.key, ..solution? })
+        let mut solution = Solution { stack: self.key, ..solution? };
+        solution.warnings.extend(validity::warnings(punch, kernel, &solution));
+        Ok(solution)
     }
 
     /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.

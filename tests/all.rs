@@ -43,6 +43,7 @@ mod skips;
 mod sweep;
 mod system;
 mod thin_layers;
+mod validity;
 
 #[test]
 fn every_file_is_run() {

@@ -13,7 +13,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 18] = [
+const MAY_IMPORT: [(&str, &[&str]); 19] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("files", &[]),
@@ -28,7 +28,8 @@ const MAY_IMPORT: [(&str, &[&str]); 18] = [
     ("field", &["numeric", "stack", "system"]),
     // put together from the errors of the stages, for all that stands above them
     ("errors", &["contact", "field", "scene", "stack", "sweep", "system"]),
-    ("model", &["collocation", "contact", "errors", "field", "kernel", "scene", "stack"]),
+    ("validity", &["kernel", "scene"]),
+    ("model", &["collocation", "contact", "errors", "field", "kernel", "scene", "stack", "validity"]),
     ("selftest", &["contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
     ("sweep", &["errors", "model", "scene", "stack"]),
     ("plot", &["field", "files", "scene", "stack", "sweep"]),

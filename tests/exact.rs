@@ -195,7 +195,7 @@ fn a_strip_that_bends_down_enough_never_lifts_off() {
     let fading = press(1.8).unwrap();
     let below = &fading.contacts()[1];
     assert_eq!(below.half_length().unwrap(), below.half_length_error().unwrap());
-    assert!(fading.warnings()[0].contains("no end of the contact 1|2 was found"), "{:?}", fading.warnings());
+    assert!(fading.warnings()[0].message.contains("no end of the contact 1|2 was found"), "{:?}", fading.warnings());
     for x in [0.0, 0.7, 2.0] {
         let expected = 1e-6 * pressure_without_lifting(&graded(1.8))(x);
         assert!((below.pressure(x) / expected - 1.0).abs() < 1e-4, "{x}: {} {expected}", below.pressure(x));

@@ -136,7 +136,9 @@ fn a_contact_that_fades_is_one_that_cannot_open() {
             "{name}: {}",
             fading.central_pressure_error
         );
-        assert!(receding.warnings()[0].contains(&format!("no end of the contact {} was found", fading.interface)));
+        assert!(
+            receding.warnings()[0].message.contains(&format!("no end of the contact {} was found", fading.interface))
+        );
         for (receding, sliding) in receding.contacts().iter().zip(sliding.contacts()) {
             let [length, pressure] = [
                 receding.half_length().unwrap() / sliding.half_length().unwrap() - 1.0,

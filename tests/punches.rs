@@ -64,7 +64,7 @@ fn assert_contact(solution: &Solution, half_length: f64, peak: f64, what: &str) 
     } else {
         assert_eq!((contact.central_pressure, contact.central_pressure_error), (f64::INFINITY, 0.0), "{what}");
     }
-    assert_eq!(solution.warnings(), [""; 0], "{what}");
+    assert_eq!(solution.warnings(), [], "{what}");
 }
 
 #[test]

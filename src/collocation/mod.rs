@@ -16,7 +16,7 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
 use crate::scene::Punch;
-use crate::solution::{Interface, Part, Solution, Stats, Strip};
+use crate::solution::{Interface, Part, Solution, Stats, Strip, Warning, WarningCode};
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::problem::estimate::Estimate;
@@ -116,10 +116,10 @@ impl Collocation<'_> {
             if worst <= tolerance || count >= FINEST {
                 let mut warnings = Vec::new();
                 if worst > tolerance {
-                    warnings.push(format!(
-                        "the tolerance {:e} is not met with {count} nodes; the error estimates tell what was reached",
-                        tolerance
-                    ));
+                    let message = format!(
+                        "the tolerance {tolerance:e} is not met with {count} nodes; the error estimates tell what was reached"
+                    );
+                    warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
                 }
                 return self.solution(&nodes, &level, &errors, warnings);
             }
@@ -203,7 +203,7 @@ impl Collocation<'_> {
         nodes: &Nodes,
         level: &Level,
         errors: &[Estimate],
-        warnings: Vec<String>,
+        warnings: Vec<Warning>,
     ) -> Result<Solution, ContactError> {
         let problem = self.problem;
         let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));

@@ -2,7 +2,7 @@
 use crate::contact::problem::load;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::{self, Kernel};
-use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip};
+use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip, Warning};
 
 /// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
 pub(crate) struct Found {
@@ -24,7 +24,7 @@ pub(crate) struct Answer {
     pub(crate) min_gap: f64,
     /// What it took.
     pub(crate) stats: Stats,
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Vec<Warning>,
 }
 
 impl Answer {

@@ -17,7 +17,7 @@ use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
 use crate::kernel::{DECAYED, Kernel};
 use crate::numeric;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Solution, Warning, WarningCode};
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin {
@@ -140,23 +140,27 @@ impl Thin {
             }
         }
         solution.warnings.extend(self.contacts.iter().map(|(contact, error)| {
-            format!(
+            left_out(format!(
                 "a layer next to the contact {} is so thin that it is left out: it changes half-lengths and pressures by \
                  about {error:.0e}, and the pressure near the ends of the contact over about as long as it is thick",
                 solved[*contact]
-            )
+            ))
         }));
         for (lower, error) in self.joined.iter().rev() {
             let interface = interfaces[*lower];
             solution.contacts.insert(*lower, Contact { interface, ..solution.contacts[*lower - 1].clone() });
             solution.stats.modes.insert(*lower, solution.stats.modes[*lower - 1]);
-            solution.warnings.push(format!(
+            solution.warnings.push(left_out(format!(
                 "the layer above the contact {interface} is so thin that it is left out, and both of its faces carry the same \
                  pressure: that changes half-lengths by about {error:.0e}, and the pressure near the ends of the contact"
-            ));
+            )));
         }
         solution
     }
+}
+
+fn left_out(message: String) -> Warning {
+    Warning::new(WarningCode::ThinLayerLeftOut, message)
 }
 
 /// The wavenumber beyond which the kernel of a contact may be held constant, and what that may change in the answer; `None` if

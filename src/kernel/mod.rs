@@ -195,9 +195,19 @@ impl Kernel {
 
     /// The same with a half-plane of another material on contact 0: its compliance is the same for all wavenumbers.
     pub(crate) fn under_half_plane(&self, material: &Isotropic) -> Self {
-        self.clone().under_punch(
-            0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus,
-        )
+        self.clone().under_punch(self.half_plane(material))
+    }
+
+    /// λμ₀C of a half-plane of another material.
+    fn half_plane(&self, material: &Isotropic) -> f64 {
+        0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus
+    }
+
+    /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain; the punch is that of
+    /// contact 0.
+    pub(crate) fn contact_modulus(&self, contact: usize, punch: Option<&Isotropic>) -> f64 {
+        let punch = punch.filter(|_| contact == 0).map_or(0.0, |material| self.half_plane(material));
+        2.0 * self.chains.modulus / (self.asymptotes[contact].limit + punch)
     }
 
     /// The same with the compliance of a punch added to contact 0 at all wavenumbers.

@@ -21,7 +21,19 @@ struct Document<'a> {
     newton_steps: usize,
     seconds: f64,
     stats: Stats<'a>,
-    warnings: &'a [String],
+    warnings: Vec<Warning<'a>>,
+}
+
+#[derive(Serialize)]
+struct Warning<'a> {
+    code: &'static str,
+    message: &'a str,
+}
+
+impl<'a> Warning<'a> {
+    fn of(warning: &'a solution::Warning) -> Self {
+        Self { code: warning.code.as_str(), message: &warning.message }
+    }
 }
 
 #[derive(Serialize)]
@@ -142,7 +154,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         newton_steps: solution.newton_steps(),
         seconds: report.seconds,
         stats: Stats::of(solution.stats()),
-        warnings: solution.warnings(),
+        warnings: solution.warnings().iter().map(Warning::of).collect(),
     };
     serde_json::to_writer_pretty(&mut *out, &document)?;
     writeln!(out)

@@ -52,7 +52,7 @@ impl<'a> SweepCsv<'a> {
         line(
             axes.chain(contacts)
                 .chain(self.found().iter().map(|name| (*name).to_owned()))
-                .chain(["status", "message", "sweep"].map(str::to_owned)),
+                .chain(["status", "warnings", "message", "sweep"].map(str::to_owned)),
         )
     }
 
@@ -61,14 +61,18 @@ impl<'a> SweepCsv<'a> {
     /// # Errors
     /// None in practice.
     pub fn line(&self, row: &Row) -> io::Result<String> {
-        let (status, message) = match &row.result {
-            Ok(solution) => ("solved", solution.warnings().join(" ")),
-            Err(error) => (status(error), error.to_string()),
+        let (status, warnings, message) = match &row.result {
+            Ok(solution) => {
+                let warnings = solution.warnings();
+                let messages = warnings.iter().map(|warning| &warning.message[..]);
+                ("solved", joined(warnings.iter().map(|warning| warning.code.as_str()), " "), joined(messages, "; "))
+            }
+            Err(error) => (status(error), String::new(), error.to_string()),
         };
         // one line for each row
         let message = message.replace(|c: char| c.is_control(), " ");
         let numbers = self.numbers(row).into_iter().map(number);
-        line(numbers.chain([status.to_owned(), message, self.fingerprint.clone()]))
+        line(numbers.chain([status.to_owned(), warnings, message, self.fingerprint.clone()]))
     }
 
     /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; and the force
@@ -111,6 +115,10 @@ fn owner(interface: &Interface) -> String {
         Interface::Punch => "punch".to_owned(),
         Interface::Between { above, below } => format!("contact_{above}_{below}"),
     }
+}
+
+fn joined<'a>(texts: impl Iterator<Item = &'a str>, between: &str) -> String {
+    texts.collect::<Vec<_>>().join(between)
 }
 
 fn status(error: &Error) -> &'static str {

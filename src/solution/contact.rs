@@ -1,5 +1,5 @@
 //! One contact of a solved scene.
-use super::{Interface, Peak, Strip};
+use super::{Interface, Strip};
 
 /// One contact of a solved scene. Lengths and stresses are in the units of the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,57 +97,6 @@ impl Contact {
             return self.central_pressure;
         }
         self.strips.iter().map(|strip| strip.pressure(x)).sum()
-    }
-
-    /// The largest pressure anywhere in the contact, and where it is.
-    ///
-    /// ```
-    /// use recede::{HalfPlane, Model, Plane, Punch, Stack};
-    /// let stack = Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?;
-    /// let solution = Model::new(stack)?.press(&Punch::rounded_flat(0.5, 20.0)?, 0.05)?;
-    /// let (contact, peak) = (&solution.contacts()[0], solution.contacts()[0].peak());
-    /// // beyond where the flat part ends
-    /// assert!(peak.pressure > 1.2 * contact.central_pressure && peak.x > 0.5);
-    /// # Ok::<(), recede::Error>(())
-    /// ```
-    pub fn peak(&self) -> Peak {
-        Peak::of(self)
-    }
-
-    /// What tables list of each contact, by name.
-    pub(crate) const COLUMNS: [&str; 12] = [
-        "half_length",
-        "half_length_error",
-        "central_pressure",
-        "central_pressure_error",
-        "peak_pressure",
-        "peak_pressure_error",
-        "peak_at",
-        "intervals",
-        "left",
-        "left_error",
-        "right",
-        "right_error",
-    ];
-
-    /// The numbers of these columns, NaN where there is none: of several intervals, how many there are, and where the first one
-    /// begins and the last one ends.
-    pub(crate) fn numbers(&self) -> [f64; Self::COLUMNS.len()] {
-        let (peak, intervals) = (self.peak(), self.intervals());
-        [
-            self.half_length().unwrap_or(f64::NAN),
-            self.half_length_error().unwrap_or(f64::NAN),
-            self.central_pressure,
-            self.central_pressure_error,
-            peak.pressure,
-            peak.error,
-            peak.x,
-            intervals.len() as f64,
-            intervals.first().map_or(0.0, |first| first.left),
-            intervals.first().map_or(0.0, |first| first.left_error),
-            intervals.last().map_or(0.0, |last| last.right),
-            intervals.last().map_or(0.0, |last| last.right_error),
-        ]
     }
 
     /// Gives each strip of the pressure to the interval that it lies in; in low-accuracy answers one may lie next to it.

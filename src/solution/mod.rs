@@ -1,7 +1,9 @@
 //! What a solved scene tells.
+mod columns;
 mod contact;
 mod peak;
 mod strip;
+mod warning;
 
 use std::fmt;
 
@@ -9,6 +11,7 @@ pub(crate) use contact::Part;
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip};
+pub use warning::{Warning, WarningCode};
 
 /// Which contact: the punch on top, or a receding interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -117,7 +120,7 @@ pub struct Solution {
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
     pub(crate) stats: Stats,
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Vec<Warning>,
 }
 
 impl Solution {
@@ -173,8 +176,8 @@ impl Solution {
         &self.stats
     }
 
-    /// What the user should know about this result, in full sentences; empty if there is nothing.
-    pub fn warnings(&self) -> &[String] {
+    /// What the user should know about this result; empty if there is nothing.
+    pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
 }

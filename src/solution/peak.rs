@@ -98,6 +98,21 @@ impl Strip {
 }
 
 impl Contact {
+    /// The largest pressure anywhere in the contact, and where it is.
+    ///
+    /// ```
+    /// use recede::{HalfPlane, Model, Plane, Punch, Stack};
+    /// let stack = Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// let solution = Model::new(stack)?.press(&Punch::rounded_flat(0.5, 20.0)?, 0.05)?;
+    /// let (contact, peak) = (&solution.contacts()[0], solution.contacts()[0].peak());
+    /// // beyond where the flat part ends
+    /// assert!(peak.pressure > 1.2 * contact.central_pressure && peak.x > 0.5);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn peak(&self) -> Peak {
+        Peak::of(self)
+    }
+
     /// What is missing of the series of the pressure, by how its last terms fall.
     fn truncation(&self) -> f64 {
         let of = |strip: &Strip| {

@@ -14,6 +14,18 @@ fn headings_are_messages_of_the_program() {
     assert!(unknown.is_empty(), "the program does not print {unknown:#?}");
 }
 
+/// The chapter says of each code of a warning what it means.
+#[test]
+fn codes_of_warnings_are_explained() {
+    let chapter = read(&root().join("docs/troubleshooting.md"));
+    let program = read(&root().join("src/solution/warning.rs"));
+    let codes: Vec<&str> = program.lines().filter_map(|line| line.split_once("=> \"")?.1.strip_suffix("\",")).collect();
+    assert!(codes.len() > 5, "only {codes:?} found");
+    for code in codes {
+        assert!(chapter.contains(&format!("`{code}`")), "nothing is said of {code}");
+    }
+}
+
 /// The source text without comments, texts that go on in the next line in one piece.
 fn program() -> String {
     let sources = ["src", "layers"].into_iter().flat_map(|folder| files(&root().join(folder), "rs"));

@@ -19,7 +19,7 @@ use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::solution::{Part, Solution, Stats, Strip};
+use crate::solution::{Part, Solution, Stats, Strip, Warning, WarningCode};
 use gaps::Check;
 use interval::Interval;
 use newton::{Way, converge};
@@ -106,11 +106,12 @@ fn refine(problem: &Problem, first: Level, way: Way, work: &mut Work) -> Option<
     }
     let mut warnings = Vec::new();
     if errors.worst() > problem.tolerance {
-        warnings.push(format!(
+        let message = format!(
             "the tolerance {:e} is not met with {count} pressures on each interval of contacts of several intervals; the error \
              estimates tell what was reached",
             problem.tolerance
-        ));
+        );
+        warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
     let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst())?;
     // pressures in tension are wrong by that

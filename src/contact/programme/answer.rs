@@ -7,7 +7,7 @@ use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
-use crate::solution::{Form, Part, Solution, Stats, Strip};
+use crate::solution::{Form, Part, Solution, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
 use super::{Cycle, FINE, UNRESOLVED, cycles};
@@ -21,12 +21,13 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<So
     let found = |(i, contact): (usize, usize)| found(problem, contact, &all, i);
     let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
     let elements = all.last()?.grid.elements();
-    let warning = format!(
+    let message = format!(
         "accuracy about 1 %: Newton's method did not converge, so this is the solution of the quadratic programme with \
          constant pressures on each of {elements} elements (see troubleshooting: low accuracy)"
     );
+    let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..stats(problem.kernel) };
-    let answer = Answer { contacts, min_pressure: 0.0, min_gap: 0.0, stats, warnings: vec![warning] };
+    let answer = Answer { contacts, min_pressure: 0.0, min_gap: 0.0, stats, warnings };
     Some(answer.into_solution(problem))
 }
 

@@ -8,12 +8,12 @@ use crate::contact::problem::modes::{alternating, coefficients, order};
 use crate::contact::quality::admissible::{Check, Recontact};
 use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
 use crate::contact::quality::levels::Refined;
-use crate::solution::{Part, Stats, Strip};
+use crate::solution::{Part, Stats, Strip, Warning, WarningCode};
 
 /// The answer that a level is, and what the user should know of it.
 pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Work) -> Answer {
     let Refined { mut level, not_met, .. } = refined;
-    let mut warnings: Vec<String> = precision(problem, not_met).into_iter().collect();
+    let mut warnings: Vec<Warning> = precision(problem, not_met).into_iter().collect();
     level.admit(&check);
     warnings.extend(check.recontacts.iter().map(|recontact| self::recontact(problem, recontact)));
     warnings.extend(problem.unknown().filter_map(|i| unknown_end(problem, &level, i)));
@@ -59,26 +59,32 @@ fn found(level: &Level, i: usize) -> Found {
 }
 
 /// What is to be said of a tolerance that is not met, or beyond double precision.
-fn precision(problem: &Problem, not_met: Option<usize>) -> Option<String> {
+fn precision(problem: &Problem, not_met: Option<usize>) -> Option<Warning> {
     let tolerance = problem.tolerance;
     match not_met {
-        Some(modes) => Some(format!(
-            "the tolerance {tolerance:e} is not met with {modes} modes; the error estimates tell what was reached"
+        Some(modes) => Some(Warning::new(
+            WarningCode::ToleranceNotMet,
+            format!(
+                "the tolerance {tolerance:e} is not met with {modes} modes; the error estimates tell what was reached"
+            ),
         )),
-        None if tolerance < BEST => Some(format!(
-            "a tolerance of {tolerance:e} is beyond double precision; the error estimates tell what was reached"
+        None if tolerance < BEST => Some(Warning::new(
+            WarningCode::BeyondDoublePrecision,
+            format!(
+                "a tolerance of {tolerance:e} is beyond double precision; the error estimates tell what was reached"
+            ),
         )),
         None => None,
     }
 }
 
 /// What is to be said of a half-length that is not known.
-fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<String> {
+fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<Warning> {
     let (error, interface) = (level.errors[i].length, problem.interfaces[i]);
     if error <= UNKNOWN {
         return None;
     }
-    Some(match level.support.decay(i) {
+    let message = match level.support.decay(i) {
         Some(_) => format!(
             "no end of the contact {interface} was found: the pressure there decays, and nothing depends on what is beyond \
              x = {:.3e}",
@@ -88,15 +94,17 @@ fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<String> {
             "the half-length of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
             100.0 * error
         ),
-    })
+    };
+    Some(Warning::new(WarningCode::EndNotKnown, message))
 }
 
-fn recontact(problem: &Problem, recontact: &Recontact) -> String {
-    format!(
+fn recontact(problem: &Problem, recontact: &Recontact) -> Warning {
+    let message = format!(
         "the bodies at the contact {} are in contact again about x = {:.3e}; the force there, with {:.0e} of the moment \
          of the total force, is left out",
         problem.interfaces[recontact.contact],
         recontact.x * problem.kernel.length(),
         recontact.moment
-    )
+    );
+    Warning::new(WarningCode::RecontactLeftOut, message)
 }

@@ -1,0 +1,81 @@
+//! The limits of linear elasticity: warnings where strains or slopes are no longer small.
+use crate::kernel::Kernel;
+use crate::scene::Punch;
+use crate::solution::{Contact, Interval, Solution, Warning, WarningCode};
+
+/// A contact longer than this part of the radius of its punch is long: strains under a cylinder are about a/(4R).
+const LONG: f64 = 0.3;
+/// Slopes above this are steep: sine and tangent differ by 5 %.
+const STEEP: f64 = 0.3;
+/// A mean pressure above this part of the modulus of its contact is large: strains are about as large.
+const LARGE: f64 = 0.1;
+/// In how many places the slope of a punch is looked at in each interval.
+const PLACES: usize = 32;
+
+/// What is to be said of a solution for a stack with this kernel.
+pub(crate) fn warnings(punch: &Punch, kernel: &Kernel, solution: &Solution) -> Vec<Warning> {
+    let Some(top) = solution.contacts().first() else { return Vec::new() };
+    let shape = match radius(punch) {
+        Some(radius) => long(top.reach() / radius),
+        None => steep(punch, top),
+    };
+    let (contacts, material) = (solution.contacts().iter().enumerate(), punch.material());
+    let pressures = contacts.filter_map(|(i, contact)| large(contact, kernel.contact_modulus(i, material.as_ref())));
+    shape.into_iter().chain(pressures).collect()
+}
+
+/// The radius of a punch that is round all over.
+fn radius(punch: &Punch) -> Option<f64> {
+    match punch {
+        Punch::Cylinder { radius } | Punch::ElasticCylinder { radius, .. } | Punch::Parabola { radius } => {
+            Some(radius.get())
+        }
+        _ => None,
+    }
+}
+
+fn long(ratio: f64) -> Option<Warning> {
+    let message = || {
+        format!(
+            "the contact under the punch is long: its half-length is {ratio:.2} of the radius, and above {LONG} linear elasticity \
+             is an approximation only"
+        )
+    };
+    (ratio > LONG).then(|| Warning::new(WarningCode::LongContact, message()))
+}
+
+/// The steepest place of a punch that is not round, in its contact.
+fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
+    if punch.load().is_some() || punch.is_singular() && !punch.is_sharp() {
+        return None;
+    }
+    let places = |interval: Interval| {
+        let step = (interval.right - interval.left) / PLACES as f64;
+        (0..=PLACES).map(move |k| interval.left + step * k as f64)
+    };
+    let slopes = contact.intervals().into_iter().flat_map(places).map(|x| punch.slope(x).abs());
+    let steepest = slopes.fold(0.0, f64::max);
+    let message = || {
+        format!(
+            "the punch is steep: its slope in the contact is {steepest:.2}, and above {STEEP} linear elasticity is an \
+             approximation only"
+        )
+    };
+    (steepest > STEEP).then(|| Warning::new(WarningCode::SteepPunch, message()))
+}
+
+/// The largest mean pressure of the intervals of a contact, compared with E*.
+fn large(contact: &Contact, modulus: f64) -> Option<Warning> {
+    let mean = |interval: &Interval| interval.force / (interval.right - interval.left);
+    // a line load has no mean pressure
+    let pressures = contact.intervals().iter().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max);
+    let ratio = pressures / modulus;
+    let message = || {
+        format!(
+            "the pressure of the contact {} is large: its mean is {ratio:.2} of the modulus E* of the contact, and above {LARGE} \
+             linear elasticity is an approximation only",
+            contact.interface
+        )
+    };
+    (ratio > LARGE).then(|| Warning::new(WarningCode::LargePressure, message()))
+}
