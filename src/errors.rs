@@ -1,6 +1,7 @@
 //! Everything that can go wrong, put together from the errors of the stages. No stage below the model imports it.
 use recede_layers::LayerError;
 
+use crate::approach::ApproachError;
 use crate::contact::{ContactError, NoSolution};
 use crate::field::FieldError;
 use crate::options::OptionsError;
@@ -39,6 +40,9 @@ pub enum Error {
     /// The contact problem was not solved for another reason.
     #[error(transparent)]
     Contact(ContactError),
+    /// No approach of the punch is defined.
+    #[error(transparent)]
+    Approach(ApproachError),
     /// Stresses and displacements cannot be told.
     #[error(transparent)]
     Field(FieldError),
@@ -59,6 +63,15 @@ impl From<FieldError> for Error {
         match error {
             FieldError::Unresolved(cause) => Self::Unresolved(cause),
             other => Self::Field(other),
+        }
+    }
+}
+
+impl From<ApproachError> for Error {
+    fn from(error: ApproachError) -> Self {
+        match error {
+            ApproachError::Field(cause) => cause.into(),
+            other => Self::Approach(other),
         }
     }
 }
@@ -84,9 +97,13 @@ impl Error {
     /// ```
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Scene(_) | Self::Value(_) | Self::Layer(_) | Self::Stack(_) | Self::Axis(_) | Self::Options(_) => {
-                true
-            }
+            Self::Scene(_)
+            | Self::Value(_)
+            | Self::Layer(_)
+            | Self::Stack(_)
+            | Self::Axis(_)
+            | Self::Options(_)
+            | Self::Approach(_) => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
             Self::Contact(cause) => cause.is_input(),
@@ -103,6 +120,7 @@ impl Error {
             Self::NoSolution(error) => error.hint(),
             Self::Contact(error) => error.hint(),
             Self::Field(error) => error.hint(),
+            Self::Approach(error) => Some(error.hint()),
             Self::Value(_) | Self::Layer(_) | Self::Axis(_) | Self::Options(_) => None,
         }
     }
@@ -118,7 +136,8 @@ impl Scene {
                 let hint = "a larger punch or a smaller force keeps the contact within the punch";
                 self.error_at_punch(hint.to_owned(), cause)
             }
-            Error::NoSolution(cause @ NoSolution::HalfLength { .. }) => self.error_at_force(cause.hint(), cause),
+            Error::NoSolution(cause @ NoSolution::Unreachable { .. }) => self.error_at_force(cause.hint(), cause),
+            Error::Approach(cause) => self.error_at_force(Some(cause.hint()), cause),
             _ => None,
         };
         located.map_or(error, Error::Scene)

@@ -60,6 +60,7 @@
 //! length out of plane.
 #![deny(missing_docs)]
 
+mod approach;
 mod collocation;
 mod contact;
 mod errors;
@@ -84,7 +85,8 @@ mod sweep;
 mod system;
 mod validity;
 
-pub use contact::{ContactError, NoSolution};
+pub use approach::{Approach, ApproachError, Stiffness};
+pub use contact::{ContactError, Controlled, NoSolution};
 pub use errors::Error;
 pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Point};
 pub use model::{Model, solve};

@@ -3,14 +3,15 @@ use std::fmt::{self, Write};
 use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
+use crate::approach::{self, Approach, ApproachError};
 use crate::collocation;
-use crate::contact::{self, Table};
+use crate::contact::{self, Controlled, Measured, Table};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
 use crate::scene::{Force, Punch, Scene};
-use crate::solution::{Interface, Solution};
+use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
 use crate::validity;
 
@@ -73,7 +74,7 @@ impl Model {
     }
 
     /// Presses a punch with a force (per unit length out of plane) on the stack, to ten digits. The force is a number, or
-    /// [`Force::ForHalfLength`].
+    /// [`Force::ForHalfLength`] or [`Force::ForDepth`].
     ///
     /// # Errors
     /// As [`Self::press_with`].
@@ -99,10 +100,18 @@ impl Model {
             Method::Collocation => collocation::press(kernel, &self.interfaces, punch, force, options),
         };
         let solution = match force {
-            Force::Given(force) => press(force),
-            Force::ForHalfLength(half_length) => contact::press_to(kernel, punch, half_length, options, press),
+            Force::Given(force) => press(force)?,
+            Force::ForHalfLength(wanted) => {
+                let wanted = (Controlled::HalfLength, wanted);
+                contact::press_to(kernel, punch, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))?
+            }
+            Force::ForDepth(wanted) => {
+                approach::defined(punch, &self.stack)?;
+                let depth = |found: &Solution| Ok::<_, Error>(approach::depth(punch, &self.stack, found)?);
+                contact::press_to(kernel, punch, (Controlled::Approach, wanted), options, press, depth)?
+            }
         };
-        let mut solution = Solution { stack: self.key, ..solution? };
+        let mut solution = Solution { stack: self.key, ..solution };
         solution.warnings.extend(validity::warnings(punch, kernel, &solution));
         Ok(solution)
     }
@@ -117,6 +126,39 @@ impl Model {
         }
         Ok(Field::new(&self.stack, solution))
     }
+
+    /// How far the punch has sunk into the stack since it touched it first, and the stiffness dP/dδ, for a solution of this model.
+    ///
+    /// ```
+    /// use recede::{ApproachError, HalfPlane, Model, Plane, Punch, Scene, Stack};
+    /// let scene = Scene::from_ron("Scene(plane: Strain, punch: Flat(half_width: 0.5), force: 0.01, stack: [
+    ///     Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Bonded, Rigid])")?;
+    /// let model = Model::new(scene.stack()?)?;
+    /// let approach = model.approach(&scene.punch, &model.press(&scene.punch, scene.force)?)?;
+    /// // under a flat punch the force is proportional to the approach
+    /// assert!((approach.stiffness.value().unwrap() * approach.value / 0.01 - 1.0).abs() < 1e-9);
+    ///
+    /// let half_plane = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+    /// let solution = half_plane.press(&scene.punch, 0.01)?;
+    /// assert_eq!(half_plane.approach(&scene.punch, &solution), Err(ApproachError::HalfPlane));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined;
+    /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
+    pub fn approach(&self, punch: &Punch, solution: &Solution) -> Result<Approach, ApproachError> {
+        if solution.stack != self.key {
+            return Err(FieldError::OtherStack.into());
+        }
+        approach::approach(punch, &self.stack, &self.kernel, solution)
+    }
+}
+
+/// The half-length of the contact under a punch, or the end of its innermost interval.
+fn half_length(solution: &Solution) -> Measured {
+    let part = solution.contacts().first().map(Contact::innermost).unwrap_or_default();
+    Measured { value: part.to, error: part.to_error }
 }
 
 /// A hash of all that [`fmt::Debug`] shows of a stack: equal stacks have equal keys, however often they are built.

@@ -20,7 +20,10 @@ pub(crate) fn warnings(punch: &Punch, kernel: &Kernel, solution: &Solution) -> V
         None => steep(punch, top),
     };
     let (contacts, material) = (solution.contacts().iter().enumerate(), punch.material());
-    let pressures = contacts.filter_map(|(i, contact)| large(contact, kernel.contact_modulus(i, material.as_ref())));
+    let pressures = contacts.filter_map(|(i, contact)| {
+        let name = if i == 0 && punch.load().is_some() { "load".to_owned() } else { contact.interface.to_string() };
+        large(&name, contact, kernel.contact_modulus(i, material.as_ref()))
+    });
     shape.into_iter().chain(pressures).collect()
 }
 
@@ -65,16 +68,15 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
 }
 
 /// The largest mean pressure of the intervals of a contact, compared with E*.
-fn large(contact: &Contact, modulus: f64) -> Option<Warning> {
+fn large(name: &str, contact: &Contact, modulus: f64) -> Option<Warning> {
     let mean = |interval: &Interval| interval.force / (interval.right - interval.left);
     // a line load has no mean pressure
     let pressures = contact.intervals().iter().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max);
     let ratio = pressures / modulus;
     let message = || {
         format!(
-            "the pressure of the contact {} is large: its mean is {ratio:.2} of the modulus E* of the contact, and above {LARGE} \
-             linear elasticity is an approximation only",
-            contact.interface
+            "the pressure of the contact {name} is large: its mean is {ratio:.2} of the modulus E* of the contact, and above {LARGE} \
+             linear elasticity is an approximation only"
         )
     };
     (ratio > LARGE).then(|| Warning::new(WarningCode::LargePressure, message()))

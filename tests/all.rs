@@ -9,6 +9,7 @@ mod contact;
 mod scenario;
 mod support;
 
+mod approach;
 mod boundary_layers;
 mod cli;
 mod collocation;

@@ -13,7 +13,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 19] = [
+const MAY_IMPORT: [(&str, &[&str]); 20] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("files", &[]),
@@ -27,9 +27,10 @@ const MAY_IMPORT: [(&str, &[&str]); 19] = [
     ("collocation", &["contact", "kernel", "numeric", "scene", "system"]),
     ("field", &["numeric", "stack", "system"]),
     // put together from the errors of the stages, for all that stands above them
-    ("errors", &["contact", "field", "scene", "stack", "sweep", "system"]),
+    ("errors", &["approach", "contact", "field", "scene", "stack", "sweep", "system"]),
+    ("approach", &["contact", "field", "kernel", "scene", "stack"]),
     ("validity", &["kernel", "scene"]),
-    ("model", &["collocation", "contact", "errors", "field", "kernel", "scene", "stack", "validity"]),
+    ("model", &["approach", "collocation", "contact", "errors", "field", "kernel", "scene", "stack", "validity"]),
     ("selftest", &["contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
     ("sweep", &["errors", "model", "scene", "stack"]),
     ("plot", &["field", "files", "scene", "stack", "sweep"]),
@@ -37,7 +38,7 @@ const MAY_IMPORT: [(&str, &[&str]); 19] = [
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.
-const ROOMS: [&str; 12] = [
+const ROOMS: [&str; 13] = [
     "error",
     "problem",
     "answer",
@@ -48,8 +49,9 @@ const ROOMS: [&str; 12] = [
     "programme",
     "parts",
     "starts",
+    "tangent",
     "thin",
-    "end_controlled",
+    "controlled",
 ];
 
 /// Leaves: what is asked for, and what comes out. Anything but `numeric` and `exact` may import them.

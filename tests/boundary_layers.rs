@@ -27,7 +27,11 @@ fn solve(top: &str, tolerance: f64) -> Solution {
 fn the_tolerance_is_met() {
     for top in TOP_LAYERS {
         let (solution, rough) = (solve(top, 1e-10), solve(top, 1e-6));
-        assert!(solution.warnings().is_empty(), "{top}: {:?}", solution.warnings());
+        assert!(
+            solution.warnings().iter().all(|warning| warning.code.is_about_theory()),
+            "{top}: {:?}",
+            solution.warnings()
+        );
         for (best, rough) in solution.contacts().iter().zip(rough.contacts()) {
             assert!(best.half_length_error().unwrap() <= 1e-10 * best.half_length().unwrap(), "{top}");
             assert!(best.central_pressure_error <= 1e-10 * best.central_pressure, "{top}");

@@ -8,8 +8,8 @@
 use crate::support::{self, innermost_end};
 
 use recede::{
-    ContactError, Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane, Punch, Scene,
-    Stack, Sweep, report::SweepCsv,
+    ContactError, Controlled, Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane,
+    Punch, Scene, Stack, Sweep, report::SweepCsv,
 };
 
 fn half_plane() -> Model {
@@ -97,10 +97,10 @@ fn what_no_force_brings_about_is_refused() {
     let refused = |punch: Punch, half_length: f64| model.press(&punch, Force::ForHalfLength(half_length)).unwrap_err();
     for (punch, half_length) in [(Punch::cylinder(1.0), 1.0), (Punch::rounded_flat(0.5, 1.0), 0.5)] {
         let error = refused(punch.unwrap(), half_length);
-        assert!(matches!(error, Error::NoSolution(NoSolution::HalfLength { .. })) && error.is_input(), "{error}");
+        assert!(matches!(error, Error::NoSolution(NoSolution::Unreachable { .. })) && error.is_input(), "{error}");
     }
     let load = refused(Punch::Given(Load::Line), 1.0);
-    assert!(matches!(load, Error::Contact(ContactError::LoadWithHalfLength)) && load.is_input());
+    assert!(matches!(load, Error::Contact(ContactError::LoadControlled(_))) && load.is_input());
     assert!(refused(Punch::parabola(1.0).unwrap(), -1.0).to_string().starts_with("half_length: found -1.0"));
 }
 
@@ -125,7 +125,14 @@ fn a_force_that_is_not_solved_for_does_not_end_the_search() {
 fn a_solver_that_fails_is_no_bad_input() {
     let cause = Some(Box::new(NoSolution::NotConverged { half_lengths: vec![1.0] }));
     let punch = "Parabola(radius: 1.0)".to_owned();
-    let error = NoSolution::ForceNotFound { punch, half_length: 0.5, below: Some(0.4), above: None, cause };
+    let error = NoSolution::ForceNotFound {
+        controlled: Controlled::HalfLength,
+        punch,
+        wanted: 0.5,
+        below: Some(0.4),
+        above: None,
+        cause,
+    };
     let error = Error::from(error);
     assert!(!error.is_input());
     let said = error.to_string();

@@ -148,6 +148,32 @@ fn a_stack_upside_down_is_the_same() {
     }
 }
 
+/// Springs that resist no motion along the face do not feel whether they are told so once or twice.
+#[test]
+fn springs_without_shear_stiffness_carry_no_shear_however_they_are_joined() {
+    let (k, normal) = (0.2, 0.7);
+    let springs = |k: f64| Winkler::new(k).unwrap();
+    let bed = |join: &dyn Fn(StackBuilder) -> StackBuilder, k: f64| {
+        let stack = join(begin().layer(strip_of(0.4, 1.0)).bonded().layer(strip_of(0.6, 2.0))).support(springs(k));
+        press_and_look(stack)
+    };
+    let bonded = bed(&|stack| stack.bonded(), k);
+    let sliding = bed(&|stack| stack.sliding(), k);
+    let in_series = bed(&|stack| stack.spring(Spring::new(normal, None).unwrap()), k);
+    let softer = bed(&|stack| stack.bonded(), (1.0 / k + 1.0 / normal).recip());
+    for (found, expected) in sliding.into_iter().chain(in_series).zip(bonded.into_iter().chain(softer)) {
+        close(found, expected, 1e-10, "half-length, pressure, stress, displacement");
+    }
+}
+
+/// Half-length and pressure under a punch, a stress and a displacement inside.
+fn press_and_look(stack: StackBuilder) -> [f64; 4] {
+    let (model, solution) = solve(stack);
+    let inside = model.field(&solution).unwrap().at(0.3, 0.9).unwrap();
+    let top = &solution.contacts()[0];
+    [top.half_length().unwrap(), top.central_pressure, inside.sigma_xx, inside.v]
+}
+
 #[test]
 fn plates_that_slide_bend_each_by_itself() {
     let bend = |h: f64, modulus: f64| Elastic::plane_strain(modulus, 0.25).plane_modulus() * h.powi(3) / 12.0;

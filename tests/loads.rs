@@ -24,7 +24,7 @@ fn ground(modulus: f64) -> HalfPlane {
 fn press(stack: StackBuilder, load: Load, force: f64) -> (Model, Solution) {
     let model = Model::new(stack.build().unwrap()).unwrap();
     let solution = model.press(&Punch::Given(load), force).unwrap();
-    assert_eq!(solution.warnings(), []);
+    assert!(solution.warnings().iter().all(|warning| warning.code.is_about_theory()), "{:?}", solution.warnings());
     (model, solution)
 }
 

@@ -95,7 +95,7 @@ fn a_scene_without_solution_is_a_row() {
     assert!(matches!(rows[4].result, Err(Error::NoSolution(_))), "a needle: {:?}", rows[4].result);
     let line = csv.line(&rows[4]).unwrap();
     assert!(
-        line.contains("bad_input,\"") || line.contains("bad_input,the punch Cylinder(radius: 0.0001) cannot"),
+        line.contains("bad_input,,\"") || line.contains("bad_input,,the punch Cylinder(radius: 0.0001) cannot"),
         "{line}"
     );
     let columns = csv.header().unwrap().split(',').count();

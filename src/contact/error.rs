@@ -11,9 +11,9 @@ pub enum ContactError {
     /// A flat punch with sharp corners, and a method that wants pressures that end at 0.
     #[error("a flat punch with sharp corners is solved for by the Galerkin method only")]
     FlatByCollocation,
-    /// A given pressure, and a half-length of the contact under a punch.
-    #[error("half_length: a given pressure has no contact whose half-length a force could be found for")]
-    LoadWithHalfLength,
+    /// A given pressure, and a half-length of the contact under a punch, or its approach.
+    #[error("{}: under a given pressure there is nothing that a force could be found for", .0.field())]
+    LoadControlled(Controlled),
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -26,7 +26,7 @@ impl ContactError {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadWithHalfLength => true,
+            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadControlled(_) => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -39,10 +39,38 @@ impl ContactError {
             Self::FlatByCollocation => {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
-            Self::LoadWithHalfLength => Some("give the force instead, the resultant of the pressure".to_owned()),
+            Self::LoadControlled(_) => Some("give the force instead, the resultant of the pressure".to_owned()),
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
         }
+    }
+}
+
+/// What is prescribed in place of a force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Controlled {
+    /// The half-length of the contact under the punch.
+    HalfLength,
+    /// The approach of the punch: how far it sinks.
+    Approach,
+}
+
+impl Controlled {
+    /// The name of the field of a scene that says it.
+    fn field(self) -> &'static str {
+        match self {
+            Self::HalfLength => "half_length",
+            Self::Approach => "depth",
+        }
+    }
+}
+
+impl std::fmt::Display for Controlled {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::HalfLength => "half-length of the contact under the punch",
+            Self::Approach => "approach of the punch",
+        })
     }
 }
 
@@ -57,35 +85,36 @@ pub enum NoSolution {
         /// Half-width of the punch, in length.
         edge: f64,
     },
-    /// No force makes the contact as long as wanted.
-    #[error(
-        "no force makes the half-length of the contact under the punch {punch} {half_length:?}; {}",
-        reachable(*.below, *.above)
-    )]
-    HalfLength {
+    /// No force makes the contact as long, or the punch sink as far, as wanted.
+    #[error("no force makes the {controlled} {punch} {wanted:?}; {}", reachable(*.controlled, *.below, *.above))]
+    Unreachable {
+        /// What is prescribed.
+        controlled: Controlled,
         /// The punch as it is written in a scene.
         punch: String,
-        /// The half-length wanted, in length.
-        half_length: f64,
-        /// The largest half-length below it that a force brings about, or that no force exceeds, in length.
+        /// What it was to be, in length.
+        wanted: f64,
+        /// The largest value below it that a force brings about, or that no force exceeds, in length.
         below: Option<f64>,
-        /// The smallest half-length above it that a force brings about, or that any force exceeds, in length.
+        /// The smallest value above it that a force brings about, or that any force exceeds, in length.
         above: Option<f64>,
     },
-    /// The force was not found that makes the contact as long as wanted: forces tried were not solved for.
+    /// The force was not found that makes the contact as long, or the punch sink as far, as wanted: forces tried were not solved for.
     #[error(
-        "the force was not found that makes the half-length of the contact under the punch {punch} {half_length:?}; {}{}",
-        reachable(*.below, *.above),
+        "the force was not found that makes the {controlled} {punch} {wanted:?}; {}{}",
+        reachable(*.controlled, *.below, *.above),
         .cause.as_ref().map(|cause| format!("; in between {cause}")).unwrap_or_default()
     )]
     ForceNotFound {
+        /// What is prescribed.
+        controlled: Controlled,
         /// The punch as it is written in a scene.
         punch: String,
-        /// The half-length wanted, in length.
-        half_length: f64,
-        /// The largest half-length below it that was found, in length.
+        /// What it was to be, in length.
+        wanted: f64,
+        /// The largest value below it that was found, in length.
         below: Option<f64>,
-        /// The smallest half-length above it that was found, in length.
+        /// The smallest value above it that was found, in length.
         above: Option<f64>,
         /// Why the solver failed at the force tried last; `None` if the search did not end.
         cause: Option<Box<NoSolution>>,
@@ -131,18 +160,22 @@ fn place(interface: &Interface) -> String {
     }
 }
 
-/// Which half-lengths are reached on either side of one that is not.
-fn reachable(below: Option<f64>, above: Option<f64>) -> String {
+/// Which values are reached on either side of one that is not.
+fn reachable(controlled: Controlled, below: Option<f64>, above: Option<f64>) -> String {
+    let (one, several) = match controlled {
+        Controlled::HalfLength => ("half-length", "half-lengths"),
+        Controlled::Approach => ("approach", "approaches"),
+    };
     match (below, above) {
         (Some(below), Some(above)) if below == above => format!("it is {below:?} under any force"),
         // a contact is longer than the flat part of its punch, and shorter than the punch
         (Some(below), Some(above)) if below > above => {
-            format!("reachable are half-lengths between {above:?} and {below:?}")
+            format!("reachable are {several} between {above:?} and {below:?}")
         }
-        (Some(below), Some(above)) => format!("half-lengths up to {below:?} and from {above:?} on were reached"),
-        (Some(below), None) => format!("half-lengths up to {below:?} were reached"),
-        (None, Some(above)) => format!("reachable are half-lengths above {above:?}"),
-        (None, None) => "no half-length was reached".to_owned(),
+        (Some(below), Some(above)) => format!("{several} up to {below:?} and from {above:?} on were reached"),
+        (Some(below), None) => format!("{several} up to {below:?} were reached"),
+        (None, Some(above)) => format!("reachable are {several} above {above:?}"),
+        (None, None) => format!("no {one} was reached"),
     }
 }
 
@@ -158,7 +191,7 @@ fn intervals(parts: &[[f64; 2]]) -> String {
 impl NoSolution {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::PunchTooSmall { .. } | Self::HalfLength { .. })
+        matches!(self, Self::PunchTooSmall { .. } | Self::Unreachable { .. })
     }
 
     /// What to do about it, if that can be said.
@@ -177,11 +210,14 @@ impl NoSolution {
                 "the contact may be more than one interval (open in the middle, touching again farther out), which is \
                  not always solved, or too long for the layers next to it, which a smaller force shortens"
             }
-            Self::HalfLength { .. } => {
+            Self::Unreachable { controlled: Controlled::Approach, .. } => {
+                "the contact would reach the edge of the punch: prescribe a smaller approach, or make the punch wider"
+            }
+            Self::Unreachable { controlled: Controlled::HalfLength, .. } => {
                 "a contact is longer than the flat part of its punch, shorter than the punch, and its half-length jumps \
                  where intervals of it meet: prescribe one that is reached, or the force"
             }
-            Self::ForceNotFound { .. } => "prescribe the force, or a half-length next to those that were reached",
+            Self::ForceNotFound { .. } => "prescribe the force, or a value next to those that were reached",
         };
         Some(hint.to_owned())
     }

@@ -4,7 +4,7 @@
 //! [`equations`] and their [`integrals`]) over refinement levels and the sign check ([`quality`]), and the one assembly of a
 //! solution ([`answer`]). Where Newton's method fails, the quadratic programme is asked ([`programme`], [`parts`]).
 pub(crate) mod answer;
-mod end_controlled;
+mod controlled;
 mod ends;
 mod equations;
 mod error;
@@ -14,6 +14,7 @@ pub(crate) mod problem;
 mod programme;
 pub(crate) mod quality;
 pub(crate) mod starts;
+mod tangent;
 mod thin;
 
 use std::borrow::Cow;
@@ -23,9 +24,10 @@ use crate::options::Options;
 use crate::scene::Punch;
 use crate::solution::{Interface, Solution, Stats};
 
-pub(crate) use end_controlled::press_to;
-pub use error::{ContactError, NoSolution};
+pub(crate) use controlled::{Measured, press_to};
+pub use error::{ContactError, Controlled, NoSolution};
 pub(crate) use starts::table::Table;
+pub(crate) use tangent::tangent;
 
 use answer::{Answer, stats};
 use ends::newton::Work;

@@ -26,6 +26,16 @@ pub(super) struct Row {
     pub(super) set: usize,
 }
 
+/// A place at which two bodies touch.
+struct Joint {
+    contact: usize,
+    x: f64,
+    /// Whether this is the face of the body above.
+    is_above: bool,
+    layer: usize,
+    depth: f64,
+}
+
 /// A row that is being summed.
 struct Active {
     row: Row,
@@ -78,18 +88,25 @@ impl Field {
         let mut rows = rows.to_vec();
         let mut sets = sets.to_vec();
         let asked = rows.len();
-        for (i, placed) in self.layers.iter().enumerate() {
-            if placed.place == 0 && placed.body > 0 {
-                rows.push(Row { layer: i, depth: 0.0, set: sets.len() });
+        let (joints, middle) = (self.joints(), sets.len());
+        sets.push(vec![0.0]);
+        for Joint { layer, depth, x, .. } in &joints {
+            let set = if *x == 0.0 { middle } else { sets.len() };
+            rows.push(Row { layer: *layer, depth: *depth, set });
+            if *x > 0.0 {
+                sets.push(vec![*x]);
             }
         }
-        sets.push(vec![0.0]);
         let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
         self.integrate(&rows, &sets, precision, &mut values)?;
-        let mut lifts = vec![0.0; self.bodies.len()];
-        for (row, values) in rows[asked..].iter().zip(&values[asked..]).rev() {
-            let body = self.layers[row.layer].body;
-            lifts[body - 1] = lifts[body] + values[0][4];
+        let mut lifts = vec![0.0; self.bodies.len() + 1];
+        for (joint, values) in joints.iter().zip(&values[asked..]).rev() {
+            let v = values[0][4];
+            if joint.is_above {
+                lifts[joint.contact - 1] -= v
+            } else {
+                lifts[joint.contact - 1] = lifts[joint.contact] + v
+            }
         }
         values.truncate(asked);
         for (row, values) in rows.iter().zip(&mut values) {
@@ -97,6 +114,23 @@ impl Field {
             values.iter_mut().for_each(|value| value[4] += lift);
         }
         Ok(values)
+    }
+
+    /// Where the bodies are joined, from the top down: the lower face of each contact below the uppermost one, and where bodies are apart
+    /// at x = 0, from where v of the body above is counted, also its upper face.
+    fn joints(&self) -> Vec<Joint> {
+        let mut joints = Vec::new();
+        for (contact, x) in self.joints.iter().copied().enumerate().skip(1) {
+            let last = self.layers.iter().rposition(|placed| placed.body + 1 == contact);
+            if let Some(layer) = last.filter(|_| x > 0.0) {
+                let depth = self.layers[layer].thickness.unwrap_or(0.0);
+                joints.push(Joint { contact, x, is_above: true, layer, depth });
+            }
+            if let Some(layer) = self.layers.iter().position(|placed| placed.body == contact) {
+                joints.push(Joint { contact, x, is_above: false, layer, depth: 0.0 });
+            }
+        }
+        joints
     }
 
     /// The closed forms of the loaded faces, with v counted from the reference point of the body.

@@ -93,7 +93,7 @@ impl Punch<'_> {
         let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
         let tip = self.top - HIGHEST - 4.0;
         let number = match (self.scene.force, self.contact) {
-            (Force::ForHalfLength(_), Some(contact)) => label(contact.resultant),
+            (Force::ForHalfLength(_) | Force::ForDepth(_), Some(contact)) => label(contact.resultant),
             (force, _) => label(force.number()),
         };
         let force = format!("{} = {number}{line_load}", italic("P"));

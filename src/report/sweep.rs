@@ -93,7 +93,7 @@ impl<'a> SweepCsv<'a> {
 
     /// The columns of a force that is found.
     fn found(&self) -> &'static [&'static str] {
-        if matches!(self.sweep.scene().force, Force::ForHalfLength(_)) { &FOUND } else { &[] }
+        if !matches!(self.sweep.scene().force, Force::Given(_)) { &FOUND } else { &[] }
     }
 
     /// The numbers of a row from its line.

@@ -21,6 +21,9 @@ pub enum Force {
     /// The force that makes the contact under the punch so long: its half-length > 0, in length; in a scene
     /// `half_length: ...`.
     ForHalfLength(f64),
+    /// The force that makes the punch sink so far: its approach > 0, in length, see [`Model::approach`](crate::Model::approach); in a scene
+    /// `depth: ...`.
+    ForDepth(f64),
 }
 
 impl From<f64> for Force {
@@ -34,7 +37,7 @@ impl Force {
     pub fn given(self) -> Option<f64> {
         match self {
             Self::Given(force) => Some(force),
-            Self::ForHalfLength(_) => None,
+            Self::ForHalfLength(_) | Self::ForDepth(_) => None,
         }
     }
 
@@ -43,13 +46,14 @@ impl Force {
         match self {
             Self::Given(_) => "force",
             Self::ForHalfLength(_) => "half_length",
+            Self::ForDepth(_) => "depth",
         }
     }
 
     /// The number that is written.
     pub(crate) fn number(self) -> f64 {
         match self {
-            Self::Given(number) | Self::ForHalfLength(number) => number,
+            Self::Given(number) | Self::ForHalfLength(number) | Self::ForDepth(number) => number,
         }
     }
 
@@ -58,6 +62,7 @@ impl Force {
         match self {
             Self::Given(_) => Self::Given(number.get()),
             Self::ForHalfLength(_) => Self::ForHalfLength(number.get()),
+            Self::ForDepth(_) => Self::ForDepth(number.get()),
         }
     }
 
@@ -72,6 +77,7 @@ impl fmt::Display for Force {
         match self {
             Self::Given(force) => write!(f, "force {force:?}"),
             Self::ForHalfLength(half_length) => write!(f, "half-length {half_length:?}"),
+            Self::ForDepth(depth) => write!(f, "depth {depth:?}"),
         }
     }
 }

@@ -263,6 +263,11 @@ impl Punch {
         self.shape().height(x)
     }
 
+    /// The smallest height of the profile, in length: 0 unless it falls somewhere.
+    pub(crate) fn lowest(&self) -> f64 {
+        self.shape().lowest()
+    }
+
     /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, where a polynomial begins to fall for
     /// good, the half-width of a flat punch with sharp corners; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {

@@ -51,6 +51,9 @@ struct Draft<'a> {
     /// In place of the force: half-length of the contact under the punch, for which the force is found; in length.
     #[serde(default)]
     half_length: Option<Positive>,
+    /// In place of the force: how far the punch sinks, for which the force is found; in length. The base has to be rigid, or springs.
+    #[serde(default)]
+    depth: Option<Positive>,
     /// Layers and the interfaces between them from the top down, ending in a base.
     #[serde(borrow)]
     #[schemars(with = "StackText")]
@@ -271,27 +274,33 @@ fn what_presses<'a>(
     }
 }
 
-/// The force, or the half-length for which it is found.
+/// The force, or what it is found for.
 fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneError> {
-    let text = &origin.text[..];
-    match (draft.force, draft.half_length) {
-        (Some(force), None) => Ok(Force::Given(force.get())),
-        (None, Some(half_length)) if draft.load.is_none() => Ok(Force::ForHalfLength(half_length.get())),
-        (None, None) => {
-            let hint = "add `force: ...` or, for a punch, `half_length: ...` between its parentheses";
+    let given = |force: fn(f64) -> Force, number: Option<Positive>| number.map(|number| force(number.get()));
+    let all = [
+        given(Force::Given, draft.force),
+        given(Force::ForHalfLength, draft.half_length),
+        given(Force::ForDepth, draft.depth),
+    ];
+    let given: Vec<Force> = all.into_iter().flatten().collect();
+    let (other, name, hint) = match given[..] {
+        [Force::Given(force)] => return Ok(Force::Given(force)),
+        [found] if draft.load.is_none() => return Ok(found),
+        [found] => ("load", found.field(), "no force changes how far a load reaches: give its resultant, `force: ...`"),
+        [] => {
+            let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
             let message = "`force` is missing in the scene".into();
-            Err(origin.error(Some(whole.name_at), message, Some(hint.into())))
+            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())));
         }
-        (given, _) => {
-            let (other, hint) = match given {
-                Some(_) => ("force", "the force is found for the half-length: remove one of them"),
-                None => ("load", "no force changes how far a load reaches: give its resultant, `force: ...`"),
-            };
-            let at = field(text, "half_length").map_or(whole.name_at, |value| part(text, value).name_at);
-            let message = format!("the scene has `{other}` and `half_length`");
-            Err(origin.error(Some(at), message, Some(hint.into())))
-        }
-    }
+        [first, second, ..] => (
+            first.field(),
+            second.field(),
+            "the force is given, or found for a half-length or a depth: remove one of them",
+        ),
+    };
+    let at = field(&origin.text, name).map_or(whole.name_at, |value| part(&origin.text, value).name_at);
+    let message = format!("the scene has `{other}` and `{name}`");
+    Err(origin.error(Some(at), message, Some(hint.into())))
 }
 
 /// Reads a punch, or the load that is `given` in its place.

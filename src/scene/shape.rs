@@ -100,12 +100,28 @@ impl Shape<'_> {
                 turns.rev().find(|turn| end.is_none_or(|end| *turn < end)).unwrap_or(0.0)
             }
             Self::Circle(_) | Self::Flat(_) => 0.0,
-            Self::Pieces { pieces, end } => {
-                let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
-                let falls = pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start));
-                falls.last().unwrap_or(0.0)
-            }
+            Self::Pieces { .. } => self.falls().last().copied().unwrap_or(0.0),
         }
+    }
+
+    /// The smallest height: that at x = 0, or where a fall ends.
+    pub(crate) fn lowest(&self) -> f64 {
+        let ends_of_falls: Vec<f64> = match self {
+            Self::Powers { length, terms, end } => {
+                let turns = turns(terms).into_iter().map(|turn| turn * length);
+                turns.filter(|turn| end.is_none_or(|end| *turn < end)).collect()
+            }
+            Self::Circle(_) | Self::Flat(_) => Vec::new(),
+            Self::Pieces { .. } => self.falls(),
+        };
+        ends_of_falls.into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
+    }
+
+    /// The last places at which the pieces fall that do.
+    fn falls(&self) -> Vec<f64> {
+        let Self::Pieces { pieces, end } = self else { return Vec::new() };
+        let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
+        pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start)).collect()
     }
 
     /// Half-length that any contact exceeds: that of the flat part.

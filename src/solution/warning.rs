@@ -56,6 +56,11 @@ pub enum WarningCode {
 }
 
 impl WarningCode {
+    /// Whether it is about the theory, which holds for small strains and slopes; all others are about the numbers.
+    pub fn is_about_theory(self) -> bool {
+        matches!(self, Self::LongContact | Self::SteepPunch | Self::LargePressure)
+    }
+
     /// The code as it stands in JSON.
     pub fn as_str(self) -> &'static str {
         match self {

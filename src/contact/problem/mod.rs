@@ -43,6 +43,8 @@ pub(crate) enum Side<'a> {
     Closed,
     /// The pressure is given.
     Known(Given<'a>),
+    /// The bodies stay together on a contact of this half-length, in units of L, whether they press or pull.
+    Joined(f64),
 }
 
 impl<'a> Problem<'a> {
@@ -63,6 +65,20 @@ impl<'a> Problem<'a> {
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
         let sides = std::iter::once(top).chain(closed).collect();
         Self { kernel, interfaces, sides, punch, force, tolerance, operations: MOST_OPERATIONS }
+    }
+
+    /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
+    /// force while the contacts are of these half-lengths, since they vanish at their ends.
+    pub(crate) fn joined(
+        kernel: &'a Kernel,
+        interfaces: &'a [Interface],
+        punch: &'a Punch,
+        half_lengths: &[f64],
+        tolerance: f64,
+    ) -> Self {
+        let length = kernel.length();
+        let sides = half_lengths.iter().map(|a| Side::Joined(a / length)).collect();
+        Self { sides, ..Self::new(kernel, interfaces, punch, 1.0, tolerance) }
     }
 
     /// The same punch and force on another kernel in the same units, with another tolerance.
@@ -155,6 +171,7 @@ impl<'a> Side<'a> {
             Self::Profile(profile) if profile.flat().is_some() => End::Edge { intensity: 1.0 },
             Self::Profile(_) | Self::Closed => End::Free,
             Self::Known(_) => End::Given,
+            Self::Joined(_) => End::Edge { intensity: 1.0 },
         }
     }
 
@@ -176,6 +193,11 @@ impl<'a> Side<'a> {
     /// Whether the contact is that of a punch with sharp corners.
     pub(crate) fn is_flat(&self) -> bool {
         self.profile().is_some_and(|profile| profile.flat().is_some())
+    }
+
+    /// Whether the bodies may pull.
+    pub(crate) fn is_joined(&self) -> bool {
+        matches!(self, Self::Joined(_))
     }
 
     /// Whether modes fall fast: the profile is analytic, or none presses.

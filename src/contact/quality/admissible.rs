@@ -25,6 +25,7 @@ const UNRESOLVED: f64 = 10.0;
 const GROSS: f64 = 0.05;
 
 /// What the check found, in units of the kernel per unit of P'.
+#[derive(Default)]
 pub(crate) struct Check {
     pub(crate) min_pressure: f64,
     /// The tension of each contact for want of modes, as a part of its largest pressure.
@@ -120,7 +121,11 @@ fn recontact(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)
 /// than the uncertainty of its highest modes, or more than `most`.
 pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Result<(f64, Vec<f64>), ContactError> {
     let (mut min_pressure, mut tensions) = (0.0f64, Vec::with_capacity(level.modes.len()));
-    for i in 0..level.modes.len() {
+    for (i, side) in problem.sides.iter().enumerate() {
+        if side.is_joined() {
+            tensions.push(0.0);
+            continue;
+        }
         let least = Least::of(level, i);
         // where a pressure decays there is no tension but that of truncation
         let most = if level.support.decay(i).is_some() { most.min(NO_GAP) } else { most };
@@ -139,7 +144,7 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
 
 /// An error if a contact is in such tension that more modes will not change that.
 pub(crate) fn check_gross_tension(problem: &Problem, level: &Level) -> Result<(), ContactError> {
-    for i in problem.unknown().filter(|i| level.remainders[*i].is_none()) {
+    for i in problem.unknown().filter(|i| level.remainders[*i].is_none() && !problem.sides[*i].is_joined()) {
         let least = Least::of(level, i);
         if least.pressure < -GROSS * least.largest {
             return Err(least.tension(problem, level, i));

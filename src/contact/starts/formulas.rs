@@ -41,6 +41,7 @@ pub(crate) fn half_lengths(problem: &Problem) -> Result<Vec<f64>, ContactError> 
     for (i, side) in problem.sides.iter().enumerate() {
         half_lengths.push(match side {
             Side::Known(given) => given.half_length,
+            Side::Joined(half_length) => *half_length,
             Side::Profile(profile) => profile.flat().map_or_else(|| under_punch(problem.kernel, profile), Ok)?,
             Side::Closed => half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)),
         });

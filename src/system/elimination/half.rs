@@ -203,14 +203,22 @@ pub(super) struct Eliminated<const M: usize> {
 
 /// Eliminates two unknowns from four rows, whose other columns are `others`; `None` if the rows do not determine the unknowns.
 ///
+/// An unknown that occurs in no row, as the motion along springs that resist none below an interface that slides, is 0.
+///
 /// Written out on arrays of known sizes, as [`solve_equilibrated`] is.
 pub(super) fn eliminate_two<const M: usize>(
     unknowns: Matrix4x2<f64>,
     others: SMatrix<f64, 4, M>,
 ) -> Option<Eliminated<M>> {
-    let sizes = [unknowns.column(0).amax().recip(), unknowns.column(1).amax().recip()];
+    let mut sizes = [unknowns.column(0).amax().recip(), unknowns.column(1).amax().recip()];
     let mut unknowns: [[f64; 2]; 4] = std::array::from_fn(|i| [unknowns[(i, 0)], unknowns[(i, 1)]]);
     let mut others: [[f64; M]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| others[(i, j)]));
+    if let Some(free) = sizes.iter().position(|size| size.is_infinite()) {
+        // there is a row without entries then, which may say so
+        let is_empty = |row: &usize| unknowns[*row].iter().chain(&others[*row]).all(|entry| *entry == 0.0);
+        let row = (0..4).find(is_empty)?;
+        (unknowns[row][free], sizes[free]) = (1.0, 1.0);
+    }
     // pivots: the largest entry, columns scaled by their largest, then the largest remaining entry of the other column
     let mut largest = (0.0, 0, 0);
     for (i, row) in unknowns.iter().enumerate() {

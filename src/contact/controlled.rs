@@ -1,11 +1,10 @@
-//! The force under which the contact of the punch has a prescribed half-length.
+//! The force under which the contact of the punch has a prescribed half-length, or the punch has sunk by a prescribed depth.
 //!
-//! The half-length grows with the force: the logarithm of the one is found as a function of that of the other by the secant
-//! method, kept between forces known to be too small and too large. A force at which the solver fails says nothing of the
-//! half-length: another one is tried.
+//! Both grow with the force: the logarithm of the one is found as a function of that of the other by the secant method, kept between
+//! forces known to be too small and too large. A force at which the solver fails says nothing: another one is tried.
 use std::f64::consts::LN_2;
 
-use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::error::{ContactError, Controlled, NoSolution};
 use crate::contact::problem::profile::Profile;
 use crate::contact::quality::estimates::BEST;
 use crate::contact::starts::formulas;
@@ -21,29 +20,42 @@ const TRIALS: usize = 60;
 /// Longest step in the logarithm of the force.
 const LONGEST: f64 = 3.0;
 
-/// Presses a punch on a stack until its contact is as long as wanted; `press` presses with a force.
-pub(crate) fn press_to(
+/// The value of what is prescribed in a solution, and its absolute error.
+pub(crate) struct Measured {
+    pub(crate) value: f64,
+    pub(crate) error: f64,
+}
+
+/// Presses a punch on a stack until what is prescribed is as large as wanted; `press` presses with a force, `measure` tells how large it is
+/// then.
+pub(crate) fn press_to<E: From<ContactError>>(
     kernel: &Kernel,
     punch: &Punch,
-    half_length: f64,
+    (controlled, wanted): (Controlled, f64),
     options: &Options,
     press: impl Fn(f64) -> Result<Solution, ContactError>,
-) -> Result<Solution, ContactError> {
+    measure: impl Fn(&Solution) -> Result<Measured, E>,
+) -> Result<Solution, E> {
     if punch.load().is_some() {
-        return Err(ContactError::LoadWithHalfLength);
+        return Err(ContactError::LoadControlled(controlled).into());
     }
-    let unreachable = |below, above| NoSolution::HalfLength { punch: punch.label(), half_length, below, above };
-    let (flat, edge) = (punch.shape().flat(), punch.max_half_length());
-    if half_length <= flat || edge.is_some_and(|edge| half_length >= edge) {
+    let unreachable = |below, above| {
+        let punch = punch.label();
+        ContactError::from(NoSolution::Unreachable { controlled, punch, wanted, below, above })
+    };
+    let is_length = controlled == Controlled::HalfLength;
+    let (flat, edge) = (punch.shape().flat(), punch.max_half_length().filter(|_| is_length));
+    if is_length && (wanted <= flat || edge.is_some_and(|edge| wanted >= edge)) {
         return Err(unreachable(edge, Some(flat)).into());
     }
     let floor = if options.method == Method::Collocation { options.tolerance } else { BEST };
-    let mut search = Search::new(kernel, punch, half_length, MET * options.tolerance.max(floor));
+    let mut search =
+        Search::new(wanted, MET * options.tolerance.max(floor), first_guess(kernel, punch, controlled, wanted));
     let mut all = Stats::default();
     for _ in 0..TRIALS {
         let force = search.trial.exp();
         if !force.is_normal() {
-            return Err(unreachable(search.low.map(|known| known.half_length), search.above(edge)).into());
+            return Err(unreachable(search.low.map(|known| known.value), search.above(edge)).into());
         }
         match press(force) {
             Ok(mut solution) => {
@@ -51,7 +63,7 @@ pub(crate) fn press_to(
                 all.factorisations += solution.stats.factorisations;
                 all.interpolated += solution.stats.interpolated;
                 all.stopped.append(&mut solution.stats.stopped);
-                if let Some(relative) = search.solved(&solution) {
+                if let Some(relative) = search.solved(&measure(&solution)?) {
                     let Stats { newton_steps, factorisations, interpolated, stopped, .. } = all;
                     let stats = Stats { newton_steps, factorisations, interpolated, stopped, ..solution.stats };
                     let force_error = search.slope * relative * solution.force;
@@ -61,44 +73,45 @@ pub(crate) fn press_to(
             // so much that the punch is too small for it
             Err(ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => search.too_large(),
             Err(ContactError::NoSolution(failure)) => search.failed(failure),
-            Err(error) => return Err(error),
+            Err(error) => return Err(error.into()),
         }
         if search.is_narrow() {
             break;
         }
     }
-    let (below, above) = (search.low.map(|known| known.half_length), search.above(edge));
+    let (below, above) = (search.low.map(|known| known.value), search.above(edge));
     match search.failure {
-        // the half-length jumps from one to the other
+        // it jumps from one to the other
         None if search.is_narrow() => Err(unreachable(below, above).into()),
         failure => {
             let cause = failure.map(Box::new);
-            Err(NoSolution::ForceNotFound { punch: punch.label(), half_length, below, above, cause }.into())
+            let punch = punch.label();
+            Err(ContactError::from(NoSolution::ForceNotFound { controlled, punch, wanted, below, above, cause }).into())
         }
     }
 }
 
-/// A force that was solved for, and the half-length found.
+/// A force that was solved for, and what was found.
 #[derive(Clone, Copy)]
 struct Known {
     /// ln P.
     trial: f64,
-    /// ln(a/a₀), a the half-length wanted, a₀ that found.
+    /// The logarithm of what is wanted over what was found.
     missing: f64,
-    half_length: f64,
+    value: f64,
 }
 
 /// The secant method for the logarithm of the force.
 struct Search {
-    half_length: f64,
-    /// The half-length is to be met to this, relative.
+    wanted: f64,
+    /// It is to be met to this, relative.
     enough: f64,
     /// ln P of the force to be tried.
     trial: f64,
-    /// d ln P / d ln a.
+    /// The derivative of ln P with respect to the logarithm of what is prescribed.
     slope: f64,
     last: Option<Known>,
-    /// The largest force known to be too small, and the smallest whose contact was found too long.
+    /// The largest force known to be too small, and the smallest found to be too large.
     low: Option<Known>,
     high: Option<Known>,
     /// ln P of the smallest force known to be too large, for the contact or for the punch.
@@ -114,14 +127,10 @@ struct Search {
 }
 
 impl Search {
-    fn new(kernel: &Kernel, punch: &Punch, half_length: f64, enough: f64) -> Self {
-        let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
-        let trial = expected(half_length);
-        let slope = (trial - expected(0.5 * half_length)) / LN_2;
-        // the compliance that is expected may fall faster than any body's; by Hertz P is like a²
-        let slope = if slope.is_finite() && slope > 0.0 { slope } else { 2.0 };
+    /// Begins with a guess of ln P, and of its slope.
+    fn new(wanted: f64, enough: f64, (trial, slope): (f64, f64)) -> Self {
         Self {
-            half_length,
+            wanted,
             enough,
             trial,
             slope,
@@ -142,29 +151,28 @@ impl Search {
         self.low.map_or(f64::NEG_INFINITY, |known| known.trial)
     }
 
-    /// The least half-length found that is too long; that of the punch, if it was too small for that force.
+    /// The least value found that is too large; the half-length of the punch, if it was too small for that force.
     fn above(&self, edge: Option<f64>) -> Option<f64> {
-        self.high.map(|known| known.half_length).or(edge.filter(|_| self.too_large.is_finite()))
+        self.high.map(|known| known.value).or(edge.filter(|_| self.too_large.is_finite()))
     }
 
-    /// Whether the bracket of the force is as narrow as the half-length is wanted, or as rounding.
+    /// Whether the bracket of the force is as narrow as what is wanted is to be met, or as rounding.
     fn is_narrow(&self) -> bool {
         self.too_large - self.too_small() <= self.enough.max(f64::EPSILON * self.trial.abs())
     }
 
-    /// Takes note of what was found at a force, and chooses the next one; the relative error of the half-length, if that is
-    /// the one wanted.
-    fn solved(&mut self, solution: &Solution) -> Option<f64> {
-        let found = solution.contacts.first()?;
-        let missing = (self.half_length / found.innermost().to).ln();
-        let known = Known { trial: self.trial, missing, half_length: found.innermost().to };
+    /// Takes note of what was found at a force, and chooses the next one; the relative error of what is prescribed, if it is as large as
+    /// wanted.
+    fn solved(&mut self, found: &Measured) -> Option<f64> {
+        let missing = (self.wanted / found.value).ln();
+        let known = Known { trial: self.trial, missing, value: found.value };
         if let Some(last) = self.last
             && last.missing != missing
         {
             let secant = (known.trial - last.trial) / (last.missing - missing);
             self.slope = if secant.is_finite() && secant > 0.0 { secant } else { self.slope };
         }
-        let error = found.innermost().to_error / found.innermost().to;
+        let error = found.error / found.value;
         if missing.abs() <= self.enough.max(MET * error) {
             return Some(error + missing.abs());
         }
@@ -233,6 +241,37 @@ impl Search {
 /// The points 1/2, 1/4, 3/4, 1/8, 5/8, ...: bits of a number from 1 on in reverse order, which fill (0, 1) evenly.
 fn scattered(number: usize) -> f64 {
     (number as u64).reverse_bits() as f64 * (-64f64).exp2()
+}
+
+/// ln P to begin with, and its derivative with respect to the logarithm of what is prescribed.
+fn first_guess(kernel: &Kernel, punch: &Punch, controlled: Controlled, wanted: f64) -> (f64, f64) {
+    let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
+    match controlled {
+        Controlled::HalfLength => {
+            let trial = expected(wanted);
+            let slope = (trial - expected(0.5 * wanted)) / LN_2;
+            // the compliance that is expected may fall faster than any body's; by Hertz P is like a²
+            (trial, if slope.is_finite() && slope > 0.0 { slope } else { 2.0 })
+        }
+        // by Hertz P is like δ but for a logarithm, and under a flat punch it is proportional to δ
+        Controlled::Approach => {
+            let trial = expected(length_at(punch, wanted));
+            (if trial.is_finite() { trial } else { (kernel.modulus() * wanted).ln() }, 1.0)
+        }
+    }
+}
+
+/// The half-length at which a profile is as high as this above its lowest point.
+fn length_at(punch: &Punch, height: f64) -> f64 {
+    let edge = punch.max_half_length().unwrap_or(f64::MAX);
+    let is_higher = |x: f64| punch.profile(x) - punch.lowest() >= height;
+    // bisection of the logarithm
+    let (mut low, mut high) = (f64::MIN_POSITIVE.ln(), edge.ln());
+    while high - low > 1e-3 {
+        let middle = 0.5 * (low + high);
+        if is_higher(middle.exp()) { high = middle } else { low = middle }
+    }
+    high.exp()
 }
 
 /// The force that Hertz's formula expects, on the compliance that the whole stack has for waves as long as the contact.

@@ -1,0 +1,32 @@
+//! How the pressures of an answer grow with the force.
+//!
+//! They vanish at the ends of their contacts, or are those of a flat punch: to first order the contacts stay as long as they are. What a unit
+//! force adds is the pressure of contacts of these half-lengths that are joined, singular at their ends.
+use crate::contact::ends::newton::Work;
+use crate::contact::error::ContactError;
+use crate::contact::problem::Problem;
+use crate::contact::problem::iteration::Operations;
+use crate::contact::quality::admissible::Check;
+use crate::contact::quality::answer::answer;
+use crate::contact::quality::estimates::BEST;
+use crate::contact::quality::levels::{Start, refine};
+use crate::contact::starts::formulas;
+use crate::kernel::Kernel;
+use crate::scene::Punch;
+use crate::solution::{Contact, Interface, Solution};
+
+/// The pressures that a unit force adds to those of a solution; `None` where a contact is not one interval about x = 0.
+pub(crate) fn tangent(kernel: &Kernel, punch: &Punch, solution: &Solution) -> Option<Result<Solution, ContactError>> {
+    let contacts = solution.contacts();
+    let half_lengths: Vec<f64> = contacts.iter().map(Contact::half_length).collect::<Option<_>>()?;
+    let interfaces: Vec<Interface> = contacts.iter().map(|contact| contact.interface).collect();
+    Some(solve(&Problem::joined(kernel, &interfaces, punch, &half_lengths, BEST)))
+}
+
+fn solve(problem: &Problem) -> Result<Solution, ContactError> {
+    let half_lengths = formulas::half_lengths(problem)?;
+    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
+    work.operations.start();
+    let refined = refine(problem, Start::Guess { half_lengths }, &mut work)?;
+    Ok(answer(problem, refined, Check::default(), work).into_solution(problem))
+}

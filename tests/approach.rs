@@ -1,0 +1,201 @@
+//! How far a punch sinks, and the stiffness.
+use recede::{Approach, ApproachError, Force, Model, Options, Scene, Stiffness};
+
+fn scene(punch: &str, force: f64, stack: &str) -> Scene {
+    Scene::from_ron(&format!("Scene(plane: Strain, {punch}, force: {force}, stack: [{stack}])")).unwrap()
+}
+
+/// To a relative tolerance.
+fn approach_to(scene: &Scene, tolerance: f64) -> Approach {
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let options = Options { tolerance, ..Options::default() };
+    model.approach(&scene.punch, &model.press_with(&scene.punch, scene.force, &options).unwrap()).unwrap()
+}
+
+fn approach(scene: &Scene) -> Approach {
+    approach_to(scene, 1e-10)
+}
+
+/// Stacks on a base that stays.
+const STACKS: [&str; 6] = [
+    "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded, Rigid",
+    "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.5), Bonded, Rigid",
+    "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid",
+    "Homogeneous(thickness: 0.5, shear_modulus: 1, poisson: 0.25), Receding,
+     Exponential(thickness: 1, shear_modulus: 2, poisson: 0.3, beta: -1), Bonded, Rigid",
+    "Homogeneous(thickness: 0.5, shear_modulus: 1, poisson: 0.25), Receding,
+     Homogeneous(thickness: 0.7, shear_modulus: 2, poisson: 0.3), Receding,
+     Exponential(thickness: 1, shear_modulus: 2, poisson: 0.3, beta: -1), Sliding, Rigid",
+    "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded, Winkler(stiffness: 0.3)",
+];
+
+const PUNCHES: [&str; 6] = [
+    "punch: Cylinder(radius: 100)",
+    "punch: Parabola(radius: 10)",
+    "punch: Wedge(slope: 0.01)",
+    "punch: RoundedFlat(half_width: 0.3, radius: 20)",
+    "punch: Flat(half_width: 0.5)",
+    "punch: Table([(0, 0.5), (0.4, 0.501), (2, 0.55)])",
+];
+
+#[test]
+fn stiffness_is_the_derivative_of_the_force() {
+    for stack in STACKS {
+        for punch in PUNCHES {
+            let at = |force: f64| approach_to(&scene(punch, force, stack), 1e-13);
+            let (force, step) = (0.01, 2e-4);
+            let middle = at(force);
+            // central differences of sixth order
+            let weights = [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)];
+            let slope: f64 = weights
+                .iter()
+                .map(|(k, weight)| weight * (at(force + k * step).value - at(force - k * step).value))
+                .sum::<f64>()
+                / (60.0 * step);
+            let (stiffness, error) = (middle.stiffness.value().unwrap(), middle.stiffness.error().unwrap());
+            let missed = stiffness * slope - 1.0;
+            assert!(missed.abs() < 1e-8, "{missed:e} {punch} {stack}");
+            assert!(error < 1e-8 * stiffness, "{error:e} {punch} {stack}");
+        }
+    }
+}
+
+#[test]
+fn estimates_cover_what_a_tighter_tolerance_changes() {
+    for stack in STACKS {
+        for punch in PUNCHES {
+            let best = approach_to(&scene(punch, 0.01, stack), 1e-13);
+            for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+                let found = approach_to(&scene(punch, 0.01, stack), tolerance);
+                let missed = (found.value - best.value).abs();
+                assert!(missed <= found.error + best.error, "{tolerance:e} {missed:e} {found:?} {punch} {stack}");
+                let (value, error) = (found.stiffness.value().unwrap(), found.stiffness.error().unwrap());
+                let missed = (value - best.stiffness.value().unwrap()).abs();
+                assert!(
+                    missed <= 2.0 * error + best.stiffness.error().unwrap(),
+                    "{tolerance:e} {missed:e} {found:?} {punch} {stack}"
+                );
+            }
+        }
+    }
+}
+
+/// How far the half-length, the approach and the stiffness of a parabola x²/2R on a bonded layer of unit thickness and modulus are from
+/// those of the thin-layer limit, relative.
+fn off_the_thin_limit(poisson: f64, force: f64, [a, depth, stiffness]: [f64; 3]) -> [f64; 3] {
+    let layer = format!("Homogeneous(thickness: 1, shear_modulus: 1, poisson: {poisson}), Bonded, Rigid");
+    let scene = scene("punch: Parabola(radius: 1e4)", force, &layer);
+    let (found, solution) = (approach(&scene), recede::solve(&scene).unwrap());
+    let half_length = solution.contacts()[0].half_length().unwrap();
+    [half_length / a - 1.0, found.value / depth - 1.0, found.stiffness.value().unwrap() / stiffness - 1.0]
+}
+
+/// Johnson 1985, section 5.8.
+#[test]
+fn thin_layers_approach_their_limits_in_the_first_power_of_the_thickness() {
+    let radius = 1e4;
+    // compressible: like springs of the stiffness K = 2μ(1 − ν)/(1 − 2ν)/h each, P = 2Ka³/3R, δ = a²/2R
+    let springs = |poisson: f64, a: f64| {
+        let k = 2.0 * (1.0 - poisson) / (1.0 - 2.0 * poisson);
+        off_the_thin_limit(poisson, 2.0 * k * a.powi(3) / (3.0 * radius), [a, a * a / (2.0 * radius), 2.0 * k * a])
+    };
+    // incompressible: it is squeezed out, p'' = −3μ(δ − x²/2R)/h³, so that P = 2μa⁵/(15Rh³), δ = a²/6R
+    let squeezed = |a: f64| {
+        let limits = [a, a * a / (6.0 * radius), 2.0 * a.powi(3)];
+        off_the_thin_limit(0.5, 2.0 * a.powi(5) / (15.0 * radius), limits)
+    };
+    let limits: [&dyn Fn(f64) -> [f64; 3]; 3] = [&|a| springs(0.0, a), &|a| springs(0.25, a), &squeezed];
+    for (k, limit) in limits.into_iter().enumerate() {
+        for (rough, fine) in limit(40.0).into_iter().zip(limit(80.0)) {
+            assert!(fine.abs() < 0.05, "{k}: {fine}");
+            // some are off by higher powers
+            assert!(rough / fine > 1.8, "{k}: {rough} {fine}");
+        }
+    }
+}
+
+#[test]
+fn springs_give_way_in_closed_form() {
+    // a layer that is far wider than thick is squeezed in series with the springs below it
+    let (k, force, half_width) = (0.3, 0.01, 200.0);
+    for (poisson, interface) in [(0.0, "Sliding"), (0.25, "Bonded")] {
+        let stack = format!(
+            "Homogeneous(thickness: 1, shear_modulus: 1, poisson: {poisson}), {interface}, Winkler(stiffness: {k})"
+        );
+        let scene = scene(&format!("punch: Flat(half_width: {half_width})"), force, &stack);
+        let found = approach(&scene);
+        let layer = (1.0 - poisson) / 2.0;
+        let expected = force / (2.0 * half_width) * (1.0 / k + layer);
+        assert!((found.value / expected - 1.0).abs() < 0.02, "{poisson}: {} {expected}", found.value);
+    }
+}
+
+#[test]
+fn an_approach_is_defined_where_the_base_stays() {
+    let undefined = |scene: &Scene| {
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        model.approach(&scene.punch, &model.press(&scene.punch, scene.force).unwrap()).unwrap_err()
+    };
+    let layer = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded";
+    let ground = format!("{layer}, HalfPlane(shear_modulus: 1, poisson: 0.25)");
+    let rigid = format!("{layer}, Rigid");
+    assert_eq!(undefined(&scene(PUNCHES[0], 0.01, &ground)), ApproachError::HalfPlane);
+    let elastic = "punch: ElasticCylinder(radius: 100, shear_modulus: 1, poisson: 0.25)";
+    assert_eq!(undefined(&scene(elastic, 0.01, &rigid)), ApproachError::ElasticPunch);
+    assert_eq!(undefined(&scene("load: Uniform(half_width: 1)", 0.01, &rigid)), ApproachError::Load);
+}
+
+/// A punch that touches on two intervals, at the bottom of its profile: its approach is counted from there.
+#[test]
+fn the_approach_is_that_of_the_lowest_point() {
+    let layer = "Homogeneous(thickness: 0.01, shear_modulus: 1, poisson: 0.25), Sliding, Rigid";
+    // heights 0, −0.001 at x = 1, and up again
+    let double = scene("punch: Polynomial(half_width: 1, heights: [-0.002, 0.001])", 1e-6, layer);
+    let found = approach(&double);
+    assert!(found.value > 0.0 && found.value < 1e-5, "{found:?}");
+    assert_eq!(found.stiffness, Stiffness::NotComputed);
+    let model = Model::new(double.stack().unwrap()).unwrap();
+    let solution = model.press(&double.punch, double.force).unwrap();
+    assert_eq!(solution.contacts()[0].intervals().len(), 2);
+}
+
+#[test]
+fn a_prescribed_depth_is_met() {
+    for stack in STACKS {
+        for punch in PUNCHES {
+            for force in [1e-4, 0.02] {
+                let pressed = scene(punch, force, stack);
+                let model = Model::new(pressed.stack().unwrap()).unwrap();
+                let depth = approach(&pressed).value;
+                let found = model.press(&pressed.punch, Force::ForDepth(depth)).unwrap();
+                let missed = found.force() / force - 1.0;
+                assert!(missed.abs() < 1e-9, "{missed:e} {force} {punch} {stack}");
+                assert!(found.force_error() > 0.0 && found.force_error() < 1e-9 * force, "{found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_scene_has_a_depth_where_one_is_defined() {
+    let text = |what: &str, base: &str| {
+        let layer = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded";
+        format!("Scene(plane: Strain, punch: Parabola(radius: 10), {what}, stack: [{layer}, {base}])")
+    };
+    let scene = Scene::from_ron(&text("depth: 0.01", "Rigid")).unwrap();
+    assert_eq!(scene.force, Force::ForDepth(0.01));
+    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().force, scene.force);
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let solution = recede::solve(&scene).unwrap();
+    assert!((model.approach(&scene.punch, &solution).unwrap().value / 0.01 - 1.0).abs() < 1e-10);
+
+    let both = Scene::from_ron(&text("force: 1, depth: 0.01", "Rigid")).unwrap_err().to_string();
+    assert!(both.contains("the scene has `force` and `depth`"), "{both}");
+    let ground = Scene::from_ron(&text("depth: 0.01", "HalfPlane(shear_modulus: 1, poisson: 0.25)")).unwrap();
+    let refused = recede::solve(&ground).unwrap_err();
+    assert!(refused.is_input() && refused.to_string().contains("over a half-plane"), "{refused}");
+    let wide =
+        Scene::from_ron(&text("depth: 1", "Rigid").replace("Parabola(radius: 10)", "Cylinder(radius: 0.001)"));
+    let refused = recede::solve(&wide.unwrap()).unwrap_err();
+    assert!(refused.is_input() && refused.to_string().contains("approach"), "{refused}");
+}
