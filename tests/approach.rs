@@ -194,8 +194,7 @@ fn a_scene_has_a_depth_where_one_is_defined() {
     let ground = Scene::from_ron(&text("depth: 0.01", "HalfPlane(shear_modulus: 1, poisson: 0.25)")).unwrap();
     let refused = recede::solve(&ground).unwrap_err();
     assert!(refused.is_input() && refused.to_string().contains("over a half-plane"), "{refused}");
-    let wide =
-        Scene::from_ron(&text("depth: 1", "Rigid").replace("Parabola(radius: 10)", "Cylinder(radius: 0.001)"));
+    let wide = Scene::from_ron(&text("depth: 1", "Rigid").replace("Parabola(radius: 10)", "Cylinder(radius: 0.001)"));
     let refused = recede::solve(&wide.unwrap()).unwrap_err();
     assert!(refused.is_input() && refused.to_string().contains("approach"), "{refused}");
 }

@@ -31,10 +31,13 @@ const MAY_IMPORT: [(&str, &[&str]); 20] = [
     ("approach", &["contact", "field", "kernel", "scene", "stack"]),
     ("validity", &["kernel", "scene"]),
     ("model", &["approach", "collocation", "contact", "errors", "field", "kernel", "scene", "stack", "validity"]),
-    ("selftest", &["contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"]),
-    ("sweep", &["errors", "model", "scene", "stack"]),
+    (
+        "selftest",
+        &["approach", "contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"],
+    ),
+    ("sweep", &["approach", "errors", "model", "scene", "stack"]),
     ("plot", &["field", "files", "scene", "stack", "sweep"]),
-    ("report", &["errors", "field", "scene", "sweep"]),
+    ("report", &["approach", "errors", "field", "scene", "sweep"]),
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.

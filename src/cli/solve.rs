@@ -71,6 +71,7 @@ impl Solve {
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
+        let approach = self.measures().then(|| model.approach(&scene.punch, &solution));
         let max_shear = if self.searches() { max_shear(&model, &solution) } else { None };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
@@ -83,8 +84,14 @@ impl Solve {
         if self.stats {
             tell(&solution.stats().to_string());
         }
-        Ok(Report { scene: &scene, solution: &solution, max_shear, seconds }.write(format, out)?)
+        Ok(Report { scene: &scene, solution: &solution, approach: approach.as_ref(), max_shear, seconds }
+            .write(format, out)?)
     }
+    /// Whether the approach is printed: it is one of the scene, and CSV has a line for each contact.
+    fn measures(&self) -> bool {
+        !matches!(self.format, Format::Csv)
+    }
+
     /// Whether the largest shear stress is printed: CSV has no column for it.
     fn searches(&self) -> bool {
         match self.format {

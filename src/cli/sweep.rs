@@ -26,6 +26,7 @@ Examples:
   recede sweep scene.ron --vary punch.radius=1:1000:31:log --out radii.csv
   recede sweep scene.ron --vary layer[2].beta=[-1,0,1] --vary force=0.001:0.01:10 --out grid.csv
   recede sweep scene.ron --vary layer[2].beta=-3:1:41 --out beta.csv --plot beta.svg
+  recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
   recede sweep sweep.ron --out grid.csv --resume
 
 A scene without solution is a row with its reason. Exit status: 0 all rows were made, 2 bad input.")]
@@ -42,6 +43,9 @@ pub struct Command {
     /// Go on where an interrupted sweep has left the file
     #[arg(long, requires = "out")]
     resume: bool,
+    /// Add columns with the approach of the punch and the stiffness: how far it sinks, dP/d(approach)
+    #[arg(long)]
+    approach: bool,
     /// Draw curves over the axis with most values
     #[arg(long, value_name = "FILE.svg|png")]
     plot: Option<PathBuf>,
@@ -114,10 +118,11 @@ impl Command {
             }
             Sweep::new(scene, self.vary.clone())?
         };
-        Ok(match self.tolerance {
+        let sweep = match self.tolerance {
             Some(tolerance) => sweep.with_options(Options { tolerance, ..Options::default() })?,
             None => sweep,
-        })
+        };
+        Ok(if self.approach { sweep.with_approach() } else { sweep })
     }
 
     /// What is in the file; no more than a scene may have.

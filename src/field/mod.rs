@@ -6,6 +6,7 @@
 mod body;
 mod decay;
 mod error;
+mod joints;
 mod peak;
 mod point;
 mod potentials;
@@ -22,7 +23,7 @@ use recede_layers::Plane;
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
-use crate::solution::{Contact, Part, Solution};
+use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 use crate::system::Load;
 pub use error::FieldError;
@@ -99,7 +100,7 @@ impl Field {
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let bodies = Body::all(stack, &layers, &pressures, modulus);
-        let joints = solution.contacts().iter().map(|contact| joint(contact.innermost())).collect();
+        let joints = solution.contacts().iter().map(|contact| joints::place(contact)).collect();
         let pressure_error = solution.contacts().iter().map(pressure_error).sum();
         Self { plane, layers, bodies, pressures, joints, modulus, contrast: largest / smallest, pressure_error }
     }
@@ -310,11 +311,6 @@ impl Field {
         let first = if power { POWER * smooth.min(longest.recip()) } else { smooth };
         Origin { first, power }
     }
-}
-
-/// A place at which the bodies of a contact touch.
-fn joint(innermost: Part) -> f64 {
-    if innermost.from == 0.0 { 0.0 } else { 0.5 * (innermost.from + innermost.to) }
 }
 
 /// The error estimate of the pressure of a contact inside it, in stress; rounding at least.

@@ -8,6 +8,7 @@ use recede_layers::{State, Wave};
 
 use super::body::{Body, Face, PlacedLayer, components};
 use super::error::FieldError;
+use super::joints::Joint;
 use super::potentials::Components;
 use super::pressure::{Pressure, Transform};
 use super::strip::Singularity;
@@ -24,16 +25,6 @@ pub(super) struct Row {
     pub(super) depth: f64,
     /// Index of the list of places x ≥ 0.
     pub(super) set: usize,
-}
-
-/// A place at which two bodies touch.
-struct Joint {
-    contact: usize,
-    x: f64,
-    /// Whether this is the face of the body above.
-    is_above: bool,
-    layer: usize,
-    depth: f64,
 }
 
 /// A row that is being summed.
@@ -99,38 +90,13 @@ impl Field {
         }
         let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
         self.integrate(&rows, &sets, precision, &mut values)?;
-        let mut lifts = vec![0.0; self.bodies.len() + 1];
-        for (joint, values) in joints.iter().zip(&values[asked..]).rev() {
-            let v = values[0][4];
-            if joint.is_above {
-                lifts[joint.contact - 1] -= v
-            } else {
-                lifts[joint.contact - 1] = lifts[joint.contact] + v
-            }
-        }
+        let lifts = self.lifts(&joints, &values[asked..]);
         values.truncate(asked);
         for (row, values) in rows.iter().zip(&mut values) {
             let lift = lifts[self.layers[row.layer].body];
             values.iter_mut().for_each(|value| value[4] += lift);
         }
         Ok(values)
-    }
-
-    /// Where the bodies are joined, from the top down: the lower face of each contact below the uppermost one, and where bodies are apart
-    /// at x = 0, from where v of the body above is counted, also its upper face.
-    fn joints(&self) -> Vec<Joint> {
-        let mut joints = Vec::new();
-        for (contact, x) in self.joints.iter().copied().enumerate().skip(1) {
-            let last = self.layers.iter().rposition(|placed| placed.body + 1 == contact);
-            if let Some(layer) = last.filter(|_| x > 0.0) {
-                let depth = self.layers[layer].thickness.unwrap_or(0.0);
-                joints.push(Joint { contact, x, is_above: true, layer, depth });
-            }
-            if let Some(layer) = self.layers.iter().position(|placed| placed.body == contact) {
-                joints.push(Joint { contact, x, is_above: false, layer, depth: 0.0 });
-            }
-        }
-        joints
     }
 
     /// The closed forms of the loaded faces, with v counted from the reference point of the body.

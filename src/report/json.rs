@@ -4,6 +4,7 @@ use std::io;
 use serde::Serialize;
 
 use super::Report;
+use crate::approach::{self, ApproachError, Stiffness};
 use crate::solution;
 
 #[derive(Serialize)]
@@ -12,6 +13,8 @@ struct Document<'a> {
     contacts: Vec<Contact>,
     force: f64,
     force_error: f64,
+    #[serde(flatten)]
+    approach: Option<Approach>,
     min_pressure: f64,
     min_gap: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -33,6 +36,36 @@ struct Warning<'a> {
 impl<'a> Warning<'a> {
     fn of(warning: &'a solution::Warning) -> Self {
         Self { code: warning.code.as_str(), message: &warning.message }
+    }
+}
+
+/// `null` where there is none, for a reason.
+#[derive(Serialize)]
+struct Approach {
+    approach: Option<f64>,
+    approach_error: Option<f64>,
+    stiffness: Option<f64>,
+    stiffness_error: Option<f64>,
+    approach_note: Option<String>,
+}
+
+impl Approach {
+    fn of(found: &Result<approach::Approach, ApproachError>) -> Self {
+        let stiffness = found.as_ref().ok().map(|found| found.stiffness);
+        let note = match found {
+            Ok(found) if found.stiffness == Stiffness::NotComputed => {
+                Some("the stiffness is not computed for these contacts".to_owned())
+            }
+            Ok(_) => None,
+            Err(reason) => Some(reason.to_string()),
+        };
+        Self {
+            approach: found.as_ref().ok().map(|found| found.value),
+            approach_error: found.as_ref().ok().map(|found| found.error),
+            stiffness: stiffness.and_then(Stiffness::value),
+            stiffness_error: stiffness.and_then(Stiffness::error),
+            approach_note: note,
+        }
     }
 }
 
@@ -141,6 +174,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         contacts: contacts.collect(),
         force: solution.force(),
         force_error: solution.force_error(),
+        approach: report.approach.map(Approach::of),
         min_pressure: solution.min_pressure(),
         min_gap: solution.min_gap(),
         max_shear: report.max_shear.map(|max| MaxShear {

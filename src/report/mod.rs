@@ -11,6 +11,7 @@ use std::io;
 
 pub use field::{FieldFormat, write_field};
 
+use crate::approach::{Approach, ApproachError};
 use crate::field::MaxShear;
 use crate::scene::Scene;
 use crate::solution::{Contact, Interface, Solution};
@@ -35,7 +36,7 @@ pub enum Format {
 /// use recede::{Scene, report::{Format, Report}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
-/// let report = Report { scene: &scene, solution: &solution, max_shear: None, seconds: 0.0 };
+/// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -45,6 +46,8 @@ pub struct Report<'a> {
     pub scene: &'a Scene,
     /// Its solution.
     pub solution: &'a Solution,
+    /// The approach of the punch and the stiffness, if they were requested: see [`crate::Model::approach`].
+    pub approach: Option<&'a Result<Approach, ApproachError>>,
     /// The largest shear stress, if it was requested: see [`crate::Field::max_shear`].
     pub max_shear: Option<MaxShear>,
     /// Time it took, in seconds.

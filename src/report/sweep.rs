@@ -1,6 +1,7 @@
 //! Rows of a sweep as comma-separated values.
 use std::io;
 
+use crate::approach::Approach;
 use crate::errors::Error;
 use crate::scene::Force;
 use crate::solution::{Contact, Interface};
@@ -8,6 +9,8 @@ use crate::sweep::{Row, Sweep};
 
 /// Additional columns where the force is an unknown.
 const FOUND: [&str; 2] = ["force", "force_error"];
+/// Additional columns with the approach.
+const APPROACH: [&str; 4] = ["approach", "approach_error", "stiffness", "stiffness_error"];
 
 /// Lines of comma-separated values for the rows of a sweep, the same columns for all.
 ///
@@ -51,7 +54,7 @@ impl<'a> SweepCsv<'a> {
         let contacts = self.sweep.interfaces().iter().flat_map(of);
         line(
             axes.chain(contacts)
-                .chain(self.found().iter().map(|name| (*name).to_owned()))
+                .chain(self.of_all().map(str::to_owned))
                 .chain(["status", "warnings", "message", "sweep"].map(str::to_owned)),
         )
     }
@@ -75,8 +78,8 @@ impl<'a> SweepCsv<'a> {
         line(numbers.chain([status.to_owned(), warnings, message, self.fingerprint.clone()]))
     }
 
-    /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; and the force
-    /// with its error, if they are found for a half-length.
+    /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; the force with its error,
+    /// if it is found; and the approach and the stiffness with theirs, if they were asked for.
     pub fn numbers(&self, row: &Row) -> Vec<f64> {
         let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());
         let of = |interface: &Interface| {
@@ -87,8 +90,22 @@ impl<'a> SweepCsv<'a> {
             Ok(solution) => [solution.force(), solution.force_error()],
             Err(_) => [f64::NAN; FOUND.len()],
         };
+        let approach = match &row.approach {
+            Some(Ok(Approach { value, error, stiffness })) => {
+                let known = |number: Option<f64>| number.unwrap_or(f64::NAN);
+                [*value, *error, known(stiffness.value()), known(stiffness.error())]
+            }
+            _ => [f64::NAN; APPROACH.len()],
+        };
+        let force = force.into_iter().take(self.found().len());
+        let approach = approach.into_iter().take(self.approach().len());
         let contacts = self.sweep.interfaces().iter().flat_map(of);
-        row.values.iter().copied().chain(contacts).chain(force.into_iter().take(self.found().len())).collect()
+        row.values.iter().copied().chain(contacts).chain(force).chain(approach).collect()
+    }
+
+    /// The columns that are of no contact in particular.
+    fn of_all(&self) -> impl Iterator<Item = &'static str> {
+        self.found().iter().chain(self.approach()).copied()
     }
 
     /// The columns of a force that is found.
@@ -96,10 +113,15 @@ impl<'a> SweepCsv<'a> {
         if !matches!(self.sweep.scene().force, Force::Given(_)) { &FOUND } else { &[] }
     }
 
+    /// The columns of the approach, if it was asked for.
+    fn approach(&self) -> &'static [&'static str] {
+        if self.sweep.has_approach() { &APPROACH } else { &[] }
+    }
+
     /// The numbers of a row from its line.
     pub fn numbers_of(&self, line: &str) -> Vec<f64> {
-        let numbers =
-            self.sweep.axes().len() + Contact::COLUMNS.len() * self.sweep.interfaces().len() + self.found().len();
+        let of_contacts = Contact::COLUMNS.len() * self.sweep.interfaces().len();
+        let numbers = self.sweep.axes().len() + of_contacts + self.of_all().count();
         line.split(',').take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect()
     }
 }

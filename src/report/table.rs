@@ -5,6 +5,7 @@ use comfy_table::{LineStyle, Table, TableStyle};
 
 use super::Report;
 use super::digits::{plain, rounded, with_error};
+use crate::approach::{Approach, Stiffness};
 use crate::field::MaxShear;
 use crate::solution::Interval;
 
@@ -12,7 +13,7 @@ const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
-    let Report { scene, solution, max_shear, seconds } = report;
+    let Report { scene, solution, approach, max_shear, seconds } = report;
     let units = scene.units.as_ref();
     let unit =
         |label: &dyn Fn(&str, &str) -> String| units.map_or(String::new(), |units| label(&units.length, &units.force));
@@ -54,6 +55,19 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     }
     writeln!(out, "{table}")?;
     notes(report, out)?;
+    if let Some(Ok(Approach { value, error, stiffness })) = approach {
+        let stiffness = match stiffness {
+            Stiffness::Known { value, error } => {
+                format!(
+                    "stiffness {}{}",
+                    with_error(*value, *error),
+                    unit(&|length, force| format!(" {force}/{length}²"))
+                )
+            }
+            Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
+        };
+        writeln!(out, "approach {}{length}, {stiffness}", with_error(*value, *error))?;
+    }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
         let stress = unit(&|length, force| format!(" {force}/{length}²"));

@@ -1,6 +1,7 @@
 //! What the commands do with a solved scene: reports in every format, fields, pictures, and what must hold of them.
 use std::fmt::Write as _;
 
+use crate::approach::{Approach, ApproachError};
 use crate::field::{Field, FieldError, FieldPoint, FieldQuantity};
 use crate::model::Model;
 use crate::report::{FieldFormat, Format, Report, write_field};
@@ -22,7 +23,8 @@ const PRESSED: f64 = 1e-5;
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
     let all = || -> Result<(), String> {
         let field = model.field(solution).map_err(|e| context("field")(&e))?;
-        reports(scene, solution, &field)?;
+        let approach = model.approach(&scene.punch, solution);
+        reports(scene, solution, &approach, &field)?;
         fields(solution, &field)?;
         if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
     };
@@ -34,14 +36,27 @@ fn context(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
 }
 
 /// Writes the solution in every format; numbers are numbers there.
-fn reports(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
+fn reports(
+    scene: &Scene,
+    solution: &Solution,
+    approach: &Result<Approach, ApproachError>,
+    field: &Field,
+) -> Result<(), String> {
+    match approach {
+        Err(ApproachError::Field(error)) => return Err(context("approach")(error)),
+        Ok(found) if !found.value.is_finite() || found.value + found.error <= 0.0 => {
+            return Err(format!("the approach is {} ± {}", found.value, found.error));
+        }
+        _ => {}
+    }
     let max_shear = match field.max_shear() {
         // it is infinite under a line load, at corners, and under some tips
         Ok(found) => Some(found),
         Err(FieldError::TooLong { .. }) => None,
         Err(error) => return Err(context("largest shear stress")(&error)),
     };
-    let report = Report { scene, solution, max_shear: max_shear.filter(|found| found.value.is_finite()), seconds: 0.0 };
+    let max_shear_known = max_shear.filter(|found| found.value.is_finite());
+    let report = Report { scene, solution, approach: Some(approach), max_shear: max_shear_known, seconds: 0.0 };
     for format in [Format::Table, Format::Json, Format::Csv] {
         let mut text = Vec::new();
         report.write(format, &mut text).map_err(|e| context("report")(&e))?;

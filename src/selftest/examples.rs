@@ -11,7 +11,7 @@ use crate::errors::Error;
 use crate::scene::{Item, Scene};
 
 /// The scenes that ship with the program.
-pub const EXAMPLES: [&str; 26] = [
+pub const EXAMPLES: [&str; 27] = [
     include_str!("../../examples/scenes/blunt_power.ron"),
     include_str!("../../examples/scenes/bonded_coating.ron"),
     include_str!("../../examples/scenes/bonded_to_rigid.ron"),
@@ -25,6 +25,7 @@ pub const EXAMPLES: [&str; 26] = [
     include_str!("../../examples/scenes/plate_on_springs.ron"),
     include_str!("../../examples/scenes/polynomial_punch.ron"),
     include_str!("../../examples/scenes/prescribed_half_length.ron"),
+    include_str!("../../examples/scenes/prescribed_depth.ron"),
     include_str!("../../examples/scenes/rounded_flat.ron"),
     include_str!("../../examples/scenes/sharp_flat.ron"),
     include_str!("../../examples/scenes/sliding_leaves.ron"),

@@ -3,6 +3,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::{Row, Sweep};
+use crate::approach::{Approach, ApproachError};
 use crate::errors::Error;
 use crate::model::Model;
 use crate::scene::{Owner, Punch};
@@ -70,15 +71,21 @@ impl<T: Size> Kept<T> {
     }
 }
 
+/// The approach of a punch, or why there is none.
+type Measured = Result<Approach, ApproachError>;
+
 impl Sweep {
     /// Solves one row; its numbers do not depend on what was solved before.
     pub(super) fn row(&self, index: usize) -> Row {
         let values = self.values(index);
-        let result = self.solve_row(index, &values);
-        Row { index, values, result }
+        let (result, approach) = match self.solve_row(index, &values) {
+            Ok((solution, approach)) => (Ok(solution), approach),
+            Err(error) => (Err(error), None),
+        };
+        Row { index, values, result, approach }
     }
 
-    fn solve_row(&self, index: usize, values: &[f64]) -> Result<Solution, Error> {
+    fn solve_row(&self, index: usize, values: &[f64]) -> Result<(Solution, Option<Measured>), Error> {
         let changes: Vec<_> = self.slots.iter().zip(values.iter().copied()).collect();
         let stack = self.key(index, |owner| matches!(owner, Owner::Item(_)));
         let many = self.rows / self.stacks() >= MANY;
@@ -93,7 +100,9 @@ impl Sweep {
             Ok(self.scene.punch_with(&own)?)
         })?;
         let force = self.scene.force_with(&changes)?;
-        model.press_with(&punch, force, &self.options)
+        let solution = model.press_with(&punch, force, &self.options)?;
+        let approach = self.has_approach().then(|| model.approach(&punch, &solution));
+        Ok((solution, approach))
     }
 
     /// Number of the combination of values that a row has on the axes of some owners.

@@ -26,6 +26,7 @@ pub use parallel::ParallelRows;
 
 use kept::Kept;
 
+use crate::approach::{Approach, ApproachError};
 use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
@@ -62,6 +63,7 @@ pub struct Sweep {
     axes: Vec<Axis>,
     slots: Vec<Slot>,
     options: Options,
+    approach: bool,
     rows: usize,
     interfaces: Vec<Interface>,
     models: Kept<Model>,
@@ -77,6 +79,8 @@ pub struct Row {
     pub values: Vec<f64>,
     /// The solution, or why there is none.
     pub result: Result<Solution, Error>,
+    /// The approach of the punch and the stiffness, where they were [asked for](Sweep::with_approach), and the row has a solution.
+    pub approach: Option<Result<Approach, ApproachError>>,
 }
 
 impl Sweep {
@@ -107,7 +111,8 @@ impl Sweep {
             (_, None) => 1,
         };
         let (options, models, punches) = (Options::default(), Kept::default(), Kept::default());
-        let mut sweep = Self { scene, axes, slots, options, rows, interfaces: Vec::new(), models, punches };
+        let mut sweep =
+            Self { scene, axes, slots, options, approach: false, rows, interfaces: Vec::new(), models, punches };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }
@@ -121,14 +126,35 @@ impl Sweep {
         Ok(Self { options, ..self })
     }
 
+    /// The same sweep with the approach of the punch and the stiffness in each row, as [`Model::approach`] has them.
+    ///
+    /// ```
+    /// use recede::{Scene, Sweep};
+    /// let scene = Scene::read("examples/scenes/bonded_to_rigid.ron")?;
+    /// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?])?.with_approach();
+    /// let depths: Vec<f64> = sweep.rows().map(|row| row.approach.unwrap().unwrap().value).collect();
+    /// assert!(depths[0] < depths[1]);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_approach(self) -> Self {
+        Self { approach: true, ..self }
+    }
+
+    /// Whether each row has the approach.
+    pub fn has_approach(&self) -> bool {
+        self.approach
+    }
+
     /// The same sweep with more axes, which change before those that it has.
     ///
     /// # Errors
     /// As [`Sweep::new`].
     pub fn and_vary(self, axes: Vec<Axis>) -> Result<Self, Error> {
-        let Self { scene, axes: mut all, options, .. } = self;
+        let Self { scene, axes: mut all, options, approach, .. } = self;
         all.extend(axes);
-        Self::new(scene, all)?.with_options(options)
+        let sweep = Self::new(scene, all)?.with_options(options)?;
+        Ok(Self { approach, ..sweep })
     }
 
     /// The scene that is varied.
@@ -196,7 +222,7 @@ impl Sweep {
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = fnv::FnvHasher::default();
         let Scene { plane, punch, force, stack, .. } = &self.scene;
-        let what = (plane, punch, force, stack, &self.options, env!("CARGO_PKG_VERSION"));
+        let what = (plane, punch, force, stack, &self.options, self.approach, env!("CARGO_PKG_VERSION"));
         // numbers are written with all their digits
         hasher.write(format!("{what:?}").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
