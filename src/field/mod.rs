@@ -100,7 +100,7 @@ impl Field {
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let bodies = Body::all(stack, &layers, &pressures, modulus);
-        let joints = solution.contacts().iter().map(|contact| joints::place(contact)).collect();
+        let joints = solution.contacts().iter().map(joints::place).collect();
         let pressure_error = solution.contacts().iter().map(pressure_error).sum();
         Self { plane, layers, bodies, pressures, joints, modulus, contrast: largest / smallest, pressure_error }
     }

@@ -55,18 +55,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     }
     writeln!(out, "{table}")?;
     notes(report, out)?;
-    if let Some(Ok(Approach { value, error, stiffness })) = approach {
-        let stiffness = match stiffness {
-            Stiffness::Known { value, error } => {
-                format!(
-                    "stiffness {}{}",
-                    with_error(*value, *error),
-                    unit(&|length, force| format!(" {force}/{length}²"))
-                )
-            }
-            Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
-        };
-        writeln!(out, "approach {}{length}, {stiffness}", with_error(*value, *error))?;
+    if let Some(Ok(approach)) = approach {
+        sunk(approach, &length, &unit(&|length, force| format!(" {force}/{length}²")), out)?;
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
@@ -81,6 +71,15 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         solution.newton_steps(),
         duration(*seconds)
     )
+}
+
+/// How far the punch has sunk, and the stiffness.
+fn sunk(approach: &Approach, length: &str, stress: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    let stiffness = match approach.stiffness {
+        Stiffness::Known { value, error } => format!("stiffness {}{stress}", with_error(value, error)),
+        Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
+    };
+    writeln!(out, "approach {}{length}, {stiffness}", with_error(approach.value, approach.error))
 }
 
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
