@@ -204,7 +204,6 @@ impl Sunk {
 
 /// Two places inside a contact: where its bodies are joined, and one between that and the end.
 fn places(contact: &Contact) -> [f64; 2] {
-    let part = contact.innermost();
-    let first = if part.from == 0.0 { 0.0 } else { 0.5 * (part.from + part.to) };
-    [first, first + SECOND * (part.to - first)]
+    let (first, end) = (contact.inside(), contact.innermost().to);
+    [first, first + SECOND * (end - first)]
 }

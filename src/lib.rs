@@ -75,6 +75,7 @@ pub mod numeric;
 mod options;
 #[cfg(feature = "plot")]
 pub mod plot;
+mod profile;
 pub mod report;
 mod scene;
 #[cfg(feature = "selftest")]
@@ -88,9 +89,10 @@ mod validity;
 pub use approach::{Approach, ApproachError, Stiffness};
 pub use contact::{ContactError, Controlled, NoSolution};
 pub use errors::Error;
-pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Point};
+pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Point, Side as FaceSide};
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
+pub use profile::{ContactProfile, FaceProfile, Profile as FaceProfiles, profile_places};
 /// The crate of the layers: for user-defined layer types, and the laws that they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{
@@ -109,7 +111,7 @@ pub use stack::{
 };
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;
-pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep};
+pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved};
 pub use system::{
     Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,

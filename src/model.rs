@@ -10,6 +10,7 @@ use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
+use crate::profile::{self, Profile as FaceProfiles};
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
@@ -125,6 +126,33 @@ impl Model {
             return Err(FieldError::OtherStack);
         }
         Ok(Field::new(&self.stack, solution))
+    }
+
+    /// Pressures and gaps of all contacts, displacements and slopes of all faces, at places along x, for a solution of this model.
+    ///
+    /// Gaps are right to about 1e-10 of the displacements of the faces.
+    ///
+    /// ```
+    /// use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+    /// let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+    /// let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// let (model, punch) = (Model::new(stack)?, Punch::cylinder(500.0)?);
+    /// let solution = model.press(&punch, 0.002)?;
+    /// let end = solution.contacts()[1].reach();
+    /// let profile = model.profile(&punch, &solution, &[0.9 * end, 1.1 * end])?;
+    /// // the strip lifts off beyond the end of its contact
+    /// let gap = profile.contacts[1].gap.as_ref().unwrap();
+    /// assert!(gap[0] == 0.0 && gap[1] > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
+    pub fn profile(&self, punch: &Punch, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
+        if solution.stack != self.key {
+            return Err(FieldError::OtherStack);
+        }
+        profile::profile(punch, &self.stack, solution, x)
     }
 
     /// How far the punch has sunk into the stack since it touched it first, and the stiffness dP/dδ, for a solution of this model.

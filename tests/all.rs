@@ -35,6 +35,7 @@ mod many_loads;
 mod paper;
 mod parts;
 mod plot;
+mod profile;
 mod punches;
 mod reference;
 mod rejected;

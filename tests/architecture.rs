@@ -13,7 +13,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 20] = [
+const MAY_IMPORT: [(&str, &[&str]); 21] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("files", &[]),
@@ -29,15 +29,22 @@ const MAY_IMPORT: [(&str, &[&str]); 20] = [
     // put together from the errors of the stages, for all that stands above them
     ("errors", &["approach", "contact", "field", "scene", "stack", "sweep", "system"]),
     ("approach", &["contact", "field", "kernel", "scene", "stack"]),
+    ("profile", &["field", "scene", "stack"]),
     ("validity", &["kernel", "scene"]),
-    ("model", &["approach", "collocation", "contact", "errors", "field", "kernel", "scene", "stack", "validity"]),
+    (
+        "model",
+        &["approach", "collocation", "contact", "errors", "field", "kernel", "profile", "scene", "stack", "validity"],
+    ),
     (
         "selftest",
-        &["approach", "contact", "errors", "field", "model", "numeric", "plot", "report", "scene", "stack", "system"],
+        &[
+            "approach", "contact", "errors", "field", "model", "profile", "numeric", "plot", "report", "scene",
+            "stack", "system",
+        ],
     ),
     ("sweep", &["approach", "errors", "model", "scene", "stack"]),
     ("plot", &["field", "files", "scene", "stack", "sweep"]),
-    ("report", &["approach", "errors", "field", "scene", "sweep"]),
+    ("report", &["approach", "errors", "field", "profile", "scene", "sweep"]),
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.

@@ -161,7 +161,7 @@ fn sweeps_vary_it_and_tell_the_force() {
         let alone = recede::solve(&scene.with("half_length", row.values[0]).unwrap()).unwrap();
         let numbers = csv.numbers(&row);
         assert_eq!(numbers[numbers.len() - 2], alone.force());
-        assert_eq!(csv.numbers_of(&csv.line(&row).unwrap()), numbers);
+        assert_eq!(csv.point_of(&csv.line(&row).unwrap()).numbers, numbers);
     }
     assert!(Sweep::new(scene, vec!["half_length=[0.2, -0.4]".parse().unwrap()]).is_err());
 }

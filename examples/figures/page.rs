@@ -174,7 +174,7 @@ impl Page {
         let file = format!("figure_{number:02}.svg");
         let mut picture = Picture::new(SIZE.0, SIZE.1);
         chart.draw(&mut picture);
-        plot::save(&self.folder.join(&file), &picture)?;
+        plot::save(&self.folder.join(&file), &picture.fitted())?;
         let caption = caption.trim().trim_end_matches('.');
         self.texts.insert(number, format!("## Figure {number}\n\n![Figure {number}]({file})\n\n{caption}.\n\n"));
         Ok(())

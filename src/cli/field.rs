@@ -11,6 +11,7 @@ use recede::plot::{self, Kind};
 use recede::report::{FieldFormat, write_field};
 use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Point, Solution};
 
+use super::plot::Title;
 use super::{Failure, SceneFile, tell};
 
 /// Places along x and depths of a grid that is not specified.
@@ -48,7 +49,7 @@ pub struct Field {
     /// at most three in all
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     depth: Option<Steps>,
-    /// File to write: numbers (.csv, .json) or a map (.svg, .png); without it, numbers on standard output
+    /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, numbers on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// What a map shows; u, v are displacements, v upwards
@@ -60,6 +61,8 @@ pub struct Field {
     /// Relative error to aim at in the contacts, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
+    #[command(flatten)]
+    title: Title,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -142,7 +145,8 @@ impl Field {
             (Some(path), Output::Map) => {
                 let [xs, depths] = self.grid(&field, &solution, MAP);
                 let grids = field.by_layer(&xs, &depths)?;
-                Ok(plot::save(path, &plot::map(&scene, &solution, &field, &grids, self.quantity)?)?)
+                let picture = plot::map(&scene, &solution, &field, &grids, self.quantity)?;
+                Ok(plot::save(path, &self.title.above(picture, &scene))?)
             }
             (Some(path), Output::Points(format)) => {
                 let points = self.points(&field, &solution)?;
@@ -192,7 +196,7 @@ fn format(path: &Path) -> Result<Output, Failure> {
         _ if Kind::of(path).is_ok() => Ok(Output::Map),
         _ => Err(Failure::usage(
             format!("{}: the name of the file does not say what to write", path.display()),
-            "let it end in .csv or .json for numbers, in .svg or .png for a map",
+            "let it end in .csv or .json for numbers, in .svg, .pdf or .png for a map",
         )),
     }
 }

@@ -5,6 +5,7 @@ mod generate;
 mod init;
 mod list;
 mod plot;
+mod profile;
 mod progress;
 mod rows_file;
 mod selftest;
@@ -36,6 +37,7 @@ Examples:
   recede show scene.ron --latex              the block matrix, ready to be typeset
   recede field scene.ron --out field.csv     stresses and displacements inside the stack
   recede field scene.ron --out shear.svg     the same as a map
+  recede profile scene.ron --out profile.csv pressures, gaps and displacements along x
   recede sweep scene.ron --vary force=1:9:5  contacts for five forces
   recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
   recede init scene.ron                      a scene to begin with
@@ -49,6 +51,7 @@ enum Command {
     Check(check::Check),
     Show(show::Show),
     Field(field::Field),
+    Profile(profile::Profile),
     List(list::List),
     Selftest(selftest::Selftest),
     Sweep(sweep::Command),
@@ -132,6 +135,7 @@ impl Arguments {
             Command::Check(command) => command.run(&mut out),
             Command::Show(command) => command.run(&mut out),
             Command::Field(command) => command.run(&mut out),
+            Command::Profile(command) => command.run(&mut out),
             Command::List(command) => command.run(&mut out),
             Command::Selftest(command) => command.run(&mut out),
             Command::Sweep(command) => command.run(&mut out),

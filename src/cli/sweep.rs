@@ -11,6 +11,7 @@ use recede::plot::{self, Kind};
 use recede::report::SweepCsv;
 use recede::{Axis, MAX_BYTES, Options, Registry, Scene, Sweep};
 
+use super::plot::Title;
 use super::progress::bar;
 use super::rows_file::RowsFile;
 use super::{Failure, tell};
@@ -46,9 +47,11 @@ pub struct Command {
     /// Add columns with the approach of the punch and the stiffness: how far it sinks, dP/d(approach)
     #[arg(long)]
     approach: bool,
-    /// Draw curves over the axis with most values
-    #[arg(long, value_name = "FILE.svg|png")]
+    /// Draw curves over the axis with most values, or maps over two axes of six values or more
+    #[arg(long, value_name = "FILE.svg|pdf|png")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    title: Title,
     /// Threads that compute [default: one for each processor]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -68,7 +71,7 @@ impl Command {
         let (mut file, first) = match &self.out {
             Some(path) if self.resume => RowsFile::resume(path, &csv, sweep.len(), |index, line| {
                 if drawn(index) {
-                    rows.push(csv.numbers_of(line));
+                    rows.push(csv.point_of(line));
                 }
             })?,
             Some(path) => (RowsFile::create(path, &csv)?, 0),
@@ -84,7 +87,7 @@ impl Command {
             file.write(&csv.line(&row)?)?;
             unsolved += usize::from(row.result.is_err());
             if drawn(row.index) {
-                rows.push(csv.numbers(&row));
+                rows.push(csv.point(&row));
             }
             bar.inc(1);
         }
@@ -94,7 +97,8 @@ impl Command {
             tell(&format!("warning: {unsolved} of {rows} rows have no solution; column `message` says why\n"));
         }
         if let Some(file) = &self.plot {
-            plot::save(file, &plot::sweep(&sweep, &rows)?)?;
+            let picture = plot::sweep(&sweep, &rows)?;
+            plot::save(file, &self.title.above(picture, sweep.scene()))?;
         }
         Ok(())
     }

@@ -241,8 +241,8 @@ fn depth_of_change(material: &dyn Fn(f64) -> Material, half_length: f64) -> f64 
     start
 }
 
-/// Stresses from a state, σ_xx = E λU + c S, and λμ₀U, λμ₀V.
+/// Stresses from a state, σ_xx = E λU + c S, and λμ₀U, λμ₀V, from which both v and its slope follow.
 pub(super) fn components(state: &State, material: &recede_layers::Material, modulus: f64) -> Components {
     let along = material.axial_stiffness / modulus * state[0] + material.coupling * state[2];
-    [along, state[2], state[3], state[0], state[1]]
+    [along, state[2], state[3], state[0], state[1], state[1]]
 }

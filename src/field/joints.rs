@@ -1,13 +1,6 @@
 //! Where the bodies of a stack touch, so that their displacements are counted from one base.
 use super::Field;
 use super::potentials::Components;
-use crate::solution::Contact;
-
-/// A place x ≥ 0 at which the bodies of a contact touch: 0 unless they are apart there.
-pub(super) fn place(contact: &Contact) -> f64 {
-    let innermost = contact.innermost();
-    if innermost.from == 0.0 { 0.0 } else { 0.5 * (innermost.from + innermost.to) }
-}
 
 /// A place at which two bodies touch.
 pub(super) struct Joint {

@@ -6,6 +6,7 @@
 mod body;
 mod decay;
 mod error;
+mod faces;
 mod joints;
 mod peak;
 mod point;
@@ -20,6 +21,7 @@ mod waves;
 
 use recede_layers::Plane;
 
+pub use faces::Side;
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
@@ -100,7 +102,7 @@ impl Field {
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let bodies = Body::all(stack, &layers, &pressures, modulus);
-        let joints = solution.contacts().iter().map(joints::place).collect();
+        let joints = solution.contacts().iter().map(Contact::inside).collect();
         let pressure_error = solution.contacts().iter().map(pressure_error).sum();
         Self { plane, layers, bodies, pressures, joints, modulus, contrast: largest / smallest, pressure_error }
     }

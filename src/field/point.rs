@@ -38,6 +38,8 @@ pub struct FieldPoint {
     pub u: f64,
     /// Displacement upwards, counted from the rigid base or from the top face of the half-plane at x = 0.
     pub v: f64,
+    /// Slope dv/dx.
+    pub slope: f64,
     /// Normal stress along the layers.
     pub sigma_xx: f64,
     /// Normal stress across the layers.
@@ -192,9 +194,9 @@ impl Field {
     /// A point from the components at |x|.
     pub(super) fn point(&self, x: f64, row: &Row, components: Components) -> FieldPoint {
         let placed = &self.layers[row.layer];
-        let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v] = components;
+        let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v, mut slope] = components;
         if x < 0.0 {
-            (sigma_xy, u) = (-sigma_xy, -u);
+            (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
         let sigma_zz = match self.plane {
             Plane::Strain => {
@@ -209,6 +211,7 @@ impl Field {
             layer: placed.number,
             u,
             v,
+            slope,
             sigma_xx,
             sigma_yy,
             sigma_xy,

@@ -4,7 +4,7 @@
 use num_complex::Complex64;
 use recede_layers::Material;
 
-use super::potentials::{Components, Potentials};
+use super::potentials::{At, COMPONENTS, Components, Potentials};
 use super::pressure::Pressure;
 
 /// Roots closer than this, in parts of their size, are moved apart to this distance: the difference is part of the integrated remainder.
@@ -18,8 +18,8 @@ pub(super) struct Roots([Term; 2]);
 struct Term {
     /// s, with a positive real part; the other one is its conjugate, or real as this one.
     root: Complex64,
-    /// σ_xx, σ_yy, σ_xy, λμ₀U, λμ₀V.
-    components: [Complex64; 5],
+    /// σ_xx, σ_yy, σ_xy, λμ₀U, λμ₀V, λμ₀V.
+    components: [Complex64; COMPONENTS],
 }
 
 impl Roots {
@@ -39,7 +39,7 @@ impl Roots {
         Some(Self([(first, second * share), (second, -first * share)].map(|(s, amplitude)| {
             let along = (-s * s - material.coupling) / material.axial_stiffness * modulus;
             let across = s * (along + material.shear_compliance * modulus);
-            let components = [-s * s, 1.0.into(), -s, along, across].map(|component| amplitude * component);
+            let components = [-s * s, 1.0.into(), -s, along, across, across].map(|component| amplitude * component);
             Term { root: s, components }
         })))
     }
@@ -58,7 +58,8 @@ impl Roots {
     }
 
     /// The components at a point, with displacements minus those at the depth `shift` farther down, if that is finite.
-    pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64, shift: f64, modulus: f64) -> Components {
+    pub(super) fn closed(&self, pressure: &Pressure, at: &At, shift: f64, modulus: f64) -> Components {
+        let At { x, depth, slope } = *at;
         let mut sum = Components::default();
         for Term { root, components } in &self.0 {
             // e^(−sλd) with a complex s moves waves along x
@@ -72,12 +73,22 @@ impl Roots {
                 zeroth
             };
             let pair = |wave: &dyn Fn(f64) -> Complex64| [wave(x - beside), wave(-x - beside)];
-            let (stresses, integrals) = (pair(&stress), pair(&integral));
+            // of the slope, which is a derivative of the displacement
+            let slope = |x: f64| {
+                let from = if slope && shift.is_finite() {
+                    pressure.potentials(x, depth + shift).0[0]
+                } else {
+                    Complex64::ZERO
+                };
+                stress(x) - from
+            };
+            let (stresses, integrals, slopes) = (pair(&stress), pair(&integral), pair(&slope));
             for (i, (sum, component)) in sum.iter_mut().zip(components).enumerate() {
-                let [there, back] = if i < 3 { stresses } else { integrals };
+                let [there, back] = [stresses, stresses, stresses, integrals, integrals, slopes][i];
                 // cos λx, or sin λx
                 let wave = match i {
                     2 | 3 => Complex64::I * (back - there),
+                    5 => Complex64::I * (there - back),
                     _ => there + back,
                 };
                 let factor = if i < 3 { 0.5 } else { 0.5 / modulus };

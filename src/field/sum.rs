@@ -9,7 +9,7 @@ use recede_layers::{State, Wave};
 use super::body::{Body, Face, PlacedLayer, components};
 use super::error::FieldError;
 use super::joints::Joint;
-use super::potentials::Components;
+use super::potentials::{At, COMPONENTS, Components};
 use super::pressure::{Pressure, Transform};
 use super::strip::Singularity;
 use super::waves::{self, CutOff, Panel, Precision};
@@ -63,7 +63,7 @@ fn faces<'a>(
 }
 
 impl Field {
-    /// σ_xx, σ_yy, σ_xy, u, v in rows of points, `sets[row.set]` each.
+    /// σ_xx, σ_yy, σ_xy, u, v, dv/dx in rows of points, `sets[row.set]` each.
     pub(super) fn sum(
         &self,
         rows: &[Row],
@@ -71,7 +71,8 @@ impl Field {
         precision: &Precision,
     ) -> Result<Vec<Vec<Components>>, FieldError> {
         if !precision.displacements {
-            let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
+            let mut values: Vec<Vec<Components>> =
+                rows.iter().map(|row| self.closed(row, &sets[row.set], false)).collect();
             self.integrate(rows, sets, precision, &mut values)?;
             return Ok(values);
         }
@@ -88,7 +89,7 @@ impl Field {
                 sets.push(vec![*x]);
             }
         }
-        let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set])).collect();
+        let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set], true)).collect();
         self.integrate(&rows, &sets, precision, &mut values)?;
         let lifts = self.lifts(&joints, &values[asked..]);
         values.truncate(asked);
@@ -99,19 +100,20 @@ impl Field {
         Ok(values)
     }
 
-    /// The closed forms of the loaded faces, with v counted from the reference point of the body.
-    fn closed(&self, row: &Row, set: &[f64]) -> Vec<Components> {
+    /// The closed forms of the loaded faces, with v counted from the reference point of the body, and the slope if that is wanted.
+    fn closed(&self, row: &Row, set: &[f64], slope: bool) -> Vec<Components> {
         let placed = &self.layers[row.layer];
         let body = &self.bodies[placed.body];
         let at = |placed: &PlacedLayer, depth: f64, x: f64| {
             let mut sum = Components::default();
             for (face, contact, distance) in faces(body, placed, depth) {
                 let pressure = &self.pressures[contact];
-                let closed = face.surface.closed(pressure, x, distance);
+                let closed = face.surface.closed(pressure, &At { x, depth: distance, slope });
                 sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
                 if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
-                    // the limits along the loaded face; those of the shear stress depend on the direction
+                    // the limits along the loaded face; those of the shear stress and of the slope depend on the direction
                     [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
+                    sum[5] = f64::NAN;
                     if kind == Singularity::Line {
                         sum[4] = f64::NEG_INFINITY;
                     }
@@ -159,7 +161,7 @@ impl Field {
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
             let waves = self.waves(panel, &cut_offs);
-            let mut block = Block { values: vec![0.0; 5 * waves.count() * active.len()] };
+            let mut block = Block { values: vec![0.0; COMPONENTS * waves.count() * active.len()] };
             for (body, references) in references.iter_mut().enumerate() {
                 references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
             }
@@ -291,7 +293,7 @@ impl Field {
                     match row {
                         Some(k) => {
                             for (c, value) in remainder.into_iter().enumerate() {
-                                block.values[(5 * k + c) * n + q] = value;
+                                block.values[(COMPONENTS * k + c) * n + q] = value;
                             }
                             lifts.push((*k, remainder[4]));
                         }
@@ -323,6 +325,7 @@ impl Field {
         let displacement = 1.0 / (wavenumber * self.modulus);
         remainder[3] *= displacement;
         remainder[4] *= displacement;
+        remainder[5] /= -self.modulus;
         remainder
     }
 }
@@ -355,7 +358,7 @@ impl Waves {
     }
 }
 
-/// Transformed components in one panel: component c of row k at the wavenumber q stands at (5k + c)·n + q.
+/// Transformed components in one panel: component c of row k at the wavenumber q stands at (6k + c)·n + q.
 struct Block {
     values: Vec<f64>,
 }
@@ -366,7 +369,7 @@ struct Sums<'a> {
     /// Rows of this set among the active ones.
     rows: std::ops::Range<usize>,
     displacements: bool,
-    values: [Vec<f64>; 5],
+    values: [Vec<f64>; COMPONENTS],
 }
 
 impl<'a> Sums<'a> {
@@ -395,12 +398,12 @@ impl<'a> Sums<'a> {
                 tables[1][at] = 1.0 + tables[2][at];
             }
         }
-        let wanted = if self.displacements { 5 } else { 3 };
-        for (component, table) in [1, 1, 0, 0, 2].into_iter().enumerate().take(wanted) {
+        let wanted = if self.displacements { COMPONENTS } else { 3 };
+        for (component, table) in [1, 1, 0, 0, 2, 0].into_iter().enumerate().take(wanted) {
             let places = MatRef::from_column_major_slice(&tables[table], m, n);
             let mut coefficients = Vec::with_capacity(n * count);
             for k in self.rows.start..self.rows.start + count {
-                coefficients.extend_from_slice(&block.values[(5 * k + component) * n..][..n]);
+                coefficients.extend_from_slice(&block.values[(COMPONENTS * k + component) * n..][..n]);
             }
             let coefficients = MatRef::from_column_major_slice(&coefficients, n, count);
             let sums = MatMut::from_column_major_slice_mut(&mut self.values[component][..m * count], m, count);

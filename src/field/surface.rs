@@ -7,7 +7,7 @@ use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use num_complex::Complex64;
 use recede_layers::Material;
 
-use super::potentials::{Components, Potentials};
+use super::potentials::{At, Components, Potentials};
 use super::pressure::Pressure;
 use super::roots::Roots;
 
@@ -76,7 +76,8 @@ impl Surface {
         // σ_xx = E λU + c S, and the same with the slopes of E and c
         let along = |matrix: &Matrix4<f64>, y: &Vector4<f64>| matrix[(3, 0)] * y[0] + matrix[(3, 2)] * y[2];
         let softness = modulus / unit;
-        let components = |y: &Vector4<f64>, along: f64| [along, y[2], y[3], softness * y[0], softness * y[1]];
+        let components =
+            |y: &Vector4<f64>, along: f64| [along, y[2], y[3], softness * y[0], softness * y[1], softness * y[1]];
         let plain_states: Vec<Components> = plain.iter().map(|y| components(y, along(&state, y))).collect();
         let varied_states: Vec<Components> = (0..VARIED)
             .map(|k| {
@@ -100,10 +101,10 @@ impl Surface {
 
     /// The components at a point, in closed form. v includes a constant that [`Self::transformed`] makes finite; if the shift is
     /// infinite, it cancels in what is counted from another point.
-    pub(super) fn closed(&self, pressure: &Pressure, x: f64, depth: f64) -> Components {
+    pub(super) fn closed(&self, pressure: &Pressure, at: &At) -> Components {
         self.turned(match &self.fields {
-            Fields::Double(polynomials) => polynomials.closed(pressure, x, depth, self.shift, self.modulus),
-            Fields::Simple(roots) => roots.closed(pressure, x, depth, self.shift, self.modulus),
+            Fields::Double(polynomials) => polynomials.closed(pressure, at, self.shift, self.modulus),
+            Fields::Simple(roots) => roots.closed(pressure, at, self.shift, self.modulus),
         })
     }
 
@@ -117,8 +118,8 @@ impl Surface {
         Self { up: -self.up, ..self }
     }
 
-    fn turned(&self, [along, across, shear, u, v]: Components) -> Components {
-        [along, across, self.up * shear, u, self.up * v]
+    fn turned(&self, [along, across, shear, u, v, slope]: Components) -> Components {
+        [along, across, self.up * shear, u, self.up * v, self.up * slope]
     }
 }
 
@@ -137,12 +138,18 @@ impl Polynomials {
         })
     }
 
-    fn closed(&self, pressure: &Pressure, x: f64, depth: f64, shift: f64, modulus: f64) -> Components {
+    fn closed(&self, pressure: &Pressure, at: &At, shift: f64, modulus: f64) -> Components {
+        let At { x, depth, slope } = *at;
         let Potentials([g0, g1, g2]) = pressure.potentials(x, depth);
-        let from = if shift.is_finite() { pressure.integral(x, depth + shift) } else { Complex64::ZERO };
-        let integral = pressure.integral(x, depth) - from;
+        let (mut integral, mut change) = (pressure.integral(x, depth), g0);
+        if shift.is_finite() {
+            integral -= pressure.integral(x, depth + shift);
+            if slope {
+                change -= pressure.potentials(x, depth + shift).0[0];
+            }
+        }
         std::array::from_fn(|i| {
-            let pick = |z: Complex64| if i == 2 || i == 3 { z.im } else { z.re };
+            let pick = |z: Complex64| if i == 2 || i == 3 || i == 5 { z.im } else { z.re };
             // at the ends of the contact g1 and g2 are infinite
             let at_depth = |power: i32, g| if depth > 0.0 { depth.powi(power) * pick(g) } else { 0.0 };
             let (p, v) = (&self.plain, &self.varied);
@@ -152,6 +159,8 @@ impl Polynomials {
                     + v[0][i] * pick(integral)
                     + v[1][i] * at_depth(1, g0)
                     + v[3][i] * at_depth(3, g2)
+            } else if i == 5 {
+                -(p[0][i] * pick(change) + p[1][i] * at_depth(1, g1)) / modulus
             } else {
                 (p[0][i] * pick(integral) + p[1][i] * at_depth(1, g0)) / modulus
             }

@@ -1,12 +1,15 @@
 //! Curves in a frame with axes.
+use super::letters::width;
 use super::picture::{Anchor, Picture, Stroke};
-use super::scale::{Scale, ten_to};
+use super::scale::{Scale, Tick, ten_to};
 use super::style::{FAINT, INK, SMALL, TEXT, hair};
 
 /// Length of the mark of a tick, in points.
 const TICK: f64 = 4.0;
-/// Distance of two labels beside curves, in points.
-const APART: f64 = 12.0;
+/// Distance of two labels below each other, in points.
+pub(super) const APART: f64 = 11.5;
+/// Distance of two numbers beside each other, in points.
+const BESIDE: f64 = 4.0;
 
 /// Length of a piece of line in a list, in points.
 const SAMPLE: f64 = 24.0;
@@ -31,7 +34,7 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
     /// How it is drawn.
     pub stroke: Stroke,
-    /// What it is called; empty for nothing.
+    /// What it is called; empty for nothing. In a list it may have several lines.
     pub label: String,
 }
 
@@ -77,7 +80,12 @@ impl Chart {
 
     /// Draws all of it.
     pub fn draw(&self, picture: &mut Picture) {
-        self.axes(picture);
+        self.draw_with(picture, 0.0);
+    }
+
+    /// Draws all of it, the axis below so much lower than the frame.
+    pub(super) fn draw_with(&self, picture: &mut Picture, lower: f64) {
+        self.axes(picture, lower);
         for curve in &self.curves {
             for part in curve.points.split(|(x, y)| !x.is_finite() || !y.is_finite()) {
                 let points: Vec<(f64, f64)> = part.iter().map(|point| self.place(*point)).collect();
@@ -94,13 +102,17 @@ impl Chart {
         }
     }
 
-    fn axes(&self, picture: &mut Picture) {
+    fn axes(&self, picture: &mut Picture, lower: f64) {
         let Frame { left, top, right, bottom } = self.frame;
+        let floor = bottom + lower;
+        let labelled = self.labelled();
         for tick in self.x.ticks() {
             let (x, _) = self.place((tick.value, self.y.ends().0));
-            let length = if tick.label.is_empty() { 0.6 * TICK } else { TICK };
-            picture.line(&[(x, bottom), (x, bottom + length)], hair(INK));
-            picture.text((x, bottom + TICK + 0.8 * SMALL), &tick.label, SMALL, INK, Anchor::Centre);
+            let shown = labelled.contains(&tick);
+            picture.line(&[(x, floor), (x, floor + if shown { TICK } else { 0.6 * TICK })], hair(INK));
+            if shown {
+                picture.text((x, floor + TICK + 0.8 * SMALL), &tick.label, SMALL, INK, Anchor::Centre);
+            }
         }
         for tick in self.y.ticks() {
             let (_, y) = self.place((self.x.ends().0, tick.value));
@@ -112,21 +124,41 @@ impl Chart {
             let (_, y) = self.place((self.x.ends().0, 0.0));
             picture.line(&[(left, y), (right, y)], hair(FAINT));
         }
-        picture.line(&[(left, top), (left, bottom), (right, bottom)], hair(INK));
-        let widest = self.y.ticks().iter().map(|tick| tick.label.chars().count()).max().unwrap_or(0);
-        let beside = left - TICK - 9.0 - 0.62 * SMALL * widest as f64 - 0.5 * TEXT;
-        let below = bottom + TICK + 2.4 * TEXT;
+        picture.line(&[(left, top), (left, floor), (right, floor)], hair(INK));
+        let widest = self.y.ticks().iter().map(|tick| width(&tick.label, SMALL)).fold(0.0, f64::max);
+        let beside = left - TICK - 9.0 - widest - 0.5 * TEXT;
+        let below = floor + TICK + 2.4 * TEXT;
         let x_label = with_unit(&self.x_label, self.x_unit.as_deref(), self.x.power());
         let y_label = with_unit(&self.y_label, self.y_unit.as_deref(), self.y.power());
         picture.text((0.5 * (left + right), below), &x_label, TEXT, INK, Anchor::Centre);
         picture.text((beside, 0.5 * (top + bottom)), &y_label, TEXT, INK, Anchor::Upwards);
     }
 
+    /// The marks along the bottom that have a number: all, or each second one, and so on, so that they stay apart.
+    fn labelled(&self) -> Vec<Tick> {
+        let ticks: Vec<Tick> = self.x.ticks().into_iter().filter(|tick| !tick.label.is_empty()).collect();
+        let zero = ticks.iter().position(|tick| tick.value == 0.0).unwrap_or(0);
+        let every = |step: usize| ticks.iter().skip(zero % step).step_by(step);
+        let apart = |step: &usize| {
+            let ends = every(*step).map(|tick| {
+                let (x, _) = self.place((tick.value, self.y.ends().0));
+                (x, 0.5 * width(&tick.label, SMALL))
+            });
+            let ends: Vec<(f64, f64)> = ends.collect();
+            ends.windows(2).all(|pair| pair[1].0 - pair[0].0 > pair[0].1 + pair[1].1 + BESIDE)
+        };
+        let step = (1..=ticks.len()).find(apart).unwrap_or(1);
+        every(step).cloned().collect()
+    }
+
     fn list_of_labels(&self, picture: &mut Picture) {
         let (left, mut y) = (self.frame.right + 8.0, self.frame.top + 0.5 * TEXT);
         for curve in self.curves.iter().filter(|curve| !curve.label.is_empty()) {
             picture.line(&[(left, y), (left + SAMPLE, y)], curve.stroke);
-            picture.text((left + SAMPLE + 5.0, y), &curve.label, TEXT, INK, Anchor::Left);
+            for (i, line) in curve.label.lines().enumerate() {
+                y += if i > 0 { 1.2 * TEXT } else { 0.0 };
+                picture.text((left + SAMPLE + 5.0, y), line, if i > 0 { SMALL } else { TEXT }, INK, Anchor::Left);
+            }
             y += 1.5 * TEXT;
         }
     }
@@ -156,23 +188,46 @@ pub fn with_unit(label: &str, unit: Option<&str>, power: i32) -> String {
     if parts.is_empty() { label.to_owned() } else { format!("{label}, {}", parts.join(" ")) }
 }
 
-/// Heights near those wanted, which ascend, so far from each other that labels do not overlap.
+/// Heights as near as possible to those wanted, which ascend, so far from each other that labels do not overlap: not above
+/// `top`, and not below `bottom` if there is room for all.
 pub(super) fn apart(wanted: &[f64], top: f64, bottom: f64) -> Vec<f64> {
-    let mut heights = wanted.to_vec();
-    // push apart a little, again and again
-    for _ in 0..200 {
-        for i in 1..heights.len() {
-            let missing = APART - (heights[i] - heights[i - 1]);
-            if missing > 0.0 {
-                heights[i - 1] -= 0.5 * missing;
-                heights[i] += 0.5 * missing;
-            }
+    // without the distances between them: groups that would overlap stand at the mean of what is wanted
+    let mut groups: Vec<(f64, usize)> = Vec::new();
+    for (i, height) in wanted.iter().enumerate() {
+        let mut group = (height - i as f64 * APART, 1);
+        while let Some((mean, count)) = groups.pop_if(|(mean, _)| *mean >= group.0) {
+            let all = count + group.1;
+            group = ((mean * count as f64 + group.0 * group.1 as f64) / all as f64, all);
         }
-        let first = heights.first().map_or(0.0, |first| (top - first).max(0.0));
-        let last = heights.last().map_or(0.0, |last| (last - bottom).max(0.0));
-        heights.iter_mut().for_each(|height| *height += if first > 0.0 { first } else { -last });
+        groups.push(group);
     }
-    heights
+    let lowest = (bottom - APART * wanted.len().saturating_sub(1) as f64).max(top);
+    let all = groups.into_iter().flat_map(|(mean, count)| (0..count).map(move |_| mean));
+    all.enumerate().map(|(i, height)| height.clamp(top, lowest) + i as f64 * APART).collect()
+}
+
+/// Whether a curve is one of too many to be told apart: all but the first and the last, then.
+pub(super) fn hidden(index: usize, count: usize, most: usize) -> bool {
+    count > most && index > 0 && index + 1 < count
+}
+
+/// A label beside a drawing: the height of what it names, the height at which it stands, and what it says.
+pub(super) type Beside = (f64, f64, String);
+
+/// Labels between two heights, below each other: of more than there is room for the first and the last ones, and between them how
+/// many more there are of what `more` calls them.
+pub(super) fn beside(mut labels: Vec<(f64, String)>, top: f64, bottom: f64, more: &str) -> Vec<Beside> {
+    labels.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let room = (((bottom - top) / APART) as usize + 1).max(3);
+    if labels.len() > room {
+        let kept = room - 1;
+        let left_out: Vec<_> = labels.drain(kept.div_ceil(2)..labels.len() - kept / 2).collect();
+        let middle = left_out[left_out.len() / 2].0;
+        labels.insert(kept.div_ceil(2), (middle, format!("{} more {more}", left_out.len())));
+    }
+    let wanted: Vec<f64> = labels.iter().map(|(at, _)| *at).collect();
+    let heights = apart(&wanted, top, bottom);
+    labels.into_iter().zip(heights).map(|((at, text), y)| (at, y, text)).collect()
 }
 
 #[cfg(test)]
@@ -185,6 +240,17 @@ mod tests {
         assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > APART - 0.1), "{heights:?}");
         assert!(heights[3] <= 100.0 && heights[0] > 30.0, "{heights:?}");
         assert!(apart(&[], 0.0, 1.0).is_empty());
+        let full = apart(&[0.0; 9], 0.0, 8.0 * APART);
+        assert!(full.windows(2).all(|pair| pair[1] - pair[0] > APART - 1e-9) && full[8] <= 8.0 * APART, "{full:?}");
+    }
+
+    #[test]
+    fn labels_without_room_are_counted() {
+        let labels = (0..60).map(|i| (f64::from(i), format!("layer {i}"))).collect();
+        let shown = beside(labels, 0.0, 100.0, "layers");
+        assert!(shown.len() < 12 && shown[0].2 == "layer 0" && shown[shown.len() - 1].2 == "layer 59", "{shown:?}");
+        assert!(shown.iter().any(|(_, _, text)| text == &format!("{} more layers", 61 - shown.len())), "{shown:?}");
+        assert!(shown.iter().all(|(_, y, _)| (0.0..=100.0).contains(y)), "{shown:?}");
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Where a quantity on a grid exceeds a value: marching squares.
 
 /// Closed rings around the places of a grid where values are `edge` or more; a place is in there if it is inside an odd
-/// number of rings. Places are counted in columns and rows, with fractions between them; `values` has one row after the
-/// other.
+/// number of rings. What is not a number is outside. Places are counted in columns and rows, with fractions between them;
+/// `values` has one row after the other.
 pub(super) fn rings(values: &[f64], columns: usize, edge: f64) -> Vec<Vec<(f64, f64)>> {
     Squares { values, columns, rows: values.len() / columns, edge }.rings()
 }
@@ -73,7 +73,9 @@ impl Squares<'_> {
             0.0
         } else {
             let (from, to) = (self.value(i, j), self.value(i + right, j + down));
-            (self.edge - from) / (to - from)
+            let share = (self.edge - from) / (to - from);
+            // next to what is not a number
+            if share.is_finite() { share } else { 0.5 }
         };
         let place = |corner: usize, step: usize, count: usize| {
             (corner as f64 + share * step as f64 - 1.0).clamp(0.0, (count - 1) as f64)

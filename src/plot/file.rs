@@ -8,7 +8,7 @@ use crate::files;
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
     /// The file's name does not say what kind of picture it is to be.
-    #[error("{}: a picture is a file that ends in .svg or .png", file.display())]
+    #[error("{}: a picture is a file that ends in .svg, .pdf or .png", file.display())]
     Ending {
         /// The file.
         file: PathBuf,
@@ -35,6 +35,8 @@ pub enum PlotError {
 pub enum Kind {
     /// Scalable vector graphics.
     Svg,
+    /// A page of a PDF.
+    Pdf,
     /// Pixels.
     Png,
 }
@@ -45,29 +47,31 @@ impl Kind {
     /// ```
     /// use recede::plot::Kind;
     /// assert_eq!(Kind::of("stack.PNG".as_ref())?, Kind::Png);
-    /// assert!(Kind::of("stack.pdf".as_ref()).is_err());
+    /// assert!(Kind::of("stack.jpg".as_ref()).is_err());
     /// # Ok::<(), recede::plot::PlotError>(())
     /// ```
     ///
     /// # Errors
-    /// [`PlotError::Ending`] if it ends neither in `.svg` nor in `.png`.
+    /// [`PlotError::Ending`] if it ends in none of `.svg`, `.pdf` and `.png`.
     pub fn of(file: &Path) -> Result<Self, PlotError> {
         let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("svg") => Ok(Self::Svg),
+            Some("pdf") => Ok(Self::Pdf),
             Some("png") => Ok(Self::Png),
             _ => Err(PlotError::Ending { file: file.to_owned() }),
         }
     }
 }
 
-/// Writes a picture to a file that ends in `.svg` or `.png`. The file appears when it is complete.
+/// Writes a picture to a file that ends in `.svg`, `.pdf` or `.png`. The file appears when it is complete.
 ///
 /// # Errors
 /// [`PlotError`] if the ending is another one, or the file cannot be written.
 pub fn save(file: &Path, picture: &Picture) -> Result<(), PlotError> {
     let bytes = match Kind::of(file)? {
         Kind::Svg => picture.svg().into_bytes(),
+        Kind::Pdf => picture.pdf(),
         Kind::Png => picture.png()?,
     };
     files::replace(file, |out| out.write_all(&bytes)).map_err(|cause| PlotError::File { file: file.to_owned(), cause })

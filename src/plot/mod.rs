@@ -1,7 +1,7 @@
-//! Pictures of scenes, solutions, fields and sweeps, as SVG or PNG.
+//! Pictures of scenes, solutions, fields and sweeps, as SVG, PDF or PNG.
 //!
-//! A [`Picture`] is drawn in points and written by [`save`]; SVG and PNG are made from the same shapes, so both look alike on
-//! any computer. [`style`] has the colours and lines of all pictures, [`Chart`] the axes.
+//! A [`Picture`] is drawn in points and written by [`save`]; SVG, PDF and PNG are made from the same shapes, and letters are
+//! outlines, so all look alike on any computer. [`style`] has the colours and lines of all pictures, [`Chart`] the axes.
 //!
 //! ```
 //! use recede::plot::{self, Chart, Curve, Frame, Labels, Picture, Scale, style};
@@ -21,13 +21,20 @@
 //! chart.draw(&mut picture);
 //! assert!(picture.svg().contains("N/mm²"));
 //! ```
+mod bands;
 mod chart;
 mod contour;
+mod depths;
 mod file;
 mod ground;
+mod heat;
+mod letters;
 mod map;
 mod names;
+mod page;
+mod pdf;
 mod picture;
+mod planes;
 mod png;
 mod pressure;
 mod punch;
@@ -39,6 +46,7 @@ mod sweep;
 
 pub use chart::{Chart, Curve, Frame, Labels, with_unit};
 pub use file::{Kind, PlotError, save};
+pub use letters::width;
 pub use map::map;
 pub use picture::{Anchor, Colour, Picture, Stroke, italic, subscript};
 pub use scale::{Scale, Tick, label, ten_to};

@@ -1,8 +1,9 @@
 //! What quantities are called in pictures, and their units.
 use super::picture::{italic, subscript};
+use super::scale::{label, short};
 use crate::field::FieldQuantity;
-use crate::scene::{Scene, Units};
-use crate::solution::Interface;
+use crate::scene::{Load, Punch, Scene, Units};
+use crate::solution::{Contact, Interface};
 
 /// Small figures, for indices.
 const INDICES: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
@@ -17,16 +18,113 @@ pub(super) enum Dimension {
     Number,
 }
 
+/// Stresses in units of force and length that have a name of their own.
+const STRESSES: [(&str, &str, &str); 6] = [
+    ("N", "mm", "MPa"),
+    ("MN", "m", "MPa"),
+    ("N", "m", "Pa"),
+    ("kN", "m", "kPa"),
+    ("kN", "mm", "GPa"),
+    ("GN", "m", "GPa"),
+];
+/// Labels of units that are longer are cut.
+const LONGEST: usize = 12;
+
 /// The label of the unit, if the scene names its units.
 pub(super) fn unit(scene: &Scene, dimension: Dimension) -> Option<String> {
     let Units { length, force } = scene.units.as_ref()?;
+    let [length, force] = [length, force].map(|unit| unit.chars().take(LONGEST).collect::<String>());
     match dimension {
-        Dimension::Length => Some(length.clone()),
-        Dimension::Stress => Some(format!("{force}/{length}²")),
+        Dimension::Length => Some(length),
+        Dimension::Stress => {
+            let named = STRESSES.iter().find(|(f, l, _)| *f == force && *l == length);
+            Some(named.map_or_else(|| format!("{force}/{length}²"), |(_, _, name)| (*name).to_owned()))
+        }
         Dimension::LineLoad => Some(format!("{force}/{length}")),
         Dimension::PerLength => Some(format!("1/{length}")),
         Dimension::Number => None,
     }
+}
+
+/// The unit behind a number, with a space.
+pub(super) fn after(scene: &Scene, dimension: Dimension) -> String {
+    unit(scene, dimension).map_or(String::new(), |unit| format!(" {unit}"))
+}
+
+/// What presses on the stack, in short lines: its kind, then its sizes.
+pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
+    let length = after(scene, Dimension::Length);
+    let radius = |radius: f64| format!("{} = {}{length}", italic("R"), label(radius));
+    let half_width = |half_width: f64| format!("half-width {}{length}", label(half_width));
+    let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
+    match &scene.punch {
+        Punch::Cylinder { radius: r } => lines("cylinder", &[radius(r.get())]),
+        Punch::Parabola { radius: r } => lines("parabola", &[radius(r.get())]),
+        Punch::Power { exponent, half_width, height } => {
+            let [w, h] = [half_width.get(), height.get()].map(label);
+            let power = format!("height {h}{length} at |{}| = {w}{length}", italic("x"));
+            lines(&format!("power {} of |{}|", label(exponent.get()), italic("x")), &[power])
+        }
+        Punch::Polynomial { half_width: w, .. } => lines("polynomial", &[half_width(w.get())]),
+        Punch::Wedge { slope } => lines("wedge", &[format!("slope {}", label(slope.get()))]),
+        Punch::RoundedFlat { half_width: w, radius: r } => {
+            lines("flat, rounded corners", &[half_width(w.get()), radius(r.get())])
+        }
+        Punch::Flat { half_width: w } => lines("flat, sharp corners", &[half_width(w.get())]),
+        Punch::Table(_) => lines("profile from a table", &[]),
+        Punch::ElasticCylinder { radius: r, shear_modulus, .. } => {
+            let modulus = label(shear_modulus.get()) + &after(scene, Dimension::Stress);
+            lines("elastic cylinder", &[radius(r.get()), format!("{} = {modulus}", italic("μ"))])
+        }
+        Punch::Given(load) => match load {
+            Load::Line => lines("line load", &[]),
+            Load::Uniform { half_width: w } => lines("uniform load", &[half_width(w.get())]),
+            Load::Parabolic { half_width: w } => lines("parabolic load", &[half_width(w.get())]),
+            Load::Elliptic { half_width: w } => lines("elliptic load", &[half_width(w.get())]),
+            Load::Several(_) => {
+                let images = |(at, _, _): &(f64, f64, &Load)| if *at > 0.0 { 2 } else { 1 };
+                lines(&format!("{} loads", load.parts().iter().map(images).sum::<usize>()), &[])
+            }
+        },
+    }
+}
+
+/// Which bodies touch there.
+pub(super) fn of_contact(scene: &Scene, interface: Interface) -> String {
+    match interface {
+        Interface::Punch if scene.punch.load().is_some() => "under the load".to_owned(),
+        Interface::Punch => "under the punch".to_owned(),
+        between => format!("contact {between}"),
+    }
+}
+
+/// As far as bodies touch: the half-length of one interval about x = 0, or between which places there are how many.
+pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
+    let length = after(scene, Dimension::Length);
+    let intervals = contact.intervals();
+    match (&intervals[..], contact.half_length()) {
+        (_, Some(half_length)) if half_length > 0.0 => format!("{symbol} = {}{length}", short(half_length)),
+        ([one], _) if one.left == one.right => format!("{} = {}{length}", italic("x"), short(one.left + 0.0)),
+        ([first, .., last], _) => {
+            let count = intervals.len();
+            format!("{count} intervals, {} … {}{length}", short(first.left), short(last.right))
+        }
+        ([one], _) => format!("{} … {}{length}", short(one.left), short(one.right)),
+        ([], _) => String::new(),
+    }
+}
+
+/// The largest pressure and, unless that is at x = 0, where it is; in short lines.
+pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
+    let peak = contact.peak();
+    let value = if peak.pressure.is_finite() {
+        short(peak.pressure) + &after(scene, Dimension::Stress)
+    } else {
+        "∞".to_owned()
+    };
+    let place = format!("at |{}| = {}{}", italic("x"), short(peak.x), after(scene, Dimension::Length));
+    let aside = (peak.x > peak.x_error).then_some(place);
+    [format!("largest {value}")].into_iter().chain(aside).collect()
 }
 
 /// What a quantity inside the stack is called, and its dimension.
@@ -72,22 +170,35 @@ pub(super) fn index(number: usize) -> String {
 /// What stands at a path of a scene: a name with a symbol where there is a usual one, and its dimension.
 pub(super) fn of_path(path: &str) -> (String, Dimension) {
     let (owner, field) = path.rsplit_once('.').unwrap_or(("", path));
+    let (field, number) = match field.split_once('[') {
+        Some((field, number)) => (field, format!(" {}", number.trim_end_matches(']'))),
+        None => (field, String::new()),
+    };
+    let symbol = |name: &str, symbol: &str| format!("{name} {}", italic(symbol));
     let (name, dimension) = match field {
-        "force" => (format!("force {}", italic("P")), Dimension::LineLoad),
-        "half_length" => (format!("half-length {}", italic("a")), Dimension::Length),
-        "radius" => (format!("radius {}", italic("R")), Dimension::Length),
-        "thickness" => (format!("thickness {}", italic("h")), Dimension::Length),
-        "shear_modulus" => (format!("shear modulus {}", italic("μ")), Dimension::Stress),
-        "poisson" => (format!("Poisson’s ratio {}", italic("ν")), Dimension::Number),
-        "beta" => (format!("grading exponent {}", italic("β")), Dimension::PerLength),
+        "force" => (symbol("force", "P"), Dimension::LineLoad),
+        "half_length" => (symbol("half-length", "a"), Dimension::Length),
+        "half_width" => ("half-width".to_owned(), Dimension::Length),
+        "radius" => (symbol("radius", "R"), Dimension::Length),
+        "thickness" => (symbol("thickness", "h"), Dimension::Length),
+        "height" | "heights" => ("height".to_owned(), Dimension::Length),
+        "at" => (symbol("place", "x"), Dimension::Length),
+        "shear_modulus" => (symbol("shear modulus", "μ"), Dimension::Stress),
+        "young" => (symbol("Young’s modulus", "E"), Dimension::Stress),
+        "poisson" => (symbol("Poisson’s ratio", "ν"), Dimension::Number),
+        "beta" => (symbol("grading exponent", "β"), Dimension::PerLength),
         other => (other.replace('_', " "), Dimension::Number),
     };
-    let layer = owner.strip_prefix("layer[").and_then(|rest| rest.split(']').next()?.parse().ok());
+    let (of, layer) = match owner.split_once('[') {
+        Some((of, rest)) => (of, rest.split(']').next().and_then(|number| number.parse().ok())),
+        None => (owner, None),
+    };
     let name = match layer {
-        Some(number) => name + &index(number),
+        Some(layer) if of == "layer" => name + &index(layer),
+        Some(one) => format!("{name} of {} {one}", of.rsplit('.').next().unwrap_or(of)),
         None => name,
     };
-    (name, dimension)
+    (name + &number, dimension)
 }
 
 #[cfg(test)]
@@ -99,6 +210,23 @@ mod tests {
         assert_eq!(of_path("layer[12].beta"), (format!("grading exponent {}₁₂", italic("β")), Dimension::PerLength));
         assert_eq!(of_path("force").1, Dimension::LineLoad);
         assert_eq!(of_path("layer[1].own_number").0, "own number₁");
+        assert_eq!(of_path("punch.heights[2]"), ("height 2".to_owned(), Dimension::Length));
+    }
+
+    #[test]
+    fn punches_have_names_symbols_and_units() {
+        let scene = |punch: &str, force: &str| {
+            let stack = "stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]";
+            let units = "units: (length: \"mm\", force: \"N\")";
+            let text = format!("Scene(plane: Strain, {punch}, {force}: 0.01, {stack}, {units})");
+            crate::scene::Scene::from_ron(&text).unwrap()
+        };
+        let name = |punch: &str| of_punch(&scene(punch, "force")).join("|");
+        assert_eq!(name("punch: Cylinder(radius: 100)"), format!("cylinder|{} = 100 mm", italic("R")));
+        let several =
+            "load: Several([(at: 0, share: 1, load: Line), (at: 1, share: 1, load: Uniform(half_width: 0.1))])";
+        assert_eq!(name(several), "3 loads");
+        assert_eq!(unit(&scene("load: Line", "force"), Dimension::Stress).unwrap(), "MPa");
     }
 
     #[test]

@@ -53,7 +53,7 @@ pub struct Picture {
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     Line { points: Vec<(f64, f64)>, stroke: Stroke },
-    Area { rings: Vec<Vec<(f64, f64)>>, colour: Colour, opacity: f64 },
+    Area { rings: Vec<Vec<(f64, f64)>>, colour: Colour },
     Text { at: (f64, f64), text: String, size: f64, colour: Colour, anchor: Anchor },
 }
 
@@ -93,6 +93,11 @@ pub(super) fn pieces(text: &str) -> impl Iterator<Item = (Face, &str)> {
     pieces.filter(|(_, piece)| !piece.is_empty())
 }
 
+/// A text without the marks of how it is set.
+pub(super) fn plain(text: &str) -> String {
+    pieces(text).map(|(_, piece)| piece).collect()
+}
+
 impl Picture {
     /// An empty one of this size, in points.
     pub fn new(width: f64, height: f64) -> Self {
@@ -104,19 +109,19 @@ impl Picture {
         self.shapes.push(Shape::Line { points: points.to_vec(), stroke });
     }
 
-    /// A filled area; `opacity` from 0 to 1.
-    pub fn area(&mut self, points: &[(f64, f64)], colour: Colour, opacity: f64) {
-        self.shapes.push(Shape::Area { rings: vec![points.to_vec()], colour, opacity });
+    /// A filled area.
+    pub fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
+        self.rings(vec![points.to_vec()], colour);
     }
 
     /// The area inside an odd number of rings.
     pub fn rings(&mut self, rings: Vec<Vec<(f64, f64)>>, colour: Colour) {
-        self.shapes.push(Shape::Area { rings, colour, opacity: 1.0 });
+        self.shapes.push(Shape::Area { rings, colour });
     }
 
     /// A filled rectangle from one corner to the other.
     pub fn rectangle(&mut self, from: (f64, f64), to: (f64, f64), colour: Colour) {
-        self.area(&[from, (to.0, from.1), to, (from.0, to.1)], colour, 1.0);
+        self.area(&[from, (to.0, from.1), to, (from.0, to.1)], colour);
     }
 
     /// A text of letters `size` points high.

@@ -1,5 +1,5 @@
 //! The pressure of a contact as a curve.
-use crate::scene::Scene;
+use crate::scene::{Load, Scene};
 use crate::solution::{Contact, Interface, Interval};
 
 /// Pressures that are infinite somewhere are drawn up to so many times their mean.
@@ -7,20 +7,61 @@ const HIGHEST_DRAWN: f64 = 6.0;
 /// Points of a curve.
 const POINTS: usize = 200;
 
-/// The pressure of a contact, denser towards its ends, where it falls like a root; where it rises without bound, under a
-/// sharp tip and at sharp corners, as far as a multiple of the mean.
-pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<(f64, f64)> {
+/// Fewest points between two places where a pressure may jump.
+const FEWEST: usize = 3;
+/// How near to such a place the last point is, in parts of the distance of two.
+const INSIDE: f64 = 1e-9;
+
+/// The pressure on each interval of a contact, denser towards its ends, where it falls like a root, with both sides of a jump;
+/// where it rises without bound, under a sharp tip and at sharp corners, as far as a multiple of the mean.
+pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>> {
     let rises = contact.interface == Interface::Punch && scene.punch.is_singular();
     let most = if rises { HIGHEST_DRAWN * 0.5 * contact.resultant / contact.reach() } else { f64::INFINITY };
-    let at = |Interval { left, right, .. }: Interval, i: usize| {
-        let x = 0.5 * (left + right) - 0.5 * (right - left) * (std::f64::consts::PI * i as f64 / POINTS as f64).cos();
-        let pressure = contact.pressure(x);
-        (x, if pressure > most { f64::INFINITY } else { pressure })
+    let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);
+    let jumps = jumps(scene, contact);
+    let of = |Interval { left, right, .. }: Interval| {
+        let inner = jumps.iter().copied().filter(|x| *x > left && *x < right);
+        let ends: Vec<f64> = [left].into_iter().chain(inner).chain([right]).collect();
+        let count = (POINTS / (ends.len() - 1)).max(FEWEST);
+        let points = ends.windows(2).flat_map(|pair| {
+            let [middle, half] = [0.5 * (pair[0] + pair[1]), 0.5 * (1.0 - INSIDE) * (pair[1] - pair[0])];
+            let place = move |i: usize| middle - half * (std::f64::consts::PI * i as f64 / count as f64).cos();
+            (0..=count).map(place)
+        });
+        let curve: Vec<(f64, f64)> = points.map(|x| (x, at(x))).collect();
+        // down to zero at both ends, unless it rises there without bound
+        let ends_low = |end: Option<&(f64, f64)>| end.is_some_and(|(_, p)| p.is_finite());
+        let first = Some((left, 0.0)).filter(|_| ends_low(curve.first()));
+        let last = Some((right, 0.0)).filter(|_| ends_low(curve.last()));
+        first.into_iter().chain(curve).chain(last).collect()
     };
-    contact.intervals().into_iter().flat_map(|interval| (0..=POINTS).map(move |i| at(interval, i))).collect()
+    let wide = contact.intervals().into_iter().filter(|interval| interval.left < interval.right);
+    wide.map(of).collect()
+}
+
+/// Places where a given pressure jumps or begins, ascending.
+fn jumps(scene: &Scene, contact: &Contact) -> Vec<f64> {
+    let load = scene.punch.load().filter(|_| contact.interface == Interface::Punch);
+    let ends = |(at, _, part): (f64, f64, &Load)| {
+        let half = part.half_width();
+        [at - half, at + half, -at - half, half - at]
+    };
+    let mut jumps: Vec<f64> = load.map_or(Vec::new(), Load::parts).into_iter().flat_map(ends).collect();
+    jumps.sort_by(f64::total_cmp);
+    jumps.dedup();
+    jumps
+}
+
+/// Places of the lines on which a load presses.
+pub(super) fn lines(scene: &Scene) -> Vec<f64> {
+    let parts = scene.punch.load().map_or(Vec::new(), Load::parts);
+    let lines = parts.into_iter().filter(|(_, _, part)| **part == Load::Line);
+    let mut places: Vec<f64> = lines.flat_map(|(at, _, _)| [-at, at]).collect();
+    places.dedup();
+    places
 }
 
 /// The highest point of a curve, where it is finite.
-pub(super) fn highest(curve: &[(f64, f64)]) -> f64 {
-    curve.iter().map(|(_, p)| *p).filter(|p| p.is_finite()).fold(0.0, f64::max)
+pub(super) fn highest(curves: &[Vec<(f64, f64)>]) -> f64 {
+    curves.iter().flatten().map(|(_, p)| *p).filter(|p| p.is_finite()).fold(0.0, f64::max)
 }

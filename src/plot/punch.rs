@@ -1,26 +1,32 @@
 //! The punch above a stack, and the force on it; or the load in its place.
-use super::names::{Dimension, unit};
+use super::chart::APART;
+use super::names::{Dimension, after, of_punch};
 use super::picture::{Anchor, Picture, Stroke, italic};
-use super::pressure::{highest, pressure};
-use super::scale::label;
-use super::style::{FAINT, INK, SMALL, TEXT};
-use crate::scene::{Force, Load, Scene};
+use super::pressure::{highest, lines, pressure};
+use super::scale::{label, short};
+use super::style::{INK, PUNCH, SMALL, TEXT};
+use crate::scene::{Load, Scene};
 use crate::solution::Contact;
 
-/// Room for the punch and its force, in points.
-pub(super) const ABOVE: f64 = 72.0;
 /// Greatest height of the punch, in points.
 const HIGHEST: f64 = 34.0;
-/// Points of its outline.
-const POINTS: usize = 200;
+/// A profile that rises less than this within what is drawn, in points, is drawn higher.
+const SEEN: f64 = 10.0;
+/// Points of its outline on each side.
+const POINTS: usize = 100;
+/// Halvings of the place where the outline leaves the drawing.
+const HALVINGS: usize = 50;
+/// Distance of the arrows of a load, in points.
+const ARROWS: f64 = 13.0;
 
 /// A punch in a drawing.
 pub(super) struct Punch<'a> {
     pub(super) scene: &'a Scene,
+    pub(super) force: f64,
     /// What is under it: it is pressed in as far as it touches.
     pub(super) contact: Option<&'a Contact>,
-    /// Points per length along the layers and across them.
-    pub(super) scale: [f64; 2],
+    /// Points per length.
+    pub(super) scale: f64,
     /// Where x = 0 is.
     pub(super) middle: f64,
     /// Height of the top face of the stack.
@@ -31,78 +37,121 @@ pub(super) struct Punch<'a> {
 
 impl Punch<'_> {
     pub(super) fn draw(&self, picture: &mut Picture) {
-        let (left, right) = self.ends;
+        let mut names = of_punch(self.scene);
+        match self.scene.punch.load() {
+            Some(load) => self.load(load, picture),
+            None => names.extend(self.body(picture).map(|times| format!("heights drawn × {}", label(times)))),
+        }
+        // the last line just above the top face
+        let lowest = self.top - APART - 2.0;
+        for (i, name) in names.iter().rev().enumerate() {
+            picture.text((self.ends.1 + 9.0, lowest - APART * i as f64), name, SMALL, INK, Anchor::Left);
+        }
+    }
+
+    /// What is drawn of the punch: to where it ends, or leaves the drawing at the sides or above. Returns how much higher than to
+    /// scale, if it is.
+    fn body(&self, picture: &mut Picture) -> Option<f64> {
         let punch = &self.scene.punch;
-        let [along, across] = self.scale;
-        let edge = punch.max_half_length().map_or(f64::INFINITY, |edge| along * edge);
-        let (from, to) = (left.max(self.middle - edge), right.min(self.middle + edge));
-        if let Some(load) = punch.load() {
-            return self.load(load, picture);
+        let scale = self.scale;
+        let [left, right] = [self.ends.0, self.ends.1].map(|end| (end - self.middle) / scale);
+        let edge = punch.max_half_length().unwrap_or(f64::INFINITY);
+        let end = edge.min(right.max(-left));
+        // at its very edge the height may be infinite
+        let profile = |x: f64| punch.profile(x.abs().min(end * (1.0 - 1e-12)));
+        let rise = |x: f64| (profile(x) - profile(self.contact.map_or(0.0, Contact::reach))).max(0.0);
+        let times = times(scale * rise(end));
+        let height = |x: f64| scale * times * rise(x);
+        let seen = end_below(&height, end);
+        let (from, to) = (left.max(-seen), right.min(seen));
+        if from >= to {
+            return None;
         }
-        let touching = self.contact.map_or(0.0, |contact| contact.innermost().to);
-        let rise = |x: f64| {
-            let x = (x - self.middle) / along;
-            (across * (punch.profile(x) - punch.profile(touching))).clamp(0.0, HIGHEST)
-        };
-        if from < to {
-            let at = |i: usize| from + (to - from) * i as f64 / POINTS as f64;
-            let outline: Vec<(f64, f64)> = (0..=POINTS).map(at).map(|x| (x, self.top - rise(x))).collect();
-            let upper = [(to, self.top - HIGHEST), (from, self.top - HIGHEST)];
-            let body: Vec<_> = outline.iter().copied().chain(upper).collect();
-            picture.area(&body, FAINT, 0.8);
-            picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
+        let roof = self.top - HIGHEST;
+        let x = |i: usize| from + (to - from) * i as f64 / (2 * POINTS) as f64;
+        let place = |x: f64| (self.middle + scale * x, self.top - height(x).min(HIGHEST));
+        let mut outline: Vec<(f64, f64)> = (0..=2 * POINTS).map(x).map(place).collect();
+        let corners = [to, from].map(|x| (self.middle + scale * x, roof));
+        picture.area(&outline.iter().copied().chain(corners).collect::<Vec<_>>(), PUNCH);
+        // its own sides are drawn, not those of the drawing
+        if seen == edge && to == edge {
+            outline.push(corners[0]);
         }
-        if (left..=right).contains(&self.middle) {
-            self.force(picture);
+        if seen == edge && from == -edge {
+            outline.insert(0, corners[1]);
         }
-        picture.text((right + 9.0, self.top - 0.5 * HIGHEST), &punch.label(), SMALL, INK, Anchor::Left);
+        picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
+        if (self.ends.0..=self.ends.1).contains(&self.middle) {
+            arrow(picture, self.middle, roof - 4.0, 18.0);
+            self.force(picture, "");
+        }
+        (times > 1.0).then_some(times)
     }
 
-    /// Pressures as curves, lines as arrows.
+    /// Pressures as curves with arrows, lines as arrows.
     fn load(&self, load: &Load, picture: &mut Picture) {
+        let curves = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
+        let most = highest(&curves);
         let (left, right) = self.ends;
-        let curve = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
-        let most = highest(&curve);
-        let place = |x: f64| (self.middle + self.scale[0] * x).clamp(left, right);
-        if most > 0.0 {
-            let inside = curve.iter().filter(|(_, p)| p.is_finite());
-            let outline = inside.map(|(x, p)| (place(*x), self.top - HIGHEST * p / most));
-            let mut outline: Vec<(f64, f64)> = outline.collect();
-            if let (Some((first, _)), Some((last, _))) = (outline.first().copied(), outline.last().copied()) {
-                outline.insert(0, (first, self.top));
-                outline.push((last, self.top));
-            }
-            picture.area(&outline, FAINT, 0.8);
+        let place = |x: f64| self.middle + self.scale * x;
+        for curve in &curves {
+            let at = |(x, p): &(f64, f64)| (place(*x).clamp(left, right), self.top - HIGHEST * p.min(most) / most);
+            let outline: Vec<(f64, f64)> = curve.iter().map(at).collect();
+            picture.area(&outline, PUNCH);
             picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
-        }
-        for (at, _, _) in load.parts().into_iter().filter(|(_, _, part)| part.half_width() == 0.0) {
-            for x in [at, -at] {
-                arrow(picture, place(x), self.top - 3.0, HIGHEST - 3.0);
+            let (Some((from, _)), Some((to, _))) = (outline.first(), outline.last()) else { continue };
+            let count = ((to - from) / ARROWS) as usize;
+            for x in (1..=count).map(|i| from + (to - from) * (i as f64 - 0.5) / count as f64) {
+                let next = outline.partition_point(|(at, _)| *at < x).min(outline.len() - 1);
+                let length = self.top - 3.0 - outline[next].1;
+                if length > 10.0 {
+                    arrow(picture, x, self.top - 3.0, length);
+                }
             }
         }
-        self.number(picture);
-        picture.text((right + 9.0, self.top - 0.5 * HIGHEST), &self.scene.punch.label(), SMALL, INK, Anchor::Left);
+        for x in lines(self.scene).into_iter().map(place).filter(|x| (left..=right).contains(x)) {
+            arrow(picture, x, self.top - 3.0, HIGHEST + 8.0);
+        }
+        let several = load.parts().iter().map(|(at, _, _)| if *at > 0.0 { 2 } else { 1 }).sum::<usize>() > 1;
+        self.force(picture, if several { " in all" } else { "" });
     }
 
-    fn force(&self, picture: &mut Picture) {
-        arrow(picture, self.middle, self.top - HIGHEST - 4.0, 18.0);
-        self.number(picture);
+    fn force(&self, picture: &mut Picture, all: &str) {
+        let unit = after(self.scene, Dimension::LineLoad);
+        let given = self.scene.force.given();
+        let number = given.map_or_else(|| short(self.force), label);
+        let text = format!("{} = {number}{unit}{all}", italic("P"));
+        let y = self.top - HIGHEST - 4.0 - 11.0;
+        picture.text((self.middle + 9.0, y), &text, TEXT, INK, Anchor::Left);
     }
+}
 
-    fn number(&self, picture: &mut Picture) {
-        let line_load = unit(self.scene, Dimension::LineLoad).map_or(String::new(), |unit| format!(" {unit}"));
-        let tip = self.top - HIGHEST - 4.0;
-        let number = match (self.scene.force, self.contact) {
-            (Force::ForHalfLength(_) | Force::ForDepth(_), Some(contact)) => label(contact.resultant),
-            (force, _) => label(force.number()),
-        };
-        let force = format!("{} = {number}{line_load}", italic("P"));
-        picture.text((self.middle + 9.0, tip - 11.0), &force, TEXT, INK, Anchor::Left);
+/// How much higher than to scale a profile is drawn that rises by so many points: 1, or a round number.
+fn times(rise: f64) -> f64 {
+    if !(rise > 0.0 && rise < SEEN) {
+        return 1.0;
     }
+    let wanted = 2.0 * SEEN / rise;
+    let power = 10f64.powf(wanted.log10().floor());
+    let round = [5.0, 2.0, 1.0].into_iter().map(|multiple| multiple * power).find(|times| *times <= wanted);
+    // what rises by less is as good as flat
+    round.filter(|times| *times <= 1e6).unwrap_or(1.0)
+}
+
+/// Where a height first exceeds that of the drawing, or `end`.
+fn end_below(height: &impl Fn(f64) -> f64, end: f64) -> f64 {
+    let step = |i: usize| end * i as f64 / POINTS as f64;
+    let Some(beyond) = (1..=POINTS).find(|i| height(step(*i)) > HIGHEST) else { return end };
+    let [mut inside, mut outside] = [step(beyond - 1), step(beyond)];
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inside + outside);
+        *(if height(middle) > HIGHEST { &mut outside } else { &mut inside }) = middle;
+    }
+    inside
 }
 
 /// An arrow that points down to a tip.
 fn arrow(picture: &mut Picture, x: f64, tip: f64, length: f64) {
-    picture.line(&[(x, tip - length), (x, tip)], Stroke { colour: INK, width: 1.2, dash: None });
-    picture.area(&[(x, tip + 3.0), (x - 3.2, tip - 5.0), (x + 3.2, tip - 5.0)], INK, 1.0);
+    picture.line(&[(x, tip - length), (x, tip)], Stroke { colour: INK, width: 1.0, dash: None });
+    picture.area(&[(x, tip + 3.0), (x - 2.8, tip - 4.5), (x + 2.8, tip - 4.5)], INK);
 }

@@ -1,13 +1,14 @@
-//! A stack drawn to scale with its punch and contacts, and the pressures below it.
-use super::chart::{Chart, Curve, Frame, Labels, apart};
+//! A stack drawn with its punch and contacts, and the pressures below it.
+use super::chart::{Beside, Chart, Curve, Frame, Labels, beside, hidden};
+use super::depths::Depths;
 use super::ground::hatching;
-use super::names::{Dimension, index, symbols, unit};
+use super::names::{self, Dimension, after, index, symbols, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, italic};
-use super::pressure::{highest, pressure};
-use super::punch::{ABOVE, Punch};
-use super::scale::{Scale, label};
-use super::style::{BOLD, FAINT, INK, SMALL, TEXT, curve, hair};
-use crate::scene::{Load, Scene};
+use super::pressure::{highest, lines, pressure};
+use super::punch::Punch;
+use super::scale::{Scale, short};
+use super::style::{FAINT, INK, SMALL, curve, hair};
+use crate::scene::Scene;
 use crate::solution::{Contact, Interface, Interval, Solution};
 use crate::stack::{Placed, Stack};
 
@@ -15,214 +16,203 @@ use crate::stack::{Placed, Stack};
 const WIDTH: f64 = 340.0;
 /// Greatest height of the layers together, in points.
 const HIGHEST: f64 = 190.0;
-/// Height of the plane of the pressures, in points.
-const PRESSURES: f64 = 140.0;
-/// What is left and right of the drawing, in points.
-const SIDES: (f64, f64) = (88.0, 20.0);
+/// Height of the plane of the pressures, and how far below the drawing it begins, in points.
+const PRESSURES: [f64; 2] = [140.0, 30.0];
 /// Room for what is shown of the base, in points.
 const BASE: f64 = 44.0;
-/// The longest contact fills this share of the width, unless the stack is too high for that.
-const FILLED: f64 = 0.72;
-/// A longest contact below this share of the width would not be seen in the pressures.
-const SMALLEST: f64 = 0.1;
+/// The longest contact fills the first share of the width, or down to the second one if the stack is to scale then.
+const FILLED: [f64; 2] = [0.72, 0.24];
 /// Slices of a layer whose stiffness varies, at most, and how high each is at least, in points.
 const SLICES: usize = 48;
 const SLICE: f64 = 0.5;
-/// Names of layers, written below each other: of more layers the first and the last ones are named.
-const NAMES: usize = 40;
+/// If the largest pressures of two contacts differ by more than this factor, all are drawn in parts of their largest.
+const DIFFERENT: f64 = 20.0;
+/// Contacts that have a line in the list of pressures, at most.
+const LISTED: usize = 5;
 
-/// The stack of a solved scene drawn to scale, with punch and contacts, and the contact pressures below it.
+/// The stack of a solved scene with punch and contacts, and the contact pressures below it: to scale, unless layers would be too
+/// thin or too thick to be seen.
 pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let contacts = solution.contacts();
     let total = stack.total_thickness();
     let longest = solution.extent().unwrap_or(if total > 0.0 { total } else { 1.0 });
     // points per length
-    let scale = (FILLED * 0.5 * WIDTH / longest).min(if total > 0.0 { HIGHEST / total } else { f64::INFINITY });
-    let drawing = Drawing { scene, stack, contacts, scale, middle: SIDES.0 + 0.5 * WIDTH, top: ABOVE };
-    let rigid = stack.base().foundation().half_plane().is_none();
-    let labels = drawing.labels().last().map_or(0.0, |(_, y, _)| y + TEXT);
-    let bottom = labels.max(drawing.top + scale * total + if rigid { 12.0 } else { BASE });
-    let height = bottom + 22.0 + PRESSURES + 38.0;
-    let names = drawing.layers_in_order().into_iter().map(|placed| drawing.name(placed));
-    let peaks = contacts.iter().map(|contact| format!("123456789012345{}", short(contact.central_pressure)));
-    let longest = names.chain(peaks).chain([scene.punch.label()]).map(|name| name.chars().count()).max().unwrap_or(0);
-    let right = SIDES.1 + 0.5 * TEXT * longest as f64;
-    let mut picture = Picture::new(SIDES.0 + WIDTH + right, height);
+    let [most, least] = FILLED.map(|share| share * 0.5 * WIDTH / longest);
+    let scale = if total > 0.0 { (HIGHEST / total).clamp(least, most) } else { most };
+    let layers: Vec<&Placed> = layers_in_order(stack);
+    let mut depth = 0.0;
+    let below = layers.iter().map(|placed| {
+        depth += placed.layer.thickness().unwrap_or(0.0);
+        depth
+    });
+    let faces = [0.0].into_iter().chain(below).collect();
+    let drawing = Drawing { scene, stack, layers, contacts, scale, depths: Depths::new(faces, scale, [0.0, HIGHEST]) };
+    let mut picture = Picture::new(WIDTH, HIGHEST);
     drawing.layers(&mut picture);
-    drawing.punch().draw(&mut picture);
+    drawing.punch(solution.force()).draw(&mut picture);
     drawing.contacts(&mut picture);
-    drawing.pressures(&mut picture, bottom + 22.0);
-    picture
+    drawing.pressures(&mut picture);
+    picture.fitted()
 }
 
-/// What is drawn, and where.
+/// All layers from the top down, without a half-plane.
+fn layers_in_order(stack: &Stack) -> Vec<&Placed> {
+    let free = stack.laminates().iter().flat_map(|laminate| laminate.layers());
+    free.chain(stack.base().layers()).collect()
+}
+
+/// What is drawn: the top face lies at height 0, x = 0 in the middle of the width.
 struct Drawing<'a> {
     scene: &'a Scene,
     stack: &'a Stack,
+    layers: Vec<&'a Placed>,
     contacts: &'a [Contact],
+    /// Points per length along the layers.
     scale: f64,
-    middle: f64,
-    top: f64,
+    depths: Depths,
 }
 
 impl Drawing<'_> {
-    fn ends(&self) -> (f64, f64) {
-        (self.middle - 0.5 * WIDTH, self.middle + 0.5 * WIDTH)
+    fn x(&self, x: f64) -> f64 {
+        0.5 * WIDTH + self.scale * x
+    }
+
+    /// Height at which the base ends.
+    fn bottom(&self) -> f64 {
+        self.depths.height() + if self.stack.base().foundation().half_plane().is_some() { BASE } else { 12.0 }
     }
 
     /// The layers from the top down, grey where they are stiff, with what they are called at their right.
     fn layers(&self, picture: &mut Picture) {
-        let (left, right) = self.ends();
-        let layers = self.layers_in_order();
-        let stiffness = Stiffness::of(self.scene, self.stack, &layers);
-        let mut y = self.top;
-        for placed in &layers {
-            let thickness = placed.layer.thickness().unwrap_or(0.0);
-            let height = self.scale * thickness;
+        let shown = BASE / self.scale;
+        let stiffness = Stiffness::of(self.scene, self.stack, &self.layers, shown);
+        let heights: Vec<f64> = self.depths.knots().map(|(_, height)| height).collect();
+        let last = self.depths.height();
+        let base = self.stack.base().foundation().half_plane();
+        let layers = self.layers.iter().copied().zip(heights.windows(2).map(|ends| [ends[0], ends[1]]));
+        for (placed, [top, bottom]) in layers.chain(base.map(|placed| (placed, [last, last + BASE]))) {
+            let thickness = placed.layer.thickness().unwrap_or(shown);
+            let height = bottom - top;
             let slices = if stiffness.varies(placed) { ((height / SLICE) as usize).clamp(1, SLICES) } else { 1 };
             for slice in 0..slices {
-                let share = |i: usize| y + height * i as f64 / slices as f64;
+                let from = top + height * slice as f64 / slices as f64;
                 let depth = thickness * (slice as f64 + 0.5) / slices as f64;
                 // down to the bottom, so that no line remains between slices
-                picture.rectangle((left, share(slice)), (right, y + height), stiffness.grey(placed, depth));
+                picture.rectangle((0.0, from), (WIDTH, bottom), stiffness.grey(placed, depth));
             }
-            y += height;
         }
-        match self.stack.base().foundation().half_plane() {
-            Some(placed) => picture.rectangle((left, y), (right, y + BASE), stiffness.grey(placed, 0.0)),
-            None => hatching(picture, (left, right), y),
+        if base.is_none() {
+            hatching(picture, (0.0, WIDTH), last);
         }
         for y in self.bonds() {
-            picture.line(&[(left, y), (right, y)], hair(INK));
+            picture.line(&[(0.0, y), (WIDTH, y)], hair(INK));
         }
-        picture.line(&[(left, self.top), (right, self.top)], hair(INK));
+        picture.line(&[(0.0, 0.0), (WIDTH, 0.0)], hair(INK));
         for (at, y, text) in self.labels() {
-            if y - at > 2.0 {
-                picture.line(&[(right + 1.0, at), (right + 7.0, y)], hair(FAINT));
+            if (y - at).abs() > 2.0 {
+                picture.line(&[(WIDTH + 1.0, at), (WIDTH + 7.0, y)], hair(FAINT));
             }
-            picture.text((right + 9.0, y), &text, SMALL, INK, Anchor::Left);
+            picture.text((WIDTH + 9.0, y), &text, SMALL, INK, Anchor::Left);
+        }
+        if let Some(note) = self.depths.note() {
+            picture.text((0.0, self.bottom() + 8.0), &note, SMALL, INK, Anchor::Left);
         }
     }
 
-    /// What layers and ground are called, the height of each, and the height at which that is written: below each other.
-    fn labels(&self) -> Vec<(f64, f64, String)> {
-        let mut y = self.top;
-        let mut labels = Vec::new();
-        for placed in self.layers_in_order() {
-            let height = self.scale * placed.layer.thickness().unwrap_or(0.0);
-            labels.push((y + 0.5 * height, self.name(placed)));
-            y += height;
-        }
+    /// What layers and ground are called.
+    fn labels(&self) -> Vec<Beside> {
+        let heights: Vec<f64> = self.depths.knots().map(|(_, height)| height).collect();
+        let middles = heights.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
+        let mut labels: Vec<(f64, String)> = middles.zip(self.layers.iter().map(|placed| self.name(placed))).collect();
         let foundation = self.stack.base().foundation();
         let depth = if foundation.half_plane().is_some() { 0.4 * BASE } else { 6.0 };
         let support = foundation.support().map(|(_, support)| support.notation());
         let name = foundation.half_plane().map(|placed| self.name(placed));
-        let name = name.or(support.map(|notation| format!("{}({})", notation.kind, notation.parameters)));
-        labels.push((y + depth, name.unwrap_or("rigid".to_owned())));
-        if let Some(more) = labels.len().checked_sub(NAMES).filter(|more| *more > 1) {
-            let left_out: Vec<(f64, String)> = labels.drain(NAMES / 2..NAMES / 2 + more).collect();
-            let middle = left_out[more / 2].0;
-            labels.insert(NAMES / 2, (middle, format!("{more} more layers")));
-        }
-        let mut last = f64::NEG_INFINITY;
-        let below = |(at, text): (f64, String)| {
-            last = at.max(last + 1.25 * TEXT);
-            (at, last, text)
-        };
-        labels.into_iter().map(below).collect()
+        let name = name.or(support.map(|notation| format!("{}, {}", notation.kind, notation.parameters)));
+        labels.push((self.depths.height() + depth, name.unwrap_or("rigid".to_owned())));
+        beside(labels, 0.0, self.bottom(), "layers")
     }
 
     /// Thickness and modulus of a layer.
     fn name(&self, placed: &Placed) -> String {
         let modulus = placed.layer.material(0.0, self.scene.plane).shear_compliance.recip();
-        let with = |dimension| unit(self.scene, dimension).map_or(String::new(), |unit| format!(" {unit}"));
-        let (stress, length) = (with(Dimension::Stress), with(Dimension::Length));
+        let [stress, length] = [Dimension::Stress, Dimension::Length].map(|dimension| after(self.scene, dimension));
         let number = index(placed.number);
-        let end = placed.layer.thickness().unwrap_or(0.0);
         let thick = placed.layer.thickness();
+        let end = thick.unwrap_or(BASE / self.scale);
         let thick = thick.map(|h| format!("{}{number} = {}{length}, ", italic("h"), short(h))).unwrap_or_default();
         let below = placed.layer.material(end, self.scene.plane).shear_compliance.recip();
-        let until = if (below / modulus - 1.0).abs() > 1e-9 { format!(" to {}", short(below)) } else { String::new() };
-        format!("{thick}{}{number} = {}{until}{stress}", italic("μ"), short(modulus))
-    }
-
-    fn punch(&self) -> Punch<'_> {
-        let scale = [self.scale; 2];
-        Punch {
-            scene: self.scene,
-            contact: self.contacts.first(),
-            scale,
-            middle: self.middle,
-            top: self.top,
-            ends: self.ends(),
+        let (mut until, mut at) = (String::new(), "");
+        if (below / modulus - 1.0).abs() > 1e-9 {
+            match placed.layer.thickness() {
+                Some(_) => until = format!(" to {}", short(below)),
+                None => at = " at its top",
+            }
         }
+        format!("{thick}{}{number} = {}{until}{stress}{at}", italic("μ"), short(modulus))
     }
 
-    /// A thick line where bodies touch, and its half-length.
+    fn punch(&self, force: f64) -> Punch<'_> {
+        let (scene, contact) = (self.scene, self.contacts.first());
+        Punch { scene, force, contact, scale: self.scale, middle: self.x(0.0), top: 0.0, ends: (0.0, WIDTH) }
+    }
+
+    /// A thick line where bodies touch, and as far as they do.
     fn contacts(&self, picture: &mut Picture) {
-        let symbols = self.symbols();
-        let heights = self.heights();
-        let unit = unit(self.scene, Dimension::Length).map_or(String::new(), |unit| format!(" {unit}"));
-        let (left, right) = self.ends();
-        let labels = apart(&heights, 0.0, f64::INFINITY);
-        let places = heights.into_iter().zip(labels);
-        for (i, ((contact, (y, label)), (symbol, _))) in self.contacts.iter().zip(places).zip(symbols).enumerate() {
-            let Stroke { colour, .. } = curve(i, self.contacts.len());
-            let touching = Stroke { colour, width: 3.0, dash: None };
+        let mut labels = Vec::new();
+        for (i, ((contact, y), (symbol, _))) in self.contacts.iter().zip(self.heights()).zip(self.symbols()).enumerate()
+        {
+            let touching = Stroke { width: 3.0, dash: None, ..curve(i, self.contacts.len()) };
+            let tick = |end: f64| [(end, y - 4.0), (end, y + 4.0)];
+            // farther out it has opened
+            let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
+            let mut from = 0.0;
+            for Interval { left, right, .. } in contact.intervals() {
+                let [left, right] = [left, right].map(|x| self.x(x));
+                if contact.interface != Interface::Punch {
+                    picture.line(&[(from, y), (left, y)], open);
+                }
+                picture.line(&[(left, y), (right, y)], touching);
+                for end in [left, right] {
+                    picture.line(&tick(end), Stroke { width: 1.2, ..touching });
+                }
+                from = right;
+            }
             if contact.interface != Interface::Punch {
-                // farther out it has opened
-                let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
-                let mut from = left;
-                for Interval { left, right, .. } in contact.intervals() {
-                    picture.line(&[(from, y), (self.middle + self.scale * left, y)], open);
-                    from = self.middle + self.scale * right;
-                }
-                picture.line(&[(from, y), (right, y)], open);
+                picture.line(&[(from, y), (WIDTH, y)], open);
             }
-            for interval in contact.intervals() {
-                let [from, to] = [interval.left, interval.right].map(|x| self.middle + self.scale * x);
-                picture.line(&[(from, y), (to, y)], touching);
-                for end in [from, to] {
-                    picture.line(&[(end, y - 5.0), (end, y + 5.0)], Stroke { width: 1.2, ..touching });
-                }
+            labels.push((y, names::reach(self.scene, contact, &symbol)));
+        }
+        for (at, y, text) in beside(labels, 0.0, self.bottom(), "contacts") {
+            if (y - at).abs() > 2.0 {
+                picture.line(&[(-1.0, at), (-5.0, y)], hair(FAINT));
             }
-            let text = format!("{symbol} = {}{unit}", short(contact.innermost().to));
-            picture.text((left - 6.0, label), &text, SMALL, INK, Anchor::Right);
+            picture.text((-6.0, y), &text, SMALL, INK, Anchor::Right);
         }
     }
 
     /// Heights of the bonded interfaces in the drawing; a rigid base has an outline in any case.
     fn bonds(&self) -> Vec<f64> {
-        let contacts = self.heights();
-        let mut y = self.top;
-        let mut bonds = Vec::new();
-        for placed in self.layers_in_order() {
-            y += self.scale * placed.layer.thickness().unwrap_or(0.0);
-            bonds.push(y);
-        }
+        let contacts: Vec<f64> = self.heights().collect();
         let rigid = self.stack.base().foundation().half_plane().is_none();
-        let last = bonds.len();
-        let is_bond = |(i, y): (usize, f64)| {
+        let last = self.layers.len();
+        let is_bond = |(i, (_, y)): (usize, (f64, f64))| {
             let contact = contacts.iter().any(|contact| (contact - y).abs() < 1e-6);
-            (!contact || rigid && i + 1 == last).then_some(y)
+            (!contact || rigid && i == last).then_some(y)
         };
-        bonds.into_iter().enumerate().filter_map(is_bond).collect()
-    }
-
-    fn layers_in_order(&self) -> Vec<&Placed> {
-        let free = self.stack.laminates().iter().flat_map(|laminate| laminate.layers());
-        free.chain(self.stack.base().layers()).collect()
+        self.depths.knots().enumerate().skip(1).filter_map(is_bond).collect()
     }
 
     /// Heights of the contacts in the drawing.
-    fn heights(&self) -> Vec<f64> {
-        let mut y = self.top;
+    fn heights(&self) -> impl Iterator<Item = f64> {
+        let heights: Vec<f64> = self.depths.knots().map(|(_, height)| height).collect();
+        let mut layers = 0;
         let below = self.stack.laminates().iter().map(|laminate| {
-            y += self.scale * laminate.thickness();
-            y
+            layers += laminate.layers().len();
+            layers
         });
-        let below: Vec<f64> = below.collect();
-        [self.top].into_iter().chain(below).collect()
+        let faces: Vec<usize> = [0].into_iter().chain(below).collect();
+        faces.into_iter().filter_map(move |face| heights.get(face).copied())
     }
 
     fn symbols(&self) -> Vec<(String, String)> {
@@ -230,64 +220,65 @@ impl Drawing<'_> {
         symbols(&interfaces)
     }
 
-    /// The pressures over x, below the contacts where they act.
-    fn pressures(&self, picture: &mut Picture, top: f64) {
-        let longest = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
-        let mut half = 0.5 * WIDTH / self.scale;
-        if longest > 0.0 && longest < SMALLEST * half {
-            half = longest / FILLED;
-        }
+    /// The pressures over x, below the contacts where they act: in parts of their largest, if these are very different.
+    fn pressures(&self, picture: &mut Picture) {
+        let (scene, count) = (self.scene, self.contacts.len());
+        let half = 0.5 * WIDTH / self.scale;
+        let curves: Vec<Vec<Vec<(f64, f64)>>> = self.contacts.iter().map(|contact| pressure(scene, contact)).collect();
         // an infinite pressure is drawn as far as its curve goes
-        let highest = self.contacts.iter().map(|contact| highest(&pressure(self.scene, contact))).fold(0.0, f64::max);
+        let peaks: Vec<f64> = curves.iter().map(|curves| highest(curves)).collect();
+        let pressed = || peaks.iter().copied().filter(|peak| *peak > 0.0);
+        let (least, most) = (pressed().fold(f64::INFINITY, f64::min), pressed().fold(0.0, f64::max));
+        let relative = most > DIFFERENT * least;
         // where nothing but line loads presses: their mean over the width that is drawn
-        let force: f64 = self.contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
-        let y = Scale::around([0.0, if highest > 0.0 { highest } else { force / (2.0 * half) }]).rounded();
-        let (left, right) = self.ends();
-        let lines = self.scene.punch.load().map_or(Vec::new(), Load::parts);
-        let lines = lines.into_iter().filter(|(_, _, load)| load.half_width() == 0.0).flat_map(|(at, _, _)| [at, -at]);
-        let stroke = |i: usize| Stroke { width: BOLD, ..curve(i, self.contacts.len()) };
-        let lines =
-            lines.map(|x| Curve { points: vec![(x, 0.0), (x, y.ends().1)], stroke: stroke(0), label: String::new() });
-        let curves = self.contacts.iter().zip(self.symbols()).enumerate().map(|(i, (contact, (_, symbol)))| Curve {
-            points: pressure(self.scene, contact),
-            stroke: stroke(i),
-            label: match contact.central_pressure.is_finite() {
-                true => format!("{symbol}(0) = {}", short(contact.central_pressure)),
-                false => format!("{symbol}(0) = ∞"),
-            },
+        let force = self.contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
+        let height = if most > 0.0 { most } else { force / (2.0 * half) };
+        let y = Scale::around([0.0, if relative { 1.0 } else { height }]).rounded();
+        let unit_of = |i: usize| if relative && peaks[i] > 0.0 { peaks[i] } else { 1.0 };
+        let lines = lines(scene).into_iter().map(|x| vec![(x, 0.0), (x, y.ends().1)]);
+        let names = self.contacts.iter().zip(self.symbols()).map(|(contact, (_, symbol))| {
+            let name = format!("{symbol}, {}", names::of_contact(scene, contact.interface));
+            [name].into_iter().chain(names::largest(scene, contact)).collect::<Vec<_>>().join("\n")
         });
+        let drawn = curves.iter().enumerate().zip(names).flat_map(|((i, parts), name)| {
+            let scaled = |(x, p): &(f64, f64)| (*x, p / unit_of(i));
+            let label = if hidden(i, count, LISTED) { String::new() } else { name };
+            // intervals are curves of their own
+            let points =
+                parts.iter().map(|part| part.iter().map(scaled).chain([(f64::NAN, f64::NAN)]).collect::<Vec<_>>());
+            [Curve { points: points.flatten().collect(), stroke: curve(i, count), label }]
+        });
+        let lines = lines.map(|points| Curve { points, stroke: curve(0, count), label: String::new() });
+        let top = self.bottom() + PRESSURES[1];
         let chart = Chart {
-            frame: Frame { left, top, right, bottom: top + PRESSURES },
+            frame: Frame { left: 0.0, top, right: WIDTH, bottom: top + PRESSURES[0] },
             x: Scale::around([-half, half]),
             y: y.clone(),
             x_label: italic("x"),
-            x_unit: unit(self.scene, Dimension::Length),
-            y_label: "contact pressure".into(),
-            y_unit: unit(self.scene, Dimension::Stress),
-            curves: curves.chain(lines).collect(),
+            x_unit: unit(scene, Dimension::Length),
+            y_label: if relative { "pressure / its largest" } else { "contact pressure" }.into(),
+            y_unit: unit(scene, Dimension::Stress).filter(|_| !relative),
+            curves: drawn.chain(lines).collect(),
             labels: Labels::Listed,
         };
         chart.draw(picture);
     }
 }
 
-/// Four digits.
-fn short(value: f64) -> String {
-    label(format!("{value:.3e}").parse().unwrap_or(value))
-}
-
 /// How stiff the layers are compared with each other.
 struct Stiffness<'a> {
     scene: &'a Scene,
+    /// What is shown of a half-plane.
+    shown: f64,
     softest: f64,
     stiffest: f64,
 }
 
 impl<'a> Stiffness<'a> {
-    fn of(scene: &'a Scene, stack: &Stack, layers: &[&Placed]) -> Self {
-        let mut found = Self { scene, softest: f64::INFINITY, stiffest: 0.0 };
+    fn of(scene: &'a Scene, stack: &Stack, layers: &[&Placed], shown: f64) -> Self {
+        let mut found = Self { scene, shown, softest: f64::INFINITY, stiffest: 0.0 };
         for placed in layers.iter().copied().chain(stack.base().foundation().half_plane()) {
-            let thickness = placed.layer.thickness().unwrap_or(0.0);
+            let thickness = placed.layer.thickness().unwrap_or(shown);
             for depth in [0.0, 0.5 * thickness, thickness] {
                 let modulus = found.modulus(placed, depth);
                 found.softest = found.softest.min(modulus);
@@ -302,7 +293,7 @@ impl<'a> Stiffness<'a> {
     }
 
     fn varies(&self, placed: &Placed) -> bool {
-        let thickness = placed.layer.thickness().unwrap_or(0.0);
+        let thickness = placed.layer.thickness().unwrap_or(self.shown);
         (self.modulus(placed, thickness) / self.modulus(placed, 0.0) - 1.0).abs() > 1e-6
     }
 

@@ -37,16 +37,32 @@ struct Point {
     von_mises: f64,
     u: f64,
     v: f64,
+    slope: f64,
 }
 
-const HEADER: &str = "x,depth,layer,sigma_xx,sigma_yy,sigma_xy,sigma_zz,sigma_1,sigma_2,max_shear,von_mises,u,v";
+const HEADER: &str = "x,depth,layer,sigma_xx,sigma_yy,sigma_xy,sigma_zz,sigma_1,sigma_2,max_shear,von_mises,u,v,slope";
 
 impl From<&FieldPoint> for Point {
     fn from(point: &FieldPoint) -> Self {
         let [sigma_1, sigma_2] = point.principal();
-        let FieldPoint { x, depth, layer, u, v, sigma_xx, sigma_yy, sigma_xy, sigma_zz } = *point;
+        let FieldPoint { x, depth, layer, u, v, slope, sigma_xx, sigma_yy, sigma_xy, sigma_zz } = *point;
         let (max_shear, von_mises) = (point.max_shear(), point.von_mises());
-        Self { x, depth, layer, sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_1, sigma_2, max_shear, von_mises, u, v }
+        Self {
+            x,
+            depth,
+            layer,
+            sigma_xx,
+            sigma_yy,
+            sigma_xy,
+            sigma_zz,
+            sigma_1,
+            sigma_2,
+            max_shear,
+            von_mises,
+            u,
+            v,
+            slope,
+        }
     }
 }
 
@@ -76,9 +92,9 @@ pub fn write_field(points: &[FieldPoint], format: FieldFormat, out: &mut dyn io:
             writeln!(out, "{HEADER}")?;
             for point in points.iter().map(Point::from) {
                 let Point { x, depth, layer, sigma_xx, sigma_yy, sigma_xy, sigma_zz, .. } = point;
-                let Point { sigma_1, sigma_2, max_shear, von_mises, u, v, .. } = point;
+                let Point { sigma_1, sigma_2, max_shear, von_mises, u, v, slope, .. } = point;
                 let stresses = [sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_1, sigma_2, max_shear, von_mises];
-                let numbers = stresses.into_iter().chain([u, v]).map(number).collect::<Vec<_>>().join(",");
+                let numbers = stresses.into_iter().chain([u, v, slope]).map(number).collect::<Vec<_>>().join(",");
                 writeln!(out, "{x:?},{depth:?},{layer},{numbers}")?;
             }
             Ok(())

@@ -3,6 +3,7 @@ mod csv;
 mod digits;
 mod field;
 mod json;
+mod profile;
 mod stats;
 mod sweep;
 mod table;
@@ -16,6 +17,7 @@ use crate::field::MaxShear;
 use crate::scene::Scene;
 use crate::solution::{Contact, Interface, Solution};
 
+pub use profile::write_profile;
 pub use sweep::SweepCsv;
 
 /// How a report is written.

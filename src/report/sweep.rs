@@ -5,12 +5,15 @@ use crate::approach::Approach;
 use crate::errors::Error;
 use crate::scene::Force;
 use crate::solution::{Contact, Interface};
-use crate::sweep::{Row, Sweep};
+use crate::sweep::{Row, Sweep, SweepPoint};
 
 /// Additional columns where the force is an unknown.
 const FOUND: [&str; 2] = ["force", "force_error"];
 /// Additional columns with the approach.
 const APPROACH: [&str; 4] = ["approach", "approach_error", "stiffness", "stiffness_error"];
+
+/// Status of a row with a solution.
+const SOLVED: &str = "solved";
 
 /// Lines of comma-separated values for the rows of a sweep, the same columns for all.
 ///
@@ -68,7 +71,7 @@ impl<'a> SweepCsv<'a> {
             Ok(solution) => {
                 let warnings = solution.warnings();
                 let messages = warnings.iter().map(|warning| &warning.message[..]);
-                ("solved", joined(warnings.iter().map(|warning| warning.code.as_str()), " "), joined(messages, "; "))
+                (SOLVED, joined(warnings.iter().map(|warning| warning.code.as_str()), " "), joined(messages, "; "))
             }
             Err(error) => (status(error), String::new(), error.to_string()),
         };
@@ -108,6 +111,12 @@ impl<'a> SweepCsv<'a> {
         self.found().iter().chain(self.approach()).copied()
     }
 
+    /// A row for a picture.
+    pub fn point(&self, row: &Row) -> SweepPoint {
+        let warned = row.result.as_ref().is_ok_and(|solution| !solution.warnings().is_empty());
+        SweepPoint { numbers: self.numbers(row), solved: row.result.is_ok(), warned }
+    }
+
     /// The columns of a force that is found.
     fn found(&self) -> &'static [&'static str] {
         if !matches!(self.sweep.scene().force, Force::Given(_)) { &FOUND } else { &[] }
@@ -118,11 +127,14 @@ impl<'a> SweepCsv<'a> {
         if self.sweep.has_approach() { &APPROACH } else { &[] }
     }
 
-    /// The numbers of a row from its line.
-    pub fn numbers_of(&self, line: &str) -> Vec<f64> {
+    /// A row for a picture, from its line.
+    pub fn point_of(&self, line: &str) -> SweepPoint {
         let of_contacts = Contact::COLUMNS.len() * self.sweep.interfaces().len();
         let numbers = self.sweep.axes().len() + of_contacts + self.of_all().count();
-        line.split(',').take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect()
+        let mut fields = line.split(',');
+        let numbers = fields.by_ref().take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect();
+        let solved = fields.next() == Some(SOLVED);
+        SweepPoint { numbers, solved, warned: solved && fields.next().is_some_and(|warnings| !warnings.is_empty()) }
     }
 }
 
@@ -132,7 +144,7 @@ fn column(path: &str) -> String {
 }
 
 /// How the columns of a contact begin.
-fn owner(interface: &Interface) -> String {
+pub(super) fn owner(interface: &Interface) -> String {
     match interface {
         Interface::Punch => "punch".to_owned(),
         Interface::Between { above, below } => format!("contact_{above}_{below}"),

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 use crate::approach::{Approach, ApproachError};
 use crate::field::{Field, FieldError, FieldPoint, FieldQuantity};
 use crate::model::Model;
-use crate::report::{FieldFormat, Format, Report, write_field};
+use crate::profile::profile_places;
+use crate::report::{FieldFormat, Format, Report, write_field, write_profile};
 use crate::scene::Scene;
 use crate::solution::Solution;
 
@@ -16,6 +17,8 @@ const DOWN: [f64; 6] = [0.0, 0.07, 0.2, 0.45, 0.8, 1.0];
 const DEPTH: f64 = 1.6;
 /// No stress of the grid is larger than the largest by more than this part: the search for it ends with four digits.
 const LARGER: f64 = 1e-3;
+/// No gap is negative by more than this part of the largest.
+const PENETRATION: f64 = 1e-2;
 /// The stress on the loaded face is the pressure to this part of the mean pressure.
 const PRESSED: f64 = 1e-5;
 
@@ -26,6 +29,7 @@ pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: b
         let approach = model.approach(&scene.punch, solution);
         reports(scene, solution, &approach, &field)?;
         fields(solution, &field)?;
+        profile(scene, model, solution)?;
         if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
     };
     all().err()
@@ -75,6 +79,26 @@ fn reports(
         Some(found) => nowhere_larger(solution, field, found.value),
         None => Ok(()),
     }
+}
+
+/// The profile along x: gaps are open.
+fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), String> {
+    let places = profile_places(solution, None, 40);
+    let profile = match model.profile(&scene.punch, solution, &places) {
+        // next to a contact that is much shorter than another there are too many short waves
+        Err(FieldError::TooFar { .. }) => return Ok(()),
+        profile => profile.map_err(|e| context("profile")(&e))?,
+    };
+    // what is left out of an answer, and a warning tells of, may penetrate
+    let is_whole = solution.warnings().iter().all(|warning| warning.code.is_about_theory());
+    for contact in profile.contacts.iter().filter(|_| is_whole) {
+        let gaps = contact.gap.iter().flatten().copied();
+        let largest = gaps.clone().filter(|gap| gap.is_finite()).fold(0.0, f64::max);
+        if let Some(gap) = gaps.filter(|gap| gap.is_nan() || *gap < -PENETRATION * largest).reduce(f64::min) {
+            return Err(format!("profile: the gap at {} is {gap}, the largest {largest}", contact.interface));
+        }
+    }
+    write_profile(&profile, &mut Vec::new()).map_err(|e| context("profile")(&e))
 }
 
 /// The grid: places along x and depths.
@@ -162,8 +186,8 @@ fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) ->
     let map = crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear);
     let map = map.map_err(|e| context("map")(&e))?;
     for (name, picture) in [("stack", stack), ("map", map)] {
-        if !picture.is_finite() {
-            return Err(format!("the picture of the {name} has a number that is none"));
+        if let Some(fault) = picture.faults().first() {
+            return Err(format!("the picture of the {name}: {fault}"));
         }
         picture.png().map_err(|e| context("PNG")(&e))?;
     }

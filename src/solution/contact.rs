@@ -86,6 +86,12 @@ impl Contact {
         self.parts.first().copied().unwrap_or_default()
     }
 
+    /// A place x ≥ 0 at which the bodies touch: 0 unless they are apart there.
+    pub(crate) fn inside(&self) -> f64 {
+        let innermost = self.innermost();
+        if innermost.from == 0.0 { 0.0 } else { 0.5 * (innermost.from + innermost.to) }
+    }
+
     /// As far as the bodies touch: the half-length, or the end of the last interval.
     pub fn reach(&self) -> f64 {
         self.parts.last().map_or(0.0, |part| part.to)

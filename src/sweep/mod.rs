@@ -83,6 +83,17 @@ pub struct Row {
     pub approach: Option<Result<Approach, ApproachError>>,
 }
 
+/// One row of a sweep as numbers, for a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepPoint {
+    /// The columns of the table that are numbers; NaN for what a row does not have.
+    pub numbers: Vec<f64>,
+    /// Whether there is a solution.
+    pub solved: bool,
+    /// Whether there is a warning on the solution.
+    pub warned: bool,
+}
+
 impl Sweep {
     /// A sweep of a scene read from a text, to ten digits.
     ///

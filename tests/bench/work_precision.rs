@@ -22,7 +22,7 @@ mod timing;
 use cases::{Case, values};
 use diagram::{Curve, Point};
 use literal::{Collocation, Problem, Settings, Transforms, vectorised};
-use recede::{Method, Model, Options};
+use recede::{Method, Model, Options, plot};
 use timing::{seconds, time};
 
 /// Rounding, times what the equations of the literal method amplify it by: below the lower cut-off k_1 to k_4 would diverge,
@@ -45,7 +45,7 @@ fn main() {
     if remake {
         let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
         let panels: Vec<(&str, &[Curve])> = measured.iter().map(|(case, curves)| (case.title, &curves[..])).collect();
-        std::fs::write(docs.join("work_precision.svg"), diagram::svg(&panels)).expect("docs can be written");
+        plot::save(&docs.join("work_precision.svg"), &diagram::picture(&panels)).expect("docs can be written");
         let path = docs.join("benchmark.md");
         let document = std::fs::read_to_string(&path).expect("docs/benchmark.md");
         std::fs::write(&path, between_marks(&document, &text)).expect("docs can be written");

@@ -43,7 +43,7 @@ pub fn draw(path: &Path, diagrams: &[Diagram], columns: usize) -> Result<(), Plo
         picture.text((middle, frame.top - 12.0), &diagram.title, style::TEXT, style::INK, Anchor::Centre);
         diagram.chart(frame).draw(&mut picture);
     }
-    plot::save(path, &picture)
+    plot::save(path, &picture.fitted())
 }
 
 impl Diagram {

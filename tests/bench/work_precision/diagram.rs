@@ -1,5 +1,5 @@
-//! The work-precision diagram as SVG: one panel per scene, time upwards, error to the left.
-use std::fmt::Write as _;
+//! The work-precision diagram: one panel per scene, time upwards, error to the left.
+use recede::plot::{Anchor, Chart, Colour, Curve as Line, Frame, Labels, Picture, Scale, Stroke, style};
 
 /// One method on one scene.
 pub struct Curve {
@@ -16,79 +16,67 @@ pub struct Point {
     pub error: f64,
 }
 
-const COLOURS: [&str; 4] = ["#b2182b", "#762a83", "#e08214", "#2166ac"];
+const COLOURS: [Colour; 4] = [
+    Colour { r: 178, g: 24, b: 43 },
+    Colour { r: 118, g: 42, b: 131 },
+    Colour { r: 224, g: 130, b: 20 },
+    Colour { r: 33, g: 102, b: 172 },
+];
 const COLUMNS: usize = 3;
-const PANEL: [f64; 2] = [300.0, 230.0];
-const MARGIN: [f64; 2] = [58.0, 44.0];
-/// Decades shown: of the error, and of the time in seconds.
-const ERRORS: [i32; 2] = [-13, 0];
-const TIMES: [i32; 2] = [-4, 2];
+/// Distance of the panels, and their size, in points.
+const PANEL: [f64; 2] = [305.0, 235.0];
+const SIZE: [f64; 2] = [228.0, 160.0];
+/// Range of the error, and of the time in seconds.
+const ERRORS: [f64; 2] = [1e-13, 1.0];
+const TIMES: [f64; 2] = [1e-4, 1e2];
 
 /// The diagram of all scenes.
-pub fn svg(panels: &[(&str, &[Curve])]) -> String {
-    let rows = panels.len().div_ceil(COLUMNS);
-    let (width, height) = (COLUMNS as f64 * PANEL[0], rows as f64 * PANEL[1] + 30.0);
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" \
-         font-size=\"11\" fill=\"#222\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n"
-    );
+pub fn picture(panels: &[(&str, &[Curve])]) -> Picture {
+    let mut picture = Picture::new(PANEL[0], PANEL[1]);
     for (k, (title, curves)) in panels.iter().enumerate() {
-        let corner = [(k % COLUMNS) as f64 * PANEL[0], (k / COLUMNS) as f64 * PANEL[1]];
-        panel(&mut out, corner, title, curves);
+        panel(&mut picture, [(k % COLUMNS) as f64 * PANEL[0], (k / COLUMNS) as f64 * PANEL[1]], title, curves);
     }
     if let Some((_, curves)) = panels.first() {
+        let y = panels.len().div_ceil(COLUMNS) as f64 * PANEL[1] - 10.0;
         for (k, curve) in curves.iter().enumerate() {
-            let (x, y) = (MARGIN[0] + 200.0 * k as f64, height - 12.0);
-            let colour = COLOURS[k % COLOURS.len()];
-            put(&mut out, format!("<circle cx=\"{x}\" cy=\"{}\" r=\"4\" fill=\"{colour}\"/>", y - 4.0));
-            put(&mut out, format!("<text x=\"{}\" y=\"{y}\">{}</text>", x + 10.0, curve.name));
+            let x = 210.0 * k as f64;
+            dot(&mut picture, (x, y), COLOURS[k % COLOURS.len()]);
+            picture.text((x + 10.0, y), curve.name, style::TEXT, style::INK, Anchor::Left);
         }
     }
-    out + "</svg>\n"
+    picture.fitted()
 }
 
-fn panel(out: &mut String, corner: [f64; 2], title: &str, curves: &[Curve]) {
-    let inner = [PANEL[0] - MARGIN[0] - 14.0, PANEL[1] - MARGIN[1] - 26.0];
-    let x = |error: f64| {
-        let part = (error.max(1e-20).log10() - f64::from(ERRORS[0])) / f64::from(ERRORS[1] - ERRORS[0]);
-        corner[0] + MARGIN[0] + inner[0] * part.clamp(0.0, 1.0)
+fn panel(picture: &mut Picture, [left, top]: [f64; 2], title: &str, curves: &[Curve]) {
+    let shown = |value: f64, [low, high]: [f64; 2]| value.clamp(low, high);
+    let points = |curve: &Curve| -> Vec<(f64, f64)> {
+        curve.points.iter().map(|point| (shown(point.error, ERRORS), shown(point.seconds, TIMES))).collect()
     };
-    let y = |seconds: f64| {
-        let part = (seconds.log10() - f64::from(TIMES[0])) / f64::from(TIMES[1] - TIMES[0]);
-        corner[1] + 26.0 + inner[1] * (1.0 - part.clamp(0.0, 1.0))
+    let lines = curves.iter().zip(COLOURS.iter().cycle()).map(|(curve, colour)| Line {
+        points: points(curve),
+        stroke: Stroke { colour: *colour, width: 1.0, dash: None },
+        label: String::new(),
+    });
+    let chart = Chart {
+        frame: Frame { left, top, right: left + SIZE[0], bottom: top + SIZE[1] },
+        x: Scale::around(ERRORS).logarithmic(),
+        y: Scale::around(TIMES).logarithmic(),
+        x_label: "relative error".into(),
+        x_unit: None,
+        y_label: "time".into(),
+        y_unit: Some("s".into()),
+        curves: lines.collect(),
+        labels: Labels::AtEnds,
     };
-    let (left, right) = (x(10f64.powi(ERRORS[0])), x(10f64.powi(ERRORS[1])));
-    let (bottom, top) = (y(10f64.powi(TIMES[0])), y(10f64.powi(TIMES[1])));
-    put(out, format!("<text x=\"{left}\" y=\"{}\" font-weight=\"bold\">{title}</text>", top - 8.0));
-    for decade in (ERRORS[0] + 1..=ERRORS[1]).step_by(3) {
-        let at = x(10f64.powi(decade));
-        put(out, format!("<path d=\"M{at:.1} {bottom:.1}V{top:.1}\" stroke=\"#ddd\"/>"));
-        put(out, format!("<text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">1e{decade}</text>", bottom + 14.0));
+    chart.draw(picture);
+    for (curve, colour) in curves.iter().zip(COLOURS.iter().cycle()) {
+        points(curve).into_iter().for_each(|point| dot(picture, chart.place(point), *colour));
     }
-    for decade in (TIMES[0]..=TIMES[1]).step_by(2) {
-        let at = y(10f64.powi(decade));
-        put(out, format!("<path d=\"M{left:.1} {at:.1}H{right:.1}\" stroke=\"#ddd\"/>"));
-        put(
-            out,
-            format!("<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">1e{decade} s</text>", left - 5.0, at + 4.0),
-        );
-    }
-    let middle = 0.5 * (left + right);
-    put(
-        out,
-        format!("<text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">relative error</text>", bottom + 28.0),
-    );
-    for (k, curve) in curves.iter().enumerate() {
-        let colour = COLOURS[k % COLOURS.len()];
-        let places: Vec<[f64; 2]> = curve.points.iter().map(|point| [x(point.error), y(point.seconds)]).collect();
-        let line: Vec<String> = places.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
-        put(out, format!("<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\"/>", line.join(" ")));
-        for [x, y] in places {
-            put(out, format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"{colour}\"/>"));
-        }
-    }
+    picture.text((left, top - 12.0), title, style::TEXT, style::INK, Anchor::Left);
 }
 
-fn put(out: &mut String, line: String) {
-    writeln!(out, "{line}").expect("a string takes all");
+fn dot(picture: &mut Picture, (x, y): (f64, f64), colour: Colour) {
+    let corner = |k: i32| std::f64::consts::TAU * f64::from(k) / 16.0;
+    picture
+        .area(&(0..16).map(corner).map(|phi| (x + 3.0 * phi.cos(), y + 3.0 * phi.sin())).collect::<Vec<_>>(), colour);
 }

@@ -1,0 +1,61 @@
+//! `recede profile`: pressures, gaps, displacements and slopes along the faces.
+use std::io::Write;
+use std::path::PathBuf;
+
+use recede::report::write_profile;
+use recede::{Model, Options, files, profile_places};
+
+use super::{Failure, SceneFile, tell};
+
+/// Pressures and gaps of all contacts, displacements and slopes of all faces, along x
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede profile scene.ron --out profile.csv
+  recede profile scene.ron --to 5 --points 1000 --out profile.csv
+
+Columns: x; punch_pressure and punch_gap, contact_1_2_pressure and contact_1_2_gap, ...; layer_1_top_u, layer_1_top_v and
+layer_1_top_slope, layer_1_bottom_u, ... Places are dense next to the ends of the contacts.
+
+Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
+pub struct Profile {
+    #[command(flatten)]
+    file: SceneFile,
+    /// File to write, as comma-separated values; without it, they go to standard output
+    #[arg(long, value_name = "FILE.csv")]
+    out: Option<PathBuf>,
+    /// How many places along x, about
+    #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(10..=100_000))]
+    points: u32,
+    /// How far to go on both sides [default: twice as far as the bodies touch]
+    #[arg(long, value_name = "X", value_parser = length, allow_hyphen_values = true)]
+    to: Option<f64>,
+    /// Relative error to aim at in the contacts, from 1e-13 to 1e-2
+    #[arg(long, default_value = "1e-10")]
+    tolerance: f64,
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    let legal = text.parse().ok().filter(|length: &f64| length.is_finite() && *length > 0.0);
+    legal.ok_or_else(|| format!("found `{text}`, allowed is a length > 0"))
+}
+
+impl Profile {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let scene = self.file.read()?;
+        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
+        let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
+        for warning in solution.warnings() {
+            tell(&format!("warning: {warning}\n"));
+        }
+        let places = profile_places(&solution, self.to, self.points as usize);
+        let profile = model.profile(&scene.punch, &solution, &places)?;
+        match &self.out {
+            Some(path) => {
+                files::replace(path, |out| write_profile(&profile, out)).map_err(|cause| Failure::file(path, cause))
+            }
+            None => Ok(write_profile(&profile, out)?),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The faces of the layers, and of an elastic punch, along x.
+use recede_layers::Isotropic;
+
+use super::error::FieldError;
+use super::point::FieldPoint;
+use super::potentials::At;
+use super::sum::Row;
+use super::surface::Surface;
+use super::{Field, PlacedLayer};
+
+/// A face of a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The upper one.
+    Top,
+    /// The lower one, which a half-plane does not have.
+    Bottom,
+}
+
+impl Field {
+    /// The faces of all layers from the top down, each with its layer's number, at these places.
+    pub(crate) fn faces(&self, xs: &[f64]) -> Result<Vec<(usize, Side, Vec<FieldPoint>)>, FieldError> {
+        let sides = |(layer, placed): (usize, &PlacedLayer)| {
+            let top = (layer, placed.number, Side::Top, 0.0);
+            let bottom = placed.thickness.map(|depth| (layer, placed.number, Side::Bottom, depth));
+            [Some(top), bottom].into_iter().flatten()
+        };
+        let faces: Vec<(usize, usize, Side, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
+        let rows: Vec<Row> =
+            faces.iter().map(|(layer, _, _, depth)| Row { layer: *layer, depth: *depth, set: 0 }).collect();
+        let points = self.in_rows(xs, &rows)?;
+        let lines = faces.iter().zip(points.chunks(xs.len().max(1)));
+        Ok(lines.map(|((_, number, side, _), points)| (*number, *side, points.to_vec())).collect())
+    }
+
+    /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure of a contact: it is
+    /// flattened like a half-plane.
+    pub(crate) fn flattening(&self, contact: usize, material: &Isotropic, xs: &[f64]) -> Vec<f64> {
+        let (pressure, material) = (&self.pressures[contact], material.material(self.plane));
+        let Some(mut surface) = Surface::new(&|_| material, pressure.half_length, self.modulus) else {
+            return vec![0.0; xs.len()];
+        };
+        surface.shift = f64::INFINITY;
+        xs.iter().map(|x| -surface.closed(pressure, &At { x: x.abs(), depth: 0.0, slope: false })[4]).collect()
+    }
+}

@@ -1,0 +1,180 @@
+//! A quantity over a plane in bands of colour, and the scale that says which colour is which value.
+use super::chart::Frame;
+use super::contour::rings;
+use super::letters::width;
+use super::picture::{Anchor, Colour, Picture};
+use super::scale::Scale;
+use super::style::{INK, SMALL, TEXT, hair, heat, signed};
+
+/// Fewest bands of colour.
+const BANDS: usize = 10;
+/// Width of the scale of colours, in points.
+pub(super) const BAR: f64 = 12.0;
+/// Parts of a cell of the grid that lie on its border.
+const BORDER: f64 = 1e-6;
+/// Values below this part of the largest are zero.
+const ZERO: f64 = 1e-9;
+
+/// Bands of a quantity and their colours.
+pub(super) struct Bands {
+    pub(super) scale: Scale,
+    /// Where bands meet.
+    edges: Vec<f64>,
+    /// Whether colours tell the sign.
+    signed: bool,
+}
+
+/// A quantity on a grid: values row by row.
+pub(super) struct Values<'a> {
+    pub(super) xs: &'a [f64],
+    pub(super) ys: &'a [f64],
+    pub(super) values: &'a [f64],
+}
+
+impl Bands {
+    /// For values between the ends of a scale; a signed quantity has colours on both sides of a neutral zero.
+    pub(super) fn new(scale: Scale, signed: bool) -> Self {
+        let scale = if signed { scale.with(0.0) } else { scale }.rounded();
+        let (low, high) = scale.ends();
+        let ticks: Vec<f64> = scale.ticks().iter().map(|tick| tick.value).collect();
+        let step = ticks.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(high - low);
+        let parts = (1..5).find(|parts| parts * (ticks.len().max(2) - 1) >= BANDS).unwrap_or(4);
+        let width = step / parts as f64;
+        let count = ((high - low) / width).round() as usize;
+        let largest = low.abs().max(high.abs());
+        let edge = |i: usize| Some(low + i as f64 * width).filter(|edge| edge.abs() > ZERO * largest).unwrap_or(0.0);
+        Self { edges: (1..count).map(edge).collect(), scale, signed }
+    }
+
+    /// The colour of a band; 0 is the lowest.
+    fn colour(&self, index: usize) -> Colour {
+        if !self.signed {
+            return heat(index as f64 / self.edges.len().max(1) as f64);
+        }
+        let (low, high) = self.scale.ends();
+        let from = index.checked_sub(1).map_or(low, |below| self.edges[below]);
+        let to = self.edges.get(index).copied().unwrap_or(high);
+        signed(0.5 * (from + to) / low.abs().max(high.abs()))
+    }
+
+    /// From the lowest band up, each over all that is higher: so no seams remain. Nothing where the value is not a number. Of a
+    /// signed quantity there is a line where it is zero.
+    pub(super) fn draw(&self, picture: &mut Picture, grid: &Values, place: impl Fn((f64, f64)) -> (f64, f64)) {
+        let Values { xs, ys, values } = grid;
+        let (low, high) = self.scale.ends();
+        let smallest = ZERO * low.abs().max(high.abs());
+        let rounded = |value: &f64| if value.abs() < smallest { 0.0 } else { value.clamp(low, high) };
+        let clamped: Vec<f64> = values.iter().map(rounded).collect();
+        let within = |(x, y): (f64, f64)| place((between(xs, x), between(ys, y)));
+        let edges = [f64::NEG_INFINITY].into_iter().chain(self.edges.iter().copied());
+        for (index, edge) in edges.enumerate() {
+            let rings = rings(&clamped, xs.len(), edge).into_iter();
+            let rings: Vec<Vec<_>> = rings.map(|ring| ring.into_iter().map(within).collect()).collect();
+            if !rings.is_empty() {
+                picture.rings(rings, self.colour(index));
+            }
+        }
+        if self.signed && low < 0.0 && high > 0.0 {
+            let last = [xs.len() - 1, ys.len() - 1].map(|last| last as f64);
+            for ring in rings(&clamped, xs.len(), 0.0) {
+                for line in inside(&ring, last) {
+                    picture.line(&line.into_iter().map(within).collect::<Vec<_>>(), hair(INK));
+                }
+            }
+        }
+    }
+
+    /// The scale of colours, from the left upper corner down; and how far it reaches to the right.
+    pub(super) fn bar(&self, picture: &mut Picture, (left, top): (f64, f64), bottom: f64, title: &str) -> f64 {
+        let frame = Frame { left, top, right: left + BAR, bottom };
+        let height = |value: f64| bottom - self.scale.share(value) * (bottom - top);
+        for index in 0..=self.edges.len() {
+            let from = if index == 0 { bottom } else { height(self.edges[index - 1]) };
+            picture.rectangle((left, from), (frame.right, top), self.colour(index));
+        }
+        let corners = [(left, top), (frame.right, top), (frame.right, bottom), (left, bottom), (left, top)];
+        picture.line(&corners, hair(INK));
+        let mut widest: f64 = 0.0;
+        for tick in self.scale.ticks() {
+            let y = height(tick.value);
+            picture.line(&[(frame.right, y), (frame.right + 3.0, y)], hair(INK));
+            picture.text((frame.right + 6.0, y), &tick.label, SMALL, INK, Anchor::Left);
+            widest = widest.max(width(&tick.label, SMALL));
+        }
+        let beside = frame.right + 12.0 + widest + 0.5 * TEXT;
+        picture.text((beside, 0.5 * (top + bottom)), title, TEXT, INK, Anchor::Upwards);
+        beside + 0.5 * TEXT
+    }
+}
+
+/// The pieces of a ring that do not run along the border of the grid, whose last column and row are these.
+fn inside(ring: &[(f64, f64)], [right, bottom]: [f64; 2]) -> Vec<Vec<(f64, f64)>> {
+    let on = |a: f64, b: f64, border: f64| (a - border).abs() < BORDER && (b - border).abs() < BORDER;
+    let along = |a: (f64, f64), b: (f64, f64)| {
+        on(a.0, b.0, 0.0) || on(a.0, b.0, right) || on(a.1, b.1, 0.0) || on(a.1, b.1, bottom)
+    };
+    let mut lines: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
+    for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+        match lines.last_mut() {
+            Some(line) if !along(*from, *to) => {
+                if line.is_empty() {
+                    line.push(*from);
+                }
+                line.push(*to);
+            }
+            Some(line) if !line.is_empty() => lines.push(Vec::new()),
+            _ => {}
+        }
+    }
+    lines.retain(|line| !line.is_empty());
+    lines
+}
+
+/// The value at a place between those of a list.
+fn between(list: &[f64], at: f64) -> f64 {
+    let last = list.len() - 1;
+    let at = at.clamp(0.0, last as f64);
+    let below = (at as usize).min(last.saturating_sub(1));
+    let share = at - below as f64;
+    list[below] + share * (list[(below + 1).min(last)] - list[below])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::style::NEUTRAL;
+
+    #[test]
+    fn zero_is_neutral_and_signs_have_colours_of_their_own() {
+        let bands = Bands::new(Scale::around([-1.0, 3.0]), true);
+        assert!(bands.edges.contains(&0.0));
+        let zero = bands.edges.iter().position(|edge| *edge == 0.0).unwrap();
+        let (below, above) = (bands.colour(zero), bands.colour(zero + 1));
+        assert!(below.b > below.r && above.r > above.b, "{below:?} {above:?}");
+        assert_eq!(signed(0.0), NEUTRAL);
+        let grey = NEUTRAL.r.max(NEUTRAL.g).max(NEUTRAL.b) - NEUTRAL.r.min(NEUTRAL.g).min(NEUTRAL.b);
+        assert!(grey < 8, "{NEUTRAL:?}");
+        // equal values of both signs are equally dark
+        let light = |c: Colour| 0.3 * f64::from(c.r) + 0.6 * f64::from(c.g) + 0.1 * f64::from(c.b);
+        for share in [0.25, 0.5, 1.0] {
+            assert!((light(signed(share)) - light(signed(-share))).abs() < 40.0, "{share}");
+            assert!(light(signed(share)) < light(signed(0.8 * share)), "{share}");
+        }
+    }
+
+    #[test]
+    fn the_line_of_zero_leaves_the_border_out() {
+        let (xs, ys) = ([0.0, 1.0, 2.0], [0.0, 1.0]);
+        let values = [-1.0, 1.0, 1.0, -1.0, 1.0, 1.0];
+        let mut picture = Picture::new(2.0, 1.0);
+        Bands::new(Scale::around([-1.0, 1.0]), true).draw(
+            &mut picture,
+            &Values { xs: &xs, ys: &ys, values: &values },
+            |at| at,
+        );
+        let lines: Vec<_> =
+            picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect();
+        assert_eq!(lines.len(), 1);
+        assert!(lines[0].contains("d=\"M0.5 ") && !lines[0].contains(" 2 "), "{lines:?}");
+    }
+}

@@ -1,0 +1,171 @@
+//! The page of a picture: as large as what is drawn on it, with a title on request, and nothing over anything else.
+use super::chart::Frame;
+use super::letters::{REACH, shortened, width};
+use super::picture::{Anchor, Picture, Shape, plain};
+use super::style::{INK, TITLE};
+
+/// Room around all that is drawn, in points.
+const MARGIN: f64 = 10.0;
+/// Boxes that share less than this, in points, only touch each other.
+const TOUCHING: f64 = 0.5;
+/// Distance of a title from what is below it, in points.
+const BELOW_TITLE: f64 = 10.0;
+
+impl Frame {
+    /// The smallest that holds all these; `None` for none.
+    fn around(frames: impl IntoIterator<Item = Self>) -> Option<Self> {
+        frames.into_iter().reduce(|a, b| Self {
+            left: a.left.min(b.left),
+            top: a.top.min(b.top),
+            right: a.right.max(b.right),
+            bottom: a.bottom.max(b.bottom),
+        })
+    }
+
+    fn of_points<'a>(points: impl IntoIterator<Item = &'a (f64, f64)>, margin: f64) -> Option<Self> {
+        Self::around(points.into_iter().map(|(x, y)| Self {
+            left: x - margin,
+            top: y - margin,
+            right: x + margin,
+            bottom: y + margin,
+        }))
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        let shared = |from: f64, to: f64| to - from > TOUCHING;
+        shared(self.left.max(other.left), self.right.min(other.right))
+            && shared(self.top.max(other.top), self.bottom.min(other.bottom))
+    }
+}
+
+impl Shape {
+    /// What it covers; `None` if that is nothing.
+    fn frame(&self) -> Option<Frame> {
+        match self {
+            Self::Line { points, stroke } => Frame::of_points(points, 0.5 * stroke.width),
+            Self::Area { rings, .. } => Frame::of_points(rings.iter().flatten(), 0.0),
+            Self::Text { text, .. } if plain(text).trim().is_empty() => None,
+            Self::Text { at: (x, y), text, size, anchor, .. } => {
+                let long = width(text, *size);
+                let [above, below] = REACH.map(|reach| reach * size);
+                let left = match anchor {
+                    Anchor::Left => *x,
+                    Anchor::Right => x - long,
+                    Anchor::Centre => x - 0.5 * long,
+                    Anchor::Upwards => {
+                        let (top, bottom) = (y - 0.5 * long, y + 0.5 * long);
+                        return Some(Frame { left: x - above, top, right: x + below, bottom });
+                    }
+                };
+                Some(Frame { left, top: y - above, right: left + long, bottom: y + below })
+            }
+        }
+    }
+
+    fn shift(&mut self, (right, down): (f64, f64)) {
+        let shift = |(x, y): &mut (f64, f64)| (*x, *y) = (*x + right, *y + down);
+        match self {
+            Self::Line { points, .. } => points.iter_mut().for_each(shift),
+            Self::Area { rings, .. } => rings.iter_mut().flatten().for_each(shift),
+            Self::Text { at, .. } => shift(at),
+        }
+    }
+}
+
+impl Picture {
+    /// The page cut to what is drawn on it, with a margin.
+    pub fn fitted(mut self) -> Self {
+        if let Some(all) = Frame::around(self.shapes.iter().filter_map(Shape::frame)) {
+            let by = (MARGIN - all.left, MARGIN - all.top);
+            self.shapes.iter_mut().for_each(|shape| shape.shift(by));
+            self.size = (all.right + by.0 + MARGIN, all.bottom + by.1 + MARGIN);
+        }
+        self
+    }
+
+    /// The page with a title above all that is drawn on it, as much of it as fits in one line.
+    ///
+    /// ```
+    /// # use recede::plot::{Picture, style};
+    /// let mut picture = Picture::new(300.0, 100.0);
+    /// picture.line(&[(0.0, 50.0), (300.0, 50.0)], style::curve(0, 1));
+    /// let svg = picture.titled("Half-lengths of the paper").svg();
+    /// assert!(svg.contains("aria-label=\"Half-lengths of the paper\""));
+    /// ```
+    pub fn titled(mut self, title: &str) -> Self {
+        let title = plain(title).replace(char::is_control, " ");
+        if let Some(all) = Frame::around(self.shapes.iter().filter_map(Shape::frame)) {
+            let title = shortened(title.trim(), TITLE, all.right - all.left);
+            let y = all.top - BELOW_TITLE - 0.5 * TITLE;
+            self.text((0.5 * (all.left + all.right), y), &title, TITLE, INK, Anchor::Centre);
+        }
+        self.fitted()
+    }
+
+    /// The size of the page, width and height, in points.
+    pub fn size(&self) -> (f64, f64) {
+        self.size
+    }
+
+    /// All that is written on the page, and where.
+    pub fn labels(&self) -> Vec<(String, Frame)> {
+        let of = |shape: &Shape| match shape {
+            Shape::Text { text, .. } => Some((plain(text), shape.frame()?)),
+            Shape::Line { .. } | Shape::Area { .. } => None,
+        };
+        self.shapes.iter().filter_map(of).collect()
+    }
+
+    /// What is wrong with the page, in sentences: a number that is none, labels that leave the page or lie over each other or over an
+    /// area of colour. Empty for a picture that is fit to print.
+    pub fn faults(&self) -> Vec<String> {
+        if !self.is_finite() {
+            return vec!["a place is not finite".to_owned()];
+        }
+        let labels = self.labels();
+        let page = Frame { left: 0.0, top: 0.0, right: self.size.0, bottom: self.size.1 };
+        let is_area = |shape: &&Shape| matches!(shape, Shape::Area { .. });
+        let areas: Vec<Frame> = self.shapes.iter().filter(is_area).filter_map(Shape::frame).collect();
+        let mut faults = Vec::new();
+        for (i, (text, own)) in labels.iter().enumerate() {
+            if Frame::around([page, *own]) != Some(page) {
+                faults.push(format!("`{text}` leaves the page"));
+            }
+            let others = labels[..i].iter().filter(|(_, other)| other.overlaps(own));
+            faults.extend(others.map(|(other, _)| format!("`{text}` lies over `{other}`")));
+            if areas.iter().any(|area| area.overlaps(own)) {
+                faults.push(format!("`{text}` lies over an area"));
+            }
+        }
+        faults
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_holds_all_that_is_drawn() {
+        let mut picture = Picture::new(1.0, 1.0);
+        picture.text((-50.0, 7.0), "left", 9.0, INK, Anchor::Right);
+        picture.rectangle((0.0, 0.0), (20.0, 30.0), INK);
+        assert!(picture.faults()[0].contains("`left` leaves the page"));
+        let picture = picture.fitted();
+        assert_eq!(picture.faults(), Vec::<String>::new());
+        assert_eq!(picture.size().1, 30.0 + 2.0 * MARGIN);
+        let titled = picture.titled("a\ntitle");
+        assert!(titled.size().1 > 50.0 && titled.labels()[1].0 == "a title" && titled.faults().is_empty());
+    }
+
+    #[test]
+    fn labels_over_each_other_are_found() {
+        let mut picture = Picture::new(100.0, 100.0);
+        picture.text((50.0, 50.0), "one", 9.0, INK, Anchor::Centre);
+        picture.text((55.0, 52.0), "two", 9.0, INK, Anchor::Upwards);
+        picture.rectangle((50.0, 30.0), (53.0, 48.0), INK);
+        let faults = picture.faults();
+        assert!(faults.contains(&"`two` lies over `one`".to_owned()), "{faults:?}");
+        assert_eq!(faults.iter().filter(|fault| fault.ends_with("over an area")).count(), 2, "{faults:?}");
+    }
+}

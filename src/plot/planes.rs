@@ -1,0 +1,72 @@
+//! What the pictures of a sweep show, be they curves or maps.
+use super::names::{Dimension, of_contact, symbols, unit};
+use super::scale::Scale;
+use crate::solution::Contact;
+use crate::sweep::{Axis, Sweep, SweepPoint};
+
+/// Most contacts that have a column.
+pub(super) const CONTACTS: usize = 6;
+/// Values of equal ratio over at least such a range are drawn so.
+const WIDE: f64 = 8.0;
+
+/// What one plane of the picture shows.
+pub(super) struct Plane {
+    /// Which contact, and how far right and down the plane is.
+    pub(super) what: String,
+    pub(super) place: [usize; 2],
+    /// The column of the numbers.
+    pub(super) column: usize,
+    pub(super) label: String,
+    pub(super) unit: Option<String>,
+}
+
+/// What is drawn of each contact: how far it reaches, and its largest pressure, or that at x = 0 where the largest is infinite.
+pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
+    let scene = sweep.scene();
+    let interfaces = sweep.interfaces();
+    let symbols = symbols(interfaces);
+    let mut planes = Vec::new();
+    for (i, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate().take(CONTACTS) {
+        let column = |name: &str| {
+            let of_contact = Contact::COLUMNS.iter().position(|column| *column == name).unwrap_or(0);
+            sweep.axes().len() + Contact::COLUMNS.len() * i + of_contact
+        };
+        let known = |column: usize| points.iter().filter(move |point| number(point, column).is_finite());
+        let (half, right) = (column("half_length"), column("right"));
+        let whole = known(right).all(|point| number(point, half).is_finite());
+        let reach = if whole { format!("half-length {length}") } else { "outer end of the contact".to_owned() };
+        let (peak, centre) = (column("peak_pressure"), column("central_pressure"));
+        let finite = known(peak).next().is_some();
+        let (at, name) =
+            if finite { (peak, format!("largest {pressure}")) } else { (centre, format!("{pressure}(0)")) };
+        let quantities = [(right, reach, Dimension::Length), (at, name, Dimension::Stress)];
+        planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| Plane {
+            what: if line == 0 { of_contact(scene, *interface) } else { String::new() },
+            place: [i, line],
+            column,
+            label,
+            unit: unit(scene, dimension),
+        }));
+    }
+    planes
+}
+
+/// A number of a row; NaN where it has none.
+pub(super) fn number(point: &SweepPoint, column: usize) -> f64 {
+    point.numbers.get(column).copied().unwrap_or(f64::NAN)
+}
+
+/// The least step with which so many are at most so few.
+pub(super) fn step(count: usize, most: usize) -> usize {
+    count.div_ceil(most).max(1)
+}
+
+/// The scale of values: logarithmic if their ratios are equal and span much.
+pub(super) fn scale_of(axis: &Axis, most: usize) -> Scale {
+    let values: Vec<f64> = axis.values().step_by(step(axis.count(), most)).collect();
+    let scale = Scale::around(values.iter().copied());
+    let (low, high) = scale.ends();
+    let ratios = || values.windows(2).map(|pair| pair[1] / pair[0]);
+    let same = ratios().next().is_some_and(|first| ratios().all(|ratio| (ratio / first - 1.0).abs() < 1e-6));
+    if low > 0.0 && high / low >= WIDE && values.len() > 2 && same { scale.logarithmic() } else { scale }
+}

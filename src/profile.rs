@@ -1,0 +1,127 @@
+//! What is seen along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
+use std::f64::consts::PI;
+
+use crate::field::{Field, FieldError, FieldPoint, Side};
+use crate::scene::Punch;
+use crate::solution::{Contact, Interface, Solution};
+use crate::stack::Stack;
+
+/// A profile that is not told how far to go goes to this many times the end of the farthest contact.
+const BEYOND: f64 = 2.0;
+
+/// Pressures, gaps, displacements and slopes at places along x; made by [`Model::profile`](crate::Model::profile).
+#[derive(Clone, Debug)]
+pub struct Profile {
+    /// The places x, in length.
+    pub x: Vec<f64>,
+    /// Each contact from the top down, the punch first.
+    pub contacts: Vec<ContactProfile>,
+    /// The faces of the layers from the top down; those of a layer that is bonded to the next one lie on each other.
+    pub faces: Vec<FaceProfile>,
+}
+
+/// Pressure and gap of one contact along x.
+#[derive(Clone, Debug)]
+pub struct ContactProfile {
+    /// Which contact.
+    pub interface: Interface,
+    /// The pressure (compression positive), in stress; infinite at a sharp corner, or under the tip of a wedge.
+    pub pressure: Vec<f64>,
+    /// How far the bodies are apart, in length: 0 where they touch; infinite beyond the edge of a punch. None under a given pressure.
+    pub gap: Option<Vec<f64>>,
+}
+
+/// One face of a layer along x.
+#[derive(Clone, Debug)]
+pub struct FaceProfile {
+    /// Number of the layer, from the top as written in the scene, starting at 1.
+    pub layer: usize,
+    /// Which of its faces.
+    pub side: Side,
+    /// Stresses, displacements and the slope there.
+    pub points: Vec<FieldPoint>,
+}
+
+/// Places from −`to` to `to`, about `count` of them, dense next to the ends of all contacts, where pressures and gaps begin like roots;
+/// without `to`, twice as far as the bodies touch.
+///
+/// ```
+/// use recede::{HalfPlane, Model, Plane, Punch, Stack, profile_places};
+/// let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+/// let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
+/// let x = profile_places(&solution, None, 100);
+/// let a = solution.contacts()[0].reach();
+/// assert!(x.contains(&a) && x.contains(&-a) && *x.last().unwrap() == 2.0 * a);
+/// # Ok::<(), recede::Error>(())
+/// ```
+pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec<f64> {
+    let to = to.unwrap_or_else(|| BEYOND * solution.extent().unwrap_or(1.0));
+    let ends =
+        solution.contacts().iter().flat_map(Contact::intervals).flat_map(|interval| [interval.left, interval.right]);
+    let mut breaks: Vec<f64> = ends.filter(|x| *x > 0.0 && *x < to).chain([0.0, to]).collect();
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    let steps = (count / (2 * (breaks.len() - 1))).max(4);
+    let mut right: Vec<f64> = Vec::new();
+    for pair in breaks.windows(2) {
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        right.extend((1..steps).map(|k| middle - half * (PI * k as f64 / steps as f64).cos()));
+        right.push(pair[1]);
+    }
+    right.iter().rev().map(|x| -x).chain([0.0]).chain(right.iter().copied()).collect()
+}
+
+/// The profile of a solution at places along x.
+pub(crate) fn profile(punch: &Punch, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<Profile, FieldError> {
+    let field = Field::new(stack, solution);
+    // a place more, in each contact, from which its gap is counted
+    let mut places = x.to_vec();
+    places.extend(solution.contacts().iter().map(Contact::inside));
+    let mut faces: Vec<FaceProfile> =
+        field.faces(&places)?.into_iter().map(|(layer, side, points)| FaceProfile { layer, side, points }).collect();
+    let seen = Seen { punch, field: &field, faces: &faces, x: &places };
+    let contacts = solution.contacts().iter().enumerate().map(|(i, contact)| {
+        let gap = seen.gap(contact, i, x.len() + i).map(|gap| gap.into_iter().take(x.len()).collect());
+        let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
+        ContactProfile { interface: contact.interface, pressure, gap }
+    });
+    let contacts = contacts.collect();
+    faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
+    Ok(Profile { x: x.to_vec(), contacts, faces })
+}
+
+/// What gaps are made of.
+struct Seen<'a> {
+    punch: &'a Punch,
+    field: &'a Field,
+    faces: &'a [FaceProfile],
+    x: &'a [f64],
+}
+
+impl Seen<'_> {
+    /// How far the bodies of contact i are apart; `None` under a given pressure. At place number `inside` they touch.
+    fn gap(&self, contact: &Contact, i: usize, inside: usize) -> Option<Vec<f64>> {
+        let Self { punch, field, faces, x } = self;
+        let face = |layer: usize, side: Side| faces.iter().find(|face| face.layer == layer && face.side == side);
+        let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
+        let apart: Vec<f64> = match contact.interface {
+            Interface::Punch if punch.load().is_some() => return None,
+            Interface::Punch => {
+                let flattened = punch.material().map(|material| field.flattening(i, &material, x));
+                // nothing is above the stack beyond the edge of a punch
+                let edge = punch.max_half_length().unwrap_or(f64::INFINITY);
+                let profile = |x: f64| if x.abs() <= edge { punch.profile(x) } else { f64::INFINITY };
+                let height = |k: usize| profile(x[k]) + flattened.as_ref().map_or(0.0, |all| all[k]);
+                (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
+            }
+            Interface::Between { above, below } => {
+                // a rigid base without layers has no face, and stays where it is
+                let (above, below) = (face(above, Side::Bottom), face(below, Side::Top));
+                (0..x.len()).map(|k| v(above, k) - v(below, k)).collect()
+            }
+        };
+        let touching = contact.intervals();
+        let touches = |x: f64| touching.iter().any(|interval| interval.left <= x && x <= interval.right);
+        Some(apart.iter().zip(*x).map(|(gap, x)| if touches(*x) { 0.0 } else { gap - apart[inside] }).collect())
+    }
+}
