@@ -7,6 +7,21 @@ use serde_json::Value as Json;
 /// The keyword under which a checked number tells its range.
 const ALLOWED: &str = "allowed";
 
+/// For a type that is read from its `Fields`, which are checked together: they are what may be written.
+macro_rules! described_by_fields {
+    ($name:ident) => {
+        impl schemars::JsonSchema for $name {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                Fields::json_schema(generator)
+            }
+        }
+    };
+}
+
 /// A field of a layer, a punch or a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
@@ -49,16 +64,24 @@ impl Value {
     /// use recede_layers::{Homogeneous, description::Value};
     /// let Value::Fields(fields) = Value::of::<Homogeneous>() else { unreachable!() };
     /// let names: Vec<&str> = fields.iter().map(|field| &field.name[..]).collect();
-    /// assert_eq!(names, ["thickness", "shear_modulus", "poisson"]);
+    /// assert_eq!(names, ["thickness", "shear_modulus", "young", "poisson"]);
     /// ```
     pub fn of<T: JsonSchema>() -> Self {
-        let settings = SchemaSettings::default().with(|settings| settings.inline_subschemas = true);
-        Self::from_schema(settings.into_generator().into_root_schema_for::<T>().as_value())
+        Self::of_schema(&schema_of::<T>())
+    }
+
+    /// What a value with this schema is read from.
+    pub fn of_schema(schema: &Schema) -> Self {
+        Self::from_schema(schema.as_value())
     }
 
     /// The schema of a value that is described in words; for types that implement [`JsonSchema`] themselves.
     pub fn plain_schema(allowed: &str) -> Schema {
-        let mut schema = Schema::default();
+        Self::described(allowed, Schema::default())
+    }
+
+    /// A schema, with what it allows in words.
+    pub fn described(allowed: &str, mut schema: Schema) -> Schema {
         schema.insert(ALLOWED.to_owned(), allowed.into());
         schema
     }
@@ -80,6 +103,28 @@ impl Value {
             None if schema["enum"].is_array() => Self::OneOf(forms(schema)),
             None => Self::Plain("a text in double quotes".to_owned()),
         }
+    }
+}
+
+/// The JSON Schema of a type, without references. Ranges of checked numbers are told in words, see [`without_ranges`].
+pub fn schema_of<T: JsonSchema>() -> Schema {
+    let settings = SchemaSettings::default().with(|settings| settings.inline_subschemas = true);
+    settings.into_generator().into_root_schema_for::<T>()
+}
+
+/// Puts the words that tell a range, which are no keyword of JSON Schema, into the descriptions.
+pub fn without_ranges(schema: &mut Json) {
+    match schema {
+        Json::Object(keywords) => {
+            if let Some(Json::String(allowed)) = keywords.remove(ALLOWED) {
+                let meaning = keywords.get("description").and_then(Json::as_str).unwrap_or_default();
+                let description = format!("{meaning} Allowed: {allowed}.").trim_start().to_owned();
+                keywords.insert("description".to_owned(), description.into());
+            }
+            keywords.values_mut().for_each(without_ranges);
+        }
+        Json::Array(list) => list.iter_mut().for_each(without_ranges),
+        _ => {}
     }
 }
 

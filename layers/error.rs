@@ -29,10 +29,12 @@ pub enum LayerError {
         limit: f64,
     },
     /// Two fields of which exactly one is to be given.
-    #[error("found {found} of `poisson` and `poisson_profile`; allowed is one of them")]
+    #[error("found {found} of `{}` and `{}`; allowed is one of them", .fields[0], .fields[1])]
     EitherOr {
-        /// How many of them.
+        /// How many of them: `none` or `both`.
         found: &'static str,
+        /// Their names as in the scene file.
+        fields: [&'static str; 2],
     },
     /// Rows that make no table.
     #[error(transparent)]

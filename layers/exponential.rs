@@ -4,6 +4,7 @@ mod thick;
 mod thin;
 
 use std::any::Any;
+use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::Matrix4;
@@ -12,8 +13,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    ClosedForm, FaceStates, Finite, Flexibility, Isotropic, Key, Layer, LayerError, LayerStates, Material, Plane,
-    Poisson, Positive, Thickness, Wave,
+    ClosedForm, ElasticConstants, FaceStates, Finite, Flexibility, Isotropic, Key, Layer, LayerError, LayerStates,
+    Material, Plane, Poisson, Positive, Thickness, Wave,
 };
 
 /// Up to this λh the amplitudes are the state at one depth; beyond, solutions that decay from either face.
@@ -34,13 +35,12 @@ const EQUAL: f64 = 4.0 * f64::EPSILON;
 /// assert!((1.0 / bottom.shear_compliance - (-1.0f64).exp()).abs() < 1e-15);
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[cfg_attr(feature = "read", derive(JsonSchema))]
-#[serde(deny_unknown_fields, try_from = "Fields")]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Fields")]
 pub struct Exponential {
     thickness: Thickness,
-    shear_modulus: Positive,
-    poisson: Poisson,
+    /// At the top face.
+    constants: ElasticConstants,
     beta: Finite,
 }
 
@@ -51,48 +51,61 @@ pub struct Exponential {
 struct Fields {
     /// Thickness h, in length.
     thickness: Thickness,
-    /// Shear modulus at the top face, in stress.
-    shear_modulus: Positive,
-    /// Poisson's ratio ν.
+    /// Shear modulus μ at the top face, in stress; or in its place `young`.
+    #[serde(default)]
+    shear_modulus: Option<Positive>,
+    /// Young's modulus E at the top face, in stress; or in its place `shear_modulus`.
+    #[serde(default)]
+    young: Option<Positive>,
+    /// Poisson's ratio ν, dimensionless.
     poisson: Poisson,
-    /// Grading exponent β, in 1/length: the modulus at depth d is shear_modulus exp(beta d).
+    /// Grading exponent β, in 1/length: the modulus at depth d is that at the top face times exp(beta d).
     beta: Finite,
 }
+
+#[cfg(feature = "read")]
+described_by_fields!(Exponential);
 
 impl TryFrom<Fields> for Exponential {
     type Error = LayerError;
 
     fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { thickness, shear_modulus, poisson, beta } = fields;
-        let found = beta.get() * thickness.get();
-        if found.abs() <= STEEPEST {
-            Ok(Self { thickness, shear_modulus, poisson, beta })
-        } else {
-            Err(LayerError::TooSteep { found, limit: STEEPEST })
-        }
+        let Fields { thickness, shear_modulus, young, poisson, beta } = fields;
+        Self::checked(thickness, ElasticConstants::read(shear_modulus, young, poisson)?, beta)
+    }
+}
+
+impl fmt::Debug for Exponential {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("Exponential");
+        self.constants.describe(out.field("thickness", &self.thickness));
+        out.field("beta", &self.beta).finish()
     }
 }
 
 impl Exponential {
+    fn checked(thickness: Thickness, constants: ElasticConstants, beta: Finite) -> Result<Self, LayerError> {
+        let found = beta.get() * thickness.get();
+        if found.abs() <= STEEPEST {
+            Ok(Self { thickness, constants, beta })
+        } else {
+            Err(LayerError::TooSteep { found, limit: STEEPEST })
+        }
+    }
+
     /// A layer of thickness h ≥ 0 (length; 0 means "not there"), shear modulus μ_top > 0 at its top face (stress),
     /// Poisson's ratio −1 < ν ≤ 1/2 and grading exponent β (1/length, positive: stiffer with depth), |βh| ≤ 100.
     ///
     /// # Errors
     /// [`LayerError`] if a number is outside its range or not finite.
     pub fn new(thickness: f64, shear_modulus: f64, poisson: f64, beta: f64) -> Result<Self, LayerError> {
-        Self::try_from(Fields {
-            thickness: LayerError::checked("thickness", thickness)?,
-            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
-            poisson: LayerError::checked("poisson", poisson)?,
-            beta: LayerError::checked("beta", beta)?,
-        })
+        let constants = ElasticConstants::new(shear_modulus, poisson)?;
+        Self::checked(LayerError::checked("thickness", thickness)?, constants, LayerError::checked("beta", beta)?)
     }
 
     fn at(&self, depth: f64) -> Isotropic {
-        Isotropic {
-            shear_modulus: self.shear_modulus.get() * (self.beta.get() * depth).exp(),
-            poisson: self.poisson.get(),
-        }
+        let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
+        Isotropic { shear_modulus: shear_modulus * (self.beta.get() * depth).exp(), poisson }
     }
 
     /// βh.
@@ -101,7 +114,7 @@ impl Exponential {
     }
 
     fn local(&self, wave: &Wave) -> Local {
-        let unit = Isotropic { shear_modulus: 1.0, poisson: self.poisson.get() }.material(wave.plane);
+        let unit = Isotropic { shear_modulus: 1.0, ..self.constants.isotropic() }.material(wave.plane);
         Local { c: unit.coupling, d: unit.normal_compliance, e: unit.axial_stiffness }
     }
 
@@ -146,23 +159,19 @@ impl Layer for Exponential {
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with([
-            self.thickness.get(),
-            self.shear_modulus.get(),
-            self.poisson.get(),
-            self.beta.get(),
-        ]))
+        let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
+        Some(Key::of::<Self>().with([self.thickness.get(), shear_modulus, poisson, self.beta.get()]))
     }
 
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
         let below: &dyn Any = below;
         let other = below.downcast_ref::<Self>()?;
-        let (expected, found) = (self.at(self.thickness.get()).shear_modulus, other.shear_modulus.get());
-        let equal = (found - expected).abs() <= EQUAL * (1.0 + self.steepness().abs()) * expected;
-        let thickness = self.thickness.get() + other.thickness.get();
-        let (shear_modulus, poisson) = (self.shear_modulus.get(), self.poisson.get());
-        let whole = || Self::new(thickness, shear_modulus, poisson, self.beta.get()).ok();
-        let one = equal && (self.poisson, self.beta) == (other.poisson, other.beta);
+        let (bottom, top) = (self.at(self.thickness.get()), other.constants.isotropic());
+        let difference = (top.shear_modulus - bottom.shear_modulus).abs();
+        let equal = difference <= EQUAL * (1.0 + self.steepness().abs()) * bottom.shear_modulus;
+        let thickness = Thickness::try_from(self.thickness.get() + other.thickness.get()).ok()?;
+        let whole = || Self::checked(thickness, self.constants, self.beta).ok();
+        let one = equal && (bottom.poisson, self.beta) == (top.poisson, other.beta);
         one.then(whole).flatten().map(|whole| Arc::new(whole) as _)
     }
 }

@@ -1,9 +1,11 @@
 //! An exponentially graded half-plane, μ(d) = μ_top e^(βd) with β ≥ 0.
+use std::fmt;
+
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Stiffening};
+use crate::{ElasticConstants, Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Stiffening};
 
 /// So deep a material is rigid, and its modulus still a finite number.
 const RIGID: f64 = 300.0;
@@ -20,16 +22,49 @@ const RIGID: f64 = 300.0;
 /// assert!(GradedHalfPlane::new(1.0, 0.25, -0.5).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[cfg_attr(feature = "read", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Fields")]
 pub struct GradedHalfPlane {
-    /// Shear modulus at the face, in stress.
-    shear_modulus: Positive,
-    /// Poisson's ratio ν.
-    poisson: Poisson,
-    /// Grading exponent β, in 1/length: the modulus at depth d is shear_modulus exp(beta d).
+    /// At the face.
+    constants: ElasticConstants,
     beta: Stiffening,
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
+#[serde(deny_unknown_fields, rename = "GradedHalfPlane")]
+struct Fields {
+    /// Shear modulus μ at the face, in stress; or in its place `young`.
+    #[serde(default)]
+    shear_modulus: Option<Positive>,
+    /// Young's modulus E at the face, in stress; or in its place `shear_modulus`.
+    #[serde(default)]
+    young: Option<Positive>,
+    /// Poisson's ratio ν, dimensionless.
+    poisson: Poisson,
+    /// Grading exponent β, in 1/length: the modulus at depth d is that at the face times exp(beta d).
+    beta: Stiffening,
+}
+
+#[cfg(feature = "read")]
+described_by_fields!(GradedHalfPlane);
+
+impl TryFrom<Fields> for GradedHalfPlane {
+    type Error = LayerError;
+
+    fn try_from(fields: Fields) -> Result<Self, LayerError> {
+        let Fields { shear_modulus, young, poisson, beta } = fields;
+        Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)?, beta })
+    }
+}
+
+impl fmt::Debug for GradedHalfPlane {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("GradedHalfPlane");
+        self.constants.describe(&mut out);
+        out.field("beta", &self.beta).finish()
+    }
 }
 
 impl GradedHalfPlane {
@@ -39,11 +74,7 @@ impl GradedHalfPlane {
     /// # Errors
     /// [`LayerError`] if a number is outside its range or not finite.
     pub fn new(shear_modulus: f64, poisson: f64, beta: f64) -> Result<Self, LayerError> {
-        Ok(Self {
-            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
-            poisson: LayerError::checked("poisson", poisson)?,
-            beta: LayerError::checked("beta", beta)?,
-        })
+        Ok(Self { constants: ElasticConstants::new(shear_modulus, poisson)?, beta: LayerError::checked("beta", beta)? })
     }
 }
 
@@ -54,10 +85,12 @@ impl Layer for GradedHalfPlane {
 
     fn material(&self, depth: f64, plane: Plane) -> Material {
         let growth = (self.beta.get() * depth).min(RIGID).exp();
-        Isotropic { shear_modulus: self.shear_modulus.get() * growth, poisson: self.poisson.get() }.material(plane)
+        let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
+        Isotropic { shear_modulus: shear_modulus * growth, poisson }.material(plane)
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with([self.shear_modulus.get(), self.poisson.get(), self.beta.get()]))
+        let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
+        Some(Key::of::<Self>().with([shear_modulus, poisson, self.beta.get()]))
     }
 }

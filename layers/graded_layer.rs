@@ -1,14 +1,14 @@
 //! An isotropic layer graded in any way, left to the general body.
-#[cfg(feature = "read")]
-use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
 #[cfg(feature = "read")]
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Profile, Thickness};
+use crate::{
+    Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Profile, Thickness, material::Modulus,
+};
 
 /// Layers whose modulus varies by a larger factor are refused: digits would be lost where they are soft.
 const MOST: f64 = 1e13;
@@ -35,7 +35,7 @@ pub struct Graded {
 
 #[derive(Clone)]
 enum Variation {
-    Written { shear_modulus: Profile<Positive>, poisson: Profile<Poisson> },
+    Written { modulus: Modulus<Profile<Positive>>, poisson: Profile<Poisson> },
     Function(Arc<dyn Fn(f64) -> Isotropic + Send + Sync>),
 }
 
@@ -46,8 +46,12 @@ enum Variation {
 struct Fields {
     /// Thickness h, in length.
     thickness: Thickness,
-    /// Shear modulus as a function of the depth d, in stress.
-    shear_modulus: Profile<Positive>,
+    /// Shear modulus as a function of the depth d, in stress; or in its place `young`.
+    #[serde(default)]
+    shear_modulus: Option<Profile<Positive>>,
+    /// Young's modulus as a function of the depth d, in stress; or in its place `shear_modulus`.
+    #[serde(default)]
+    young: Option<Profile<Positive>>,
     /// Poisson's ratio, if it is the same at any depth.
     #[serde(default)]
     poisson: Option<Poisson>,
@@ -57,27 +61,23 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-impl JsonSchema for Graded {
-    fn schema_name() -> Cow<'static, str> {
-        "Graded".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        Fields::json_schema(generator)
-    }
-}
+described_by_fields!(Graded);
 
 impl TryFrom<Fields> for Graded {
     type Error = LayerError;
 
     fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { thickness, shear_modulus, poisson, poisson_profile } = fields;
+        let Fields { thickness, shear_modulus, young, poisson, poisson_profile } = fields;
+        let modulus = Modulus::one_of(shear_modulus, young)?;
         let poisson = match (poisson, poisson_profile) {
             (Some(constant), None) => Profile::Constant(constant),
             (None, Some(profile)) => profile,
-            (one, _) => return Err(LayerError::EitherOr { found: one.map_or("none", |_| "both") }),
+            (one, _) => {
+                let fields = ["poisson", "poisson_profile"];
+                return Err(LayerError::EitherOr { found: one.map_or("none", |_| "both"), fields });
+            }
         };
-        Self::checked(thickness, shear_modulus, poisson)
+        Self::checked(thickness, modulus, poisson)
     }
 }
 
@@ -93,7 +93,7 @@ impl Graded {
         shear_modulus: Profile<Positive>,
         poisson: Profile<Poisson>,
     ) -> Result<Self, LayerError> {
-        Self::checked(LayerError::checked("thickness", thickness)?, shear_modulus, poisson)
+        Self::checked(LayerError::checked("thickness", thickness)?, Modulus::Shear(shear_modulus), poisson)
     }
 
     /// A layer of thickness h ≥ 0 (length) whose material is a function of the depth below its top face. The function is
@@ -111,15 +111,20 @@ impl Graded {
 
     fn checked(
         thickness: Thickness,
-        shear_modulus: Profile<Positive>,
+        modulus: Modulus<Profile<Positive>>,
         poisson: Profile<Poisson>,
     ) -> Result<Self, LayerError> {
-        let [least, most] = shear_modulus.extremes("shear_modulus", thickness.get())?;
-        poisson.extremes("poisson", thickness.get())?;
+        let (field, profile) = modulus.field();
+        let [least, most] = profile.extremes(field, thickness.get())?;
+        let ratios = poisson.extremes("poisson", thickness.get())?;
+        // bounds of the shear modulus, wherever in the layer they may be met
+        let [low, high] = ratios;
+        let [least, most] =
+            [(least, high), (most, low)].map(|(value, ratio)| modulus.isotropic(value, ratio).shear_modulus);
         if most / least > MOST {
             return Err(LayerError::VariesTooMuch { found: most / least, limit: MOST });
         }
-        Ok(Self { thickness, variation: Variation::Written { shear_modulus, poisson } })
+        Ok(Self { thickness, variation: Variation::Written { modulus, poisson } })
     }
 }
 
@@ -128,11 +133,14 @@ impl fmt::Debug for Graded {
         let mut out = f.debug_struct("Graded");
         out.field("thickness", &self.thickness);
         match &self.variation {
-            Variation::Written { shear_modulus, poisson: Profile::Constant(poisson) } => {
-                out.field("shear_modulus", shear_modulus).field("poisson", poisson).finish()
-            }
-            Variation::Written { shear_modulus, poisson } => {
-                out.field("shear_modulus", shear_modulus).field("poisson_profile", poisson).finish()
+            Variation::Written { modulus, poisson } => {
+                let (name, profile) = modulus.field();
+                out.field(name, profile);
+                match poisson {
+                    Profile::Constant(poisson) => out.field("poisson", poisson),
+                    profile => out.field("poisson_profile", profile),
+                }
+                .finish()
             }
             Variation::Function(_) => out.field("material", &format_args!("a function")).finish(),
         }
@@ -147,8 +155,8 @@ impl Layer for Graded {
     fn material(&self, depth: f64, plane: Plane) -> Material {
         let thickness = self.thickness.get();
         match &self.variation {
-            Variation::Written { shear_modulus, poisson } => {
-                Isotropic { shear_modulus: shear_modulus.at(depth, thickness), poisson: poisson.at(depth, thickness) }
+            Variation::Written { modulus, poisson } => {
+                modulus.isotropic(modulus.field().1.at(depth, thickness), poisson.at(depth, thickness))
             }
             Variation::Function(material) => material(depth),
         }
@@ -157,7 +165,7 @@ impl Layer for Graded {
 
     fn kinks(&self) -> Vec<f64> {
         match &self.variation {
-            Variation::Written { shear_modulus, poisson } => [shear_modulus.kinks(), poisson.kinks()].concat(),
+            Variation::Written { modulus, poisson } => [modulus.field().1.kinks(), poisson.kinks()].concat(),
             Variation::Function(_) => Vec::new(),
         }
     }
@@ -166,7 +174,7 @@ impl Layer for Graded {
     fn key(&self) -> Option<Key> {
         let key = Key::of::<Self>().with([self.thickness.get()]);
         Some(match &self.variation {
-            Variation::Written { shear_modulus, poisson } => key.with_debug(&(shear_modulus, poisson)),
+            Variation::Written { modulus, poisson } => key.with_debug(&(modulus, poisson)),
             Variation::Function(material) => key.with_debug(&Arc::as_ptr(material)),
         })
     }

@@ -1,12 +1,14 @@
 //! A homogeneous half-plane: everything below its top face.
+use std::fmt;
+
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    ClosedForm, FaceStates, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates, Material, Plane, Poisson,
-    Positive, Wave, decay::decaying_downwards,
+    ClosedForm, ElasticConstants, FaceStates, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates, Material,
+    Plane, Poisson, Positive, Wave, decay::decaying_downwards,
 };
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
@@ -17,14 +19,45 @@ use crate::{
 /// assert!(HalfPlane::new(-1.0, 0.25).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[cfg_attr(feature = "read", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Fields")]
 pub struct HalfPlane {
-    /// Shear modulus μ, in stress.
-    shear_modulus: Positive,
-    /// Poisson's ratio ν.
+    constants: ElasticConstants,
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
+#[serde(deny_unknown_fields, rename = "HalfPlane")]
+struct Fields {
+    /// Shear modulus μ, in stress; or in its place `young`.
+    #[serde(default)]
+    shear_modulus: Option<Positive>,
+    /// Young's modulus E, in stress; or in its place `shear_modulus`.
+    #[serde(default)]
+    young: Option<Positive>,
+    /// Poisson's ratio ν, dimensionless.
     poisson: Poisson,
+}
+
+#[cfg(feature = "read")]
+described_by_fields!(HalfPlane);
+
+impl TryFrom<Fields> for HalfPlane {
+    type Error = LayerError;
+
+    fn try_from(fields: Fields) -> Result<Self, LayerError> {
+        let Fields { shear_modulus, young, poisson } = fields;
+        Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)? })
+    }
+}
+
+impl fmt::Debug for HalfPlane {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("HalfPlane");
+        self.constants.describe(&mut out);
+        out.finish()
+    }
 }
 
 impl HalfPlane {
@@ -33,14 +66,11 @@ impl HalfPlane {
     /// # Errors
     /// [`LayerError`] if a number is outside its range or not finite.
     pub fn new(shear_modulus: f64, poisson: f64) -> Result<Self, LayerError> {
-        Ok(Self {
-            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
-            poisson: LayerError::checked("poisson", poisson)?,
-        })
+        Ok(Self { constants: ElasticConstants::new(shear_modulus, poisson)? })
     }
 
     pub(crate) fn isotropic(&self) -> Isotropic {
-        Isotropic { shear_modulus: self.shear_modulus.get(), poisson: self.poisson.get() }
+        self.constants.isotropic()
     }
 }
 
@@ -58,7 +88,8 @@ impl Layer for HalfPlane {
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with([self.shear_modulus.get(), self.poisson.get()]))
+        let Isotropic { shear_modulus, poisson } = self.isotropic();
+        Some(Key::of::<Self>().with([shear_modulus, poisson]))
     }
 }
 

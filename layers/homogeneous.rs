@@ -1,5 +1,6 @@
 //! A homogeneous, isotropic layer: closed forms at both ends of the wavenumber axis.
 use std::any::Any;
+use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector4};
@@ -8,8 +9,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    ClosedForm, FaceStates, Flexibility, HalfPlane, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates,
-    Material, Plane, Poisson, Positive, Thickness, Wave,
+    ClosedForm, ElasticConstants, FaceStates, Flexibility, HalfPlane, InnerStates, Isotropic, Key, Layer, LayerError,
+    LayerStates, Material, Plane, Poisson, Positive, Thickness, Wave,
     decay::{decaying_downwards, decaying_upwards, scale},
     stable,
 };
@@ -25,16 +26,48 @@ const THIN: f64 = 2.0;
 /// assert_eq!(strip.thickness(), Some(1.0));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[cfg_attr(feature = "read", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Fields")]
 pub struct Homogeneous {
+    thickness: Thickness,
+    constants: ElasticConstants,
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
+#[serde(deny_unknown_fields, rename = "Homogeneous")]
+struct Fields {
     /// Thickness h, in length.
     thickness: Thickness,
-    /// Shear modulus μ, in stress.
-    shear_modulus: Positive,
-    /// Poisson's ratio ν.
+    /// Shear modulus μ, in stress; or in its place `young`.
+    #[serde(default)]
+    shear_modulus: Option<Positive>,
+    /// Young's modulus E, in stress; or in its place `shear_modulus`.
+    #[serde(default)]
+    young: Option<Positive>,
+    /// Poisson's ratio ν, dimensionless.
     poisson: Poisson,
+}
+
+#[cfg(feature = "read")]
+described_by_fields!(Homogeneous);
+
+impl TryFrom<Fields> for Homogeneous {
+    type Error = LayerError;
+
+    fn try_from(fields: Fields) -> Result<Self, LayerError> {
+        let Fields { thickness, shear_modulus, young, poisson } = fields;
+        Ok(Self { thickness, constants: ElasticConstants::read(shear_modulus, young, poisson)? })
+    }
+}
+
+impl fmt::Debug for Homogeneous {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("Homogeneous");
+        self.constants.describe(out.field("thickness", &self.thickness));
+        out.finish()
+    }
 }
 
 impl Homogeneous {
@@ -46,13 +79,12 @@ impl Homogeneous {
     pub fn new(thickness: f64, shear_modulus: f64, poisson: f64) -> Result<Self, LayerError> {
         Ok(Self {
             thickness: LayerError::checked("thickness", thickness)?,
-            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
-            poisson: LayerError::checked("poisson", poisson)?,
+            constants: ElasticConstants::new(shear_modulus, poisson)?,
         })
     }
 
     fn isotropic(&self) -> Isotropic {
-        Isotropic { shear_modulus: self.shear_modulus.get(), poisson: self.poisson.get() }
+        self.constants.isotropic()
     }
 }
 
@@ -80,7 +112,8 @@ impl Layer for Homogeneous {
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with([self.thickness.get(), self.shear_modulus.get(), self.poisson.get()]))
+        let Isotropic { shear_modulus, poisson } = self.isotropic();
+        Some(Key::of::<Self>().with([self.thickness.get(), shear_modulus, poisson]))
     }
 }
 

@@ -28,10 +28,13 @@
 //! `serde::Deserialize` all the same.
 #![deny(missing_docs)]
 
+// first, for its macro
+#[cfg(feature = "read")]
+#[macro_use]
+pub mod description;
+
 pub mod conformance;
 mod decay;
-#[cfg(feature = "read")]
-pub mod description;
 mod error;
 mod exponential;
 mod fields;
@@ -66,7 +69,7 @@ pub use homogeneous::Homogeneous;
 pub use key::Key;
 pub use layer::{ClosedForm, Layer, Notation};
 pub use linear::solve_equilibrated;
-pub use material::{Isotropic, Material, Plane};
+pub use material::{ElasticConstants, Isotropic, Material, Plane};
 pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, PoissonRatios, Young};
 pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table};

@@ -1,4 +1,6 @@
 //! What the state equations need to know of a material at one depth.
+use std::fmt;
+
 use num_complex::Complex64;
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
@@ -103,6 +105,27 @@ impl Isotropic {
         })
     }
 
+    /// A material of Young's modulus E > 0 and Poisson's ratio −1 < ν ≤ 1/2: μ = E/(2(1 + ν)).
+    ///
+    /// ```
+    /// use recede_layers::{HalfPlane, Isotropic};
+    /// let steel = Isotropic::from_young(210e3, 0.3)?;
+    /// let ground = HalfPlane::new(steel.shear_modulus, steel.poisson)?;
+    /// assert!((steel.shear_modulus - 80769.2307).abs() < 1e-3);
+    /// # Ok::<(), recede_layers::LayerError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite.
+    pub fn from_young(young: f64, poisson: f64) -> Result<Self, LayerError> {
+        ElasticConstants::read(
+            None,
+            Some(LayerError::checked("young", young)?),
+            LayerError::checked("poisson", poisson)?,
+        )
+        .map(|constants| constants.isotropic())
+    }
+
     /// Kolosov's constant κ, dimensionless: 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress.
     pub fn kappa(&self, plane: Plane) -> f64 {
         match plane {
@@ -134,6 +157,89 @@ impl Isotropic {
     }
 }
 
+/// The constants of an isotropic material as written in a scene: Poisson's ratio, and either the shear modulus or Young's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ElasticConstants {
+    modulus: Modulus<Positive>,
+    poisson: Poisson,
+}
+
+/// A modulus as written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Modulus<Q> {
+    /// `shear_modulus`
+    Shear(Q),
+    /// `young`
+    Young(Q),
+}
+
+impl<Q> Modulus<Q> {
+    /// Exactly one of the two fields.
+    pub(crate) fn one_of(shear_modulus: Option<Q>, young: Option<Q>) -> Result<Self, LayerError> {
+        let fields = ["shear_modulus", "young"];
+        match (shear_modulus, young) {
+            (Some(shear_modulus), None) => Ok(Self::Shear(shear_modulus)),
+            (None, Some(young)) => Ok(Self::Young(young)),
+            (None, None) => Err(LayerError::EitherOr { found: "none", fields }),
+            (Some(_), Some(_)) => Err(LayerError::EitherOr { found: "both", fields }),
+        }
+    }
+
+    /// The name of the field, and its value.
+    pub(crate) fn field(&self) -> (&'static str, &Q) {
+        match self {
+            Self::Shear(value) => ("shear_modulus", value),
+            Self::Young(value) => ("young", value),
+        }
+    }
+
+    /// The material with the value that the modulus has somewhere.
+    pub(crate) fn isotropic(&self, value: f64, poisson: f64) -> Isotropic {
+        let shear_modulus = match self {
+            Self::Shear(_) => value,
+            Self::Young(_) => 0.5 * value / (1.0 + poisson),
+        };
+        Isotropic { shear_modulus, poisson }
+    }
+}
+
+impl ElasticConstants {
+    /// Shear modulus μ > 0 (stress) and Poisson's ratio −1 < ν ≤ 1/2.
+    ///
+    /// # Errors
+    /// [`LayerError`] if a number is outside its range or not finite.
+    pub fn new(shear_modulus: f64, poisson: f64) -> Result<Self, LayerError> {
+        let shear_modulus = LayerError::checked("shear_modulus", shear_modulus)?;
+        Ok(Self { modulus: Modulus::Shear(shear_modulus), poisson: LayerError::checked("poisson", poisson)? })
+    }
+
+    /// What the fields `shear_modulus` or `young`, and `poisson` say.
+    ///
+    /// # Errors
+    /// [`LayerError::EitherOr`] unless exactly one modulus is given, [`LayerError::Field`] if Young's modulus makes the shear
+    /// modulus too small or too large a number.
+    pub fn read(
+        shear_modulus: Option<Positive>,
+        young: Option<Positive>,
+        poisson: Poisson,
+    ) -> Result<Self, LayerError> {
+        let constants = Self { modulus: Modulus::one_of(shear_modulus, young)?, poisson };
+        LayerError::checked::<Positive>("shear modulus from `young`", constants.isotropic().shear_modulus)?;
+        Ok(constants)
+    }
+
+    /// The material.
+    pub fn isotropic(&self) -> Isotropic {
+        self.modulus.isotropic(self.modulus.field().1.get(), self.poisson.get())
+    }
+
+    /// Writes the fields as they were given.
+    pub fn describe(&self, out: &mut fmt::DebugStruct<'_, '_>) {
+        let (name, value) = self.modulus.field();
+        out.field(name, value).field("poisson", &self.poisson);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -162,6 +268,22 @@ mod tests {
         let [a, b] = [(strain, Plane::Strain), (stress, Plane::Stress)]
             .map(|(poisson, plane)| Isotropic { shear_modulus: 1.0, poisson }.material(plane));
         assert!((a.axial_stiffness - b.axial_stiffness).abs() < 1e-15 && (a.coupling - b.coupling).abs() < 1e-15);
+    }
+
+    #[test]
+    fn one_modulus_is_to_be_given() {
+        let positive = |value: f64| Positive::try_from(value).ok();
+        let quarter = Poisson::try_from(0.25).expect("legal");
+        let steel = ElasticConstants::read(None, positive(200.0), quarter).expect("legal");
+        assert_eq!(steel.isotropic(), Isotropic { shear_modulus: 80.0, poisson: 0.25 });
+        for (shear_modulus, young, message) in [
+            (None, None, "found none of `shear_modulus` and `young`; allowed is one of them"),
+            (positive(1.0), positive(1.0), "found both of `shear_modulus` and `young`; allowed is one of them"),
+            (None, positive(5e-324), "shear modulus from `young`: found 0.0, allowed is a finite number > 0"),
+        ] {
+            let error = ElasticConstants::read(shear_modulus, young, quarter).expect_err(message);
+            assert_eq!(error.to_string(), message);
+        }
     }
 
     #[test]

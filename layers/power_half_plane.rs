@@ -1,9 +1,11 @@
 //! A half-plane graded by a power law, μ(d) = μ_top (1 + d/l)^m with m > −1.
+use std::fmt;
+
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Carrying, Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive};
+use crate::{Carrying, ElasticConstants, Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive};
 
 /// Isotropic half-plane of constant Poisson's ratio whose shear modulus is μ_top (1 + d/l)^m at depth d below its face,
 /// m > −1: like soil, which stiffens under its own weight, or like ground that was compacted from above and softens.
@@ -16,18 +18,52 @@ use crate::{Carrying, Isotropic, Key, Layer, LayerError, Material, Plane, Poisso
 /// assert!(PowerHalfPlane::new(1.0, 0.3, 2.0, -1.0).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[cfg_attr(feature = "read", derive(JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Fields")]
 pub struct PowerHalfPlane {
-    /// Shear modulus at the face, in stress.
-    shear_modulus: Positive,
-    /// Poisson's ratio ν.
-    poisson: Poisson,
-    /// Length l over which the modulus rises first.
+    /// At the face.
+    constants: ElasticConstants,
     length: Positive,
-    /// Exponent m, dimensionless: the modulus at depth d is shear_modulus (1 + d/length)^m.
     exponent: Carrying,
+}
+
+/// The fields as written in a scene, before they are checked together.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "read", derive(JsonSchema))]
+#[serde(deny_unknown_fields, rename = "PowerHalfPlane")]
+struct Fields {
+    /// Shear modulus μ at the face, in stress; or in its place `young`.
+    #[serde(default)]
+    shear_modulus: Option<Positive>,
+    /// Young's modulus E at the face, in stress; or in its place `shear_modulus`.
+    #[serde(default)]
+    young: Option<Positive>,
+    /// Poisson's ratio ν, dimensionless.
+    poisson: Poisson,
+    /// Length l over which the modulus rises first, in length.
+    length: Positive,
+    /// Exponent m, dimensionless: the modulus at depth d is that at the face times (1 + d/length)^m.
+    exponent: Carrying,
+}
+
+#[cfg(feature = "read")]
+described_by_fields!(PowerHalfPlane);
+
+impl TryFrom<Fields> for PowerHalfPlane {
+    type Error = LayerError;
+
+    fn try_from(fields: Fields) -> Result<Self, LayerError> {
+        let Fields { shear_modulus, young, poisson, length, exponent } = fields;
+        Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)?, length, exponent })
+    }
+}
+
+impl fmt::Debug for PowerHalfPlane {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out = f.debug_struct("PowerHalfPlane");
+        self.constants.describe(&mut out);
+        out.field("length", &self.length).field("exponent", &self.exponent).finish()
+    }
 }
 
 impl PowerHalfPlane {
@@ -38,8 +74,7 @@ impl PowerHalfPlane {
     /// [`LayerError`] if a number is outside its range or not finite.
     pub fn new(shear_modulus: f64, poisson: f64, length: f64, exponent: f64) -> Result<Self, LayerError> {
         Ok(Self {
-            shear_modulus: LayerError::checked("shear_modulus", shear_modulus)?,
-            poisson: LayerError::checked("poisson", poisson)?,
+            constants: ElasticConstants::new(shear_modulus, poisson)?,
             length: LayerError::checked("length", length)?,
             exponent: LayerError::checked("exponent", exponent)?,
         })
@@ -53,15 +88,12 @@ impl Layer for PowerHalfPlane {
 
     fn material(&self, depth: f64, plane: Plane) -> Material {
         let growth = (self.exponent.get() * (depth / self.length.get()).ln_1p()).exp();
-        Isotropic { shear_modulus: self.shear_modulus.get() * growth, poisson: self.poisson.get() }.material(plane)
+        let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
+        Isotropic { shear_modulus: shear_modulus * growth, poisson }.material(plane)
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with([
-            self.shear_modulus.get(),
-            self.poisson.get(),
-            self.length.get(),
-            self.exponent.get(),
-        ]))
+        let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
+        Some(Key::of::<Self>().with([shear_modulus, poisson, self.length.get(), self.exponent.get()]))
     }
 }

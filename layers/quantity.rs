@@ -21,7 +21,7 @@ pub struct OutOfRange {
 }
 
 macro_rules! quantity {
-    ($(#[$doc:meta])* $name:ident, $allowed:literal, $test:expr) => {
+    ($(#[$doc:meta])* $name:ident, $allowed:literal, $range:tt, $test:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
         #[serde(try_from = "f64", into = "f64")]
@@ -34,7 +34,10 @@ macro_rules! quantity {
             }
 
             fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                Value::plain_schema($allowed)
+                // a text is a number with a unit
+                let mut schema = schemars::json_schema!($range);
+                schema.insert("type".to_owned(), serde_json::json!(["number", "string"]));
+                Value::described($allowed, schema)
             }
         }
 
@@ -69,24 +72,24 @@ macro_rules! quantity {
 
 quantity!(
     /// A positive number, such as a shear modulus, a radius or a force.
-    Positive, "a finite number > 0", |x| x > 0.0 && x.is_finite());
+    Positive, "a finite number > 0", {"exclusiveMinimum": 0}, |x| x > 0.0 && x.is_finite());
 quantity!(
     /// A thickness: zero means "not there".
-    Thickness, "a finite number >= 0 (0 means: not there)", |x| x >= 0.0 && x.is_finite());
+    Thickness, "a finite number >= 0 (0 means: not there)", {"minimum": 0}, |x| x >= 0.0 && x.is_finite());
 quantity!(
     /// Poisson's ratio of an isotropic material.
-    Poisson, "-1 < poisson <= 0.5", |x| x > -1.0 && x <= 0.5);
+    Poisson, "-1 < poisson <= 0.5", {"exclusiveMinimum": -1, "maximum": 0.5}, |x| x > -1.0 && x <= 0.5);
 quantity!(
     /// Any finite number, such as a grading exponent.
-    Finite, "a finite number", f64::is_finite);
+    Finite, "a finite number", {}, f64::is_finite);
 quantity!(
     /// How fast a half-plane stiffens with depth.
-    Stiffening, "a finite number >= 0 (a half-plane that softens without end carries no force)",
+    Stiffening, "a finite number >= 0 (a half-plane that softens without end carries no force)", {"minimum": 0},
     |x| x >= 0.0 && x.is_finite());
 quantity!(
     /// The power of the depth with which the modulus of a half-plane varies.
-    Carrying, "a finite number > -1 (a half-plane that softens faster carries no force)",
+    Carrying, "a finite number > -1 (a half-plane that softens faster carries no force)", {"exclusiveMinimum": -1},
     |x| x > -1.0 && x.is_finite());
 quantity!(
     /// An exponent, such as that of a profile |x|^n.
-    Exponent, "a number from 1 to 100", |x| (1.0..=100.0).contains(&x));
+    Exponent, "a number from 1 to 100", {"minimum": 1, "maximum": 100}, |x| (1.0..=100.0).contains(&x));

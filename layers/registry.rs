@@ -3,12 +3,12 @@ use std::sync::Arc;
 
 use ron::error::SpannedError;
 use ron::extensions::Extensions;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Deserializer, Segment, Track};
 
-use crate::description::Value;
+use crate::description::{Value, schema_of};
 use crate::{Layer, Notation, Support};
 
 /// What is read by a name: a layer, or a support at the bottom.
@@ -50,8 +50,15 @@ pub struct Entry {
     pub summary: &'static str,
     /// Reads the fields.
     pub read: ReadBody,
-    /// Tells the fields, if the type does, see [`Registry::register_described`].
-    pub describe: Option<fn() -> Value>,
+    /// The JSON Schema of the fields, if the type has one, see [`Registry::register_described`].
+    pub schema: Option<fn() -> Schema>,
+}
+
+impl Entry {
+    /// The fields, if the type tells them.
+    pub fn describe(&self) -> Option<Value> {
+        self.schema.map(|schema| Value::of_schema(&schema()))
+    }
 }
 
 /// Layer types by name. [`Registry::default`] holds those that ship; [`Registry::register`] adds one's own.
@@ -86,7 +93,7 @@ impl Registry {
             name,
             summary,
             read: |fields| Ok(Body::Layer(Arc::new(read_ron::<L>(fields)?))),
-            describe: None,
+            schema: None,
         });
     }
 
@@ -96,7 +103,7 @@ impl Registry {
         S: Support + DeserializeOwned + JsonSchema + 'static,
     {
         let read: ReadBody = |fields| Ok(Body::Support(Arc::new(read_ron::<S>(fields)?)));
-        self.enter(Entry { name, summary, read, describe: Some(Value::of::<S>) });
+        self.enter(Entry { name, summary, read, schema: Some(schema_of::<S>) });
     }
 
     fn enter(&mut self, entry: Entry) {
@@ -112,7 +119,7 @@ impl Registry {
     {
         self.register::<L>(name, summary);
         if let Some(entry) = self.entries.last_mut() {
-            entry.describe = Some(Value::of::<L>);
+            entry.schema = Some(schema_of::<L>);
         }
     }
 

@@ -101,8 +101,8 @@ pub use recede_layers::{
     PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
-    Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError, Spring, Units,
-    ValueError, Vocabulary,
+    ElasticCylinder, Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError,
+    Spring, Units, ValueError, Vocabulary, scene_schema,
 };
 pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
 pub use stack::{

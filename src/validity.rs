@@ -30,9 +30,8 @@ pub(crate) fn warnings(punch: &Punch, kernel: &Kernel, solution: &Solution) -> V
 /// The radius of a punch that is round all over.
 fn radius(punch: &Punch) -> Option<f64> {
     match punch {
-        Punch::Cylinder { radius } | Punch::ElasticCylinder { radius, .. } | Punch::Parabola { radius } => {
-            Some(radius.get())
-        }
+        Punch::Cylinder { radius } | Punch::Parabola { radius } => Some(radius.get()),
+        Punch::ElasticCylinder(cylinder) => Some(cylinder.radius()),
         _ => None,
     }
 }

@@ -61,6 +61,24 @@ fn stiffness_is_the_derivative_of_the_force() {
 }
 
 #[test]
+fn an_error_is_positive_where_a_pressure_falls_as_the_force_grows() {
+    // sheets over felt: between two peaks that move outwards the pressure in the middle falls
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/gallery/sheets_on_felt.ron");
+    let scene = Scene::read(file).unwrap();
+    let at = |force: f64| scene.with("force", force).unwrap();
+    let central = |force: f64| recede::solve(&at(force)).unwrap().contacts()[0].central_pressure;
+    assert!(central(0.202) < central(0.198));
+    // and near 0.3 it is the same at any force: what a unit force adds is compared with a mean pressure
+    for force in [0.2, 0.27, 0.3] {
+        let slope = (approach(&at(force + 0.002)).value - approach(&at(force - 0.002)).value) / 0.004;
+        let stiffness = approach(&at(force)).stiffness;
+        let (value, error) = (stiffness.value().unwrap(), stiffness.error().unwrap());
+        assert!(error > 0.0 && error < 1e-6 * value, "{value} {error:e}");
+        assert!((value * slope - 1.0).abs() < 1e-4, "{value} {slope}");
+    }
+}
+
+#[test]
 fn estimates_cover_what_a_tighter_tolerance_changes() {
     for stack in STACKS {
         for punch in PUNCHES {

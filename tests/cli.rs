@@ -235,7 +235,16 @@ fn csv_has_one_line_for_each_contact_with_the_same_numbers_as_json() {
 #[test]
 fn the_table_names_scene_units_and_contacts() {
     let table = succeeds(&["solve", "examples/scenes/bonded_to_rigid.ron"]);
-    for part in ["rubber on steel\n", "force 1 N/mm", "half-length, mm", "N/mm²", " punch ", " ± ", "Newton steps"] {
+    for part in [
+        "rubber on steel\n",
+        "force 1 N/mm",
+        "half-length, mm",
+        "x = 0, MPa",
+        " mm, stiffness ",
+        " punch ",
+        " ± ",
+        "Newton steps",
+    ] {
         assert!(table.contains(part), "{part}: {table}");
     }
     assert!(!table.contains('\u{1b}'), "colours belong on a terminal");
@@ -279,7 +288,7 @@ fn fields_are_told_at_points_and_on_grids() {
     for key in ["x", "depth", "sigma_xx", "sigma_xy", "u", "v", "von_mises", "sigma_1", "sigma_2", "max_shear"] {
         assert!(number(2, key).is_finite(), "{key}");
     }
-    let csv = succeeds(&["field", PAPER, "--x", "-1:1:5", "--depth", "0:3:4"]);
+    let csv = succeeds(&["field", PAPER, "--x", "-1:1:5", "--depth", "0:3:4", "--format", "csv"]);
     assert_eq!(csv.lines().count(), 1 + 5 * 4);
     let file = std::env::temp_dir().join(format!("recede-field-{}.csv", std::process::id()));
     let name = file.display().to_string();

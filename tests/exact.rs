@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use recede::exact::{Elastic, hertz, line_load};
 use recede::{
-    BlockSystem, Contact, Exponential, FreeChain, HalfPlane, Homogeneous, Model, Plane, Punch, Solution, Stack,
+    BlockSystem, Contact, Exponential, FreeChain, HalfPlane, Homogeneous, Load, Model, Plane, Punch, Solution, Stack,
     StackBuilder, Wave,
 };
 
@@ -90,6 +90,25 @@ fn layers_of_one_material_on_a_half_plane_of_it() {
             compare(&found, hertz::cylinder(material, 100.0, force).unwrap(), 1e-10, 1e-9);
         }
     }
+}
+
+#[test]
+fn tension_begins_where_the_integral_of_filon_vanishes() {
+    // Filon 1903: the stress across the middle of a layer of thickness 2h between two line loads, h = 1
+    let stress = |x: f64| {
+        let (count, step) = (40_000, 1e-3);
+        let part = |u: f64| (u.sinh() + u * u.cosh()) / ((2.0 * u).sinh() + 2.0 * u) * (u * x).cos();
+        -(0..count).map(|k| part((f64::from(k) + 0.5) * step)).sum::<f64>() * step * 2.0 / PI
+    };
+    let stack = Stack::builder(Plane::Strain).layer(strip((3.0, 0.3))).sliding().rigid().build().unwrap();
+    let model = Model::new(stack).unwrap();
+    let solution = model.press(&Punch::Given(Load::Line), 1.0).unwrap();
+    let field = model.field(&solution).unwrap();
+    for x in [0.0, 0.5, 1.337_922, 2.0] {
+        let (found, expected) = (field.at(x, 1.0).unwrap().sigma_yy, stress(x));
+        assert!((found - expected).abs() < 1e-6, "{x}: {found} {expected}");
+    }
+    assert!(stress(1.337_92) < 0.0 && stress(1.337_93) > 0.0);
 }
 
 /// Shear modulus and Poisson's ratio.

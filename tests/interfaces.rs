@@ -271,7 +271,7 @@ fn scenes_name_them_draw_them_and_print_them() {
     assert_eq!(scene.paths()[8..10], ["interface[2].normal", "interface[2].tangential"]);
     let softer = scene.with("interface[2].normal", 1.5).unwrap();
     assert!(softer.to_ron().contains("Spring(normal: 1.5, tangential: 0.5),\n"), "{}", softer.to_ron());
-    insta::assert_snapshot!(stack.drawing(None), @r"
+    insta::assert_snapshot!(stack.drawing(None, None), @r"
     ┌──────────────────────────────────────────────────────────────────┐
     │ 1 Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25) │
     ├──────────────────────────── sliding ─────────────────────────────┤

@@ -11,7 +11,7 @@ fuzz_target!(|bytes: &[u8]| {
             let again = Scene::from_ron(&text).expect("what is written can be read");
             assert_eq!(again.to_ron(), text);
             if let Ok(stack) = scene.stack() {
-                let _ = stack.drawing(None);
+                let _ = stack.drawing(None, None);
             }
         }
         Err(error) => {

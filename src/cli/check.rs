@@ -1,6 +1,8 @@
 //! `recede check`: reads a scene and draws its stack.
 use std::io::Write;
 
+use terminal_size::terminal_size;
+
 use super::{Failure, SceneFile};
 
 /// Check a scene and draw its stack
@@ -19,7 +21,8 @@ impl Check {
         let scene = self.file.read()?;
         let stack = scene.stack()?;
         let label = format!("{}, {}", scene.punch.label(), scene.force);
-        writeln!(out, "{}", stack.drawing(Some(&label)))?;
+        let columns = terminal_size().map(|(width, _)| usize::from(width.0));
+        writeln!(out, "{}", stack.drawing(Some(&label), columns))?;
         Ok(())
     }
 }

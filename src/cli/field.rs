@@ -15,8 +15,11 @@ use super::plot::Title;
 use super::{Failure, SceneFile, tell};
 
 /// Places along x and depths of a grid that is not specified.
+const TABLE: [usize; 2] = [5, 7];
 const LIST: [usize; 2] = [201, 101];
 const MAP: [usize; 2] = [301, 181];
+/// Most points in a table.
+const READABLE: usize = 200;
 /// It reaches this many half-lengths of the longest contact to either side, and at most this many down.
 const BESIDE: f64 = 2.0;
 const BELOW: f64 = 3.0;
@@ -27,6 +30,7 @@ const GROUND: f64 = 1.5;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
+  recede field scene.ron
   recede field scene.ron --at 0,0.5 --at 1.2,1@2 --format json
   recede field scene.ron --out field.csv
   recede field scene.ron --x -3:3:400 --depth 0:2:200 --out field.csv
@@ -49,14 +53,14 @@ pub struct Field {
     /// at most three in all
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     depth: Option<Steps>,
-    /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, numbers on standard output
+    /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, a short table on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// What a map shows; u, v are displacements, v upwards
     #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(FieldQuantity::ALL.map(FieldQuantity::name)).try_map(|name| quantity(&name).ok_or("no such quantity")))]
     quantity: FieldQuantity,
     /// How to write to standard output
-    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
     /// Relative error to aim at in the contacts, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
@@ -67,6 +71,8 @@ pub struct Field {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Format {
+    /// A table to be read, of a few points
+    Table,
     /// One line for each point, all digits
     Csv,
     /// One JSON object, all digits
@@ -122,6 +128,7 @@ impl Field {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = match &self.out {
             None => Output::Points(match self.format {
+                Format::Table => FieldFormat::Table,
                 Format::Csv => FieldFormat::Csv,
                 Format::Json => FieldFormat::Json,
             }),
@@ -149,21 +156,33 @@ impl Field {
                 Ok(plot::save(path, &self.title.above(picture, &scene))?)
             }
             (Some(path), Output::Points(format)) => {
-                let points = self.points(&field, &solution)?;
-                files::replace(path, |out| write_field(&points, format, out))
+                let points = self.points(&field, &solution, format)?;
+                files::replace(path, |out| write_field(&points, scene.units.as_ref(), format, out))
                     .map_err(|cause| Failure::file(path, cause))
             }
-            (None, Output::Points(format)) => Ok(write_field(&self.points(&field, &solution)?, format, out)?),
+            (None, Output::Points(format)) => {
+                let points = self.points(&field, &solution, format)?;
+                if format == FieldFormat::Table && points.len() > READABLE {
+                    return Err(Failure::usage(
+                        format!(
+                            "a table of {} points is too long to be read; at most {READABLE} are shown",
+                            points.len()
+                        ),
+                        "write them to a file, --out FILE.csv, or say --format csv",
+                    ));
+                }
+                Ok(write_field(&points, scene.units.as_ref(), format, out)?)
+            }
             // without a file there is no map
             (None, Output::Map) => Ok(()),
         }
     }
 
-    fn points(&self, field: &Fields, solution: &Solution) -> Result<Vec<FieldPoint>, Failure> {
+    fn points(&self, field: &Fields, solution: &Solution, format: FieldFormat) -> Result<Vec<FieldPoint>, Failure> {
         if !self.at.is_empty() {
             return Ok(field.points(&self.at)?);
         }
-        let [xs, depths] = self.grid(field, solution, LIST);
+        let [xs, depths] = self.grid(field, solution, if format == FieldFormat::Table { TABLE } else { LIST });
         Ok(field.grid(&xs, &depths)?.points().to_vec())
     }
 

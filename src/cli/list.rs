@@ -2,7 +2,7 @@
 use std::io::{self, Write};
 
 use recede::layers::description::{Field, Form, Value};
-use recede::{Registry, Vocabulary};
+use recede::{Registry, Vocabulary, scene_schema};
 
 use super::Failure;
 
@@ -11,10 +11,25 @@ const NAMES: usize = 22;
 
 /// List layers, interfaces, bases, punches and loads with their fields
 #[derive(Debug, clap::Args)]
-pub struct List {}
+#[command(after_help = "\
+Examples:
+  recede list
+  recede list layers
+  recede list Homogeneous
+  recede list --schema > scene.schema.json")]
+pub struct List {
+    /// One part only: scene, punches, loads, layers, interfaces or bases; or one name, such as Homogeneous
+    part: Option<String>,
+    /// The JSON Schema of scenes in JSON, for editors and other programs
+    #[arg(long, conflicts_with = "part")]
+    schema: bool,
+}
 
 impl List {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        if self.schema {
+            return Ok(writeln!(out, "{:#}", scene_schema(&Registry::default()))?);
+        }
         let Vocabulary { scene, punches, loads, layers, interfaces, bases } = Vocabulary::new(&Registry::default());
         // what has a section of its own is not unfolded in place
         let scene: Vec<Field> = scene
@@ -29,15 +44,39 @@ impl List {
                 _ => field,
             })
             .collect();
-        writeln!(out, "Scene, with its load")?;
-        fields(out, 2, &scene)?;
-        for (title, forms_of_title) in
-            [("Punches", punches), ("Loads", loads), ("Layers", layers), ("Interfaces", interfaces), ("Bases", bases)]
-        {
-            writeln!(out, "\n{title}")?;
-            forms(out, 2, &forms_of_title)?;
+        let parts =
+            [("Punches", punches), ("Loads", loads), ("Layers", layers), ("Interfaces", interfaces), ("Bases", bases)];
+        match &self.part {
+            None => {
+                writeln!(out, "Scene, with its load")?;
+                fields(out, 2, &scene)?;
+                for (title, part) in &parts {
+                    writeln!(out, "\n{title}")?;
+                    forms(out, 2, part)?;
+                }
+                Ok(())
+            }
+            Some(name) if name.eq_ignore_ascii_case("scene") => Ok(fields(out, 0, &scene)?),
+            Some(name) => {
+                let same = |other: &str| other.eq_ignore_ascii_case(name);
+                if let Some((_, part)) = parts.iter().find(|(title, _)| same(title)) {
+                    return Ok(forms(out, 0, part)?);
+                }
+                let named: Vec<Form> =
+                    parts.iter().flat_map(|(_, part)| part).filter(|form| same(&form.name)).cloned().collect();
+                if named.is_empty() {
+                    let names: Vec<&str> = parts.iter().flat_map(|(_, part)| part).map(|form| &form.name[..]).collect();
+                    return Err(Failure::usage(
+                        format!("nothing in a scene is called `{name}`"),
+                        format!(
+                            "parts are scene, punches, loads, layers, interfaces, bases; names are {}",
+                            names.join(", ")
+                        ),
+                    ));
+                }
+                Ok(forms(out, 0, &named)?)
+            }
         }
-        Ok(())
     }
 }
 

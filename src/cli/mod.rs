@@ -1,5 +1,6 @@
 //! The command line: one file for each subcommand.
 mod check;
+mod convert;
 mod field;
 mod generate;
 mod init;
@@ -41,6 +42,7 @@ Examples:
   recede sweep scene.ron --vary force=1:9:5  contacts for five forces
   recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
   recede init scene.ron                      a scene to begin with
+  recede convert scene.ron --out scene.json  a scene for other programs
   recede list                                all that may be written in a scene
 
 Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
@@ -50,6 +52,7 @@ enum Command {
     Solve(solve::Solve),
     Check(check::Check),
     Show(show::Show),
+    Convert(convert::Convert),
     Field(field::Field),
     Profile(profile::Profile),
     List(list::List),
@@ -134,6 +137,7 @@ impl Arguments {
             Command::Solve(command) => command.run(&mut out),
             Command::Check(command) => command.run(&mut out),
             Command::Show(command) => command.run(&mut out),
+            Command::Convert(command) => command.run(&mut out),
             Command::Field(command) => command.run(&mut out),
             Command::Profile(command) => command.run(&mut out),
             Command::List(command) => command.run(&mut out),
@@ -155,7 +159,7 @@ impl Arguments {
 /// The scene file of a subcommand.
 #[derive(Debug, clap::Args)]
 struct SceneFile {
-    /// Scene in RON; `-` reads standard input
+    /// Scene in RON or JSON; `-` reads standard input
     #[arg(value_name = "SCENE.ron")]
     scene: PathBuf,
 }

@@ -1,10 +1,12 @@
 //! `recede solve`: contact half-lengths and pressures.
+use std::ffi::OsStr;
 use std::io::Write;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::ValueEnum;
 use recede::report::{self, Report};
-use recede::{MaxShear, Model, Options, Solution};
+use recede::{MaxShear, Model, Options, Solution, files};
 
 use super::{Failure, SceneFile, tell};
 
@@ -15,14 +17,22 @@ Examples:
   recede solve scene.ron
   recede solve scene.ron --format json --tolerance 1e-12
   recede solve scene.ron --format json --fields
+  recede solve scene.ron --out result.json
+  recede solve scene.ron --digits 4
   recede solve scene.ron --stats
   recede solve - --format csv < scene.ron")]
 pub struct Solve {
     #[command(flatten)]
     file: SceneFile,
-    /// How to write the result
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    format: Format,
+    /// How to write the result [default: as the file of --out is called, or a table]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// File to write rather than standard output
+    #[arg(long, value_name = "FILE.json|csv|txt")]
+    out: Option<PathBuf>,
+    /// Significant digits of a table, at most; without it, as many as the error estimates justify
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
+    digits: Option<u8>,
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
@@ -60,6 +70,7 @@ enum Method {
 
 impl Solve {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let format = self.format()?;
         let scene = self.file.read()?;
         let method = match self.method {
             Method::Galerkin => recede::Method::Galerkin,
@@ -71,35 +82,57 @@ impl Solve {
             .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        let approach = self.measures().then(|| model.approach(&scene.punch, &solution));
-        let max_shear = if self.searches() { max_shear(&model, &solution) } else { None };
+        let approach = measures(format).then(|| model.approach(&scene.punch, &solution));
+        let max_shear = if self.searches(format) { max_shear(&model, &solution) } else { None };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
-        let format = match self.format {
+        if self.stats {
+            tell(&solution.stats().to_string());
+        }
+        let digits = self.digits.map(usize::from);
+        let approach = approach.as_ref();
+        let report = Report { scene: &scene, solution: &solution, approach, max_shear, digits, seconds };
+        let format = match format {
             Format::Table => report::Format::Table,
             Format::Json => report::Format::Json,
             Format::Csv => report::Format::Csv,
         };
-        if self.stats {
-            tell(&solution.stats().to_string());
+        match &self.out {
+            Some(path) => {
+                files::replace(path, |out| report.write(format, out)).map_err(|cause| Failure::file(path, cause))
+            }
+            None => Ok(report.write(format, out)?),
         }
-        Ok(Report { scene: &scene, solution: &solution, approach: approach.as_ref(), max_shear, seconds }
-            .write(format, out)?)
     }
-    /// Whether the approach is printed: it is one of the scene, and CSV has a line for each contact.
-    fn measures(&self) -> bool {
-        !matches!(self.format, Format::Csv)
+
+    /// The format that is asked for by name, or by the name of the file.
+    fn format(&self) -> Result<Format, Failure> {
+        match (self.format, self.out.as_deref().map(|path| path.extension().and_then(OsStr::to_str))) {
+            (Some(format), _) => Ok(format),
+            (None, None | Some(Some("txt"))) => Ok(Format::Table),
+            (None, Some(Some("json"))) => Ok(Format::Json),
+            (None, Some(Some("csv"))) => Ok(Format::Csv),
+            (None, Some(_)) => Err(Failure::usage(
+                "the name of the file does not say what to write",
+                "let it end in .json, .csv or .txt, or say --format json, csv or table",
+            )),
+        }
     }
 
     /// Whether the largest shear stress is printed: CSV has no column for it.
-    fn searches(&self) -> bool {
-        match self.format {
+    fn searches(&self, format: Format) -> bool {
+        match format {
             Format::Table => !self.no_fields,
             Format::Json => self.fields,
             Format::Csv => false,
         }
     }
+}
+
+/// Whether the approach is printed: it is one of the scene, and CSV has a line for each contact.
+fn measures(format: Format) -> bool {
+    !matches!(format, Format::Csv)
 }
 
 /// The largest shear stress, if it is finite and can be found: it is infinite under a line load, and next to sharp corners. The contacts are solved without it, so that a failure is only

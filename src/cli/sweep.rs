@@ -6,13 +6,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
-use indicatif::ProgressBar;
 use recede::plot::{self, Kind};
 use recede::report::SweepCsv;
 use recede::{Axis, MAX_BYTES, Options, Registry, Scene, Sweep};
 
 use super::plot::Title;
-use super::progress::bar;
+use super::progress::Progress;
 use super::rows_file::RowsFile;
 use super::{Failure, tell};
 
@@ -89,9 +88,9 @@ impl Command {
             if drawn(row.index) {
                 rows.push(csv.point(&row));
             }
-            bar.inc(1);
+            bar.step();
         }
-        bar.finish_and_clear();
+        bar.finish();
         if unsolved > 0 {
             let rows = sweep.len() - first;
             tell(&format!("warning: {unsolved} of {rows} rows have no solution; column `message` says why\n"));
@@ -141,10 +140,10 @@ impl Command {
     }
 }
 
-/// A bar on a terminal, unless the rows go there.
-fn progress(rows: usize, first: usize, rows_elsewhere: bool) -> ProgressBar {
+/// How far the sweep has come, unless its rows on a terminal show it.
+fn progress(rows: usize, first: usize, rows_elsewhere: bool) -> Progress {
     if !rows_elsewhere && io::stdout().is_terminal() {
-        return ProgressBar::hidden();
+        return Progress::hidden();
     }
-    bar(rows as u64, first as u64)
+    Progress::new("rows", rows as u64, first as u64)
 }

@@ -88,9 +88,9 @@ pub fn map(
             x: Scale::around([x.0, x.1]),
             y: Scale::bent(depths.knots(), on_ground).reversed(),
             x_label: italic("x"),
-            x_unit: unit(scene, Dimension::Length),
+            x_unit: unit(scene, Dimension::LENGTH),
             y_label: "depth".into(),
-            y_unit: unit(scene, Dimension::Length),
+            y_unit: unit(scene, Dimension::LENGTH),
             curves: Vec::new(),
             labels: Labels::AtEnds,
         },
@@ -316,7 +316,7 @@ impl Map<'_> {
     /// What is said below the map.
     fn notes(&self) -> Vec<String> {
         let (_, dimension) = names::of_quantity(self.quantity);
-        let [stress, length] = [dimension, Dimension::Length].map(|dimension| after(self.scene, dimension));
+        let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
         let mut notes = Vec::new();
         if let Some(Largest { point: (x, depth, layer), value, overall }) = &self.largest {
             let what = match (overall, self.shows(*x, *depth)) {

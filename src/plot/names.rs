@@ -2,48 +2,21 @@
 use super::picture::{italic, subscript};
 use super::scale::{label, short};
 use crate::field::FieldQuantity;
+pub(super) use crate::scene::Dimension;
 use crate::scene::{Load, Punch, Scene, Units};
 use crate::solution::{Contact, Interface};
 
 /// Small figures, for indices.
 const INDICES: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
-/// What a quantity is measured in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Dimension {
-    Length,
-    Stress,
-    LineLoad,
-    PerLength,
-    Number,
-}
-
-/// Stresses in units of force and length that have a name of their own.
-const STRESSES: [(&str, &str, &str); 6] = [
-    ("N", "mm", "MPa"),
-    ("MN", "m", "MPa"),
-    ("N", "m", "Pa"),
-    ("kN", "m", "kPa"),
-    ("kN", "mm", "GPa"),
-    ("GN", "m", "GPa"),
-];
 /// Labels of units that are longer are cut.
 const LONGEST: usize = 12;
 
 /// The label of the unit, if the scene names its units.
 pub(super) fn unit(scene: &Scene, dimension: Dimension) -> Option<String> {
     let Units { length, force } = scene.units.as_ref()?;
-    let [length, force] = [length, force].map(|unit| unit.chars().take(LONGEST).collect::<String>());
-    match dimension {
-        Dimension::Length => Some(length),
-        Dimension::Stress => {
-            let named = STRESSES.iter().find(|(f, l, _)| *f == force && *l == length);
-            Some(named.map_or_else(|| format!("{force}/{length}²"), |(_, _, name)| (*name).to_owned()))
-        }
-        Dimension::LineLoad => Some(format!("{force}/{length}")),
-        Dimension::PerLength => Some(format!("1/{length}")),
-        Dimension::Number => None,
-    }
+    let [length, force] = [length, force].map(|unit| unit.chars().take(LONGEST).collect());
+    Some(Units { length, force }.symbol(dimension)).filter(|symbol| !symbol.is_empty())
 }
 
 /// The unit behind a number, with a space.
@@ -53,7 +26,7 @@ pub(super) fn after(scene: &Scene, dimension: Dimension) -> String {
 
 /// What presses on the stack, in short lines: its kind, then its sizes.
 pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
-    let length = after(scene, Dimension::Length);
+    let length = after(scene, Dimension::LENGTH);
     let radius = |radius: f64| format!("{} = {}{length}", italic("R"), label(radius));
     let half_width = |half_width: f64| format!("half-width {}{length}", label(half_width));
     let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
@@ -72,9 +45,9 @@ pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
         }
         Punch::Flat { half_width: w } => lines("flat, sharp corners", &[half_width(w.get())]),
         Punch::Table(_) => lines("profile from a table", &[]),
-        Punch::ElasticCylinder { radius: r, shear_modulus, .. } => {
-            let modulus = label(shear_modulus.get()) + &after(scene, Dimension::Stress);
-            lines("elastic cylinder", &[radius(r.get()), format!("{} = {modulus}", italic("μ"))])
+        Punch::ElasticCylinder(cylinder) => {
+            let modulus = label(cylinder.material().shear_modulus) + &after(scene, Dimension::STRESS);
+            lines("elastic cylinder", &[radius(cylinder.radius()), format!("{} = {modulus}", italic("μ"))])
         }
         Punch::Given(load) => match load {
             Load::Line => lines("line load", &[]),
@@ -100,7 +73,7 @@ pub(super) fn of_contact(scene: &Scene, interface: Interface) -> String {
 
 /// As far as bodies touch: the half-length of one interval about x = 0, or between which places there are how many.
 pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
-    let length = after(scene, Dimension::Length);
+    let length = after(scene, Dimension::LENGTH);
     let intervals = contact.intervals();
     match (&intervals[..], contact.half_length()) {
         (_, Some(half_length)) if half_length > 0.0 => format!("{symbol} = {}{length}", short(half_length)),
@@ -118,11 +91,11 @@ pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
 pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     let peak = contact.peak();
     let value = if peak.pressure.is_finite() {
-        short(peak.pressure) + &after(scene, Dimension::Stress)
+        short(peak.pressure) + &after(scene, Dimension::STRESS)
     } else {
         "∞".to_owned()
     };
-    let place = format!("at |{}| = {}{}", italic("x"), short(peak.x), after(scene, Dimension::Length));
+    let place = format!("at |{}| = {}{}", italic("x"), short(peak.x), after(scene, Dimension::LENGTH));
     let aside = (peak.x > peak.x_error).then_some(place);
     [format!("largest {value}")].into_iter().chain(aside).collect()
 }
@@ -139,10 +112,10 @@ pub(super) fn of_quantity(quantity: FieldQuantity) -> (String, Dimension) {
         FieldQuantity::Sigma2 => stress("smaller principal stress ", "2"),
         FieldQuantity::MaxShear => "largest shear stress".to_owned(),
         FieldQuantity::VonMises => "von Mises stress".to_owned(),
-        FieldQuantity::U => return (format!("displacement {}", italic("u")), Dimension::Length),
-        FieldQuantity::V => return (format!("displacement {}", italic("v")), Dimension::Length),
+        FieldQuantity::U => return (format!("displacement {}", italic("u")), Dimension::LENGTH),
+        FieldQuantity::V => return (format!("displacement {}", italic("v")), Dimension::LENGTH),
     };
-    (name, Dimension::Stress)
+    (name, Dimension::STRESS)
 }
 
 /// Symbols of half-length and pressure of each contact from the top down: a, p for the punch; b, q below, with indices
@@ -175,19 +148,20 @@ pub(super) fn of_path(path: &str) -> (String, Dimension) {
         None => (field, String::new()),
     };
     let symbol = |name: &str, symbol: &str| format!("{name} {}", italic(symbol));
-    let (name, dimension) = match field {
-        "force" => (symbol("force", "P"), Dimension::LineLoad),
-        "half_length" => (symbol("half-length", "a"), Dimension::Length),
-        "half_width" => ("half-width".to_owned(), Dimension::Length),
-        "radius" => (symbol("radius", "R"), Dimension::Length),
-        "thickness" => (symbol("thickness", "h"), Dimension::Length),
-        "height" | "heights" => ("height".to_owned(), Dimension::Length),
-        "at" => (symbol("place", "x"), Dimension::Length),
-        "shear_modulus" => (symbol("shear modulus", "μ"), Dimension::Stress),
-        "young" => (symbol("Young’s modulus", "E"), Dimension::Stress),
-        "poisson" => (symbol("Poisson’s ratio", "ν"), Dimension::Number),
-        "beta" => (symbol("grading exponent", "β"), Dimension::PerLength),
-        other => (other.replace('_', " "), Dimension::Number),
+    let dimension = Dimension::of_field(field).unwrap_or(Dimension::NUMBER);
+    let name = match field {
+        "force" => symbol("force", "P"),
+        "half_length" => symbol("half-length", "a"),
+        "half_width" => "half-width".to_owned(),
+        "radius" => symbol("radius", "R"),
+        "thickness" => symbol("thickness", "h"),
+        "height" | "heights" => "height".to_owned(),
+        "at" => symbol("place", "x"),
+        "shear_modulus" => symbol("shear modulus", "μ"),
+        "young" => symbol("Young’s modulus", "E"),
+        "poisson" => symbol("Poisson’s ratio", "ν"),
+        "beta" => symbol("grading exponent", "β"),
+        other => other.replace('_', " "),
     };
     let (of, layer) = match owner.split_once('[') {
         Some((of, rest)) => (of, rest.split(']').next().and_then(|number| number.parse().ok())),
@@ -207,10 +181,10 @@ mod tests {
 
     #[test]
     fn paths_become_symbols() {
-        assert_eq!(of_path("layer[12].beta"), (format!("grading exponent {}₁₂", italic("β")), Dimension::PerLength));
-        assert_eq!(of_path("force").1, Dimension::LineLoad);
+        assert_eq!(of_path("layer[12].beta"), (format!("grading exponent {}₁₂", italic("β")), Dimension::PER_LENGTH));
+        assert_eq!(of_path("force").1, Dimension::LINE_LOAD);
         assert_eq!(of_path("layer[1].own_number").0, "own number₁");
-        assert_eq!(of_path("punch.heights[2]"), ("height 2".to_owned(), Dimension::Length));
+        assert_eq!(of_path("punch.heights[2]"), ("height 2".to_owned(), Dimension::LENGTH));
     }
 
     #[test]
@@ -226,7 +200,7 @@ mod tests {
         let several =
             "load: Several([(at: 0, share: 1, load: Line), (at: 1, share: 1, load: Uniform(half_width: 0.1))])";
         assert_eq!(name(several), "3 loads");
-        assert_eq!(unit(&scene("load: Line", "force"), Dimension::Stress).unwrap(), "MPa");
+        assert_eq!(unit(&scene("load: Line", "force"), Dimension::STRESS).unwrap(), "MPa");
     }
 
     #[test]

@@ -39,7 +39,7 @@ pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
         let finite = known(peak).next().is_some();
         let (at, name) =
             if finite { (peak, format!("largest {pressure}")) } else { (centre, format!("{pressure}(0)")) };
-        let quantities = [(right, reach, Dimension::Length), (at, name, Dimension::Stress)];
+        let quantities = [(right, reach, Dimension::LENGTH), (at, name, Dimension::STRESS)];
         planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| Plane {
             what: if line == 0 { of_contact(scene, *interface) } else { String::new() },
             place: [i, line],

@@ -117,7 +117,7 @@ impl Punch<'_> {
     }
 
     fn force(&self, picture: &mut Picture, all: &str) {
-        let unit = after(self.scene, Dimension::LineLoad);
+        let unit = after(self.scene, Dimension::LINE_LOAD);
         let given = self.scene.force.given();
         let number = given.map_or_else(|| short(self.force), label);
         let text = format!("{} = {number}{unit}{all}", italic("P"));

@@ -136,7 +136,7 @@ impl Drawing<'_> {
     /// Thickness and modulus of a layer.
     fn name(&self, placed: &Placed) -> String {
         let modulus = placed.layer.material(0.0, self.scene.plane).shear_compliance.recip();
-        let [stress, length] = [Dimension::Stress, Dimension::Length].map(|dimension| after(self.scene, dimension));
+        let [stress, length] = [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
         let number = index(placed.number);
         let thick = placed.layer.thickness();
         let end = thick.unwrap_or(BASE / self.scale);
@@ -255,9 +255,9 @@ impl Drawing<'_> {
             x: Scale::around([-half, half]),
             y: y.clone(),
             x_label: italic("x"),
-            x_unit: unit(scene, Dimension::Length),
+            x_unit: unit(scene, Dimension::LENGTH),
             y_label: if relative { "pressure / its largest" } else { "contact pressure" }.into(),
-            y_unit: unit(scene, Dimension::Stress).filter(|_| !relative),
+            y_unit: unit(scene, Dimension::STRESS).filter(|_| !relative),
             curves: drawn.chain(lines).collect(),
             labels: Labels::Listed,
         };

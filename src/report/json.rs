@@ -5,11 +5,13 @@ use serde::Serialize;
 
 use super::Report;
 use crate::approach::{self, ApproachError, Stiffness};
+use crate::scene::{self, Dimension};
 use crate::solution;
 
 #[derive(Serialize)]
 struct Document<'a> {
     scene: &'a str,
+    units: Option<Units>,
     contacts: Vec<Contact>,
     force: f64,
     force_error: f64,
@@ -25,6 +27,22 @@ struct Document<'a> {
     seconds: f64,
     stats: Stats<'a>,
     warnings: Vec<Warning<'a>>,
+}
+
+/// What numbers are in, where the scene names its units.
+#[derive(Serialize)]
+struct Units {
+    length: String,
+    force: String,
+    stress: String,
+}
+
+impl Units {
+    fn of(units: &scene::Units) -> Self {
+        let [length, force, stress] =
+            [Dimension::LENGTH, Dimension::LINE_LOAD, Dimension::STRESS].map(|dimension| units.symbol(dimension));
+        Self { length, force, stress }
+    }
 }
 
 #[derive(Serialize)]
@@ -171,6 +189,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let contacts = solution.contacts().iter().map(|contact| Contact::of(report.name(contact), contact));
     let document = Document {
         scene: report.scene.title(),
+        units: report.scene.units.as_ref().map(Units::of),
         contacts: contacts.collect(),
         force: solution.force(),
         force_error: solution.force_error(),

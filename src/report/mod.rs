@@ -14,7 +14,7 @@ pub use field::{FieldFormat, write_field};
 
 use crate::approach::{Approach, ApproachError};
 use crate::field::MaxShear;
-use crate::scene::Scene;
+use crate::scene::{Dimension, Scene, Units};
 use crate::solution::{Contact, Interface, Solution};
 
 pub use profile::write_profile;
@@ -38,7 +38,7 @@ pub enum Format {
 /// use recede::{Scene, report::{Format, Report}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
-/// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, seconds: 0.0 };
+/// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, digits: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -52,6 +52,8 @@ pub struct Report<'a> {
     pub approach: Option<&'a Result<Approach, ApproachError>>,
     /// The largest shear stress, if it was requested: see [`crate::Field::max_shear`].
     pub max_shear: Option<MaxShear>,
+    /// Significant digits of the numbers in a table, at most; `None` shows as many as their errors justify.
+    pub digits: Option<usize>,
     /// Time it took, in seconds.
     pub seconds: f64,
 }
@@ -63,6 +65,11 @@ impl Report<'_> {
             (Interface::Punch, Some(_)) => "load".to_owned(),
             (interface, _) => interface.to_string(),
         }
+    }
+
+    /// The unit behind a number, with a space; empty if the scene does not name its units.
+    fn unit(&self, dimension: Dimension) -> String {
+        Units::after(self.scene.units.as_ref(), dimension)
     }
 
     /// Writes the report.

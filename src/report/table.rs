@@ -4,64 +4,64 @@ use std::io;
 use comfy_table::{LineStyle, Table, TableStyle};
 
 use super::Report;
-use super::digits::{plain, rounded, with_error};
+use super::digits::{Digits, plain};
 use crate::approach::{Approach, Stiffness};
 use crate::field::MaxShear;
+use crate::scene::Dimension;
 use crate::solution::Interval;
 
 const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
-    let Report { scene, solution, approach, max_shear, seconds } = report;
-    let units = scene.units.as_ref();
-    let unit =
-        |label: &dyn Fn(&str, &str) -> String| units.map_or(String::new(), |units| label(&units.length, &units.force));
-    let length = unit(&|length, _| format!(" {length}"));
-    let line_load = unit(&|length, force| format!(" {force}/{length}"));
+    let Report { scene, solution, approach, max_shear, digits, seconds } = report;
+    let [length, stress, line_load] =
+        [Dimension::LENGTH, Dimension::STRESS, Dimension::LINE_LOAD].map(|of| report.unit(of));
     let header = |name: &str, label: String| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
 
     writeln!(out, "{}", printable(scene.title()))?;
     if let Some(description) = &scene.description {
         writeln!(out, "{}", printable(description))?;
     }
+    let digits = Digits(*digits);
     let force = match solution.force_error() {
-        0.0 => plain(solution.force()),
-        error => with_error(solution.force(), error),
+        0.0 => digits.exact(solution.force()),
+        error => digits.with_error(solution.force(), error),
     };
     writeln!(out, "{}, force {force}{line_load}", scene.punch.label())?;
 
-    let mut table = Table::new();
-    table.load_style(RULES);
+    let mut table = ruled();
     table.set_header([
         "contact".to_owned(),
         header("half-length", length.clone()),
-        header("pressure at x = 0", unit(&|length, force| format!(" {force}/{length}²"))),
+        header("pressure at x = 0", stress.clone()),
         header("resultant", line_load.clone()),
     ]);
     for contact in solution.contacts() {
         table.add_row([
             report.name(contact),
             match (contact.half_length(), contact.half_length_error()) {
-                (Some(half_length), Some(error)) => with_error(half_length, error),
+                (Some(half_length), Some(error)) => digits.with_error(half_length, error),
                 _ => "see below".to_owned(),
             },
             match contact.central_pressure.is_finite() {
-                true => with_error(contact.central_pressure, contact.central_pressure_error),
+                true => digits.with_error(contact.central_pressure, contact.central_pressure_error),
                 false => "infinite".to_owned(),
             },
-            rounded(contact.resultant),
+            digits.rounded(contact.resultant),
         ]);
     }
     writeln!(out, "{table}")?;
     notes(report, out)?;
     if let Some(Ok(approach)) = approach {
-        sunk(approach, &length, &unit(&|length, force| format!(" {force}/{length}²")), out)?;
+        sunk(approach, digits, [&length, &stress], out)?;
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
-        let stress = unit(&|length, force| format!(" {force}/{length}²"));
-        writeln!(out, "largest shear stress {value}{stress} at x = {x}, depth {depth} in layer {layer}")?;
+        writeln!(
+            out,
+            "largest shear stress {value}{stress} at x = {x}{length}, depth {depth}{length} in layer {layer}"
+        )?;
     }
     writeln!(
         out,
@@ -73,25 +73,34 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     )
 }
 
+/// A table with lines between its parts.
+pub(super) fn ruled() -> Table {
+    let mut table = Table::new();
+    table.load_style(RULES);
+    table
+}
+
 /// How far the punch has sunk, and the stiffness.
-fn sunk(approach: &Approach, length: &str, stress: &str, out: &mut dyn io::Write) -> io::Result<()> {
+fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &mut dyn io::Write) -> io::Result<()> {
     let stiffness = match approach.stiffness {
-        Stiffness::Known { value, error } => format!("stiffness {}{stress}", with_error(value, error)),
+        Stiffness::Known { value, error } => format!("stiffness {}{stress}", digits.with_error(value, error)),
         Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
     };
-    writeln!(out, "approach {}{length}, {stiffness}", with_error(approach.value, approach.error))
+    writeln!(out, "approach {}{length}, {stiffness}", digits.with_error(approach.value, approach.error))
 }
 
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
 fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
-    let solution = report.solution;
+    let (solution, digits) = (report.solution, Digits(report.digits));
+    let [length, stress, line_load] =
+        [Dimension::LENGTH, Dimension::STRESS, Dimension::LINE_LOAD].map(|of| report.unit(of));
     for contact in solution.contacts() {
         let name = report.name(contact);
         if contact.half_length().is_none() {
             // x ≥ 0 only: the rest is the mirror image
             for Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
-                let share = rounded(force);
-                let (from, to) = (place(left, left_error), place(right, right_error));
+                let share = digits.rounded(force) + &line_load;
+                let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + &length);
                 match left + right {
                     0.0 if right > 0.0 => writeln!(out, "{name}: |x| < {to} carries {share}")?,
                     0.0 => writeln!(out, "{name}: x = 0 carries {share}")?,
@@ -103,9 +112,9 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
         }
         let peak = contact.peak();
         if peak.x > peak.x_error {
-            let x = with_error(peak.x, peak.x_error);
+            let x = digits.with_error(peak.x, peak.x_error) + &length;
             let pressure = match peak.pressure.is_finite() {
-                true => with_error(peak.pressure, peak.error),
+                true => digits.with_error(peak.pressure, peak.error) + &stress,
                 false => "infinite".to_owned(),
             };
             writeln!(out, "{name}: largest pressure {pressure} at |x| = {x}")?;
@@ -121,8 +130,8 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// A place that is given, or one that was found.
-fn place(x: f64, error: f64) -> String {
-    if error == 0.0 { rounded(x) } else { with_error(x, error) }
+fn place(digits: Digits, x: f64, error: f64) -> String {
+    if error == 0.0 { digits.rounded(x) } else { digits.with_error(x, error) }
 }
 
 /// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.

@@ -1,6 +1,7 @@
 //! What the RON reader says, in words of the scene: what was found, what is allowed, what to do.
 use ron::Error as Code;
 
+use super::hints::{instead_of, is_unit};
 use super::quoted_list;
 
 /// The part of a scene that was being read.
@@ -63,7 +64,7 @@ pub(super) fn explain(code: &Code, subject: &Subject, rest: &str) -> (String, Op
         Code::Message(reason) => (format!("{}: {reason}", subject.name()), range_hint(rest)),
         Code::NoSuchStructField { expected, found, .. } => (
             format!("{} has no field `{found}`; {}", subject.parent(found), allowed(expected)),
-            did_you_mean(found, expected),
+            instead_of(found, expected),
         ),
         Code::MissingStructField { field, .. } => (
             format!("`{field}` is missing in {}", subject.name()),
@@ -73,13 +74,13 @@ pub(super) fn explain(code: &Code, subject: &Subject, rest: &str) -> (String, Op
             (format!("{} has `{field}` twice", subject.parent(field)), Some("remove one of them".into()))
         }
         Code::NoSuchEnumVariant { expected, found, .. } => {
-            (format!("{} is `{found}`; {}", subject.name(), allowed(expected)), did_you_mean(found, expected))
+            (format!("{} is `{found}`; {}", subject.name(), allowed(expected)), instead_of(found, expected))
         }
         Code::InvalidValueForType { expected, found } => {
             (format!("{}: {expected} is expected, found {found}", subject.name()), None)
         }
         Code::ExpectedDifferentStructName { expected, found } => {
-            (format!("{} begins with `{expected}(`, found `{found}`", subject.owner), did_you_mean(found, &[expected]))
+            (format!("{} begins with `{expected}(`, found `{found}`", subject.owner), instead_of(found, &[expected]))
         }
         other => syntax(other, subject, rest),
     }
@@ -106,6 +107,10 @@ fn syntax(code: &Code, subject: &Subject, rest: &str) -> (String, Option<String>
             format!("{found} makes no sense here"),
             Some("is it one too many, or is another bracket not closed?".into()),
         ),
+        Code::ExpectedComma if is_unit(unit_token(rest)) => (
+            format!("{found} follows a number"),
+            Some("write a number with its unit in double quotes: `\"210 GPa\"`".into()),
+        ),
         Code::ExpectedComma => (format!("a comma is missing before {found}"), None),
         Code::ExpectedMapColon => (
             format!("a colon is missing before {found}"),
@@ -123,13 +128,6 @@ fn syntax(code: &Code, subject: &Subject, rest: &str) -> (String, Option<String>
         }
         other => (format!("{}: {other}", subject.name()), None),
     }
-}
-
-/// The nearest of the allowed names, if it is near.
-pub(super) fn did_you_mean(found: &str, allowed: &[&str]) -> Option<String> {
-    let likeness = |name: &str| strsim::jaro_winkler(&found.to_lowercase(), &name.to_lowercase());
-    let (likeness, name) = allowed.iter().map(|name| (likeness(name), name)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (likeness > 0.75).then(|| format!("did you mean `{name}`?"))
 }
 
 /// Numbers too large or too small for double precision are read as infinite or zero.
@@ -165,6 +163,11 @@ pub(super) fn token(rest: &str) -> String {
     let shown: String = token.chars().take(LONGEST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     let more = if token.chars().count() > LONGEST { "..." } else { "" };
     format!("`{shown}{more}`")
+}
+
+/// The characters up to the next space, comma or bracket.
+fn unit_token(rest: &str) -> &str {
+    rest.split(|c: char| c.is_whitespace() || ",()[]".contains(c)).next().unwrap_or_default()
 }
 
 /// The characters up to the next space or punctuation.

@@ -1,8 +1,11 @@
 //! A scene: what is pressed by what, as read from a text.
+mod elastic_cylinder;
 mod explain;
 mod force;
 mod heights;
+mod hints;
 mod item;
+mod json;
 mod load;
 mod origin;
 mod paths;
@@ -11,6 +14,8 @@ mod read;
 mod shape;
 mod spring;
 mod text;
+mod translate;
+mod units;
 mod value;
 mod vocabulary;
 mod write;
@@ -18,16 +23,17 @@ mod write;
 use std::sync::Arc;
 
 use recede_layers::Plane;
-use schemars::JsonSchema;
-use serde::Deserialize;
 
+pub use elastic_cylinder::ElasticCylinder;
 pub use force::Force;
 pub use heights::HeightsError;
 pub use item::Item;
+pub use json::scene_schema;
 pub use load::Load;
 pub use origin::SceneError;
 pub use punch::Punch;
 pub use spring::Spring;
+pub use units::Units;
 pub use value::{LoadsError, ValueError};
 pub use vocabulary::Vocabulary;
 
@@ -38,6 +44,7 @@ pub(crate) use read::read_document;
 pub(crate) use shape::{Piece, Shape};
 #[cfg(feature = "files")]
 pub(crate) use text::first_name;
+pub(crate) use units::Dimension;
 
 use origin::Origin;
 
@@ -46,7 +53,8 @@ pub const MAX_BYTES: usize = 1 << 20;
 /// Largest number of items, layers and interfaces together, in a stack.
 pub const MAX_ITEMS: usize = 100_000;
 
-/// A scene as written: a punch pressed onto a stack of layers by a force. Any consistent units; nothing is converted.
+/// A scene as written: a punch pressed onto a stack of layers by a force. Any consistent units; of the numbers of a text those with
+/// a unit of their own, such as `"26 GPa"`, are converted to the units of the scene.
 ///
 /// ```
 /// use recede::Scene;
@@ -72,7 +80,7 @@ pub struct Scene {
     pub name: Option<String>,
     /// What the scene shows.
     pub description: Option<String>,
-    /// Labels of the units, for reports only.
+    /// Labels of the units, for reports; they convert numbers with a unit of their own when a scene is read.
     pub units: Option<Units>,
     /// Plane strain or plane stress.
     pub plane: Plane,
@@ -83,16 +91,6 @@ pub struct Scene {
     /// Layers and the interfaces between them from the top down, ending in a base.
     pub stack: Vec<Item>,
     origin: Option<Arc<Origin>>,
-}
-
-/// Labels of the units in which a scene is written; nothing is converted.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Units {
-    /// Label of the unit of length, e.g. `mm`.
-    pub length: String,
-    /// Label of the unit of force, e.g. `N`.
-    pub force: String,
 }
 
 impl Scene {

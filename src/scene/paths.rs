@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use recede_layers::Positive;
 
-use super::explain::{bare_token, did_you_mean};
+use super::explain::bare_token;
+use super::hints::did_you_mean;
 use super::origin::{Origin, Places, SceneError};
 use super::read::{parse, read_item, read_top};
 use super::text::{Part, elements, field, fields, part, without_comments};
@@ -111,8 +112,15 @@ impl Scene {
     /// The same scene with other values.
     pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, SceneError> {
         let Some(origin) = &self.origin else { return Ok(self.clone()) };
-        let text = changed(&origin.text, 0..origin.text.len(), changes);
-        let mut origin = Origin { text, places: Places::default(), ..(**origin).clone() };
+        // in the text as written, so that a mistake is shown there
+        let written = origin.written();
+        let places = |range: &Range<usize>| origin.place(range.start)..origin.place(range.end);
+        let slots: Vec<(Slot, f64)> =
+            changes.iter().map(|(slot, value)| (Slot { range: places(&slot.range), ..**slot }, *value)).collect();
+        let changes: Vec<Change> = slots.iter().map(|(slot, value)| (slot, *value)).collect();
+        let text = changed(written, 0..written.len(), &changes);
+        let new = Origin { text, source: None, places: Places::default(), ..(**origin).clone() };
+        let mut origin = new.translated()?;
         let (scene, places) = parse(&origin)?;
         origin.places = places;
         Ok(Self { origin: Some(Arc::new(origin)), ..scene })

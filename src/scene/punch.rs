@@ -5,10 +5,11 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use recede_layers::{Exponent, Finite, Isotropic, Poisson, Positive, Thickness};
+use recede_layers::{Exponent, Finite, Isotropic, Positive, Thickness};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
 use super::load::Load;
 use super::shape::{Piece, Shape};
@@ -79,14 +80,7 @@ pub enum Punch {
     /// them.
     Table(Heights),
     /// A circular cylinder of an elastic material: it is flattened like a half-plane.
-    ElasticCylinder {
-        /// Radius R, in length.
-        radius: Positive,
-        /// Shear modulus of the cylinder, in stress.
-        shear_modulus: Positive,
-        /// Poisson's ratio of the cylinder, dimensionless.
-        poisson: Poisson,
-    },
+    ElasticCylinder(ElasticCylinder),
     /// No punch, but a prescribed traction; in a scene written as `load: ...` in place of `punch: ...`.
     #[serde(skip)]
     Given(Load),
@@ -177,11 +171,7 @@ impl Punch {
     /// # Errors
     /// [`ValueError::OutOfRange`] if a number is not legal.
     pub fn elastic_cylinder(radius: f64, shear_modulus: f64, poisson: f64) -> Result<Self, ValueError> {
-        Ok(Self::ElasticCylinder {
-            radius: ValueError::checked("radius", radius)?,
-            shear_modulus: ValueError::checked("shear_modulus", shear_modulus)?,
-            poisson: ValueError::checked("poisson", poisson)?,
-        })
+        ElasticCylinder::new(radius, shear_modulus, poisson).map(Self::ElasticCylinder)
     }
 
     /// The prescribed traction, if there is no punch.
@@ -195,7 +185,8 @@ impl Punch {
     /// What the profile is made of.
     pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
-            Self::Cylinder { radius } | Self::ElasticCylinder { radius, .. } => Shape::Circle(radius.get()),
+            Self::Cylinder { radius } => Shape::Circle(radius.get()),
+            Self::ElasticCylinder(cylinder) => Shape::Circle(cylinder.radius()),
             Self::Parabola { radius } => {
                 Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())], end: None }
             }
@@ -221,9 +212,7 @@ impl Punch {
     /// The material of an elastic punch; `None` if it is rigid.
     pub fn material(&self) -> Option<Isotropic> {
         match self {
-            Self::ElasticCylinder { shear_modulus, poisson, .. } => {
-                Some(Isotropic { shear_modulus: shear_modulus.get(), poisson: poisson.get() })
-            }
+            Self::ElasticCylinder(cylinder) => Some(cylinder.material()),
             _ => None,
         }
     }

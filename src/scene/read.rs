@@ -9,14 +9,15 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use recede_layers::description::{Field, Value};
+use recede_layers::description::{Field, Value, schema_of};
 use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 
-use super::explain::{At, Subject, did_you_mean, explain, place, token};
+use super::explain::{At, Subject, explain, place, token};
+use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, Places, SceneError};
 use super::text::{Part, field, name_and_rest, part, without_comments};
@@ -73,9 +74,14 @@ impl JsonSchema for StackText {
     }
 }
 
+/// The JSON Schema of a scene, whose stack is a list of anything.
+pub(super) fn schema_of_scene() -> Schema {
+    schema_of::<Draft>()
+}
+
 /// The fields of a scene.
 pub(super) fn fields_of_scene() -> Vec<Field> {
-    match Value::of::<Draft>() {
+    match Value::of_schema(&schema_of_scene()) {
         Value::Fields(fields) => fields,
         _ => Vec::new(),
     }
@@ -97,6 +103,15 @@ impl Scene {
     /// As [`Scene::from_ron`].
     pub fn from_ron_with(text: &str, registry: &Registry) -> Result<Self, SceneError> {
         Self::from_reader("scene", text.as_bytes(), registry)
+    }
+
+    /// Reads a scene from JSON, see [`Scene::to_json`], with the layer types that ship. All that reads a scene from RON reads
+    /// JSON as well, and tells them apart by the brace with which JSON begins.
+    ///
+    /// # Errors
+    /// As [`Scene::from_ron`].
+    pub fn from_json(text: &str) -> Result<Self, SceneError> {
+        Self::from_ron(text)
     }
 
     /// Reads a scene from a file with the layer types that ship.
@@ -124,7 +139,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::from_ron`], and if it cannot be read or is longer than [`MAX_BYTES`].
     pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, SceneError> {
-        let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? };
+        let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? }.translated()?;
         let (scene, places) = parse(&origin)?;
         origin.places = places;
         Ok(Self { origin: Some(Arc::new(origin)), ..scene })
@@ -335,7 +350,7 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
     }
     let Some(entry) = registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
-        return Err(origin.error(Some(item.name_at), message, did_you_mean(name, &names())));
+        return Err(origin.error(Some(item.name_at), message, instead_of(name, &names())));
     };
     let fields = fields(format!("layer {number} ({name})"));
     match (entry.read)(fields.text) {

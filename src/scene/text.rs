@@ -3,7 +3,7 @@ use std::fmt;
 
 use recede_layers::read_ron;
 use ron::value::RawValue;
-use serde::de::{MapAccess, Visitor};
+use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 /// A part of the scene's text that is read on its own, and what it is called.
@@ -72,6 +72,41 @@ pub(super) fn elements(text: &str) -> Vec<&str> {
         None => read_ron::<Vec<&RawValue>>(text),
     };
     list.map_or_else(|_| Vec::new(), |list| list.into_iter().map(RawValue::get_ron).collect())
+}
+
+/// The values in brackets or parentheses as written, with or without a name before them.
+pub(super) fn members(text: &str) -> Vec<&str> {
+    let rest = name_and_rest(text).map_or(text, |(_, rest)| rest);
+    let list = match without_comments(rest).starts_with('(') {
+        true => read_ron::<Members>(rest).map(|Members(members)| members),
+        false => read_ron::<Vec<&RawValue>>(rest),
+    };
+    list.map_or_else(|_| Vec::new(), |list| list.into_iter().map(RawValue::get_ron).collect())
+}
+
+/// The values of a tuple, however many there are.
+struct Members<'a>(Vec<&'a RawValue>);
+
+impl<'de> Deserialize<'de> for Members<'de> {
+    fn deserialize<D: Deserializer<'de>>(reader: D) -> Result<Self, D::Error> {
+        struct Collect;
+        impl<'de> Visitor<'de> for Collect {
+            type Value = Members<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("values")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Members<'de>, A::Error> {
+                let mut members = Vec::new();
+                while let Some(member) = list.next_element()? {
+                    members.push(member);
+                }
+                Ok(Members(members))
+            }
+        }
+        reader.deserialize_tuple(usize::MAX, Collect)
+    }
 }
 
 /// Fields with the text of their values.

@@ -1,5 +1,5 @@
 //! Why a punch, a load, a force or a spring cannot be made of some numbers.
-use recede_layers::OutOfRange;
+use recede_layers::{LayerError, OutOfRange};
 
 use super::HeightsError;
 
@@ -37,6 +37,9 @@ pub enum ValueError {
     /// Heights that do not describe a punch.
     #[error(transparent)]
     Heights(#[from] HeightsError),
+    /// Elastic constants that make no material.
+    #[error(transparent)]
+    Material(#[from] LayerError),
     /// A list of loads that is none.
     #[error(transparent)]
     Loads(#[from] LoadsError),

@@ -40,7 +40,7 @@ impl Vocabulary {
         let registered = registry.iter().map(|entry| Form {
             name: entry.name.to_owned(),
             meaning: entry.summary.to_owned(),
-            value: entry.describe.map(|describe| describe()),
+            value: entry.describe(),
         });
         let is_base = |form: &Form| match &form.value {
             Some(Value::Fields(fields)) => fields.iter().all(|field| field.name != THICKNESS),

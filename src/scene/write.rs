@@ -49,17 +49,18 @@ impl Scene {
 
 /// Writes a punch or a load as it stands in a scene, in one line.
 pub(super) fn written(value: &impl Serialize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    use ron::extensions::Extensions;
     let style = ron::ser::PrettyConfig::new()
         .compact_structs(true)
         .compact_arrays(true)
-        .extensions(ron::extensions::Extensions::UNWRAP_VARIANT_NEWTYPES);
+        .extensions(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
     let text = ron::ser::to_string_pretty(value, style).map_err(|_| fmt::Error)?;
     // extensions are announced in a first line
     f.write_str(text.rsplit('\n').next().unwrap_or(&text))
 }
 
 /// A text in double quotes, whatever it contains.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     let mut quoted = "\"".to_owned();
     for c in text.chars() {
         match c {

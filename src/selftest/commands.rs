@@ -60,7 +60,8 @@ fn reports(
         Err(error) => return Err(context("largest shear stress")(&error)),
     };
     let max_shear_known = max_shear.filter(|found| found.value.is_finite());
-    let report = Report { scene, solution, approach: Some(approach), max_shear: max_shear_known, seconds: 0.0 };
+    let report =
+        Report { scene, solution, approach: Some(approach), max_shear: max_shear_known, digits: None, seconds: 0.0 };
     for format in [Format::Table, Format::Json, Format::Csv] {
         let mut text = Vec::new();
         report.write(format, &mut text).map_err(|e| context("report")(&e))?;
@@ -157,7 +158,7 @@ fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
     }
     for format in [FieldFormat::Csv, FieldFormat::Json] {
         let mut text = Vec::new();
-        write_field(grid.points(), format, &mut text).map_err(|e| context("field file")(&e))?;
+        write_field(grid.points(), None, format, &mut text).map_err(|e| context("field file")(&e))?;
     }
     let mean = 0.5 * top.resultant / top.reach();
     for point in grid.rows().next().unwrap_or_default() {

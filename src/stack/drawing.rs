@@ -9,17 +9,19 @@ use super::{Group, Joint, Placed, Stack};
 const NARROWEST: usize = 50;
 /// Columns between the borders, at most.
 const WIDEST: usize = 500;
+/// Columns by which the second line of a long layer is indented.
+const INDENT: usize = 3;
 
 impl fmt::Display for Stack {
     /// Draws the stack without a punch.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.drawing(None))
+        f.write_str(&self.drawing(None, None))
     }
 }
 
 impl Stack {
     /// Draws the stack from the top down, one box for each group of joined layers; above it the punch with what is
-    /// written on it, if anything.
+    /// written on it, if anything. It is no wider than so many columns, or 50.
     ///
     /// ```text
     ///           ╲    Cylinder(radius: 500.0), force 0.002    ╱
@@ -32,7 +34,7 @@ impl Stack {
     /// │ 2 HalfPlane(shear_modulus: 1.0, poisson: 0.25)                   │
     /// │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
     /// ```
-    pub fn drawing(&self, punch: Option<&str>) -> String {
+    pub fn drawing(&self, punch: Option<&str>, columns: Option<usize>) -> String {
         let joints: Vec<&[Joint]> = self.groups().map(|group| group.joints()).collect();
         let labels = |group: Group<'_>| {
             let support = group.support().map(|(number, support)| label(number, &support.notation()));
@@ -41,9 +43,12 @@ impl Stack {
         let groups: Vec<Vec<String>> = self.groups().map(labels).collect();
         let widths = groups.iter().flatten().map(|text| text.chars().count());
         let width = widths.chain([NARROWEST]).max().unwrap_or(NARROWEST).min(WIDEST);
+        // the borders take a column each
+        let width = columns.map_or(width, |columns| width.min(columns.saturating_sub(2).max(NARROWEST)));
 
         let mut lines = Vec::new();
         if let Some(text) = punch {
+            let text = cut(text, width.saturating_sub(10));
             lines.push(centred(&format!("╲    {text}    ╱"), width));
             lines.push(centred(&format!("╰{}╯", "─".repeat(text.chars().count() + 6)), width));
         }
@@ -58,7 +63,7 @@ impl Stack {
                 if j > 0 {
                     lines.push(joined(joints[i].get(j - 1), width));
                 }
-                lines.push(format!("│{text:width$}│"));
+                lines.extend(folded(text, width).iter().map(|line| format!("│{line:width$}│")));
             }
         }
         if let Some(number) = self.groups().find_map(|group| group.rigid()) {
@@ -90,7 +95,54 @@ fn centred(text: &str, width: usize) -> String {
     format!("{text:^0$}", width + 2).trim_end().to_owned()
 }
 
+/// A text without its end, if it is too long.
+fn cut(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    text.chars().take(most.saturating_sub(3)).chain("...".chars()).collect()
+}
+
+/// A text in lines that are no longer than `width`, broken between words where that can be done.
+fn folded(text: &str, width: usize) -> Vec<String> {
+    let (mut lines, mut line) = (Vec::new(), String::new());
+    let length = |text: &str| text.chars().count();
+    for word in text.trim_end().split_inclusive(' ') {
+        let is_begun = length(&line) > INDENT;
+        if is_begun && length(&line) + length(word.trim_end()) + 1 > width {
+            lines.push(std::mem::replace(&mut line, " ".repeat(INDENT)));
+        }
+        for c in word.chars() {
+            if length(&line) >= width {
+                lines.push(std::mem::replace(&mut line, " ".repeat(INDENT)));
+            }
+            line.push(c);
+        }
+    }
+    lines.push(line);
+    lines
+}
+
 /// The text in the box of a layer.
 fn label(number: usize, notation: &Notation) -> String {
     format!(" {number} {}({}) ", notation.kind, notation.parameters)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_texts_are_folded_between_words() {
+        assert_eq!(folded(" 1 Layer(a: 1.0) ", 20), [" 1 Layer(a: 1.0)"]);
+        assert_eq!(folded(" 1 Layer(aaaa: 1.0, bbbb: 2.0) ", 20), [" 1 Layer(aaaa: 1.0, ", "   bbbb: 2.0)"]);
+        for text in [" 1 aaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "", "µ µµµµµµµ µµµµµµ µµµµµµµµµµµµµµµµµµµµ"]
+        {
+            let lines = folded(text, 10);
+            assert!(lines.iter().all(|line| line.chars().count() <= 10), "{lines:?}");
+            let joined: String = lines.concat().split_whitespace().collect();
+            assert_eq!(joined, text.split_whitespace().collect::<String>());
+        }
+        assert_eq!((cut("abcdefgh", 6), cut("abc", 6)), ("abc...".into(), "abc".into()));
+    }
 }

@@ -13,7 +13,7 @@ use recede::Scene;
 use recede::selftest::{Ranges, scene, scene_of_any_kind, variant};
 
 use super::Failure;
-use super::progress::bar;
+use super::progress::Progress;
 use tables::{causes, estimates, list, spread};
 use workers::{Ended, Worker};
 
@@ -111,7 +111,7 @@ impl Selftest {
     fn ended_all(&self) -> Result<Vec<Ended>, Failure> {
         let threads = self.threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
         let (next, end) = (AtomicU64::new(self.first), self.first.saturating_add(self.count));
-        let bar = bar(self.count, 0);
+        let bar = Progress::new("scenes", self.count, 0);
         let one_by_one = || -> Result<Vec<Ended>, Failure> {
             let (mut worker, mut ended) = (Worker::new(self), Vec::new());
             loop {
@@ -120,7 +120,7 @@ impl Selftest {
                     return Ok(ended);
                 }
                 ended.push(worker.run(number)?);
-                bar.inc(1);
+                bar.step();
             }
         };
         let all = thread::scope(|scope| {
@@ -130,7 +130,7 @@ impl Selftest {
                 .map(|thread| thread.join().unwrap_or_else(|_| Err(io::Error::other("a thread panicked").into())))
                 .collect::<Result<Vec<_>, _>>()
         })?;
-        bar.finish_and_clear();
+        bar.finish();
         Ok(all.into_iter().flatten().collect())
     }
 

@@ -48,12 +48,12 @@ fn found(level: &Level, i: usize) -> Found {
         let terms = coefficients.iter_mut().enumerate();
         terms.for_each(|(m, c)| *c -= 2.0 * alternating(m) * tip / order(m));
     }
-    let (error, peak) = (level.errors[i], level.peaks[i] * unit);
+    let (error, peak, size) = (level.errors[i], level.peaks[i] * unit, level.sizes[i] * unit);
     let to_error = error.length * half_length;
     Found {
         intervals: vec![Part { from: 0.0, from_error: 0.0, to: half_length, to_error }],
         peak,
-        peak_error: error.pressure * peak,
+        peak_error: if peak.is_finite() { error.pressure * size } else { f64::INFINITY },
         strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients) }],
     }
 }

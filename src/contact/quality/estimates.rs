@@ -41,6 +41,8 @@ pub(crate) struct Level {
     pub(crate) counts: Vec<usize>,
     /// Σ y_m/(πj), p(0) a/(2 μ₀P'), per contact; infinite under a sharp tip.
     pub(crate) peaks: Vec<f64>,
+    /// The pressures that errors are compared with, in the same measure.
+    pub(crate) sizes: Vec<f64>,
     /// Whether sweeps have left less than the truncation error.
     pub(crate) swept: Vec<bool>,
     /// Relative errors.
@@ -79,10 +81,11 @@ impl Level {
             continued(&mut modes[i], &local.modes);
         }
         let peaks = truncations.iter().map(|own| own.peak).collect();
+        let sizes = truncations.iter().map(|own| own.size).collect();
         let swept = truncations.iter().map(|own| own.is_swept).collect();
         let tails = truncations.iter().map(|own| own.tail).collect();
         let remainders = truncations.into_iter().map(|own| own.remainder).collect();
-        Self { support, modes, apexes, counts, peaks, swept, errors, own_errors, tails, remainders }
+        Self { support, modes, apexes, counts, peaks, sizes, swept, errors, own_errors, tails, remainders }
     }
 
     /// Where sweeps have not converged, nothing is known better than by how much half-lengths differ from those of fewer modes.
@@ -118,7 +121,8 @@ impl Level {
 struct Truncation {
     /// Σ y_m/(πj).
     peak: f64,
-    /// The pressure that errors are compared with: that at x = 0, or a mean pressure where that is infinite.
+    /// The pressure that errors are compared with: that at x = 0, or a mean pressure where that is infinite, or where joined bodies
+    /// may have none there.
     size: f64,
     error: Estimate,
     /// By how much more than the last modes the missing ones may change the half-length, and by how much at most.
@@ -145,7 +149,12 @@ impl Truncation {
         let peak =
             peak(&own, averaged) + local.map_or(0.0, |local| local.peak) - intensity.map_or(0.0, |q| 0.5 * q / PI);
         // an infinite pressure is known, and others are compared with a mean pressure
-        let size = if peak.is_finite() { peak.abs() } else { PI.recip() };
+        let mean = PI.recip();
+        let size = match intensity {
+            _ if peak.is_infinite() => mean,
+            Some(_) => peak.abs().max(mean),
+            None => peak.abs(),
+        };
         // a half-length is sensitive to the square of what is missing, and no more than pressures are; but where a known load
         // falls slowly, only what it meets of the kernels falls fast, and strongly coupled contacts are no less sensitive
         let power = if local.is_some() || found.fully_solved[i] { 1 } else { 2 };

@@ -1,0 +1,66 @@
+//! `recede convert`: a scene in RON as JSON, and the other way round.
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use recede::files;
+
+use super::{Failure, SceneFile};
+
+/// Write a scene in JSON or in RON, with the same names
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  recede convert scene.ron                   JSON on standard output
+  recede convert scene.ron --out scene.json
+  recede convert scene.json --out scene.ron
+
+Numbers with a unit are written in the units of the scene, comments are left out.
+
+Exit status: 0 written, 2 bad input.")]
+pub struct Convert {
+    #[command(flatten)]
+    file: SceneFile,
+    /// File to write; without it, standard output
+    #[arg(long, value_name = "FILE.json|ron")]
+    out: Option<PathBuf>,
+    /// What to write [default: as the file is called, or JSON]
+    #[arg(long, value_enum)]
+    to: Option<Language>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Language {
+    /// JavaScript Object Notation, which other programs write
+    Json,
+    /// Rusty Object Notation
+    Ron,
+}
+
+impl Convert {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let language = match (self.to, self.out.as_deref().and_then(Path::extension)) {
+            (Some(language), _) => language,
+            (None, Some(ending)) if ending == "ron" => Language::Ron,
+            (None, Some(ending)) if ending == "json" => Language::Json,
+            (None, None) if self.out.is_none() => Language::Json,
+            (None, _) => {
+                return Err(Failure::usage(
+                    "the name of the file does not say what to write",
+                    "let it end in .json or .ron, or say --to json or --to ron",
+                ));
+            }
+        };
+        let scene = self.file.read()?;
+        let text = match language {
+            Language::Json => scene.to_json(),
+            Language::Ron => scene.to_ron(),
+        };
+        match &self.out {
+            Some(path) => {
+                files::replace(path, |out| out.write_all(text.as_bytes())).map_err(|cause| Failure::file(path, cause))
+            }
+            None => Ok(out.write_all(text.as_bytes())?),
+        }
+    }
+}
