@@ -89,7 +89,10 @@ mod validity;
 pub use approach::{Approach, ApproachError, Stiffness};
 pub use contact::{ContactError, Controlled, NoSolution};
 pub use errors::Error;
-pub use field::{Field, FieldError, FieldPoint, FieldQuantity, Grid, MaxShear, Point, Side as FaceSide};
+pub use field::{
+    BondExtremes, Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes, MaxShear,
+    Point, Side as FaceSide,
+};
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
 pub use profile::{ContactProfile, FaceProfile, Profile as FaceProfiles, profile_places};

@@ -18,6 +18,7 @@ mod determinism;
 mod docs;
 mod exact;
 mod examples;
+mod extremes;
 mod field;
 mod flat;
 mod gallery;

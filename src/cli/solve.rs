@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use recede::report::{self, Report};
-use recede::{MaxShear, Model, Options, Solution, files};
+use recede::{Extremes, Field, FieldError, MaxShear, Model, Options, Solution, files};
 
 use super::{Failure, SceneFile, tell};
 
@@ -19,6 +19,7 @@ Examples:
   recede solve scene.ron --format json --fields
   recede solve scene.ron --out result.json
   recede solve scene.ron --digits 4
+  recede solve scene.ron --extremes
   recede solve scene.ron --stats
   recede solve - --format csv < scene.ron")]
 pub struct Solve {
@@ -48,6 +49,10 @@ pub struct Solve {
     /// Do not search for the largest shear stress: contacts only
     #[arg(long, overrides_with = "fields")]
     no_fields: bool,
+    /// Search for the stresses by which layers and bonds break: largest tension, von Mises stress of each layer, shear stress and
+    /// tension across each interface that does not open
+    #[arg(long)]
+    extremes: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -84,6 +89,7 @@ impl Solve {
         let seconds = start.elapsed().as_secs_f64();
         let approach = measures(format).then(|| model.approach(&scene.punch, &solution));
         let max_shear = if self.searches(format) { max_shear(&model, &solution) } else { None };
+        let extremes = if self.extremes { extremes(format, &model, &solution)? } else { None };
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
@@ -92,7 +98,8 @@ impl Solve {
         }
         let digits = self.digits.map(usize::from);
         let approach = approach.as_ref();
-        let report = Report { scene: &scene, solution: &solution, approach, max_shear, digits, seconds };
+        let extremes = extremes.as_ref();
+        let report = Report { scene: &scene, solution: &solution, approach, max_shear, extremes, digits, seconds };
         let format = match format {
             Format::Table => report::Format::Table,
             Format::Json => report::Format::Json,
@@ -135,13 +142,33 @@ fn measures(format: Format) -> bool {
     !matches!(format, Format::Csv)
 }
 
-/// The largest shear stress, if it is finite and can be found: it is infinite under a line load, and next to sharp corners. The contacts are solved without it, so that a failure is only
-/// told.
+/// The stresses by which layers and bonds break, if they can be found.
+fn extremes(format: Format, model: &Model, solution: &Solution) -> Result<Option<Extremes>, Failure> {
+    if matches!(format, Format::Csv) {
+        return Err(Failure::usage(
+            "CSV has a line for each contact, and no place for --extremes",
+            "say --format json, or let `recede sweep --extremes` write them as columns",
+        ));
+    }
+    Ok(searched("extremes were", model, solution, Field::extremes))
+}
+
+/// The largest shear stress, if it is finite and can be found: it is infinite under a line load, and next to sharp corners.
 fn max_shear(model: &Model, solution: &Solution) -> Option<MaxShear> {
-    match model.field(solution).and_then(|field| field.max_shear()) {
-        Ok(found) => Some(found).filter(|found| found.value.is_finite()),
+    searched("largest shear stress was", model, solution, Field::max_shear).filter(|found| found.value.is_finite())
+}
+
+/// What is found in the fields of a solution. The contacts are solved without it, so that a failure is only told.
+fn searched<T>(
+    what: &str,
+    model: &Model,
+    solution: &Solution,
+    search: impl Fn(&Field) -> Result<T, FieldError>,
+) -> Option<T> {
+    match model.field(solution).and_then(|field| search(&field)) {
+        Ok(found) => Some(found),
         Err(error) => {
-            tell(&format!("note: the contacts are solved, the largest shear stress was not found: {error}\n"));
+            tell(&format!("note: the contacts are solved, the {what} not found: {error}\n"));
             None
         }
     }

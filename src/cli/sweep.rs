@@ -27,6 +27,7 @@ Examples:
   recede sweep scene.ron --vary layer[2].beta=[-1,0,1] --vary force=0.001:0.01:10 --out grid.csv
   recede sweep scene.ron --vary layer[2].beta=-3:1:41 --out beta.csv --plot beta.svg
   recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
+  recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
   recede sweep sweep.ron --out grid.csv --resume
 
 A scene without solution is a row with its reason. Exit status: 0 all rows were made, 2 bad input.")]
@@ -46,6 +47,10 @@ pub struct Command {
     /// Add columns with the approach of the punch and the stiffness: how far it sinks, dP/d(approach)
     #[arg(long)]
     approach: bool,
+    /// Add columns with the stresses by which layers and bonds break: tension, von Mises stress of each layer, shear stress and tension
+    /// across each interface that does not open
+    #[arg(long)]
+    extremes: bool,
     /// Draw curves over the axis with most values, or maps over two axes of six values or more
     #[arg(long, value_name = "FILE.svg|pdf|png")]
     plot: Option<PathBuf>,
@@ -125,7 +130,8 @@ impl Command {
             Some(tolerance) => sweep.with_options(Options { tolerance, ..Options::default() })?,
             None => sweep,
         };
-        Ok(if self.approach { sweep.with_approach() } else { sweep })
+        let sweep = if self.approach { sweep.with_approach() } else { sweep };
+        Ok(if self.extremes { sweep.with_extremes() } else { sweep })
     }
 
     /// What is in the file; no more than a scene may have.

@@ -6,21 +6,25 @@
 mod body;
 mod decay;
 mod error;
+mod extremes;
 mod faces;
 mod joints;
+mod parabola;
 mod peak;
 mod point;
 mod potentials;
 mod pressure;
 mod roots;
+mod search;
 mod strip;
 mod sum;
 mod surface;
 mod transform;
 mod waves;
 
-use recede_layers::Plane;
+use recede_layers::{Plane, Wave};
 
+pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes};
 pub use faces::Side;
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
@@ -81,6 +85,10 @@ pub struct Field {
     modulus: f64,
     /// Ratio of the largest to the smallest stiffness in the stack.
     contrast: f64,
+    /// Ratio of the largest stiffness in the stack to that of a support over the thickness of the stack; 0 without one.
+    over_support: f64,
+    /// Number of the rigid base or support to which the last layer is joined, if there is one.
+    base: Option<usize>,
     /// Error estimate of the pressures, in stress.
     pressure_error: f64,
 }
@@ -104,7 +112,12 @@ impl Field {
         let bodies = Body::all(stack, &layers, &pressures, modulus);
         let joints = solution.contacts().iter().map(Contact::inside).collect();
         let pressure_error = solution.contacts().iter().map(pressure_error).sum();
-        Self { plane, layers, bodies, pressures, joints, modulus, contrast: largest / smallest, pressure_error }
+        let below = stack.base();
+        let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
+        let base = is_joined.then(|| below.foundation().number());
+        let contrast = largest / smallest;
+        let over_support = largest / support_stiffness(stack, modulus);
+        Self { plane, layers, bodies, pressures, joints, modulus, contrast, over_support, base, pressure_error }
     }
 
     /// The same with other pressures on the same contacts.
@@ -313,6 +326,15 @@ impl Field {
         let first = if power { POWER * smooth.min(longest.recip()) } else { smooth };
         Origin { first, power }
     }
+}
+
+/// The pressure that lifts a support by the thickness of the stack; infinite if there is none.
+fn support_stiffness(stack: &Stack, modulus: f64) -> f64 {
+    let Some((_, support)) = stack.base().foundation().support() else { return f64::INFINITY };
+    let wave = Wave { wavenumber: stack.total_thickness().recip(), modulus, plane: stack.plane() };
+    let states = support.face_states(&wave);
+    let stiffness = states.column_iter().filter(|state| state[1] != 0.0).map(|state| (state[2] / state[1]).abs());
+    modulus * stiffness.fold(0.0, f64::max)
 }
 
 /// The error estimate of the pressure of a contact inside it, in stress; rounding at least.

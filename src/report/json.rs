@@ -3,7 +3,7 @@ use std::io;
 
 use serde::Serialize;
 
-use super::Report;
+use super::{Report, extremes};
 use crate::approach::{self, ApproachError, Stiffness};
 use crate::scene::{self, Dimension};
 use crate::solution;
@@ -21,6 +21,8 @@ struct Document<'a> {
     min_gap: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     max_shear: Option<MaxShear>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    extremes: Option<extremes::Document>,
     modes: usize,
     wavenumbers: usize,
     newton_steps: usize,
@@ -202,6 +204,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
             depth: max.depth,
             layer: max.layer,
         }),
+        extremes: report.extremes.map(extremes::Document::of),
         modes: solution.modes(),
         wavenumbers: solution.wavenumbers(),
         newton_steps: solution.newton_steps(),

@@ -1,6 +1,7 @@
 //! Reports on a solved scene: the same numbers in several formats. Nothing is computed here.
 mod csv;
 mod digits;
+mod extremes;
 mod field;
 mod json;
 mod profile;
@@ -13,7 +14,7 @@ use std::io;
 pub use field::{FieldFormat, write_field};
 
 use crate::approach::{Approach, ApproachError};
-use crate::field::MaxShear;
+use crate::field::{Extremes, MaxShear};
 use crate::scene::{Dimension, Scene, Units};
 use crate::solution::{Contact, Interface, Solution};
 
@@ -38,7 +39,8 @@ pub enum Format {
 /// use recede::{Scene, report::{Format, Report}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
-/// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, digits: None, seconds: 0.0 };
+/// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, extremes: None,
+///     digits: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -52,6 +54,8 @@ pub struct Report<'a> {
     pub approach: Option<&'a Result<Approach, ApproachError>>,
     /// The largest shear stress, if it was requested: see [`crate::Field::max_shear`].
     pub max_shear: Option<MaxShear>,
+    /// Stresses by which layers and bonds break, if they were requested: see [`crate::Field::extremes`].
+    pub extremes: Option<&'a Extremes>,
     /// Significant digits of the numbers in a table, at most; `None` shows as many as their errors justify.
     pub digits: Option<usize>,
     /// Time it took, in seconds.

@@ -1,6 +1,7 @@
 //! Rows of a sweep as comma-separated values.
 use std::io;
 
+use super::extremes;
 use crate::approach::Approach;
 use crate::errors::Error;
 use crate::scene::Force;
@@ -57,7 +58,7 @@ impl<'a> SweepCsv<'a> {
         let contacts = self.sweep.interfaces().iter().flat_map(of);
         line(
             axes.chain(contacts)
-                .chain(self.of_all().map(str::to_owned))
+                .chain(self.of_all())
                 .chain(["status", "warnings", "message", "sweep"].map(str::to_owned)),
         )
     }
@@ -70,7 +71,9 @@ impl<'a> SweepCsv<'a> {
         let (status, warnings, message) = match &row.result {
             Ok(solution) => {
                 let warnings = solution.warnings();
-                let messages = warnings.iter().map(|warning| &warning.message[..]);
+                let not_found = row.extremes.as_ref().and_then(|found| found.as_ref().err());
+                let not_found = not_found.map(|error| format!("extremes were not found: {error}"));
+                let messages = warnings.iter().map(|warning| &warning.message[..]).chain(not_found.as_deref());
                 (SOLVED, joined(warnings.iter().map(|warning| warning.code.as_str()), " "), joined(messages, "; "))
             }
             Err(error) => (status(error), String::new(), error.to_string()),
@@ -82,7 +85,7 @@ impl<'a> SweepCsv<'a> {
     }
 
     /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; the force with its error,
-    /// if it is found; and the approach and the stiffness with theirs, if they were asked for.
+    /// if it is found; the approach and the stiffness with theirs, and the stresses by which layers and bonds break, if they were asked for.
     pub fn numbers(&self, row: &Row) -> Vec<f64> {
         let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());
         let of = |interface: &Interface| {
@@ -103,12 +106,17 @@ impl<'a> SweepCsv<'a> {
         let force = force.into_iter().take(self.found().len());
         let approach = approach.into_iter().take(self.approach().len());
         let contacts = self.sweep.interfaces().iter().flat_map(of);
-        row.values.iter().copied().chain(contacts).chain(force).chain(approach).collect()
+        let found = row.extremes.as_ref().and_then(|found| found.as_ref().ok());
+        let extremes = self.sweep.has_extremes().then(|| extremes::numbers(self.sweep.scene(), found));
+        let of_all = force.chain(approach).chain(extremes.into_iter().flatten());
+        row.values.iter().copied().chain(contacts).chain(of_all).collect()
     }
 
     /// The columns that are of no contact in particular.
-    fn of_all(&self) -> impl Iterator<Item = &'static str> {
-        self.found().iter().chain(self.approach()).copied()
+    fn of_all(&self) -> impl Iterator<Item = String> {
+        let extremes = self.sweep.has_extremes().then(|| extremes::columns(self.sweep.scene()));
+        let found = self.found().iter().chain(self.approach()).map(|column| (*column).to_owned());
+        found.chain(extremes.into_iter().flatten())
     }
 
     /// A row for a picture.

@@ -3,8 +3,8 @@ use std::io;
 
 use comfy_table::{LineStyle, Table, TableStyle};
 
-use super::Report;
 use super::digits::{Digits, plain};
+use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
 use crate::field::MaxShear;
 use crate::scene::Dimension;
@@ -14,7 +14,7 @@ const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
 const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
-    let Report { scene, solution, approach, max_shear, digits, seconds } = report;
+    let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
     let [length, stress, line_load] =
         [Dimension::LENGTH, Dimension::STRESS, Dimension::LINE_LOAD].map(|of| report.unit(of));
     let header = |name: &str, label: String| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
@@ -62,6 +62,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
             out,
             "largest shear stress {value}{stress} at x = {x}{length}, depth {depth}{length} in layer {layer}"
         )?;
+    }
+    if let Some(extremes) = report.extremes {
+        writeln!(out, "{}", extremes::table(extremes, digits, [&length, &stress]))?;
     }
     writeln!(
         out,
@@ -135,7 +138,7 @@ fn place(digits: Digits, x: f64, error: f64) -> String {
 }
 
 /// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.
-fn shown<const DIGITS: usize>(value: f64) -> String {
+pub(super) fn shown<const DIGITS: usize>(value: f64) -> String {
     format!("{value:.DIGITS$e}").parse().map_or_else(|_| plain(value), plain)
 }
 

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use super::{Row, Sweep};
 use crate::approach::{Approach, ApproachError};
 use crate::errors::Error;
+use crate::field::{Extremes, FieldError};
 use crate::model::Model;
 use crate::scene::{Owner, Punch};
 use crate::solution::Solution;
@@ -71,21 +72,26 @@ impl<T: Size> Kept<T> {
     }
 }
 
-/// The approach of a punch, or why there is none.
-type Measured = Result<Approach, ApproachError>;
+/// A row with a solution, and what else was asked for.
+struct Solved {
+    solution: Solution,
+    approach: Option<Result<Approach, ApproachError>>,
+    extremes: Option<Result<Extremes, FieldError>>,
+}
 
 impl Sweep {
     /// Solves one row; its numbers do not depend on what was solved before.
     pub(super) fn row(&self, index: usize) -> Row {
         let values = self.values(index);
-        let (result, approach) = match self.solve_row(index, &values) {
-            Ok((solution, approach)) => (Ok(solution), approach),
-            Err(error) => (Err(error), None),
-        };
-        Row { index, values, result, approach }
+        match self.solve_row(index, &values) {
+            Ok(Solved { solution, approach, extremes }) => {
+                Row { index, values, result: Ok(solution), approach, extremes }
+            }
+            Err(error) => Row { index, values, result: Err(error), approach: None, extremes: None },
+        }
     }
 
-    fn solve_row(&self, index: usize, values: &[f64]) -> Result<(Solution, Option<Measured>), Error> {
+    fn solve_row(&self, index: usize, values: &[f64]) -> Result<Solved, Error> {
         let changes: Vec<_> = self.slots.iter().zip(values.iter().copied()).collect();
         let stack = self.key(index, |owner| matches!(owner, Owner::Item(_)));
         let many = self.rows / self.stacks() >= MANY;
@@ -102,7 +108,9 @@ impl Sweep {
         let force = self.scene.force_with(&changes)?;
         let solution = model.press_with(&punch, force, &self.options)?;
         let approach = self.has_approach().then(|| model.approach(&punch, &solution));
-        Ok((solution, approach))
+        let extremes = || model.field(&solution).and_then(|field| field.extremes());
+        let extremes = self.has_extremes().then(extremes);
+        Ok(Solved { solution, approach, extremes })
     }
 
     /// Number of the combination of values that a row has on the axes of some owners.

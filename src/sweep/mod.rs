@@ -28,6 +28,7 @@ use kept::Kept;
 
 use crate::approach::{Approach, ApproachError};
 use crate::errors::Error;
+use crate::field::{Extremes, FieldError};
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::{Owner, Punch, Scene, Slot};
@@ -64,6 +65,7 @@ pub struct Sweep {
     slots: Vec<Slot>,
     options: Options,
     approach: bool,
+    extremes: bool,
     rows: usize,
     interfaces: Vec<Interface>,
     models: Kept<Model>,
@@ -81,6 +83,8 @@ pub struct Row {
     pub result: Result<Solution, Error>,
     /// The approach of the punch and the stiffness, where they were [asked for](Sweep::with_approach), and the row has a solution.
     pub approach: Option<Result<Approach, ApproachError>>,
+    /// The stresses by which layers and bonds break, where they were [asked for](Sweep::with_extremes), and the row has a solution.
+    pub extremes: Option<Result<Extremes, FieldError>>,
 }
 
 /// One row of a sweep as numbers, for a picture.
@@ -122,8 +126,8 @@ impl Sweep {
             (_, None) => 1,
         };
         let (options, models, punches) = (Options::default(), Kept::default(), Kept::default());
-        let mut sweep =
-            Self { scene, axes, slots, options, approach: false, rows, interfaces: Vec::new(), models, punches };
+        let (approach, extremes, interfaces) = (false, false, Vec::new());
+        let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models, punches };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }
@@ -157,15 +161,36 @@ impl Sweep {
         self.approach
     }
 
+    /// The same sweep with the stresses by which layers and bonds break in each row, as [`Field::extremes`](crate::Field::extremes) has them.
+    ///
+    /// ```
+    /// use recede::{Scene, Sweep};
+    /// let scene = Scene::read("examples/scenes/bonded_coating.ron")?;
+    /// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?])?.with_extremes();
+    /// let shear: Vec<f64> =
+    ///     sweep.rows().map(|row| row.extremes.unwrap().unwrap().bonds[0].shear.unwrap().value).collect();
+    /// assert!(shear[0] < shear[1]);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_extremes(self) -> Self {
+        Self { extremes: true, ..self }
+    }
+
+    /// Whether each row has the stresses by which layers and bonds break.
+    pub fn has_extremes(&self) -> bool {
+        self.extremes
+    }
+
     /// The same sweep with more axes, which change before those that it has.
     ///
     /// # Errors
     /// As [`Sweep::new`].
     pub fn and_vary(self, axes: Vec<Axis>) -> Result<Self, Error> {
-        let Self { scene, axes: mut all, options, approach, .. } = self;
+        let Self { scene, axes: mut all, options, approach, extremes, .. } = self;
         all.extend(axes);
         let sweep = Self::new(scene, all)?.with_options(options)?;
-        Ok(Self { approach, ..sweep })
+        Ok(Self { approach, extremes, ..sweep })
     }
 
     /// The scene that is varied.
@@ -233,7 +258,7 @@ impl Sweep {
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = fnv::FnvHasher::default();
         let Scene { plane, punch, force, stack, .. } = &self.scene;
-        let what = (plane, punch, force, stack, &self.options, self.approach, env!("CARGO_PKG_VERSION"));
+        let what = (plane, punch, force, stack, &self.options, self.approach, self.extremes, env!("CARGO_PKG_VERSION"));
         // numbers are written with all their digits
         hasher.write(format!("{what:?}").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));

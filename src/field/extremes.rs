@@ -1,0 +1,139 @@
+//! Stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, and the largest shear
+//! stress and tension across each interface that does not open.
+use super::error::FieldError;
+use super::peak::infinite;
+use super::search::{Extent, Measure, Peak, Search, highest};
+use super::{Field, PlacedLayer, Point};
+
+/// Stresses below this part of the mean pressure are those of rounding.
+const NOTHING: f64 = 1e-12;
+
+/// The largest value of a stress, and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The stress; infinite where it is at a singular point.
+    pub value: f64,
+    /// Estimate of its absolute error; 0 if it is infinite.
+    pub error: f64,
+    /// Along the layers, x ≥ 0; by symmetry it is found at −x, too.
+    pub x: f64,
+    /// Below the top face of the stack.
+    pub depth: f64,
+    /// Number of the layer; above an interface, if it is one of that.
+    pub layer: usize,
+}
+
+/// The extremes of a layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayerExtremes {
+    /// Number of the layer, from the top as written in the scene, starting at 1.
+    pub layer: usize,
+    /// Von Mises' equivalent stress; `None` if the material does not give the stress out of the plane.
+    pub von_mises: Option<Extreme>,
+}
+
+/// The extremes of an interface that does not open: bonded, sliding, or of springs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BondExtremes {
+    /// Number of the layer above.
+    pub above: usize,
+    /// Number of the layer or base below.
+    pub below: usize,
+    /// The size of the shear stress; `None` if there is none.
+    pub shear: Option<Extreme>,
+    /// The tension across the interface, by which it would open; `None` if it is compressed everywhere.
+    pub tension: Option<Extreme>,
+}
+
+/// Stresses by which layers and bonds break; made by [`Field::extremes`].
+///
+/// ```
+/// use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
+/// let coating = Homogeneous::new(0.1, 20.0, 0.25)?;
+/// let model = Model::new(Stack::builder(Plane::Strain).layer(coating).bonded().layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+/// let extremes = model.field(&model.press(&Punch::cylinder(100.0)?, 0.01)?)?.extremes()?;
+/// // the coating bends: its lower face is stretched
+/// let tension = extremes.tension.unwrap();
+/// assert_eq!((tension.layer, tension.x, tension.depth), (1, 0.0, 0.1));
+/// assert!(extremes.bonds[0].shear.unwrap().value < extremes.layers[0].von_mises.unwrap().value);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extremes {
+    /// The largest principal stress in the plane anywhere in the stack; `None` if there is no tension.
+    pub tension: Option<Extreme>,
+    /// The layers from the top down.
+    pub layers: Vec<LayerExtremes>,
+    /// The interfaces that do not open, from the top down.
+    pub bonds: Vec<BondExtremes>,
+}
+
+impl Field {
+    /// The largest tension, the largest von Mises stress of each layer, and the largest shear stress and tension across each interface
+    /// that does not open.
+    ///
+    /// A value is that of the field at the place named, right to the error given with it. Places are found to some 1e-4 of the shortest
+    /// half-length, and a half-plane is searched to three half-lengths of the longest contact; so a value is the largest to some
+    /// 1e-6 of itself.
+    ///
+    /// # Errors
+    /// [`FieldError::TooLong`] if it would take too many evaluations of layers; others if the fields cannot be computed.
+    pub fn extremes(&self) -> Result<Extremes, FieldError> {
+        let (layers, bonds) = (0..self.layers.len(), self.bonds());
+        let mut searches = vec![Search { measure: Measure::Tension, layer: None }];
+        searches.extend(layers.clone().map(|layer| Search { measure: Measure::VonMises, layer: Some(layer) }));
+        for (layer, _) in &bonds {
+            let of_face = [Measure::FaceShear, Measure::FaceTension];
+            searches.extend(of_face.map(|measure| Search { measure, layer: Some(*layer) }));
+        }
+        let found = highest(self, &searches, Extent::Everywhere)?;
+        let mut extremes = self.exact(&found)?.into_iter();
+        let mut next = || extremes.next().flatten();
+        let tension = next();
+        let layers = layers.map(|layer| {
+            let (number, found) = (self.layers[layer].number, next());
+            let at = infinite(self, Measure::VonMises).filter(|_| layer == 0);
+            let singular = |x| Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer: number };
+            LayerExtremes { layer: number, von_mises: at.map(singular).or(found) }
+        });
+        let layers = layers.collect();
+        let bonds = bonds.into_iter().map(|(layer, below)| BondExtremes {
+            above: self.layers[layer].number,
+            below,
+            shear: next(),
+            tension: next(),
+        });
+        Ok(Extremes { tension, layers, bonds: bonds.collect() })
+    }
+
+    /// The values of the field at peaks, with their errors; `None` where they are no larger than what sums over wavenumbers miss.
+    fn exact(&self, peaks: &[Option<Peak>]) -> Result<Vec<Option<Extreme>>, FieldError> {
+        let point = |peak: &Peak| {
+            let placed = &self.layers[peak.layer];
+            Point { x: peak.x, depth: placed.top + peak.depth, layer: Some(placed.number) }
+        };
+        let points: Vec<Point> = peaks.iter().flatten().map(point).collect();
+        let mut there = points.iter().zip(self.points(&points)?);
+        let each = peaks.iter().map(|peak| {
+            let Some((peak, (point, there))) = peak.as_ref().and_then(|peak| Some((peak, there.next()?))) else {
+                return Ok(None);
+            };
+            let value = peak.measure.of(&there);
+            let missed = self.truncation(&self.row(point, 0)?, point.x) + NOTHING * self.mean_pressure();
+            let (error, depth, layer) = (self.stress_error(point)?, point.depth, there.layer);
+            Ok(Some(Extreme { value, error, x: point.x, depth, layer }).filter(|found| found.value > missed))
+        });
+        each.collect()
+    }
+
+    /// The layers with an interface below them that does not open, by their index, and the number of the layer or base below.
+    fn bonds(&self) -> Vec<(usize, usize)> {
+        let of = |(layer, placed): (usize, &PlacedLayer)| {
+            let next = self.layers.get(layer + 1).filter(|next| next.body == placed.body).map(|next| next.number);
+            let is_last = layer + 1 == self.layers.len();
+            let base = (is_last && placed.thickness.is_some()).then_some(self.base).flatten();
+            Some((layer, next.or(base)?))
+        };
+        self.layers.iter().enumerate().filter_map(of).collect()
+    }
+}
