@@ -14,6 +14,7 @@ use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::IgnoredAny;
 use serde::Deserialize;
 
 use super::explain::{At, Subject, explain, place, token};
@@ -236,7 +237,9 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     }
     let start = text.len() - without_comments(text).len();
     let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
-    let draft: Draft = read_ron(text).map_err(|mut error| {
+    let draft: Draft = read_ron(text).map_err(|error| {
+        // a text with a mistake in its punctuation is read with its units: the mistake comes first, wherever it is
+        let mut error = read_ron::<IgnoredAny>(text).err().unwrap_or(error);
         // punch and stack are only skipped here: what is wrong within them is wrong with the text
         error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "load" | "stack"));
         whole.error(origin, error)
