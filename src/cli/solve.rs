@@ -150,12 +150,13 @@ fn extremes(format: Format, model: &Model, solution: &Solution) -> Result<Option
             "say --format json, or let `recede sweep --extremes` write them as columns",
         ));
     }
-    Ok(searched("extremes were", model, solution, Field::extremes))
+    Ok(searched("the contacts are solved, the extremes were not found:", model, solution, Field::extremes))
 }
 
 /// The largest shear stress, if it is finite and can be found: it is infinite under a line load, and next to sharp corners.
 fn max_shear(model: &Model, solution: &Solution) -> Option<MaxShear> {
-    searched("largest shear stress was", model, solution, Field::max_shear).filter(|found| found.value.is_finite())
+    searched("the contacts are solved, the largest shear stress was not found:", model, solution, Field::max_shear)
+        .filter(|found| found.value.is_finite())
 }
 
 /// What is found in the fields of a solution. The contacts are solved without it, so that a failure is only told.
@@ -168,7 +169,7 @@ fn searched<T>(
     match model.field(solution).and_then(|field| search(&field)) {
         Ok(found) => Some(found),
         Err(error) => {
-            tell(&format!("note: the contacts are solved, the {what} not found: {error}\n"));
+            tell(&format!("note: {what} {error}\n"));
             None
         }
     }
