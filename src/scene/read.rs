@@ -14,8 +14,8 @@ use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::IgnoredAny;
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use super::explain::{At, Subject, explain, place, token};
 use super::hints::instead_of;
@@ -238,8 +238,14 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     let start = text.len() - without_comments(text).len();
     let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
     let draft: Draft = read_ron(text).map_err(|error| {
-        // a text with a mistake in its punctuation is read with its units: the mistake comes first, wherever it is
-        let mut error = read_ron::<IgnoredAny>(text).err().unwrap_or(error);
+        // a text with a mistake in its punctuation is read with its units: the mistake is told, not the first number with a unit
+        let span = &error.cause.span;
+        let is_quoted = [span.start, span.end].into_iter().any(|position| {
+            let rest = text.get(offset_of(text, position)..).unwrap_or_default();
+            rest.trim_start().starts_with('"')
+        });
+        let syntax = is_quoted.then(|| read_ron::<IgnoredAny>(text).err()).flatten();
+        let mut error = syntax.unwrap_or(error);
         // punch and stack are only skipped here: what is wrong within them is wrong with the text
         error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "load" | "stack"));
         whole.error(origin, error)
