@@ -42,7 +42,7 @@ const MAY_IMPORT: [(&str, &[&str]); 21] = [
             "stack", "system",
         ],
     ),
-    ("sweep", &["approach", "errors", "model", "scene", "stack"]),
+    ("sweep", &["approach", "errors", "field", "model", "scene", "stack"]),
     ("plot", &["field", "files", "scene", "stack", "sweep"]),
     ("report", &["approach", "errors", "field", "profile", "scene", "sweep"]),
 ];

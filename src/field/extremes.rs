@@ -1,8 +1,9 @@
 //! Stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, and the largest shear
 //! stress and tension across each interface that does not open.
 use super::error::FieldError;
+use super::measure::{Measure, Peak, Search};
 use super::peak::infinite;
-use super::search::{Extent, Measure, Peak, Search, highest};
+use super::search::{Extent, highest};
 use super::{Field, PlacedLayer, Point};
 
 /// Stresses below this part of the mean pressure are those of rounding.

@@ -9,6 +9,7 @@ mod error;
 mod extremes;
 mod faces;
 mod joints;
+mod measure;
 mod parabola;
 mod peak;
 mod point;

@@ -1,6 +1,6 @@
 //! The highest place of a parabola through values at three by three points.
 use super::FieldPoint;
-use super::search::{Peak, Seen};
+use super::measure::{Peak, Seen};
 
 /// By how much the highest place of a parabola may be higher than its middle and count as that.
 #[derive(Clone, Copy)]

@@ -1,7 +1,8 @@
 //! The largest shear stress.
 use super::Field;
 use super::error::FieldError;
-use super::search::{Extent, Measure, Peak, Search, highest};
+use super::measure::{Measure, Peak, Search};
+use super::search::{Extent, highest};
 use super::strip::Singularity;
 use crate::system::Unresolved;
 

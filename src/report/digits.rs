@@ -42,6 +42,11 @@ fn to_digits(value: f64, digits: usize) -> String {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().map_or_else(|_| plain(value), plain)
 }
 
+/// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.
+pub(super) fn shown<const DIGITS: usize>(value: f64) -> String {
+    format!("{value:.DIGITS$e}").parse().map_or_else(|_| plain(value), plain)
+}
+
 /// A value with all its digits.
 pub(super) fn plain(value: f64) -> String {
     if value == 0.0 || (1e-3..1e6).contains(&value.abs()) || !value.is_finite() {

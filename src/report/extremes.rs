@@ -2,8 +2,8 @@
 use comfy_table::Table;
 use serde::Serialize;
 
-use super::digits::Digits;
-use super::table::{ruled, shown};
+use super::digits::{Digits, shown};
+use super::ruled::ruled;
 use crate::field::{BondExtremes, Extreme, Extremes, LayerExtremes};
 use crate::scene::{Item, Scene};
 

@@ -5,8 +5,8 @@ use comfy_table::Table;
 use serde::Serialize;
 
 use super::digits::Digits;
+use super::ruled::ruled;
 use super::sweep::number;
-use super::table::ruled;
 use crate::field::FieldPoint;
 use crate::scene::{Dimension, Units};
 

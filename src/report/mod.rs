@@ -5,6 +5,7 @@ mod extremes;
 mod field;
 mod json;
 mod profile;
+mod ruled;
 mod stats;
 mod sweep;
 mod table;

@@ -1,17 +1,13 @@
 //! A table to be read.
 use std::io;
 
-use comfy_table::{LineStyle, Table, TableStyle};
-
-use super::digits::{Digits, plain};
+use super::digits::{Digits, shown};
+use super::ruled::ruled;
 use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
 use crate::field::MaxShear;
 use crate::scene::Dimension;
 use crate::solution::Interval;
-
-const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
-const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
@@ -76,13 +72,6 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     )
 }
 
-/// A table with lines between its parts.
-pub(super) fn ruled() -> Table {
-    let mut table = Table::new();
-    table.load_style(RULES);
-    table
-}
-
 /// How far the punch has sunk, and the stiffness.
 fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &mut dyn io::Write) -> io::Result<()> {
     let stiffness = match approach.stiffness {
@@ -135,11 +124,6 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
 /// A place that is given, or one that was found.
 fn place(digits: Digits, x: f64, error: f64) -> String {
     if error == 0.0 { digits.rounded(x) } else { digits.with_error(x, error) }
-}
-
-/// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.
-pub(super) fn shown<const DIGITS: usize>(value: f64) -> String {
-    format!("{value:.DIGITS$e}").parse().map_or_else(|_| plain(value), plain)
 }
 
 /// Text from a scene as one line that does not disturb a terminal.
