@@ -77,7 +77,8 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
         peaks.extend(promising(field, all));
         of.resize(peaks.len(), i);
     }
-    for step in STEPS {
+    let steps = if extent == Extent::Near { &STEPS[..2] } else { &STEPS };
+    for step in steps.iter().copied() {
         climb(truncated, &mut peaks, step, &waves::LOW)?;
     }
     let mut candidates: Vec<Vec<Peak>> = vec![Vec::new(); searches.len()];
@@ -108,7 +109,7 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
         if next.is_empty() {
             break;
         }
-        exactly(field, &mut next)?;
+        exactly(field, &mut next, extent)?;
         next.into_iter().zip(of).for_each(|(peak, i)| found[i].push(peak));
     }
     Ok(found.into_iter().map(uppermost).collect())
@@ -153,7 +154,7 @@ fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
 
 /// The peaks next to those of low accuracy, with all terms of the pressures: values are those of the field, since a parabola next to
 /// the end of a contact may be too high.
-fn exactly(field: &Field, peaks: &mut [Peak]) -> Result<(), FieldError> {
+fn exactly(field: &Field, peaks: &mut [Peak], extent: Extent) -> Result<(), FieldError> {
     // values that were computed to fewer digits are not compared
     peaks.iter_mut().for_each(|peak| peak.seen.value = f64::NEG_INFINITY);
     let unfinished = climb(field, peaks, LAST, &waves::STRESSES)?;
@@ -162,6 +163,10 @@ fn exactly(field: &Field, peaks: &mut [Peak]) -> Result<(), FieldError> {
         climb(field, &mut moved, step, &waves::STRESSES)?;
     }
     unfinished.into_iter().zip(moved).for_each(|(k, peak)| peaks[k] = peak);
+    if extent == Extent::Near {
+        // a parabola of the last steps is as good next to the largest shear stress, which is inside
+        return Ok(());
+    }
     let sets: Vec<Vec<f64>> = peaks.iter().map(|peak| vec![peak.x]).collect();
     let row = |(set, peak): (usize, &Peak)| Row { layer: peak.layer, depth: peak.depth, set };
     let rows: Vec<Row> = peaks.iter().enumerate().map(row).collect();
