@@ -1,6 +1,8 @@
 //! A table to be read.
 use std::io;
 
+use comfy_table::Table;
+
 use super::digits::{Digits, shown};
 use super::ruled::ruled;
 use super::{Report, extremes};
@@ -13,7 +15,6 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
     let [length, stress, line_load] =
         [Dimension::LENGTH, Dimension::STRESS, Dimension::LINE_LOAD].map(|of| report.unit(of));
-    let header = |name: &str, label: String| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
 
     writeln!(out, "{}", printable(scene.title()))?;
     if let Some(description) = &scene.description {
@@ -26,28 +27,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     };
     writeln!(out, "{}, force {force}{line_load}", scene.punch.label())?;
 
-    let mut table = ruled();
-    table.set_header([
-        "contact".to_owned(),
-        header("half-length", length.clone()),
-        header("pressure at x = 0", stress.clone()),
-        header("resultant", line_load.clone()),
-    ]);
-    for contact in solution.contacts() {
-        table.add_row([
-            report.name(contact),
-            match (contact.half_length(), contact.half_length_error()) {
-                (Some(half_length), Some(error)) => digits.with_error(half_length, error),
-                _ => "see below".to_owned(),
-            },
-            match contact.central_pressure.is_finite() {
-                true => digits.with_error(contact.central_pressure, contact.central_pressure_error),
-                false => "infinite".to_owned(),
-            },
-            digits.rounded(contact.resultant),
-        ]);
-    }
-    writeln!(out, "{table}")?;
+    writeln!(out, "{}", contacts(report, [&length, &stress, &line_load]))?;
     notes(report, out)?;
     if let Some(Ok(approach)) = approach {
         sunk(approach, digits, [&length, &stress], out)?;
@@ -70,6 +50,34 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         solution.newton_steps(),
         duration(*seconds)
     )
+}
+
+/// A line for each contact.
+fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
+    let digits = Digits(report.digits);
+    let header = |name: &str, label: &str| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
+    let mut table = ruled();
+    table.set_header([
+        "contact".to_owned(),
+        header("half-length", length),
+        header("pressure at x = 0", stress),
+        header("resultant", line_load),
+    ]);
+    for contact in report.solution.contacts() {
+        table.add_row([
+            report.name(contact),
+            match (contact.half_length(), contact.half_length_error()) {
+                (Some(half_length), Some(error)) => digits.with_error(half_length, error),
+                _ => "see below".to_owned(),
+            },
+            match contact.central_pressure.is_finite() {
+                true => digits.with_error(contact.central_pressure, contact.central_pressure_error),
+                false => "infinite".to_owned(),
+            },
+            digits.rounded(contact.resultant),
+        ]);
+    }
+    table
 }
 
 /// How far the punch has sunk, and the stiffness.
