@@ -51,7 +51,7 @@ pub fn main() -> Result<(), recede::Error> {
     // in a scene, by the name under which it is registered
     let mut registry = Registry::default();
     registry.register::<Hardened>("Hardened", "stiff at its face, soft in its core");
-    let text = "Scene(plane: Strain, punch: Cylinder(radius: 100.0), force: 0.01, stack: [
+    let text = "Scene(geometry: PlaneStrain, punch: Cylinder(radius: 100.0), force: 0.01, stack: [
         Hardened(thickness: 0.5, face_modulus: 4.0, core_modulus: 1.0, reach: 0.1, poisson: 0.3),
         Receding,
         HalfPlane(shear_modulus: 1.0, poisson: 0.3),

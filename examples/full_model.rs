@@ -19,7 +19,7 @@ pub fn main() -> Result<(), Error> {
     let model = |beta: f64| {
         let mut items = scene.stack.clone();
         items[2] = Item::layer(Exponential::new(1.0, 1.0, 0.25, beta)?);
-        Model::new(Stack::from_items(scene.plane, &items)?)
+        Model::new(Stack::from_items(scene.geometry, &items)?)
     };
     let half_lengths = |model: &Model, radius: f64| -> Result<[f64; 2], Error> {
         let solution = model.press(&Punch::cylinder(radius)?, scene.force)?;

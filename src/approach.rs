@@ -9,15 +9,22 @@
 //! joined, on contacts of these half-lengths.
 use crate::contact::{self, ContactError, Measured};
 use crate::field::{Field, FieldError, Point};
+use crate::geometry::Geometry;
 use crate::kernel::Kernel;
+use crate::numeric::quadrature;
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
 
-/// Where the top face is looked at a second time, between the middle of the contact and its end: how far the approach differs there tells
-/// how accurate it is.
-const SECOND: f64 = 0.6;
-/// Two places of a contact need not be those where most is missing.
+/// Displacements are averaged over the middle of a contact with the weights (1 − t²)^FLAT, t = 0 in its middle and ±1 at its ends: their mean
+/// takes no part of waves that are short compared with the contact, which singular pressures and graded faces are rich in.
+const FLAT: i32 = 8;
+/// Beyond the wavenumber LAST/a, a being half the length of the contact, nothing of a wave is left in a mean.
+const LAST: f64 = 60.0;
+/// Gauss points on half a contact, at least; as many as there are modes at least: fewer do not tell short waves of the closed forms from
+/// long ones.
+const NODES: usize = 96;
+/// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
 /// Relative error of a sum over wavenumbers.
 const ROUNDING: f64 = 1e-12;
@@ -92,22 +99,25 @@ impl ApproachError {
 
 /// Whether an approach is defined for a punch on a stack.
 pub(crate) fn defined(punch: &Punch, stack: &Stack) -> Result<(), ApproachError> {
-    if stack.base().foundation().half_plane().is_some() {
-        return Err(ApproachError::HalfPlane);
-    }
     if punch.load().is_some() {
         return Err(ApproachError::Load);
+    }
+    // displacements vanish far from a force that does not act on a whole line
+    if stack.geometry().is_axisymmetric() {
+        return Ok(());
+    }
+    if stack.base().foundation().half_plane().is_some() {
+        return Err(ApproachError::HalfPlane);
     }
     if punch.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(()) }
 }
 
 /// The approach alone, with its error.
 pub(crate) fn depth(punch: &Punch, stack: &Stack, solution: &Solution) -> Result<Measured, ApproachError> {
-    let Sunk { at, v, apart } = Sunk::new(stack, solution)?;
     let lowest = punch.lowest();
-    let [value, second] = [0, 1].map(|k| punch.profile(at[k]) - lowest - v[k]);
+    let [value, second] = sunk(|x| punch.profile(x) - lowest, punch, stack, solution)?;
     let relative = ROUNDING + relative_error(solution, true);
-    Ok(Measured { value, error: SAFETY * ((value - second).abs() + apart + relative * value.abs()) })
+    Ok(Measured { value, error: SAFETY * ((value - second).abs() + relative * value.abs()) })
 }
 
 /// The approach and the stiffness.
@@ -120,7 +130,7 @@ pub(crate) fn approach(
     defined(punch, stack)?;
     let Measured { value, error } = depth(punch, stack, solution)?;
     let stiffness = match contact::tangent(kernel, punch, solution) {
-        Some(Ok(tangent)) => stiffness(stack, kernel, solution, &tangent)?,
+        Some(Ok(tangent)) => stiffness(punch, stack, kernel, solution, &tangent)?,
         Some(Err(ContactError::Unresolved(cause))) => return Err(FieldError::Unresolved(cause).into()),
         Some(Err(_)) | None => Stiffness::NotComputed,
     };
@@ -129,23 +139,24 @@ pub(crate) fn approach(
 
 /// The stiffness from the pressures that a unit force adds.
 fn stiffness(
+    punch: &Punch,
     stack: &Stack,
     kernel: &Kernel,
     solution: &Solution,
     tangent: &Solution,
 ) -> Result<Stiffness, ApproachError> {
-    let Sunk { v, apart, .. } = Sunk::new(stack, tangent)?;
-    let compliance = -v[0];
+    let [compliance, second] = sunk(|_| 0.0, punch, stack, tangent)?;
     let contacts = solution.contacts().iter().zip(tangent.contacts()).enumerate();
     // an end that moves by da changes the compliance by 2πa q²/E* da, with the singular pressure q/√(1 − x²/a²): the energy release
     // rate of a crack that closes
     let ends = contacts.map(|(i, (contact, tangent))| {
         let corners: f64 = tangent.strips.iter().map(|strip| strip.corners).sum();
         let (a, error) = (contact.half_length().unwrap_or(0.0), contact.half_length_error().unwrap_or(0.0));
-        2.0 * std::f64::consts::PI * a * corners * corners / kernel.contact_modulus(i, None) * error
+        let around = if stack.geometry().is_axisymmetric() { std::f64::consts::PI * a } else { 1.0 };
+        2.0 * std::f64::consts::PI * around * a * corners * corners / kernel.contact_modulus(i, None) * error
     });
     let relative = ROUNDING + relative_error(tangent, false);
-    let error = SAFETY * (ends.sum::<f64>() + (v[0] - v[1]).abs() + apart + relative * compliance.abs());
+    let error = SAFETY * (ends.sum::<f64>() + (compliance - second).abs() + relative * compliance.abs());
     let value = compliance.recip();
     if compliance > 0.0 && value.is_finite() {
         Ok(Stiffness::Known { value, error: error * value * value })
@@ -165,45 +176,90 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
     solution.contacts().iter().map(of).filter(|error| error.is_finite()).sum::<f64>()
 }
 
-/// The displacement of the top face at two places of the contact under the punch.
-struct Sunk {
-    at: [f64; 2],
-    v: [f64; 2],
-    /// How far bodies are from touching each other at the second place of each contact below: they are joined at the first.
-    apart: f64,
-}
-
-impl Sunk {
-    fn new(stack: &Stack, solution: &Solution) -> Result<Self, FieldError> {
-        let field = Field::new(stack, solution);
-        let face = |number: usize, side: usize| {
-            let depth = field.layers().find(|(layer, _)| *layer == number).map(|(_, ends)| ends[side]);
-            depth.filter(|depth| depth.is_finite())
-        };
-        let mut points = Vec::new();
-        for contact in solution.contacts() {
-            let [first, second] = places(contact);
-            let faces = match contact.interface {
-                Interface::Punch => vec![(first, None, Some(0.0)), (second, None, Some(0.0))],
-                // a rigid base without layers has no face, and stays where it is
-                Interface::Between { above, below } => {
-                    vec![(second, Some(above), face(above, 1)), (second, Some(below), face(below, 0))]
-                }
-            };
-            points.extend(faces.into_iter().map(|(x, layer, depth)| depth.map(|depth| Point { x, depth, layer })));
-        }
-        let asked: Vec<Point> = points.iter().flatten().copied().collect();
-        let mut found = field.points(&asked)?.into_iter();
-        let v: Vec<f64> =
-            points.iter().map(|point| point.and_then(|_| found.next()).map_or(0.0, |there| there.v)).collect();
-        let apart = v.chunks(2).skip(1).map(|faces| (faces[0] - faces[1]).abs()).sum();
-        let at = solution.contacts().first().map_or([0.0; 2], places);
-        Ok(Self { at, v: [v[0], v[1]], apart })
+/// How far a punch has sunk into the top face, twice: the mean over the middle of its contact, and one over the rest of it. They differ by
+/// the errors of the pressures.
+fn sunk(
+    profile: impl Fn(f64) -> f64,
+    punch: &Punch,
+    stack: &Stack,
+    solution: &Solution,
+) -> Result<[f64; 2], FieldError> {
+    let field = Field::new(stack, solution);
+    let means: Vec<Mean> = solution.contacts().iter().map(|contact| Mean::new(contact, stack.geometry())).collect();
+    let face = |number: usize, side: usize| {
+        let depth = field.layers().find(|(layer, _)| *layer == number).map(|(_, ends)| ends[side]);
+        depth.filter(|depth| depth.is_finite()).map(|depth| (number, depth))
+    };
+    // a rigid base without layers has no face, and stays where it is
+    let faces = solution.contacts().iter().map(|contact| match contact.interface {
+        Interface::Punch => [None, field.layers().next().map(|(layer, _)| (layer, 0.0))],
+        Interface::Between { above, below } => [face(above, 1), face(below, 0)],
+    });
+    let faces: Vec<[Option<(usize, f64)>; 2]> = faces.collect();
+    let heights = means.first().map_or(&[][..], |mean| &mean.places);
+    let mut sunk = means.first().map_or([0.0; 2], |mean| mean.of(heights.iter().map(|x| profile(*x))));
+    if let (Some(material), Some(mean)) = (punch.material(), means.first()) {
+        // an elastic punch gives way as well
+        let flattened = mean.of(field.flattening(0, &material, &mean.places));
+        sunk.iter_mut().zip(flattened).for_each(|(sunk, flattened)| *sunk += flattened);
     }
+    // body by body, what is between its faces: v is right but for a constant of the body
+    for body in 0..faces.len() {
+        let (top, bottom) =
+            (Some((body, faces[body][1], -1.0)), faces.get(body + 1).map(|face| (body + 1, face[0], 1.0)));
+        let of_body: Vec<_> =
+            [top, bottom].into_iter().flatten().filter_map(|(i, face, sign)| Some((i, face?, sign))).collect();
+        let places = of_body.iter().flat_map(|(i, (layer, depth), _)| {
+            means[*i].places.iter().map(|x| Point { x: *x, depth: *depth, layer: Some(*layer) })
+        });
+        let last = of_body.iter().fold(0.0, |last: f64, (i, ..)| last.max(means[*i].last));
+        let mut found = field.of_long_waves(&places.collect::<Vec<_>>(), last)?.into_iter();
+        for (i, _, sign) in of_body {
+            let mean = means[i].of(found.by_ref().take(means[i].places.len()).map(|there| there.v));
+            sunk.iter_mut().zip(mean).for_each(|(sunk, mean)| *sunk += sign * mean);
+        }
+    }
+    Ok(sunk)
 }
 
-/// Two places inside a contact: where its bodies are joined, and one between that and the end.
-fn places(contact: &Contact) -> [f64; 2] {
-    let (first, end) = (contact.inside(), contact.innermost().to);
-    [first, first + SECOND * (end - first)]
+/// Places inside the innermost interval of a contact, and two sets of weights for means over it.
+struct Mean {
+    places: Vec<f64>,
+    weights: [Vec<f64>; 2],
+    /// Means take nothing of waves beyond this wavenumber.
+    last: f64,
+}
+
+impl Mean {
+    fn new(contact: &Contact, geometry: Geometry) -> Self {
+        let (middle, end) = (contact.inside(), contact.innermost().to);
+        let half = end - middle;
+        // the other half of an interval about x = 0 is its mirror image
+        let sides: &[f64] = if middle == 0.0 { &[1.0] } else { &[-1.0, 1.0] };
+        let modes = contact.strips.iter().fold(0, |most, strip| most.max(strip.coefficients.len()));
+        let rule = quadrature::rule(modes.max(NODES));
+        let mut mean = Self { places: Vec::new(), weights: [Vec::new(), Vec::new()], last: LAST / half };
+        for (t, weight) in sides.iter().flat_map(|side| rule.on(0.0, *side)) {
+            let x = middle + half * t;
+            let around = if geometry.is_axisymmetric() { x } else { 1.0 };
+            let weight = weight.abs() * around * (1.0 - t * t).powi(FLAT);
+            mean.places.push(x);
+            mean.weights[0].push(weight);
+            mean.weights[1].push(weight * t * t);
+        }
+        for weights in &mut mean.weights {
+            let sum: f64 = weights.iter().sum();
+            weights.iter_mut().for_each(|weight| *weight /= sum);
+        }
+        mean
+    }
+
+    /// Both means of values at the places.
+    fn of(&self, values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for (k, value) in values.into_iter().enumerate() {
+            sums.iter_mut().zip(&self.weights).for_each(|(sum, weights)| *sum += weights[k] * value);
+        }
+        sums
+    }
 }

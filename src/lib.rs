@@ -68,6 +68,7 @@ pub mod exact;
 mod field;
 #[cfg(feature = "files")]
 pub mod files;
+mod geometry;
 mod kernel;
 mod model;
 #[doc(hidden)]
@@ -93,6 +94,7 @@ pub use field::{
     BondExtremes, Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes, MaxShear,
     Point, Side as FaceSide,
 };
+pub use geometry::Geometry;
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
 pub use profile::{ContactProfile, FaceProfile, Profile as FaceProfiles, profile_places};

@@ -9,7 +9,7 @@ use crate::contact::{self, Controlled, Measured, Table};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
-use crate::options::{Method, Options};
+use crate::options::{Method, Options, OptionsError};
 use crate::profile::{self, Profile as FaceProfiles};
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Contact, Interface, Solution};
@@ -92,6 +92,9 @@ impl Model {
     pub fn press_with(&self, punch: &Punch, force: impl Into<Force>, options: &Options) -> Result<Solution, Error> {
         let force = force.into().checked()?;
         options.check()?;
+        if options.method == Method::Collocation && self.stack.geometry().is_axisymmetric() {
+            return Err(OptionsError::CollocationIsPlane.into());
+        }
         if let Some(material) = punch.material() {
             self.stack.check_punch(&material)?;
         }
@@ -159,7 +162,7 @@ impl Model {
     ///
     /// ```
     /// use recede::{ApproachError, HalfPlane, Model, Plane, Punch, Scene, Stack};
-    /// let scene = Scene::from_ron("Scene(plane: Strain, punch: Flat(half_width: 0.5), force: 0.01, stack: [
+    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, punch: Flat(half_width: 0.5), force: 0.01, stack: [
     ///     Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Bonded, Rigid])")?;
     /// let model = Model::new(scene.stack()?)?;
     /// let approach = model.approach(&scene.punch, &model.press(&scene.punch, scene.force)?)?;
@@ -210,14 +213,14 @@ impl Scene {
     /// # Errors
     /// As [`Stack::from_items`], with line and column if the scene was read from a text.
     pub fn stack(&self) -> Result<Stack, Error> {
-        Stack::from_items(self.plane, &self.stack).map_err(|error| self.locate(error.into()))
+        Stack::from_items(self.geometry, &self.stack).map_err(|error| self.locate(error.into()))
     }
 }
 
 /// Solves a scene to ten digits.
 ///
 /// ```
-/// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+/// let text = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
 ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
 /// let solution = recede::solve(&recede::Scene::from_ron(text)?)?;
 /// let hertz = (500.0 * 0.002 * 3.0 / (2.0 * std::f64::consts::PI)).sqrt();

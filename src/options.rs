@@ -31,6 +31,9 @@ impl Default for Options {
 /// Why options say nothing that can be fulfilled.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum OptionsError {
+    /// Collocation is for plane problems.
+    #[error("method: found `collocation`, allowed in axisymmetric problems is `galerkin`")]
+    CollocationIsPlane,
     /// A relative tolerance that double precision cannot reach, or that says nothing.
     #[error("tolerance: found {found:?}, allowed is 1e-13 <= tolerance <= 1e-2")]
     Tolerance {

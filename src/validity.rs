@@ -1,4 +1,5 @@
 //! The limits of linear elasticity: warnings where strains or slopes are no longer small.
+use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::scene::Punch;
 use crate::solution::{Contact, Interval, Solution, Warning, WarningCode};
@@ -22,7 +23,7 @@ pub(crate) fn warnings(punch: &Punch, kernel: &Kernel, solution: &Solution) -> V
     let (contacts, material) = (solution.contacts().iter().enumerate(), punch.material());
     let pressures = contacts.filter_map(|(i, contact)| {
         let name = if i == 0 && punch.load().is_some() { "load".to_owned() } else { contact.interface.to_string() };
-        large(&name, contact, kernel.contact_modulus(i, material.as_ref()))
+        large(&name, contact, kernel.geometry(), kernel.contact_modulus(i, material.as_ref()))
     });
     shape.into_iter().chain(pressures).collect()
 }
@@ -67,8 +68,11 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
 }
 
 /// The largest mean pressure of the intervals of a contact, compared with E*.
-fn large(name: &str, contact: &Contact, modulus: f64) -> Option<Warning> {
-    let mean = |interval: &Interval| interval.force / (interval.right - interval.left);
+fn large(name: &str, contact: &Contact, geometry: Geometry, modulus: f64) -> Option<Warning> {
+    let mean = |interval: &Interval| match geometry {
+        Geometry::Axisymmetric => interval.force / (std::f64::consts::PI * interval.right * interval.right),
+        _ => interval.force / (interval.right - interval.left),
+    };
     // a line load has no mean pressure
     let pressures = contact.intervals().iter().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max);
     let ratio = pressures / modulus;

@@ -44,6 +44,7 @@ mod punches;
 mod reference;
 mod rejected;
 mod rival;
+mod round;
 mod singular;
 mod skips;
 mod sweep;

@@ -2,7 +2,7 @@
 use recede::{Approach, ApproachError, Force, Model, Options, Scene, Stiffness};
 
 fn scene(punch: &str, force: f64, stack: &str) -> Scene {
-    Scene::from_ron(&format!("Scene(plane: Strain, {punch}, force: {force}, stack: [{stack}])")).unwrap()
+    Scene::from_ron(&format!("Scene(geometry: PlaneStrain, {punch}, force: {force}, stack: [{stack}])")).unwrap()
 }
 
 /// To a relative tolerance.
@@ -198,7 +198,7 @@ fn a_prescribed_depth_is_met() {
 fn a_scene_has_a_depth_where_one_is_defined() {
     let text = |what: &str, base: &str| {
         let layer = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded";
-        format!("Scene(plane: Strain, punch: Parabola(radius: 10), {what}, stack: [{layer}, {base}])")
+        format!("Scene(geometry: PlaneStrain, punch: Parabola(radius: 10), {what}, stack: [{layer}, {base}])")
     };
     let scene = Scene::from_ron(&text("depth: 0.01", "Rigid")).unwrap();
     assert_eq!(scene.force, Force::ForDepth(0.01));

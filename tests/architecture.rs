@@ -13,11 +13,12 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 21] = [
+const MAY_IMPORT: [(&str, &[&str]); 22] = [
     ("numeric", &[]),
     ("exact", &[]),
     ("files", &[]),
     ("options", &[]),
+    ("geometry", &[]),
     ("solution", &[]),
     ("scene", &[]),
     ("stack", &["scene"]),
@@ -28,7 +29,7 @@ const MAY_IMPORT: [(&str, &[&str]); 21] = [
     ("field", &["numeric", "stack", "system"]),
     // put together from the errors of the stages, for all that stands above them
     ("errors", &["approach", "contact", "field", "scene", "stack", "sweep", "system"]),
-    ("approach", &["contact", "field", "kernel", "scene", "stack"]),
+    ("approach", &["contact", "field", "kernel", "numeric", "scene", "stack"]),
     ("profile", &["field", "scene", "stack"]),
     ("validity", &["kernel", "scene"]),
     (
@@ -65,7 +66,7 @@ const ROOMS: [&str; 13] = [
 ];
 
 /// Leaves: what is asked for, and what comes out. Anything but `numeric` and `exact` may import them.
-const SHARED: [&str; 2] = ["options", "solution"];
+const SHARED: [&str; 3] = ["options", "geometry", "solution"];
 
 /// Words that end a program, and a phrase of the one line that may contain them: a macro that makes tests.
 const ABRUPT: [&str; 6] = [".unwrap()", ".expect(", "panic!(", "unreachable!(", "todo!(", "unimplemented!("];

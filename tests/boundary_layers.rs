@@ -14,7 +14,7 @@ const TOP_LAYERS: [&str; 5] = [
 
 fn solve(top: &str, tolerance: f64) -> Solution {
     let text = format!(
-        "Scene(plane: Strain, punch: Cylinder(radius: 500), force: 0.002, stack: [{top}, Bonded,
+        "Scene(geometry: PlaneStrain, punch: Cylinder(radius: 500), force: 0.002, stack: [{top}, Bonded,
             Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Receding,
             HalfPlane(shear_modulus: 1.0, poisson: 0.25)])"
     );
@@ -52,11 +52,11 @@ fn a_long_contact_far_below_takes_no_waves_from_a_short_one() {
     let coating = "Exponential(thickness: 0.03, shear_modulus: 3, poisson: 0.3, beta: -100), Bonded";
     let solved = |base: &str| {
         let text = format!(
-            "Scene(plane: Strain, punch: Parabola(radius: 363), force: 7e-5, stack: [{coating}, \
+            "Scene(geometry: PlaneStrain, punch: Parabola(radius: 363), force: 7e-5, stack: [{coating}, \
              Homogeneous(thickness: 30, shear_modulus: 25, poisson: 0.3), {base}])"
         );
         let scene = Scene::from_ron(&text).unwrap();
-        let model = Model::new(Stack::from_items(scene.plane, &scene.stack).unwrap()).unwrap();
+        let model = Model::new(Stack::from_items(scene.geometry, &scene.stack).unwrap()).unwrap();
         let solution = model.press(&scene.punch, 7e-5).unwrap();
         let points = [(0.0, 0.0), (0.03, 0.0), (0.07, 0.0), (0.2, 0.0), (0.05, 0.01), (0.0, 0.03)];
         let points = points.map(|(x, depth)| Point { x, depth, layer: Some(1) });
@@ -87,9 +87,9 @@ fn the_errors_of_stresses_are_estimated() {
     let ground = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 1, poisson: 0.25)";
     let coating = "Exponential(thickness: 0.02, shear_modulus: 1.0, poisson: 0.25, beta: 30.0), Bonded";
     for (load, largest) in [("punch: Flat(half_width: 0.5)", 1e-5), ("punch: Cylinder(radius: 500)", 1e-9)] {
-        let text = format!("Scene(plane: Strain, {load}, force: 0.002, stack: [{coating}, {ground}])");
+        let text = format!("Scene(geometry: PlaneStrain, {load}, force: 0.002, stack: [{coating}, {ground}])");
         let scene = Scene::from_ron(&text).unwrap();
-        let model = Model::new(Stack::from_items(scene.plane, &scene.stack).unwrap()).unwrap();
+        let model = Model::new(Stack::from_items(scene.geometry, &scene.stack).unwrap()).unwrap();
         let solved = |tolerance: f64| {
             let options = Options { tolerance, ..Options::default() };
             model.press_with(&scene.punch, scene.force, &options).unwrap()

@@ -26,7 +26,7 @@ fn refused(arguments: &[&str]) -> String {
 #[test]
 fn open_middles_and_re_contacts_stand_under_the_table() {
     let apart =
-        "Scene(plane: Strain, load: Several([(at: 30.0, share: 1.0, load: Uniform(half_width: 0.5))]), force: 0.01,
+        "Scene(geometry: PlaneStrain, load: Several([(at: 30.0, share: 1.0, load: Uniform(half_width: 0.5))]), force: 0.01,
         stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
         HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     let again = fs::read_to_string("tests/data/hard/seed_23_number_1121.ron").unwrap();
@@ -166,7 +166,7 @@ fn the_largest_shear_stress_is_searched_where_it_is_printed_or_asked_for() {
 
 #[test]
 fn a_scene_is_solved_even_if_its_largest_shear_stress_is_not_found() {
-    let scene = "Scene(plane: Strain, punch: Parabola(radius: 100), force: 0.05, stack: [
+    let scene = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 100), force: 0.05, stack: [
         Homogeneous(thickness: 1e-5, shear_modulus: 1.0, poisson: 0.3), Bonded,
         Homogeneous(thickness: 1, shear_modulus: 3.0, poisson: 0.3), Receding, HalfPlane(shear_modulus: 1.0, poisson: 0.3)])";
     let run = recede(&["solve", "-"], scene.as_bytes());
@@ -341,8 +341,10 @@ fn help_tells_examples_and_exit_statuses() {
 fn a_reader_that_stops_early_is_no_error() {
     // more text than a pipe holds
     let strip = "Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Bonded,\n";
-    let text =
-        format!("(plane: Strain, punch: Parabola(radius: 1.0), force: 1.0, stack: [{} Rigid])", strip.repeat(5000));
+    let text = format!(
+        "(geometry: PlaneStrain, punch: Parabola(radius: 1.0), force: 1.0, stack: [{} Rigid])",
+        strip.repeat(5000)
+    );
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("many_layers.ron");
     std::fs::write(&path, text).unwrap();
     for arguments in [&["check"][..], &["show"], &["show", "--latex"]] {

@@ -174,7 +174,7 @@ fn where_it_cannot_be_it_is_said() {
 
 #[test]
 fn the_command_solves_and_draws_it() {
-    let text = "Scene(plane: Strain, punch: Flat(half_width: 0.5), force: 0.002, stack: [
+    let text = "Scene(geometry: PlaneStrain, punch: Flat(half_width: 0.5), force: 0.002, stack: [
         Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
     let scene = Scene::from_ron(text).unwrap();
     assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().punch, scene.punch);

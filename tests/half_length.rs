@@ -139,7 +139,7 @@ fn a_solver_that_fails_is_no_bad_input() {
     assert!(said.contains("up to 0.4 were reached") && said.contains("did not converge"), "{said}");
 }
 
-const SCENE: &str = "Scene(plane: Strain, punch: Parabola(radius: 50), half_length: 0.5, stack: [
+const SCENE: &str = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 50), half_length: 0.5, stack: [
     Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
 
 #[test]

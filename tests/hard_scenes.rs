@@ -93,7 +93,7 @@ fn what_has_no_answer_is_named_with_what_to_do() {
 fn a_trial_without_an_answer_says_why_in_words_that_count() {
     let text = |radius: f64| {
         format!(
-            "Scene(plane: Strain, punch: Cylinder(radius: {radius}), force: 1, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])"
+            "Scene(geometry: PlaneStrain, punch: Cylinder(radius: {radius}), force: 1, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])"
         )
     };
     let [one, other] = [1e-2, 2e-2]

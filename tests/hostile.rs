@@ -30,7 +30,7 @@ Scene(
     name: \"a \\\"name\\\" µ\",
     description: \"two\\nlines\",
     units: (length: \"mm\", force: \"N\"),
-    plane: Strain, /* or Stress */
+    geometry: PlaneStrain, /* or Stress */
     punch: Cylinder(radius: 500.0),
     force: 2e-3,
     stack: [
@@ -92,7 +92,7 @@ fn read(bytes: &[u8]) -> Result<Scene, Error> {
 
 /// A scene around this stack.
 fn around(stack: &str) -> String {
-    format!("(plane:Strain,punch:Parabola(radius:500),force:0.002,stack:[{stack}])")
+    format!("(geometry:PlaneStrain,punch:Parabola(radius:500),force:0.002,stack:[{stack}])")
 }
 
 proptest! {
@@ -184,10 +184,10 @@ fn long_texts_and_comments() {
     let long = "a".repeat(MAX_BYTES - 400);
     let stack = format!("{STRIP},Receding,Rigid");
     for scene in [
-        around(&stack).replace("(plane", &format!("(name:\"{long}\",plane")),
-        around(&stack).replace("(plane", &format!("(/*{long}*/plane")),
-        around(&stack).replace("(plane", &format!("//{long}\n(plane")),
-        around(&stack).replace("(plane", &format!("{}(plane", "\n".repeat(long.len()))),
+        around(&stack).replace("(geometry", &format!("(name:\"{long}\",geometry")),
+        around(&stack).replace("(geometry", &format!("(/*{long}*/geometry")),
+        around(&stack).replace("(geometry", &format!("//{long}\n(geometry")),
+        around(&stack).replace("(geometry", &format!("{}(geometry", "\n".repeat(long.len()))),
     ] {
         assert_eq!(read(scene.as_bytes()).unwrap().stack.len(), 3);
     }
@@ -198,7 +198,7 @@ fn long_texts_and_comments() {
         around(&stack).replace("500", &"9".repeat(long.len())),
         around(&stack).replace("0.002", &format!("0.{}-", "9".repeat(long.len()))),
         around(&stack).replace("Parabola", &long),
-        format!("{long}(plane"),
+        format!("{long}(geometry"),
         format!("{}é", long),
         long.clone(),
         "\u{1f980}".repeat(MAX_BYTES / 4),

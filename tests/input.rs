@@ -16,7 +16,7 @@ fn coefficients(scene: &Scene) -> Vec<[f64; 4]> {
 
 fn scene(punch: &str, force: &str, layers: &str) -> Scene {
     let text = format!(
-        "Scene(units: (length: \"mm\", force: \"N\"), plane: Strain, punch: {punch}, force: {force}, stack: [{layers}])"
+        "Scene(units: (length: \"mm\", force: \"N\"), geometry: PlaneStrain, punch: {punch}, force: {force}, stack: [{layers}])"
     );
     Scene::from_ron(&text).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -97,7 +97,7 @@ fn numbers_with_units_are_those_of_the_scene() {
 fn scenes_in_any_units_have_the_same_answer() {
     let text = |length: &str, force: &str| {
         format!(
-            "Scene(units: (length: \"{length}\", force: \"{force}\"), plane: Strain,
+            "Scene(units: (length: \"{length}\", force: \"{force}\"), geometry: PlaneStrain,
                 punch: Cylinder(radius: \"50 mm\"), force: \"100 N/mm\",
                 stack: [Homogeneous(thickness: \"2 mm\", young: \"7 GPa\", poisson: 0.3), Receding,
                         HalfPlane(young: \"70 GPa\", poisson: 0.3)])"

@@ -259,7 +259,7 @@ fn inside_stresses_and_jumps_are_those_that_the_interfaces_allow() {
     }
 }
 
-const SCENE: &str = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+const SCENE: &str = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
     Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Sliding,
     Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Spring(normal: 2, tangential: 0.5),
     HalfPlane(shear_modulus: 1, poisson: 0.25)])";

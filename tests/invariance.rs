@@ -306,7 +306,7 @@ fn half_planes_alone_are_the_same_in_all_units() {
     ];
     for (base, punch) in bases.iter().flat_map(|base| punches.iter().map(move |punch| (base, punch))) {
         let solve = |[length, stress]: [i32; 2]| {
-            let text = format!("Scene(plane: Strain, {punch}, force: 0.02[force], stack: [{base}])");
+            let text = format!("Scene(geometry: PlaneStrain, {punch}, force: 0.02[force], stack: [{base}])");
             let text = text.replace("[length]", &format!("e{length}")).replace("[1/length]", &format!("e{}", -length));
             let text =
                 text.replace("[stress]", &format!("e{stress}")).replace("[force]", &format!("e{}", length + stress));

@@ -126,7 +126,7 @@ fn example() -> Value {
         "$schema": "scene.schema.json",
         "name": "N",
         "units": {"length": "mm", "force": "N"},
-        "plane": "Strain",
+        "geometry": "PlaneStrain",
         "punch": {"Table": [[0, 0], ["500 um", 0.01], [1, 0.05]]},
         "force": "13 N/m",
         "stack": [
@@ -152,7 +152,7 @@ fn what_the_reader_refuses_the_schema_refuses_too() {
         scene
     };
     for (pointer, value) in [
-        ("/plane", json!("Strian")),
+        ("/geometry", json!("PlaneStrian")),
         ("/punch", json!({"Sphere": {"radius": 1}})),
         ("/stack/0", json!({"Homogeneous": {"thickness": 1, "young": 26, "nu": 0.25}})),
         ("/stack/0/Homogeneous/poisson", json!(0.75)),
@@ -172,7 +172,7 @@ fn what_the_reader_refuses_the_schema_refuses_too() {
 fn mistakes_are_shown_where_they_stand_in_json() {
     let text = format!("{:#}\n", example());
     for (old, new, said) in [
-        ("\"Strain\"", "\"Strian\"", "`plane` of the scene is `Strian`"),
+        ("\"PlaneStrain\"", "\"PlaneStrian\"", "`geometry` of the scene is `PlaneStrian`"),
         ("\"1000 um\"", "\"1000 GPa\"", "`\"1000 GPa\"` is a stress; allowed is a length"),
         ("0.25", "0.75", "`poisson` of layer 1 (Homogeneous): found 0.75"),
         ("\"young\"", "\"youg\"", "layer 1 (Homogeneous) has no field `youg`"),

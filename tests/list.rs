@@ -16,7 +16,7 @@ const WRONG_NUMBER: &str = "-inf";
 /// Every legal field of a scene, with one of them replaced.
 fn scene_with(field: &str, text: &str) -> String {
     let fields = [
-        ("plane", "Strain"),
+        ("geometry", "PlaneStrain"),
         ("punch", "Parabola(radius: 1.0)"),
         ("force", "1.0"),
         ("stack", "[HalfPlane(shear_modulus: 1.0, poisson: 0.25)]"),

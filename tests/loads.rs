@@ -304,7 +304,7 @@ fn bonded_stacks_have_nothing_to_solve_for() {
     close(contact.resultant, 3.0, 1e-14);
 }
 
-const SCENE: &str = "Scene(plane: Strain, load: Uniform(half_width: 0.5), force: 0.002, stack: [
+const SCENE: &str = "Scene(geometry: PlaneStrain, load: Uniform(half_width: 0.5), force: 0.002, stack: [
     Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
 
 #[test]

@@ -17,7 +17,7 @@ fn scene(layers: usize, interface: &str, layer: impl Fn(usize) -> String, rest: 
         let _ = write!(items, "{}, {interface}, ", layer(k));
     }
     let base = "HalfPlane(shear_modulus: 1, poisson: 0.25)";
-    Scene::from_ron(&format!("(plane: Strain, {rest}, stack: [{items}{base}])")).expect("legal")
+    Scene::from_ron(&format!("(geometry: PlaneStrain, {rest}, stack: [{items}{base}])")).expect("legal")
 }
 
 /// The most memory that was taken at a time, by all that the commands do.
@@ -49,12 +49,12 @@ fn no_scene_takes_more_memory_than_promised() {
         scene(400, "Bonded", sigmoid, cylinder),
         scene(1500, "Bonded", strip, cylinder),
         Scene::from_ron(
-            "(plane: Strain, punch: Parabola(radius: 40), force: 0.02, stack: [
+            "(geometry: PlaneStrain, punch: Parabola(radius: 40), force: 0.02, stack: [
                 GradedHalfPlane(shear_modulus: 1, poisson: 0.3, beta: 0.5)])",
         )
         .expect("legal"),
         Scene::from_ron(
-            "(plane: Strain, punch: Cylinder(radius: 20), half_length: 0.5, stack: [
+            "(geometry: PlaneStrain, punch: Cylinder(radius: 20), half_length: 0.5, stack: [
                 Exponential(thickness: 1, shear_modulus: 1, poisson: 0.3, beta: 33), Receding,
                 HalfPlane(shear_modulus: 2, poisson: 0.3)])",
         )

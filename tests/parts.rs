@@ -145,7 +145,7 @@ fn estimates_cover_what_a_tighter_tolerance_changes() {
 fn pairs_on_a_loose_strip(places: &[f64]) -> (Model, Solution) {
     let load = |at: &f64| format!("(at: {at:?}, share: 1, load: Uniform(half_width: 0.5))");
     let text = format!(
-        "Scene(plane: Strain, load: Several([{}]), force: {:?}, stack: [
+        "Scene(geometry: PlaneStrain, load: Several([{}]), force: {:?}, stack: [
             Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.3), Receding, HalfPlane(shear_modulus: 1, poisson: 0.3)])",
         places.iter().map(load).collect::<Vec<_>>().join(", "),
         0.01 * places.len() as f64

@@ -244,7 +244,7 @@ fn a_map_is_dark_where_the_stress_is_large() {
 }
 
 fn scene(text: &str) -> Scene {
-    Scene::from_ron(&format!("Scene(plane: Strain, {text})")).unwrap()
+    Scene::from_ron(&format!("Scene(geometry: PlaneStrain, {text})")).unwrap()
 }
 
 /// A stack of layers of this thickness, every second one loose, on a half-plane.

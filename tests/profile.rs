@@ -118,7 +118,7 @@ fn gaps_on_a_half_plane_are_those_of_hertz() {
         [("Parabola(radius: 500)", 1e-8), ("ElasticCylinder(radius: 500, shear_modulus: 2, poisson: 0.4)", 1e-7)];
     for (punch, allowed) in punches {
         let text = format!(
-            "Scene(plane: Strain, punch: {punch}, force: 1e-6, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])"
+            "Scene(geometry: PlaneStrain, punch: {punch}, force: 1e-6, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])"
         );
         let (solution, profile) =
             profile(&scene(&text), &|solution| s.map(|s| s * solution.contacts()[0].reach()).to_vec());

@@ -178,7 +178,7 @@ fn on_layers_a_punch_is_the_same_by_any_name() {
     for model in layered() {
         let expected = model.press(&parabola, 0.02).unwrap();
         for punch in &names {
-            assert_same(&model.press(punch, 0.02).unwrap(), &expected, 1e-10, &punch.label());
+            assert_same(&model.press(punch, 0.02).unwrap(), &expected, 1e-10, &punch.to_string());
         }
         let (power, polynomial) = (Punch::power(4.0, 2.0, 0.3).unwrap(), Punch::polynomial(2.0, &[0.0, 0.3]).unwrap());
         assert_same(&model.press(&power, 0.1).unwrap(), &model.press(&polynomial, 0.1).unwrap(), 1e-10, "fourth power");

@@ -101,7 +101,8 @@ fn singular_points_are_infinite_and_nothing_else_is() {
                 }
             }
             let mut text = Vec::new();
-            write_field(&grid.points()[..1], None, FieldFormat::Json, &mut text).unwrap();
+            write_field(&grid.points()[..1], recede::Geometry::PlaneStrain, None, FieldFormat::Json, &mut text)
+                .unwrap();
             let json: serde_json::Value = serde_json::from_slice(&text).unwrap();
             assert!(json["points"][0]["sigma_yy"].is_null() && json["points"][0]["u"].is_number());
             // on a face that is not isotropic, stresses along and across it are infinite, and different
@@ -156,7 +157,7 @@ fn a_stress_that_is_not_known_is_no_number() {
         assert_eq!((above.sigma_zz.is_finite(), above.von_mises().is_finite()), (known, known));
         assert!(below.von_mises().is_finite() && above.max_shear().is_finite());
         let mut text = Vec::new();
-        write_field(&[above], None, FieldFormat::Csv, &mut text).unwrap();
+        write_field(&[above], recede::Geometry::PlaneStrain, None, FieldFormat::Csv, &mut text).unwrap();
         let empty = String::from_utf8(text).unwrap().trim_end().split(',').filter(|field| field.is_empty()).count();
         assert_eq!(empty, if known { 0 } else { 2 });
     }

@@ -234,7 +234,8 @@ fn contacts_are_those_of_all_rows() {
         for zeros in [&[1][..], &[2], &[3], &[1, 2], &[2, 3], &[1, 3], &[1, 2, 3]] {
             let stack: Vec<String> = between.split(", ").map(|name| format!("{strip}, {name}, ")).collect();
             let stack = stack.concat() + "HalfPlane(shear_modulus: 1, poisson: 0.25)";
-            let text = format!("Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [{stack}])");
+            let text =
+                format!("Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [{stack}])");
             let axis = |layer: &usize| format!("layer[{layer}].thickness=0:1:3").parse::<Axis>().unwrap();
             // of a layer that is not there another axis changes nothing
             let beside = "layer[2].shear_modulus=[1,2]".parse::<Axis>().unwrap();
@@ -257,7 +258,9 @@ fn contacts_are_those_of_all_rows() {
 fn a_sweep_without_any_stack_is_refused() {
     let layer = "Exponential(thickness: 1, shear_modulus: 1, poisson: 0.25, beta: 1)";
     let text = |base: &str| {
-        format!("Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [{layer}, Bonded, {base}])")
+        format!(
+            "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [{layer}, Bonded, {base}])"
+        )
     };
     let refused = |base: &str, axis: &str| {
         Sweep::new(Scene::from_ron(&text(base)).unwrap(), vec![axis.parse().unwrap()]).err().map(|e| e.to_string())

@@ -13,7 +13,7 @@ use recede::{Scene, Solution, WarningCode};
 const GROUND: &str = "HalfPlane(shear_modulus: 1, poisson: 0.25)";
 
 fn solve(stack: &str) -> Solution {
-    let text = format!("Scene(plane: Strain, punch: Parabola(radius: 10), force: 1, stack: [{stack}])");
+    let text = format!("Scene(geometry: PlaneStrain, punch: Parabola(radius: 10), force: 1, stack: [{stack}])");
     recede::solve(&Scene::from_ron(&text).unwrap()).unwrap_or_else(|error| panic!("{stack}: {error}"))
 }
 

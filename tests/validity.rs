@@ -48,7 +48,7 @@ fn a_pressure_is_large_from_a_tenth_of_the_modulus() {
 fn loads_have_pressures_only() {
     let scene = |load: &str, force: f64| {
         let stack = "[HalfPlane(shear_modulus: 1.5, poisson: 0.25)]";
-        let text = format!("Scene(plane: Strain, load: {load}, force: {force}, stack: {stack})");
+        let text = format!("Scene(geometry: PlaneStrain, load: {load}, force: {force}, stack: {stack})");
         recede::solve(&Scene::from_ron(&text).unwrap()).unwrap()
     };
     assert_eq!(scene("Line", 100.0).warnings(), []);

@@ -60,7 +60,7 @@ pub fn table(name: &str) -> Result<Vec<Row>, Error> {
         if let Some(beta) = entries[0].graded {
             items[2] = Item::layer(Exponential::new(1.0, 1.0, 0.25, beta)?);
         }
-        let model = Model::new(Stack::from_items(scene.plane, &items)?)?;
+        let model = Model::new(Stack::from_items(scene.geometry, &items)?)?;
         for entry in entries {
             let solution = model.press(&Punch::cylinder(entry.radius)?, 1.0 / entry.load)?;
             let contact = |i: usize| &solution.contacts()[i];

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::PossibleValuesParser;
 use recede::files;
 use recede::plot::{self, Kind};
 use recede::report::{FieldFormat, write_field};
-use recede::{Field as Fields, FieldPoint, FieldQuantity, Model, Options, Point, Solution};
+use recede::{Field as Fields, FieldPoint, FieldQuantity, Geometry, Model, Options, Point, Solution};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, tell};
@@ -56,9 +56,9 @@ pub struct Field {
     /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, a short table on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// What a map shows; u, v are displacements, v upwards
-    #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(FieldQuantity::ALL.map(FieldQuantity::name)).try_map(|name| quantity(&name).ok_or("no such quantity")))]
-    quantity: FieldQuantity,
+    /// What a map shows; u, v are displacements, v upwards, and in axisymmetric problems u_r, u_z, u_z downwards
+    #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(names()))]
+    quantity: String,
     /// How to write to standard output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -152,12 +152,12 @@ impl Field {
             (Some(path), Output::Map) => {
                 let [xs, depths] = self.grid(&field, &solution, MAP);
                 let grids = field.by_layer(&xs, &depths)?;
-                let picture = plot::map(&scene, &solution, &field, &grids, self.quantity)?;
+                let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
                 Ok(plot::save(path, &self.title.above(picture, &scene))?)
             }
             (Some(path), Output::Points(format)) => {
                 let points = self.points(&field, &solution, format)?;
-                files::replace(path, |out| write_field(&points, scene.units.as_ref(), format, out))
+                files::replace(path, |out| write_field(&points, scene.geometry, scene.units.as_ref(), format, out))
                     .map_err(|cause| Failure::file(path, cause))
             }
             (None, Output::Points(format)) => {
@@ -171,11 +171,20 @@ impl Field {
                         "write them to a file, --out FILE.csv, or say --format csv",
                     ));
                 }
-                Ok(write_field(&points, scene.units.as_ref(), format, out)?)
+                Ok(write_field(&points, scene.geometry, scene.units.as_ref(), format, out)?)
             }
             // without a file there is no map
             (None, Output::Map) => Ok(()),
         }
+    }
+
+    /// The quantity that is asked for by its name in this geometry.
+    fn quantity(&self, geometry: Geometry) -> Result<FieldQuantity, Failure> {
+        let found = FieldQuantity::ALL.into_iter().find(|quantity| quantity.name_in(geometry) == self.quantity);
+        found.ok_or_else(|| {
+            let all = FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry)).join(", ");
+            Failure::usage(format!("there is no {} in this geometry", self.quantity), format!("there are {all}"))
+        })
     }
 
     fn points(&self, field: &Fields, solution: &Solution, format: FieldFormat) -> Result<Vec<FieldPoint>, Failure> {
@@ -220,7 +229,12 @@ fn format(path: &Path) -> Result<Output, Failure> {
     }
 }
 
-/// A quantity by its name.
-fn quantity(name: &str) -> Option<FieldQuantity> {
-    FieldQuantity::ALL.into_iter().find(|quantity| quantity.name() == name)
+/// The names of quantities in all geometries.
+fn names() -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
+        let all = FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry));
+        names.extend(all.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());
+    }
+    names
 }

@@ -6,6 +6,7 @@ use std::f64::consts::LN_2;
 
 use crate::contact::error::{ContactError, Controlled, NoSolution};
 use crate::contact::problem::profile::Profile;
+use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::BEST;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
@@ -40,7 +41,7 @@ pub(crate) fn press_to<E: From<ContactError>>(
         return Err(ContactError::LoadControlled(controlled).into());
     }
     let unreachable = |below, above| {
-        let punch = punch.label();
+        let punch = punch.label(kernel.geometry());
         ContactError::from(NoSolution::Unreachable { controlled, punch, wanted, below, above })
     };
     let is_length = controlled == Controlled::HalfLength;
@@ -85,7 +86,7 @@ pub(crate) fn press_to<E: From<ContactError>>(
         None if search.is_narrow() => Err(unreachable(below, above).into()),
         failure => {
             let cause = failure.map(Box::new);
-            let punch = punch.label();
+            let punch = punch.label(kernel.geometry());
             Err(ContactError::from(NoSolution::ForceNotFound { controlled, punch, wanted, below, above, cause }).into())
         }
     }
@@ -279,7 +280,8 @@ fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
     let with_punch = punch.material().map(|material| kernel.under_half_plane(&material));
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let unit = kernel.modulus() * kernel.length();
-    let (profile, half_length) = (Profile::new(punch, kernel.length(), 1.0), half_length / kernel.length());
+    let (profile, half_length) =
+        (Profile::new(punch, kernel.length(), 1.0, Twin::of(kernel.geometry())), half_length / kernel.length());
     let force = unit * formulas::force(kernel, &profile, half_length);
     if force.is_normal() && force > 0.0 {
         return force;

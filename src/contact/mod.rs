@@ -34,6 +34,7 @@ use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
 use problem::iteration::Operations;
+use problem::twin::Twin;
 use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
@@ -87,7 +88,10 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
     solve_in_order(
         problem,
         |start| solve_from(problem, start, &mut work),
-        |expected, far| programme::answer(problem, expected, far),
+        |expected, far| match problem.twin() {
+            Twin::Plane => programme::answer(problem, expected, far),
+            Twin::Round => None,
+        },
     )
 }
 

@@ -124,6 +124,8 @@ impl Body {
             let reference = match last.thickness {
                 // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
                 Some(thickness) => free.then_some((layers.len() - 1, thickness)),
+                // displacements vanish far away if forces do not act on whole lines
+                None if stack.geometry().is_axisymmetric() => None,
                 None => Some((layers.len() - 1, 0.0)),
             };
             let mut body = Self {

@@ -29,7 +29,7 @@ struct Decay<'a> {
 impl Decay<'_> {
     /// The mean pressure, with which the truncation error is compared.
     fn mean(&self) -> f64 {
-        self.pressure.resultant() / (2.0 * self.length)
+        self.pressure.mean(self.length)
     }
 
     /// A bound on the contribution of all waves beyond a wavenumber, in parts of the mean pressure.
@@ -40,7 +40,9 @@ impl Decay<'_> {
             return 0.0;
         }
         // the integral of an integrand that falls at least like 1/λ, over π
-        let amplitude = size * from.powf(1.0 - power) * self.pressure.envelope(from) / (PI * self.mean());
+        // about an axis J₀(λr) falls like a root or, next to r = 0, the transform oscillates
+        let measure = if self.pressure.is_round() { from / (1.0 + from * self.length).sqrt() } else { PI.recip() };
+        let amplitude = size * from.powf(1.0 - power) * self.pressure.envelope(from) * measure / self.mean();
         amplitude * (1.0 + t) * (1.0 + t) * (-t).exp()
     }
 
@@ -148,7 +150,7 @@ impl Field {
     pub(super) fn nearest(&self, rows: &[Row], precision: &Precision, contact: usize) -> Option<f64> {
         // without a length no wave is too short
         let length = Some(self.length(contact)).filter(|length| *length > 0.0)?;
-        let most = waves::most(length);
+        let most = waves::most(length).min(precision.last);
         let ends =
             rows.iter().flat_map(|row| self.ends(row, precision, |_| most)).filter(|(other, _)| *other == contact);
         let end = ends.map(|(_, end)| end).fold(0.0, f64::max);

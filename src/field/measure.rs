@@ -25,7 +25,7 @@ impl Measure {
         match self {
             Self::MaxShear => point.max_shear(),
             Self::VonMises => point.von_mises(),
-            Self::Tension => point.principal()[0],
+            Self::Tension => point.tension(),
             Self::FaceShear => point.sigma_xy.abs(),
             Self::FaceTension => point.sigma_yy,
         }

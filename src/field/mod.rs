@@ -5,6 +5,7 @@
 //! the fields of a half-plane of the face's material are subtracted, and added in closed form.
 mod body;
 mod decay;
+mod disc;
 mod error;
 mod extremes;
 mod faces;
@@ -17,9 +18,12 @@ mod potentials;
 mod pressure;
 mod roots;
 mod search;
+mod sources;
+mod spheroid;
 mod strip;
 mod sum;
 mod surface;
+mod tables;
 mod transform;
 mod waves;
 
@@ -30,6 +34,7 @@ pub use faces::Side;
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
+use crate::geometry::Geometry;
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 use crate::system::Load;
@@ -76,6 +81,7 @@ const POWER: f64 = 1e-3;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Field {
+    geometry: Geometry,
     plane: Plane,
     layers: Vec<PlacedLayer>,
     bodies: Vec<Body>,
@@ -97,7 +103,7 @@ pub struct Field {
 impl Field {
     /// The field of a solution of this stack; to be had from [`crate::Model::field`].
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
-        let plane = stack.plane();
+        let (geometry, plane) = (stack.geometry(), stack.plane());
         let layers = body::layers(stack);
         let pressures: Vec<Pressure> = solution.contacts().iter().map(Pressure::new).collect();
         let stiffness: Vec<f64> = layers
@@ -118,7 +124,19 @@ impl Field {
         let base = is_joined.then(|| below.foundation().number());
         let contrast = largest / smallest;
         let over_support = largest / support_stiffness(stack, modulus);
-        Self { plane, layers, bodies, pressures, joints, modulus, contrast, over_support, base, pressure_error }
+        Self {
+            geometry,
+            plane,
+            layers,
+            bodies,
+            pressures,
+            joints,
+            modulus,
+            contrast,
+            over_support,
+            base,
+            pressure_error,
+        }
     }
 
     /// The same with other pressures on the same contacts.
@@ -175,13 +193,22 @@ impl Field {
     /// # Errors
     /// As [`Self::at`] and [`Self::at_layer`].
     pub fn points(&self, requested: &[Point]) -> Result<Vec<FieldPoint>, FieldError> {
+        self.points_to(requested, &waves::FULL)
+    }
+
+    /// The same, without what waves beyond the wavenumber `last` add to the closed forms of loaded faces: for means over many places.
+    pub(crate) fn of_long_waves(&self, requested: &[Point], last: f64) -> Result<Vec<FieldPoint>, FieldError> {
+        self.points_to(requested, &waves::Precision { last, ..waves::FULL })
+    }
+
+    fn points_to(&self, requested: &[Point], precision: &waves::Precision) -> Result<Vec<FieldPoint>, FieldError> {
         let mut rows = Vec::with_capacity(requested.len());
         let mut sets = Vec::with_capacity(requested.len());
         for point in requested {
             rows.push(self.row(point, sets.len())?);
             sets.push(vec![point.x.abs()]);
         }
-        let values = self.sum(&rows, &sets, &waves::FULL)?;
+        let values = self.sum(&rows, &sets, precision)?;
         let of = |((point, row), values): ((&Point, &Row), Vec<_>)| {
             values.into_iter().map(|value| self.point(point.x, row, value)).collect::<Vec<_>>()
         };

@@ -1,11 +1,12 @@
 //! Stresses and displacements at a point, and what follows from them.
 use std::fmt;
 
-use recede_layers::Plane;
+use recede_layers::{Material, Plane};
 
 use super::Field;
 use super::potentials::Components;
 use super::sum::Row;
+use crate::geometry::Geometry;
 
 /// A point at which a field is requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +49,10 @@ pub struct FieldPoint {
     pub sigma_xy: f64,
     /// Normal stress out of the plane: that for which ε_zz = 0 in plane strain, ν(σ_xx + σ_yy) of an isotropic material; 0 in
     /// plane stress. NaN in a layer whose material does not give it, see
-    /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane).
+    /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane). In axisymmetric problems the stress about the axis, σ_θθ.
     pub sigma_zz: f64,
+    /// In axisymmetric problems the strains ε_rr, ε_θθ and ε_zz, positive where the material is stretched.
+    pub strains: Option<[f64; 3]>,
 }
 
 impl FieldPoint {
@@ -57,6 +60,12 @@ impl FieldPoint {
     pub fn principal(&self) -> [f64; 2] {
         let (mean, radius) = (0.5 * (self.sigma_xx + self.sigma_yy), self.max_shear());
         [mean + radius, mean - radius]
+    }
+
+    /// The largest tension: the larger principal stress in the plane or, in axisymmetric problems, that about the axis if it is larger.
+    pub fn tension(&self) -> f64 {
+        let [first, _] = self.principal();
+        if self.strains.is_some() { first.max(self.sigma_zz) } else { first }
     }
 
     /// The largest shear stress in the plane, (σ₁ − σ₂)/2.
@@ -195,15 +204,18 @@ impl Field {
     pub(super) fn point(&self, x: f64, row: &Row, components: Components) -> FieldPoint {
         let placed = &self.layers[row.layer];
         let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v, mut slope] = components;
+        let material = placed.layer.material(row.depth, self.plane);
         if x < 0.0 {
             (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
-        let sigma_zz = match self.plane {
-            Plane::Strain => {
-                let shares = placed.layer.material(row.depth, self.plane).out_of_plane;
-                shares.map_or(f64::NAN, |[along, across]| along * sigma_xx + across * sigma_yy)
+        let strains = self.geometry.is_axisymmetric().then(|| strains(&material, x.abs(), &components));
+        let [sigma_xx, sigma_zz] = match (self.geometry, self.plane) {
+            (Geometry::Axisymmetric, _) => around(&material, sigma_xx, strains.unwrap_or_default()),
+            (_, Plane::Strain) => {
+                let shares = material.out_of_plane;
+                [sigma_xx, shares.map_or(f64::NAN, |[along, across]| along * sigma_xx + across * sigma_yy)]
             }
-            Plane::Stress => 0.0,
+            (_, Plane::Stress) => [sigma_xx, 0.0],
         };
         FieldPoint {
             x,
@@ -216,6 +228,52 @@ impl Field {
             sigma_yy,
             sigma_xy,
             sigma_zz,
+            strains,
+        }
+    }
+}
+
+/// ε_rr, ε_θθ and ε_zz in an axisymmetric problem: the first component is the stress of plane strain with ε_rr + ε_θθ as the strain along
+/// the layers.
+fn strains(material: &Material, r: f64, [along, across, _, u, ..]: &Components) -> [f64; 3] {
+    let both = (along - material.coupling * across) / material.axial_stiffness;
+    let hoop = if r > 0.0 { u / r } else { 0.5 * both };
+    [both - hoop, hoop, material.normal_compliance * across - material.coupling * both]
+}
+
+/// The radial stress and that about the axis: in an isotropic material they are less than the first component by 2μ ε_θθ and 2μ ε_rr.
+fn around(material: &Material, along: f64, [radial, hoop, _]: [f64; 3]) -> [f64; 2] {
+    if along.is_infinite() {
+        return [along; 2];
+    }
+    let shear = 2.0 / material.shear_compliance;
+    [along - shear * hoop, along - shear * radial]
+}
+
+impl FieldQuantity {
+    /// Its name in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
+    ///
+    /// ```
+    /// use recede::{FieldQuantity, Geometry};
+    /// assert_eq!(FieldQuantity::SigmaZz.name_in(Geometry::Axisymmetric), "sigma_tt");
+    /// ```
+    pub fn name_in(self, geometry: Geometry) -> &'static str {
+        match (geometry, self) {
+            (Geometry::Axisymmetric, Self::SigmaXx) => "sigma_rr",
+            (Geometry::Axisymmetric, Self::SigmaYy) => "sigma_zz",
+            (Geometry::Axisymmetric, Self::SigmaXy) => "tau_rz",
+            (Geometry::Axisymmetric, Self::SigmaZz) => "sigma_tt",
+            (Geometry::Axisymmetric, Self::U) => "u_r",
+            (Geometry::Axisymmetric, Self::V) => "u_z",
+            _ => self.name(),
+        }
+    }
+
+    /// Its value in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
+    pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
+        match (geometry, self) {
+            (Geometry::Axisymmetric, Self::SigmaXy | Self::V) => -self.of(point),
+            _ => self.of(point),
         }
     }
 }

@@ -76,6 +76,19 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| images(*at) * strip.envelope(wavenumber)).sum()
     }
 
+    /// The mean pressure if it were spread over this half-length.
+    pub(super) fn mean(&self, length: f64) -> f64 {
+        match self.is_round() {
+            true => 2.0 * self.resultant() / (length * length),
+            false => self.resultant() / (2.0 * length),
+        }
+    }
+
+    /// Whether it is about the axis of an axisymmetric problem.
+    pub(super) fn is_round(&self) -> bool {
+        self.strips.iter().any(|(_, strip)| strip.is_round)
+    }
+
     /// p̂(0).
     pub(super) fn resultant(&self) -> f64 {
         let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };

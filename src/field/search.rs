@@ -356,7 +356,7 @@ impl Field {
 
     /// The largest of the mean pressures of the contacts.
     pub(super) fn mean_pressure(&self) -> f64 {
-        let mean = |contact: usize| self.pressures[contact].resultant() / (2.0 * self.length(contact));
+        let mean = |contact: usize| self.pressures[contact].mean(self.length(contact));
         (0..self.pressures.len()).map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max)
     }
 }

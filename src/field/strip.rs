@@ -28,18 +28,21 @@ pub(super) struct StripPressure {
     /// Of arcosh(1/|cos φ|) = 2 Σ (−1)^m sin jφ/j.
     pub(super) tip: f64,
     pub(super) form: Form,
+    /// Whether it is a disc about the axis, see [`super::disc`]: without signs in the series.
+    pub(super) is_round: bool,
     /// Amplitudes of p̂ at the wavenumbers λ_k = SAMPLED^k/a.
     pub(super) envelope: Vec<f64>,
 }
 
 impl StripPressure {
     pub(super) fn new(strip: &Strip) -> Self {
-        let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let is_round = strip.is_round;
+        let sign = |m: usize| if is_round || m.is_multiple_of(2) { 1.0 } else { -1.0 };
         let signed = |all: &[f64]| all.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
         let (series, skew) = (signed(&strip.coefficients), signed(&strip.skew));
         let Strip { extent: half_length, corners, tip, form, .. } = *strip;
         let envelope = Vec::new();
-        let pressure = Self { half_length, series, skew, corners, tip, form, envelope }.truncated(ROUNDED);
+        let pressure = Self { half_length, series, skew, corners, tip, form, is_round, envelope }.truncated(ROUNDED);
         Self { envelope: pressure.sampled_envelope(), ..pressure }
     }
 
@@ -63,8 +66,14 @@ impl StripPressure {
         Self { series: self.series[..keep].to_vec(), skew, envelope: self.envelope.clone(), ..*self }
     }
 
-    /// The resultant P = p̂(0).
+    /// The resultant P = p̂(0); of a disc P/2π.
     pub(super) fn resultant(&self) -> f64 {
+        if self.is_round {
+            return match self.form {
+                Form::Line => self.first() / (2.0 * PI),
+                _ => self.half_length * self.half_length * (self.first() / 3.0 + self.corners + 0.5 * self.tip),
+            };
+        }
         if self.form == Form::Line {
             return self.first();
         }
@@ -100,6 +109,9 @@ impl StripPressure {
     /// The potentials at a depth, eq. (25), of the strip or, with `mirror` −1, of its mirror strip. G_1 and G_2 are
     /// infinite at the ends of the strip, and all of them at its [`Self::singular_points`].
     pub(super) fn potentials(&self, x: f64, depth: f64, mirror: f64) -> Potentials {
+        if self.is_round {
+            return self.disc_potentials(x, depth).potentials;
+        }
         if self.form == Form::Line {
             // the transform is P: powers of 1/(d − ix)
             let over = Complex64::new(depth, -x).inv();
@@ -162,6 +174,9 @@ impl StripPressure {
 
     /// G_(−1), minus a constant that is infinite: the integral of G_0 over the depth, eq. (26).
     pub(super) fn integral(&self, x: f64, depth: f64, mirror: f64) -> Complex64 {
+        if self.is_round {
+            return self.disc_potentials(x, depth).integral;
+        }
         if self.form == Form::Line {
             return -self.resultant() / PI * logarithm(Complex64::new(depth, -x));
         }
@@ -269,7 +284,7 @@ mod tests {
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
         let (corners, tip) = if form == Form::Series { (0.8, tip) } else { (0.0, 0.0) };
-        StripPressure::new(&Strip { at, extent, coefficients, skew: Vec::new(), corners, tip, form })
+        StripPressure::new(&Strip { at, extent, coefficients, skew: Vec::new(), corners, tip, form, is_round: false })
     }
 
     const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];

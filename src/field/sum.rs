@@ -12,8 +12,10 @@ use super::joints::Joint;
 use super::potentials::{At, COMPONENTS, Components};
 use super::pressure::{Pressure, Transform};
 use super::strip::Singularity;
+use super::tables::tables;
 use super::waves::{self, CutOff, Panel, Precision};
 use super::{Field, Load};
+use crate::geometry::Geometry;
 use crate::system::Unresolved;
 
 /// Points at one depth.
@@ -166,7 +168,7 @@ impl Field {
                 references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
             }
             for sum in &mut sums {
-                sum.add(&waves, &block, &active);
+                sum.add(self.geometry, &waves, &block, &active);
             }
         }
         for sum in &sums {
@@ -185,7 +187,7 @@ impl Field {
     fn cut_offs(&self, rows: &[Row], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
         let cut_off = |contact: usize| CutOff { end: 0.0, extent: farthest + self.length(contact) };
         let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
-        let most: Vec<f64> = pressures.iter().map(|cut_off| waves::most(cut_off.extent)).collect();
+        let most: Vec<f64> = pressures.iter().map(|cut_off| waves::most(cut_off.extent).min(precision.last)).collect();
         // the last wavenumber of a row
         let mut end_of = |row: &Row| {
             self.ends(row, precision, |contact| most[contact]).fold(0.0, |last: f64, (contact, end)| {
@@ -289,7 +291,10 @@ impl Field {
             for ((placed, wanted), states) in layers.iter().zip(&wanted).zip(&states) {
                 for ((depth, row), state) in wanted.iter().zip(states) {
                     let remainder = self.remainder(body, placed, (*depth, *wavenumber), state, transform);
-                    let remainder = remainder.map(|value| value * weight / PI);
+                    let remainder = match self.geometry {
+                        Geometry::Axisymmetric => remainder.map(|value| value * weight * wavenumber),
+                        _ => remainder.map(|value| value * weight / PI),
+                    };
                     match row {
                         Some(k) => {
                             for (c, value) in remainder.into_iter().enumerate() {
@@ -381,24 +386,19 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds a panel.
-    fn add(&mut self, waves: &Waves, block: &Block, active: &[Active]) {
+    fn add(&mut self, geometry: Geometry, waves: &Waves, block: &Block, active: &[Active]) {
         let (n, m) = (waves.count(), self.places.len());
         let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
         if count == 0 || m == 0 {
             return;
         }
-        // sin λx, cos λx and cos λx − 1, which is formed without cancellation
-        let mut tables = [vec![0.0; m * n], vec![0.0; m * n], vec![0.0; m * n]];
-        for (q, wavenumber) in waves.wavenumbers.iter().enumerate() {
-            for (k, x) in self.places.iter().enumerate() {
-                let (sin, cos) = (0.5 * wavenumber * x).sin_cos();
-                let at = q * m + k;
-                tables[0][at] = 2.0 * sin * cos;
-                tables[2][at] = -2.0 * sin * sin;
-                tables[1][at] = 1.0 + tables[2][at];
-            }
-        }
-        let wanted = if self.displacements { COMPONENTS } else { 3 };
+        let tables = tables(geometry, self.places, &waves.wavenumbers);
+        // the stress about the axis takes the displacement from it
+        let wanted = match (self.displacements, geometry) {
+            (true, _) => COMPONENTS,
+            (false, Geometry::Axisymmetric) => 4,
+            (false, _) => 3,
+        };
         for (component, table) in [1, 1, 0, 0, 2, 0].into_iter().enumerate().take(wanted) {
             let places = MatRef::from_column_major_slice(&tables[table], m, n);
             let mut coefficients = Vec::with_capacity(n * count);

@@ -36,6 +36,9 @@ impl StripPressure {
 
     /// p̂ − P at some wavenumbers, eq. (22): O(λ²), accurate to rounding.
     pub(super) fn minus_resultant(&self, wavenumbers: &[f64]) -> Vec<f64> {
+        if self.is_round {
+            return self.disc_minus_resultant(wavenumbers);
+        }
         let resultant = self.resultant();
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
         let each = |minus_one: fn(f64) -> f64| arguments.iter().map(|z| resultant * minus_one(*z)).collect();

@@ -10,11 +10,13 @@ pub(super) struct Precision {
     /// Exponentially small terms are left out beyond this exponent.
     pub(super) exponent: f64,
     /// Points of a panel that spans a short phase.
-    points: usize,
+    pub(super) points: usize,
     /// Largest ratio of the width of a panel to its distance from 0.
-    growth: f64,
+    pub(super) growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
+    /// Shorter waves are left out.
+    pub(super) last: f64,
     /// Most evaluations of layers, all wavenumbers together: a sum that needs more is rejected.
     pub(super) evaluations: f64,
 }
@@ -31,6 +33,7 @@ pub(super) const FULL: Precision = Precision {
     points: 16,
     growth: 2.0,
     displacements: true,
+    last: f64::INFINITY,
     evaluations: f64::INFINITY,
 };
 /// Stresses to some nine digits.
@@ -41,6 +44,7 @@ pub(super) const STRESSES: Precision = Precision {
     points: 12,
     growth: 3.0,
     displacements: false,
+    last: f64::INFINITY,
     evaluations: SEARCHED,
 };
 /// Stresses to some four digits.
@@ -51,6 +55,7 @@ pub(super) const LOW: Precision = Precision {
     points: 12,
     growth: 3.0,
     displacements: false,
+    last: f64::INFINITY,
     evaluations: SEARCHED,
 };
 
@@ -62,6 +67,7 @@ pub(super) const COARSE: Precision = Precision {
     points: 8,
     growth: 3.0,
     displacements: false,
+    last: f64::INFINITY,
     evaluations: SEARCHED,
 };
 

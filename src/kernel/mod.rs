@@ -11,8 +11,9 @@ mod work;
 
 use std::sync::Arc;
 
-use recede_layers::{Flexibility, Isotropic, Layer, Plane, Wave};
+use recede_layers::{Flexibility, Isotropic, Layer, Wave};
 
+use crate::geometry::Geometry;
 use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
 
@@ -56,20 +57,20 @@ pub(crate) struct Kernel {
 struct Chains {
     laminates: Vec<FreeChain>,
     base: BaseChain,
-    plane: Plane,
+    geometry: Geometry,
     length: f64,
     modulus: f64,
 }
 
 impl Chains {
     fn new(stack: &Stack) -> Self {
-        let plane = stack.plane();
+        let (geometry, plane) = (stack.geometry(), stack.plane());
         let system = BlockSystem::new(stack);
         let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
         let top = laminates.first().map_or(base.top_layer(), |laminate| laminate.layers().first());
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
         let length = length::intrinsic_length(stack).unwrap_or(1.0);
-        Self { laminates, base, plane, length, modulus }
+        Self { laminates, base, geometry, length, modulus }
     }
 
     fn contacts(&self) -> usize {
@@ -77,7 +78,7 @@ impl Chains {
     }
 
     fn wave(&self, zeta: f64) -> Wave {
-        Wave { wavenumber: zeta / self.length, modulus: self.modulus, plane: self.plane }
+        Wave { wavenumber: zeta / self.length, modulus: self.modulus, plane: self.geometry.plane() }
     }
 
     /// All components at one wavenumber for the contacts that are `wanted`: diagonals, equal-pressure responses, couplings.
@@ -115,7 +116,7 @@ impl Chains {
     /// for all laminates but a single homogeneous layer.
     fn is_limited_by_bending(&self, laminate: usize) -> bool {
         let [layer] = self.laminates[laminate].layers() else { return true };
-        let at = |depth: f64| layer.material(depth, self.plane);
+        let at = |depth: f64| layer.material(depth, self.geometry.plane());
         layer.closed_form().is_none() || at(0.0) != at(layer.thickness().unwrap_or(0.0))
     }
 
@@ -200,7 +201,7 @@ impl Kernel {
 
     /// λμ₀C of a half-plane of another material.
     fn half_plane(&self, material: &Isotropic) -> f64 {
-        0.25 * (material.kappa(self.chains.plane) + 1.0) * self.chains.modulus / material.shear_modulus
+        0.25 * (material.kappa(self.chains.geometry.plane()) + 1.0) * self.chains.modulus / material.shear_modulus
     }
 
     /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain; the punch is that of
@@ -233,6 +234,11 @@ impl Kernel {
     /// λμ₀C of the punch, 0 of a rigid one.
     pub(crate) fn punch(&self) -> f64 {
         self.punch
+    }
+
+    /// Plane, and in which way, or round.
+    pub(crate) fn geometry(&self) -> Geometry {
+        self.chains.geometry
     }
 
     /// Number of contacts: the punch and the receding interfaces.

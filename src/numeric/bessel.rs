@@ -12,6 +12,7 @@
 //! Source: Abramowitz and Stegun 1964, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
 
 mod minus_one;
+pub mod spherical;
 mod start;
 
 use num_complex::Complex64;

@@ -50,10 +50,10 @@ pub fn map(
     if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
         return Err(PlotError::Empty("a map needs two places along x and two depths".into()));
     }
-    let largest = Largest::of(field, grids, quantity);
+    let largest = Largest::of(scene, field, grids, quantity);
     let clipped =
         points().any(|point| is_singular(point, quantity)) || depth.0 <= 0.0 && rises(scene, solution, quantity);
-    let values = range(points().map(|point| quantity.of(point)), clipped).ok_or_else(|| {
+    let values = range(points().map(|point| quantity.of_in(point, scene.geometry)), clipped).ok_or_else(|| {
         PlotError::Empty(format!("{} is infinite or not known at all points of the map", quantity.name()))
     })?;
     let largest = largest.filter(|largest| !clipped || largest.overall);
@@ -141,14 +141,14 @@ struct Largest {
 
 impl Largest {
     /// `None` if it is infinite.
-    fn of(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> Option<Self> {
+    fn of(scene: &Scene, field: &Field, grids: &[Grid], quantity: FieldQuantity) -> Option<Self> {
         if quantity == FieldQuantity::MaxShear
             && let Ok(found) = field.max_shear()
         {
             let point = (found.x, found.depth, found.layer);
             return found.value.is_finite().then_some(Self { point, value: found.value, overall: true });
         }
-        let value = |point: &FieldPoint| quantity.of(point);
+        let value = |point: &FieldPoint| quantity.of_in(point, scene.geometry);
         let points = grids.iter().flat_map(|grid| grid.points());
         // of two that are the same the one on the right, and the one above
         let finite = points.filter(|point| value(point).is_finite());
@@ -201,7 +201,7 @@ impl Map<'_> {
         let beside = self.interfaces(&mut picture);
         let ground = if self.on_ground { GROUND } else { 0.0 };
         self.chart.draw_with(&mut picture, ground);
-        let (name, dimension) = names::of_quantity(self.quantity);
+        let (name, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
         let title = with_unit(&name, unit(self.scene, dimension).as_deref(), self.bands.scale.power());
         let lowest = bottom.max(top + BAR);
         self.bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest, &title);
@@ -217,7 +217,8 @@ impl Map<'_> {
 
     fn bands(&self, picture: &mut Picture, grid: &Grid) {
         let ys: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
-        let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of(point)).collect();
+        let geometry = self.scene.geometry;
+        let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, geometry)).collect();
         if ys.len() < 2 || values.iter().all(|value| value.is_nan()) {
             // not known in this layer: left white
             return;
@@ -315,7 +316,7 @@ impl Map<'_> {
 
     /// What is said below the map.
     fn notes(&self) -> Vec<String> {
-        let (_, dimension) = names::of_quantity(self.quantity);
+        let (_, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
         let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
         let mut notes = Vec::new();
         if let Some(Largest { point: (x, depth, layer), value, overall }) = &self.largest {

@@ -2,6 +2,7 @@
 use super::picture::{italic, subscript};
 use super::scale::{label, short};
 use crate::field::FieldQuantity;
+use crate::geometry::Geometry;
 pub(super) use crate::scene::Dimension;
 use crate::scene::{Load, Punch, Scene, Units};
 use crate::solution::{Contact, Interface};
@@ -28,10 +29,13 @@ pub(super) fn after(scene: &Scene, dimension: Dimension) -> String {
 pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
     let length = after(scene, Dimension::LENGTH);
     let radius = |radius: f64| format!("{} = {}{length}", italic("R"), label(radius));
-    let half_width = |half_width: f64| format!("half-width {}{length}", label(half_width));
+    // about an axis a cylinder is a sphere
+    let is_round = scene.geometry.is_axisymmetric();
+    let named = |plane: &'static str, round: &'static str| if is_round { round } else { plane };
+    let half_width = |half_width: f64| format!("{} {}{length}", named("half-width", "radius"), label(half_width));
     let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
     match &scene.punch {
-        Punch::Cylinder { radius: r } => lines("cylinder", &[radius(r.get())]),
+        Punch::Cylinder { radius: r } => lines(named("cylinder", "sphere"), &[radius(r.get())]),
         Punch::Parabola { radius: r } => lines("parabola", &[radius(r.get())]),
         Punch::Power { exponent, half_width, height } => {
             let [w, h] = [half_width.get(), height.get()].map(label);
@@ -39,15 +43,20 @@ pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
             lines(&format!("power {} of |{}|", label(exponent.get()), italic("x")), &[power])
         }
         Punch::Polynomial { half_width: w, .. } => lines("polynomial", &[half_width(w.get())]),
-        Punch::Wedge { slope } => lines("wedge", &[format!("slope {}", label(slope.get()))]),
+        Punch::Wedge { slope } => lines(named("wedge", "cone"), &[format!("slope {}", label(slope.get()))]),
         Punch::RoundedFlat { half_width: w, radius: r } => {
-            lines("flat, rounded corners", &[half_width(w.get()), radius(r.get())])
+            lines(named("flat, rounded corners", "flat, rounded edge"), &[half_width(w.get()), radius(r.get())])
         }
-        Punch::Flat { half_width: w } => lines("flat, sharp corners", &[half_width(w.get())]),
+        Punch::Flat { half_width: w } => {
+            lines(named("flat, sharp corners", "flat, sharp edge"), &[half_width(w.get())])
+        }
         Punch::Table(_) => lines("profile from a table", &[]),
         Punch::ElasticCylinder(cylinder) => {
             let modulus = label(cylinder.material().shear_modulus) + &after(scene, Dimension::STRESS);
-            lines("elastic cylinder", &[radius(cylinder.radius()), format!("{} = {modulus}", italic("μ"))])
+            lines(
+                named("elastic cylinder", "elastic sphere"),
+                &[radius(cylinder.radius()), format!("{} = {modulus}", italic("μ"))],
+            )
         }
         Punch::Given(load) => match load {
             Load::Line => lines("line load", &[]),
@@ -101,13 +110,17 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
 }
 
 /// What a quantity inside the stack is called, and its dimension.
-pub(super) fn of_quantity(quantity: FieldQuantity) -> (String, Dimension) {
+pub(super) fn of_quantity(quantity: FieldQuantity, geometry: Geometry) -> (String, Dimension) {
+    let axes = match geometry {
+        Geometry::Axisymmetric => ["rr", "zz", "rz", "θθ"],
+        _ => ["xx", "yy", "xy", "zz"],
+    };
     let stress = |name: &str, indices: &str| format!("{name}{}{}", italic("σ"), subscript(indices));
     let name = match quantity {
-        FieldQuantity::SigmaXx => stress("stress ", "xx"),
-        FieldQuantity::SigmaYy => stress("stress ", "yy"),
-        FieldQuantity::SigmaXy => stress("stress ", "xy"),
-        FieldQuantity::SigmaZz => stress("stress ", "zz"),
+        FieldQuantity::SigmaXx => stress("stress ", axes[0]),
+        FieldQuantity::SigmaYy => stress("stress ", axes[1]),
+        FieldQuantity::SigmaXy => stress("stress ", axes[2]),
+        FieldQuantity::SigmaZz => stress("stress ", axes[3]),
         FieldQuantity::Sigma1 => stress("larger principal stress ", "1"),
         FieldQuantity::Sigma2 => stress("smaller principal stress ", "2"),
         FieldQuantity::MaxShear => "largest shear stress".to_owned(),
@@ -192,7 +205,7 @@ mod tests {
         let scene = |punch: &str, force: &str| {
             let stack = "stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]";
             let units = "units: (length: \"mm\", force: \"N\")";
-            let text = format!("Scene(plane: Strain, {punch}, {force}: 0.01, {stack}, {units})");
+            let text = format!("Scene(geometry: PlaneStrain, {punch}, {force}: 0.01, {stack}, {units})");
             crate::scene::Scene::from_ron(&text).unwrap()
         };
         let name = |punch: &str| of_punch(&scene(punch, "force")).join("|");

@@ -1,6 +1,6 @@
 //! The punch above a stack, and the force on it; or the load in its place.
 use super::chart::APART;
-use super::names::{Dimension, after, of_punch};
+use super::names::{after, of_punch};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
@@ -117,7 +117,7 @@ impl Punch<'_> {
     }
 
     fn force(&self, picture: &mut Picture, all: &str) {
-        let unit = after(self.scene, Dimension::LINE_LOAD);
+        let unit = after(self.scene, self.scene.force_dimension());
         let given = self.scene.force.given();
         let number = given.map_or_else(|| short(self.force), label);
         let text = format!("{} = {number}{unit}{all}", italic("P"));

@@ -135,13 +135,13 @@ impl Drawing<'_> {
 
     /// Thickness and modulus of a layer.
     fn name(&self, placed: &Placed) -> String {
-        let modulus = placed.layer.material(0.0, self.scene.plane).shear_compliance.recip();
+        let modulus = placed.layer.material(0.0, self.scene.geometry.plane()).shear_compliance.recip();
         let [stress, length] = [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
         let number = index(placed.number);
         let thick = placed.layer.thickness();
         let end = thick.unwrap_or(BASE / self.scale);
         let thick = thick.map(|h| format!("{}{number} = {}{length}, ", italic("h"), short(h))).unwrap_or_default();
-        let below = placed.layer.material(end, self.scene.plane).shear_compliance.recip();
+        let below = placed.layer.material(end, self.scene.geometry.plane()).shear_compliance.recip();
         let (mut until, mut at) = (String::new(), "");
         if (below / modulus - 1.0).abs() > 1e-9 {
             match placed.layer.thickness() {
@@ -289,7 +289,7 @@ impl<'a> Stiffness<'a> {
     }
 
     fn modulus(&self, placed: &Placed, depth: f64) -> f64 {
-        placed.layer.material(depth, self.scene.plane).shear_compliance.recip()
+        placed.layer.material(depth, self.scene.geometry.plane()).shear_compliance.recip()
     }
 
     fn varies(&self, placed: &Placed) -> bool {

@@ -1,13 +1,15 @@
 //! Stresses and displacements at points: one line or one object for each.
+use std::collections::BTreeMap;
 use std::io;
 
 use comfy_table::Table;
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::digits::Digits;
 use super::ruled::ruled;
 use super::sweep::number;
-use crate::field::FieldPoint;
+use crate::field::{FieldPoint, FieldQuantity};
+use crate::geometry::Geometry;
 use crate::scene::{Dimension, Units};
 
 /// How a field is written.
@@ -21,54 +23,40 @@ pub enum FieldFormat {
     Csv,
 }
 
-#[derive(Serialize)]
-struct Document {
-    points: Vec<Point>,
+/// Names that are columns, and keys, in every geometry before and after those of the quantities.
+const PLACE: [&str; 3] = ["x", "depth", "layer"];
+const STRAINS: [&str; 3] = ["eps_rr", "eps_tt", "eps_zz"];
+
+/// The quantities, in their order, with their names; stable, more may be added.
+fn columns(geometry: Geometry) -> impl Iterator<Item = &'static str> {
+    let strains: &[&str] = if geometry.is_axisymmetric() { &STRAINS } else { &[] };
+    FieldQuantity::ALL
+        .into_iter()
+        .map(move |quantity| quantity.name_in(geometry))
+        .chain(["slope"])
+        .chain(strains.iter().copied())
 }
 
-/// The keys, which are the columns too; they are stable, more may be added. What is infinite or not known is `null` in JSON, as
-/// serde_json writes such numbers, and empty in CSV.
-#[derive(Serialize)]
-struct Point {
-    x: f64,
-    depth: f64,
-    layer: usize,
-    sigma_xx: f64,
-    sigma_yy: f64,
-    sigma_xy: f64,
-    sigma_zz: f64,
-    sigma_1: f64,
-    sigma_2: f64,
-    max_shear: f64,
-    von_mises: f64,
-    u: f64,
-    v: f64,
-    slope: f64,
+/// The numbers in these columns.
+fn numbers(point: &FieldPoint, geometry: Geometry) -> impl Iterator<Item = f64> {
+    let quantities = FieldQuantity::ALL.map(|quantity| quantity.of_in(point, geometry));
+    quantities.into_iter().chain([point.slope]).chain(point.strains.into_iter().flatten())
 }
 
-const HEADER: &str = "x,depth,layer,sigma_xx,sigma_yy,sigma_xy,sigma_zz,sigma_1,sigma_2,max_shear,von_mises,u,v,slope";
+/// One point as an object; what is infinite or not known is `null`, as serde_json writes such numbers.
+struct Point<'a>(&'a FieldPoint, Geometry);
 
-impl From<&FieldPoint> for Point {
-    fn from(point: &FieldPoint) -> Self {
-        let [sigma_1, sigma_2] = point.principal();
-        let FieldPoint { x, depth, layer, u, v, slope, sigma_xx, sigma_yy, sigma_xy, sigma_zz } = *point;
-        let (max_shear, von_mises) = (point.max_shear(), point.von_mises());
-        Self {
-            x,
-            depth,
-            layer,
-            sigma_xx,
-            sigma_yy,
-            sigma_xy,
-            sigma_zz,
-            sigma_1,
-            sigma_2,
-            max_shear,
-            von_mises,
-            u,
-            v,
-            slope,
+impl Serialize for Point<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(point, geometry) = self;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("x", &point.x)?;
+        map.serialize_entry("depth", &point.depth)?;
+        map.serialize_entry("layer", &point.layer)?;
+        for (name, number) in columns(*geometry).zip(numbers(point, *geometry)) {
+            map.serialize_entry(name, &number)?;
         }
+        map.end()
     }
 }
 
@@ -80,7 +68,7 @@ impl From<&FieldPoint> for Point {
 /// let model = Model::new(scene.stack()?)?;
 /// let field = model.field(&model.press(&scene.punch, scene.force)?)?;
 /// let mut text = Vec::new();
-/// write_field(&[field.at(0.0, 0.5)?], scene.units.as_ref(), FieldFormat::Csv, &mut text)?;
+/// write_field(&[field.at(0.0, 0.5)?], scene.geometry, scene.units.as_ref(), FieldFormat::Csv, &mut text)?;
 /// assert!(text.starts_with(b"x,depth,layer,sigma_xx,"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -89,25 +77,24 @@ impl From<&FieldPoint> for Point {
 /// Those of the writer.
 pub fn write_field(
     points: &[FieldPoint],
+    geometry: Geometry,
     units: Option<&Units>,
     format: FieldFormat,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     match format {
-        FieldFormat::Table => writeln!(out, "{}", table(points, units)),
+        FieldFormat::Table => writeln!(out, "{}", table(points, geometry, units)),
         FieldFormat::Json => {
-            let document = Document { points: points.iter().map(Point::from).collect() };
-            serde_json::to_writer_pretty(&mut *out, &document)?;
+            let points: Vec<Point> = points.iter().map(|point| Point(point, geometry)).collect();
+            serde_json::to_writer_pretty(&mut *out, &BTreeMap::from([("points", points)]))?;
             writeln!(out)
         }
         FieldFormat::Csv => {
-            writeln!(out, "{HEADER}")?;
-            for point in points.iter().map(Point::from) {
-                let Point { x, depth, layer, sigma_xx, sigma_yy, sigma_xy, sigma_zz, .. } = point;
-                let Point { sigma_1, sigma_2, max_shear, von_mises, u, v, slope, .. } = point;
-                let stresses = [sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_1, sigma_2, max_shear, von_mises];
-                let numbers = stresses.into_iter().chain([u, v, slope]).map(number).collect::<Vec<_>>().join(",");
-                writeln!(out, "{x:?},{depth:?},{layer},{numbers}")?;
+            let header: Vec<&str> = PLACE.into_iter().chain(columns(geometry)).collect();
+            writeln!(out, "{}", header.join(","))?;
+            for point in points {
+                let numbers = numbers(point, geometry).map(number).collect::<Vec<_>>().join(",");
+                writeln!(out, "{:?},{:?},{},{numbers}", point.x, point.depth, point.layer)?;
             }
             Ok(())
         }
@@ -117,11 +104,19 @@ pub fn write_field(
 /// Significant digits in a table.
 const SHOWN: Digits = Digits(Some(5));
 
-fn table(points: &[FieldPoint], units: Option<&Units>) -> Table {
+fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
     let (length, stress) = (Dimension::LENGTH, Dimension::STRESS);
-    let stresses = ["sigma_xx", "sigma_yy", "sigma_xy", "max_shear", "von_mises"];
+    let hoop = geometry.is_axisymmetric().then_some(FieldQuantity::SigmaZz);
+    let stresses: Vec<FieldQuantity> = [FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::SigmaXy]
+        .into_iter()
+        .chain(hoop)
+        .chain([FieldQuantity::MaxShear, FieldQuantity::VonMises])
+        .collect();
+    let displacements = [FieldQuantity::U, FieldQuantity::V];
+    let named = |quantity: &FieldQuantity| quantity.name_in(geometry);
     let columns = [("x", length), ("depth", length), ("layer", Dimension::NUMBER)].into_iter();
-    let columns = columns.chain(stresses.map(|name| (name, stress))).chain([("u", length), ("v", length)]);
+    let columns = columns.chain(stresses.iter().map(|quantity| (named(quantity), stress)));
+    let columns = columns.chain(displacements.iter().map(|quantity| (named(quantity), length)));
     let header = columns.map(|(name, dimension)| match Units::after(units, dimension) {
         unit if unit.is_empty() => name.to_owned(),
         unit => format!("{name},{unit}"),
@@ -129,9 +124,8 @@ fn table(points: &[FieldPoint], units: Option<&Units>) -> Table {
     let mut table = ruled();
     table.set_header(header);
     for point in points {
-        let FieldPoint { x, depth, layer, u, v, sigma_xx, sigma_yy, sigma_xy, .. } = *point;
-        let numbers = [sigma_xx, sigma_yy, sigma_xy, point.max_shear(), point.von_mises(), u, v];
-        let place = [SHOWN.exact(x), SHOWN.exact(depth), layer.to_string()];
+        let numbers = stresses.iter().chain(&displacements).map(|quantity| quantity.of_in(point, geometry));
+        let place = [SHOWN.exact(point.x), SHOWN.exact(point.depth), point.layer.to_string()];
         let unknown = |number: f64| if number.is_nan() { "not known".to_owned() } else { SHOWN.exact(number) };
         table.add_row(place.into_iter().chain(numbers.map(unknown)));
     }

@@ -40,9 +40,9 @@ struct Units {
 }
 
 impl Units {
-    fn of(units: &scene::Units) -> Self {
+    fn of(units: &scene::Units, of_force: Dimension) -> Self {
         let [length, force, stress] =
-            [Dimension::LENGTH, Dimension::LINE_LOAD, Dimension::STRESS].map(|dimension| units.symbol(dimension));
+            [Dimension::LENGTH, of_force, Dimension::STRESS].map(|dimension| units.symbol(dimension));
         Self { length, force, stress }
     }
 }
@@ -191,7 +191,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let contacts = solution.contacts().iter().map(|contact| Contact::of(report.name(contact), contact));
     let document = Document {
         scene: report.scene.title(),
-        units: report.scene.units.as_ref().map(Units::of),
+        units: report.scene.units.as_ref().map(|units| Units::of(units, report.force())),
         contacts: contacts.collect(),
         force: solution.force(),
         force_error: solution.force_error(),

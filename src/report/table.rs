@@ -13,8 +13,7 @@ use crate::solution::Interval;
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
-    let [length, stress, line_load] =
-        [Dimension::LENGTH, Dimension::STRESS, Dimension::LINE_LOAD].map(|of| report.unit(of));
+    let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
 
     writeln!(out, "{}", printable(scene.title()))?;
     if let Some(description) = &scene.description {
@@ -25,12 +24,14 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         0.0 => digits.exact(solution.force()),
         error => digits.with_error(solution.force(), error),
     };
-    writeln!(out, "{}, force {force}{line_load}", scene.punch.label())?;
+    writeln!(out, "{}, force {force}{line_load}", scene.punch.label(scene.geometry))?;
 
     writeln!(out, "{}", contacts(report, [&length, &stress, &line_load]))?;
     notes(report, out)?;
     if let Some(Ok(approach)) = approach {
-        sunk(approach, digits, [&length, &stress], out)?;
+        let of_stiffness =
+            if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
+        sunk(approach, digits, [&length, &report.unit(of_stiffness)], out)?;
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
@@ -59,7 +60,7 @@ fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
     let mut table = ruled();
     table.set_header([
         "contact".to_owned(),
-        header("half-length", length),
+        header(if report.scene.geometry.is_axisymmetric() { "radius" } else { "half-length" }, length),
         header("pressure at x = 0", stress),
         header("resultant", line_load),
     ]);
@@ -92,8 +93,7 @@ fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
 fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let (solution, digits) = (report.solution, Digits(report.digits));
-    let [length, stress, line_load] =
-        [Dimension::LENGTH, Dimension::STRESS, Dimension::LINE_LOAD].map(|of| report.unit(of));
+    let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
     for contact in solution.contacts() {
         let name = report.name(contact);
         if contact.half_length().is_none() {

@@ -29,13 +29,20 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["Springs", "Elastic", "Interlayer"], &["Spring", "Winkler"]),
     (&["Fixed", "Wall", "Floor"], &["Rigid"]),
     (&["Roller", "Wheel", "Circle"], &["Cylinder", "ElasticCylinder"]),
+    (&["Cylinder", "Ball", "Hemisphere", "Circle"], &["Sphere"]),
+    (&["ElasticCylinder", "ElasticBall"], &["ElasticSphere"]),
+    (&["Wedge", "Cone"], &["Cone", "Wedge"]),
+    (&["Line", "Concentrated"], &["Point"]),
+    (&["half_width", "halfwidth"], &["radius"]),
+    (&["radius"], &["half_width"]),
     (&["Knife", "Vee"], &["Wedge"]),
     (&["Block", "Plate", "Stamp", "Rectangle"], &["Flat"]),
     (&["Point", "Concentrated"], &["Line"]),
     (&["Constant", "Rectangular", "Block"], &["Uniform"]),
     (&["Hertz", "Hertzian"], &["Elliptic"]),
-    (&["PlaneStrain", "plane_strain"], &["Strain"]),
-    (&["PlaneStress", "plane_stress"], &["Stress"]),
+    (&["Strain", "strain", "plane_strain"], &["PlaneStrain"]),
+    (&["Stress", "stress", "plane_stress"], &["PlaneStress"]),
+    (&["Round", "Axial", "Rotational", "Circular"], &["Axisymmetric"]),
 ];
 
 /// What a scene cannot say, with what there is in its place.
@@ -45,10 +52,14 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
         "friction is not supported: contacts are without it, `Bonded` does not slide at all",
     ),
     (
-        &["Sphere", "Ball", "Cone", "Hemisphere", "Ellipsoid", "Torus"],
-        "round punches are not supported: problems are plane, and all that presses is as long as the stack out of the plane",
+        &["Sphere", "Ball", "Hemisphere", "ElasticSphere"],
+        "for a sphere write `geometry: Axisymmetric`; in a plane problem all that presses is as long as the stack out of the plane",
     ),
-    (&["Axisymmetric", "axisymmetric", "Round"], "the axisymmetric case is not supported: problems are plane"),
+    (
+        &["Ellipsoid", "Torus", "Several"],
+        "this is not supported: punches are the same along a line or about an axis, and loads about an axis are discs",
+    ),
+    (&["plane"], "write `geometry: PlaneStrain`, or `geometry: PlaneStress` for `plane: Stress`"),
     (
         &["adhesion", "work_of_adhesion", "surface_energy", "Adhesive"],
         "adhesion is not supported: what is not bonded does not stick",
@@ -132,7 +143,7 @@ mod tests {
         ] {
             assert_eq!(instead_of(found, allowed).as_deref(), hint, "{found}");
         }
-        assert!(instead_of("Sphere", &punches).unwrap_or_default().contains("not supported"));
+        assert!(instead_of("Sphere", &punches).unwrap_or_default().contains("Axisymmetric"));
         assert!(is_unit("GPa") && is_unit("N/mm^2") && !is_unit("Receding"));
     }
 }

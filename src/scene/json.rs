@@ -4,6 +4,7 @@ use recede_layers::{Registry, read_ron};
 use serde_json::{Map, Value, json};
 
 use super::read::schema_of_scene;
+use super::round::{RoundLoad, RoundPunch};
 use super::text::{fields, members, name_and_rest, without_comments};
 use super::{Item, Scene, Spring};
 
@@ -64,7 +65,7 @@ fn number(text: &str) -> Value {
 /// ```
 /// use recede::{Registry, scene_schema};
 /// let schema = scene_schema(&Registry::default());
-/// assert_eq!(schema["properties"]["plane"]["oneOf"][0]["const"], "Strain");
+/// assert_eq!(schema["properties"]["geometry"]["oneOf"][0]["const"], "PlaneStrain");
 /// ```
 pub fn scene_schema(registry: &Registry) -> Value {
     let (interfaces, rigid) = Item::forms();
@@ -78,6 +79,19 @@ pub fn scene_schema(registry: &Registry) -> Value {
         item(entry.name, entry.summary, fields)
     });
     let mut schema = schema_of_scene().to_value();
+    // about the axis punches and loads have other names
+    let round = json!({"punch": schema_of::<RoundPunch>().to_value(), "load": schema_of::<RoundLoad>().to_value()});
+    let mut plane = json!({});
+    for field in ["punch", "load"] {
+        plane[field] = schema["properties"][field].take();
+        schema["properties"][field] = json!({});
+    }
+    let of = |names: &[&str], fields: Value| {
+        let mut fields = fields;
+        fields["geometry"] = json!({"enum": names});
+        json!({"properties": fields})
+    };
+    schema["anyOf"] = json!([of(&["PlaneStrain", "PlaneStress"], plane), of(&["Axisymmetric"], round)]);
     schema["properties"]["stack"]["type"] = "array".into();
     schema["properties"]["stack"]["items"] = json!({"oneOf": layers.chain(springs).chain(names).collect::<Vec<_>>()});
     // a scene may name its schema, for editors

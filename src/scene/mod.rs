@@ -11,6 +11,7 @@ mod origin;
 mod paths;
 mod punch;
 mod read;
+mod round;
 mod shape;
 mod spring;
 mod text;
@@ -21,8 +22,6 @@ mod vocabulary;
 mod write;
 
 use std::sync::Arc;
-
-use recede_layers::Plane;
 
 pub use elastic_cylinder::ElasticCylinder;
 pub use force::Force;
@@ -60,7 +59,7 @@ pub const MAX_ITEMS: usize = 100_000;
 /// use recede::Scene;
 /// let scene = Scene::from_ron(
 ///     "Scene(
-///         plane: Strain,
+///         geometry: PlaneStrain,
 ///         punch: Cylinder(radius: 500.0),
 ///         force: 0.002,
 ///         stack: [
@@ -82,8 +81,8 @@ pub struct Scene {
     pub description: Option<String>,
     /// Labels of the units, for reports; they convert numbers with a unit of their own when a scene is read.
     pub units: Option<Units>,
-    /// Plane strain or plane stress.
-    pub plane: Plane,
+    /// Plane, and in which way, or round.
+    pub geometry: Geometry,
     /// The punch on top, or the pressure that is given in its place, [`Punch::Given`].
     pub punch: Punch,
     /// Line load P > 0 pressing the punch down: force per unit length out of plane, or the half-length that it makes.
@@ -96,8 +95,14 @@ pub struct Scene {
 impl Scene {
     /// A scene without name and units. Nothing is checked here: [`Scene::stack`] checks the stack and
     /// [`Model::press_with`](crate::Model::press_with) the force.
-    pub fn new(plane: Plane, punch: Punch, force: impl Into<Force>, stack: Vec<Item>) -> Self {
-        Self { name: None, description: None, units: None, plane, punch, force: force.into(), stack, origin: None }
+    pub fn new(geometry: impl Into<Geometry>, punch: Punch, force: impl Into<Force>, stack: Vec<Item>) -> Self {
+        let (geometry, force) = (geometry.into(), force.into());
+        Self { name: None, description: None, units: None, geometry, punch, force, stack, origin: None }
+    }
+
+    /// The dimension of its forces: in plane problems they are per unit of length.
+    pub(crate) fn force_dimension(&self) -> Dimension {
+        if self.geometry.is_axisymmetric() { Dimension::FORCE } else { Dimension::LINE_LOAD }
     }
 
     /// What to call the scene in a report: its name, or else that of its file without folder and ending.
@@ -145,3 +150,4 @@ impl Scene {
 pub(crate) trait Cause: std::error::Error + Clone + Send + Sync + 'static {}
 
 impl<E: std::error::Error + Clone + Send + Sync + 'static> Cause for E {}
+use crate::geometry::Geometry;

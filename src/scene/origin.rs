@@ -136,10 +136,10 @@ impl Place {
 ///
 /// ```
 /// use recede::Scene;
-/// let error = Scene::from_ron("Scene(\n    plane: Strian,\n)").unwrap_err();
-/// assert_eq!((error.line(), error.column()), (Some(2), Some(12)));
-/// assert_eq!(error.message(), "`plane` of the scene is `Strian`; allowed are `Strain`, `Stress`");
-/// assert_eq!(error.hint(), Some("did you mean `Strain`?"));
+/// let error = Scene::from_ron("Scene(\n    geometry: PlaneStrian,\n)").unwrap_err();
+/// assert_eq!((error.line(), error.column()), (Some(2), Some(15)));
+/// assert_eq!(error.message(), "`geometry` of the scene is `PlaneStrian`; allowed are `PlaneStrain`, `PlaneStress`, `Axisymmetric`");
+/// assert_eq!(error.hint(), Some("did you mean `PlaneStrain`?"));
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneError {

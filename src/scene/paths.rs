@@ -44,7 +44,7 @@ impl Scene {
     /// `layer[1].thickness` and so on. Empty for a scene that was not read from a text.
     ///
     /// ```
-    /// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+    /// let text = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
     ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     /// let scene = recede::Scene::from_ron(text)?;
     /// assert_eq!(scene.paths(), ["force", "punch.radius", "layer[1].shear_modulus", "layer[1].poisson"]);
@@ -57,7 +57,7 @@ impl Scene {
     /// The same scene with another value of the quantity at `path`. Only for scenes read from a text.
     ///
     /// ```
-    /// let text = "Scene(plane: Strain, punch: Parabola(radius: 500), force: 0.002, stack: [
+    /// let text = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
     ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     /// let scene = recede::Scene::from_ron(text)?.with("punch.radius", 250.0)?;
     /// assert_eq!(scene.punch.to_string(), "Parabola(radius: 250.0)");
@@ -144,7 +144,7 @@ impl Scene {
             return Ok(self.punch.clone());
         };
         let at = &origin.places.punch;
-        match read_top(&changed(&origin.text, at.start..at.end, &own), self.punch.load().is_some()) {
+        match read_top(&changed(&origin.text, at.start..at.end, &own), self.punch.load().is_some(), self.geometry) {
             Ok(punch) => Ok(punch),
             // once more, for the place of the mistake
             Err(_) => self.with_changes(changes).map(|scene| scene.punch),
@@ -235,7 +235,7 @@ mod tests {
     use super::*;
 
     const SCENE: &str =
-        "// force: 7\nScene(\n  plane: Strain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
+        "// force: 7\nScene(\n  geometry: PlaneStrain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
         stack: [Homogeneous(thickness: 1, shear_modulus: /* b */ 2.0 /* c */, poisson: 0.25), Receding, Rigid])";
 
     #[test]
@@ -271,7 +271,7 @@ mod tests {
         assert_eq!(said("force"), "scene:4:10: `force` of the scene: found -1.0, allowed is a finite number > 0");
         assert_eq!(
             said("punch.radius"),
-            "scene:3:53: `radius` of the punch: found -1.0, allowed is a finite number > 0"
+            "scene:3:61: `radius` of the punch: found -1.0, allowed is a finite number > 0"
         );
         assert!(said("layer[1].thickness").starts_with("scene:5:40: `thickness` of layer 1 (Homogeneous): found -1.0"));
     }
@@ -282,7 +282,7 @@ mod tests {
         let error = scene.with("layer[1].posson", 0.3).unwrap_err();
         assert_eq!(error.hint().unwrap(), "did you mean `layer[1].poisson`?");
         assert!(error.to_string().contains("those that can vary are `force`, `punch.radius`, `layer[1].thickness`"));
-        let scene = Scene::new(scene.plane, scene.punch, scene.force, scene.stack);
+        let scene = Scene::new(scene.geometry, scene.punch, scene.force, scene.stack);
         assert!(scene.with("force", 1.0).unwrap_err().to_string().contains("not read from a text"));
     }
 }

@@ -217,16 +217,6 @@ impl Punch {
         }
     }
 
-    /// As it is written in a scene, or its name alone if that is long.
-    pub fn label(&self) -> String {
-        const LONGEST: usize = 80;
-        let text = self.to_string();
-        match text.split_once('(') {
-            Some((name, _)) if text.chars().count() > LONGEST => format!("{name}(...)"),
-            _ => text,
-        }
-    }
-
     /// Whether the pressure is infinite at the tip.
     pub fn is_sharp(&self) -> bool {
         matches!(self.shape(), Shape::Powers { terms, .. } if terms.iter().any(|(exponent, _)| *exponent == 1.0))

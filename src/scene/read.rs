@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use recede_layers::description::{Field, Value, schema_of};
-use recede_layers::{Plane, Positive, ReadError, Registry, read_ron};
+use recede_layers::{Positive, ReadError, Registry, read_ron};
 use ron::error::Position;
 use ron::value::RawValue;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -21,8 +21,10 @@ use super::explain::{At, Subject, explain, place, token};
 use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, Places, SceneError};
+use super::round::{RoundLoad, RoundPunch};
 use super::text::{Part, field, name_and_rest, part, without_comments};
 use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
+use crate::geometry::Geometry;
 
 /// The scene with punch and stack still unread.
 #[derive(Deserialize, JsonSchema)]
@@ -37,8 +39,8 @@ struct Draft<'a> {
     /// Labels of the units; nothing is converted.
     #[serde(default)]
     units: Option<Units>,
-    /// How Poisson's ratio becomes κ.
-    plane: Plane,
+    /// Plane, and in which way, or round.
+    geometry: Geometry,
     /// The punch on top, if there is no `load`.
     #[serde(borrow, default)]
     #[schemars(with = "Option<Punch>")]
@@ -232,7 +234,7 @@ fn offset_of(text: &str, position: Position) -> usize {
 pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     let text = &origin.text[..];
     if text.trim().is_empty() {
-        let hint = "a scene begins with `Scene(plane: Strain, punch: ..., force: ..., stack: [...])`";
+        let hint = "a scene begins with `Scene(geometry: PlaneStrain, punch: ..., force: ..., stack: [...])`";
         return Err(origin.error(None, "the text is empty".into(), Some(hint.into())));
     }
     let start = text.len() - without_comments(text).len();
@@ -263,7 +265,7 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     let places = Places { punch: punch.place(), stack: list.place(), items: items.iter().map(Part::place).collect() };
 
     let given = draft.load.is_some();
-    let punch = read_top(punch.text, given).map_err(|error| punch.error(origin, error))?;
+    let punch = read_top(punch.text, given, draft.geometry).map_err(|error| punch.error(origin, error))?;
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
     for item in items {
@@ -271,8 +273,8 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
         layers += usize::from(!item.is_interface());
         stack.push(item);
     }
-    let Draft { name, description, units, plane, .. } = draft;
-    Ok((Scene { name, description, units, ..Scene::new(plane, punch, force, stack) }, places))
+    let Draft { name, description, units, geometry, .. } = draft;
+    Ok((Scene { name, description, units, ..Scene::new(geometry, punch, force, stack) }, places))
 }
 
 /// What presses on top, and what it is called in messages.
@@ -328,8 +330,13 @@ fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneErr
 }
 
 /// Reads a punch, or the load that is `given` in its place.
-pub(super) fn read_top(text: &str, given: bool) -> Result<Punch, ReadError> {
-    if given { read_ron(text).map(Punch::Given) } else { read_ron(text) }
+pub(super) fn read_top(text: &str, given: bool, geometry: Geometry) -> Result<Punch, ReadError> {
+    match (geometry, given) {
+        (Geometry::Axisymmetric, true) => read_ron::<RoundLoad>(text).map(|load| Punch::Given(load.into())),
+        (Geometry::Axisymmetric, false) => read_ron::<RoundPunch>(text).map(Punch::from),
+        (_, true) => read_ron(text).map(Punch::Given),
+        (_, false) => read_ron(text),
+    }
 }
 
 /// Reads the item that is, or would be, layer `number`.

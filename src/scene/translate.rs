@@ -57,11 +57,13 @@ pub(super) fn without_units(text: &str) -> Result<Option<Translation>, Untransla
         return Ok(None);
     }
     let units: Option<Units> = Some(labels[2]).filter(|units| !units.is_empty()).and_then(|text| read_ron(text).ok());
+    let is_round = field(text, "geometry").is_some_and(|geometry| geometry.trim() == "Axisymmetric");
     let mut found = Vec::new();
     for (name, value) in fields(text) {
         if !matches!(&name[..], "name" | "description" | "units") {
             // the numbers of a punch that say nothing else, those of its table, are lengths
-            let dimension = Dimension::of_field(&name).or((name == "punch").then_some(Dimension::LENGTH));
+            let own = if name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(&name) };
+            let dimension = own.or((name == "punch").then_some(Dimension::LENGTH));
             numbers_with_units(value, dimension, &mut found);
         }
     }

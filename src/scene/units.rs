@@ -24,6 +24,9 @@ impl Dimension {
     pub(crate) const LENGTH: Self = Self { length: 1, force: 0 };
     pub(crate) const PER_LENGTH: Self = Self { length: -1, force: 0 };
     pub(crate) const STRESS: Self = Self { length: -2, force: 1 };
+    pub(crate) const FORCE: Self = FORCE;
+    /// Of a stiffness in axisymmetric problems.
+    pub(crate) const FORCE_PER_LENGTH: Self = Self::LINE_LOAD;
     pub(crate) const LINE_LOAD: Self = Self { length: -1, force: 1 };
     pub(crate) const STRESS_PER_LENGTH: Self = Self { length: -3, force: 1 };
 
@@ -48,6 +51,7 @@ impl Dimension {
             Self::LENGTH => ("a length", "\"12.5 um\""),
             Self::PER_LENGTH => ("a number per length", "\"0.5 1/mm\""),
             Self::STRESS => ("a stress", "\"26 GPa\""),
+            Self::FORCE => ("a force", "\"13 N\""),
             Self::LINE_LOAD => ("a force per length", "\"13 N/mm\""),
             Self::STRESS_PER_LENGTH => ("a stress per length", "\"2 MPa/mm\""),
             _ => ("something else", "\"1 mm\""),
@@ -85,6 +89,7 @@ const KNOWN: &[(&str, Unit)] = &[
     ("N", unit(FORCE, 1.0, 0)),
     ("µN", unit(FORCE, 1.0, -6)),
     ("uN", unit(FORCE, 1.0, -6)),
+    ("nN", unit(FORCE, 1.0, -9)),
     ("mN", unit(FORCE, 1.0, -3)),
     ("kN", unit(FORCE, 1.0, 3)),
     ("MN", unit(FORCE, 1.0, 6)),

@@ -35,8 +35,8 @@ impl Scene {
         if let Some(units) = &self.units {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
-        field("plane", format!("{:?}", self.plane));
-        field(if self.punch.load().is_some() { "load" } else { "punch" }, self.punch.to_string());
+        field("geometry", format!("{:?}", self.geometry));
+        field(if self.punch.load().is_some() { "load" } else { "punch" }, self.punch.written_in(self.geometry));
         field(self.force.field(), format!("{:?}", self.force.number()));
         text += "    stack: [\n";
         for item in &self.stack {
@@ -57,6 +57,15 @@ pub(super) fn written(value: &impl Serialize, f: &mut fmt::Formatter<'_>) -> fmt
     let text = ron::ser::to_string_pretty(value, style).map_err(|_| fmt::Error)?;
     // extensions are announced in a first line
     f.write_str(text.rsplit('\n').next().unwrap_or(&text))
+}
+
+/// What is written in one line.
+pub(super) struct Written<T>(pub(super) T);
+
+impl<T: Serialize> fmt::Display for Written<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        written(&self.0, f)
+    }
 }
 
 /// A text in double quotes, whatever it contains.
@@ -82,7 +91,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         let mut scene = Scene::from_ron(
-            "(plane: Stress, punch: Cylinder(radius: 3e2), force: 1e-300,
+            "(geometry: PlaneStress, punch: Cylinder(radius: 3e2), force: 1e-300,
               units: (length: \"mm\", force: \"N\"), stack: [
                 Exponential(thickness: 0.1, shear_modulus: 2, poisson: -0.25, beta: -1e-3), Bonded,
                 Homogeneous(thickness: 0, shear_modulus: 1e20, poisson: 0.5), Sliding,
@@ -95,7 +104,7 @@ mod tests {
         scene.description = Some("µ\u{1}\ttwo\r\nlines\u{7f}".into());
         let again = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!((&again.name, &again.description), (&scene.name, &scene.description));
-        assert_eq!((again.units, again.plane, again.punch), (scene.units, scene.plane, scene.punch));
+        assert_eq!((again.units, again.geometry, again.punch), (scene.units, scene.geometry, scene.punch));
         assert_eq!(again.force, scene.force);
         assert_eq!(format!("{:?}", again.stack), format!("{:?}", scene.stack));
     }

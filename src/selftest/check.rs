@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn an_answer_to_another_question_is_wrong() {
-        let text = "(plane: Strain, punch: Parabola(radius: 1), force: 1e-3,
+        let text = "(geometry: PlaneStrain, punch: Parabola(radius: 1), force: 1e-3,
             stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])";
         let mut scene = Scene::from_ron(text).unwrap();
         let check = Check::run(&scene, &Options::default(), false);

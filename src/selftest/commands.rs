@@ -28,7 +28,7 @@ pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: b
         let field = model.field(solution).map_err(|e| context("field")(&e))?;
         let approach = model.approach(&scene.punch, solution);
         reports(scene, solution, &approach, &field)?;
-        fields(solution, &field)?;
+        fields(scene, solution, &field)?;
         profile(scene, model, solution)?;
         if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
     };
@@ -164,7 +164,7 @@ fn nowhere_larger(
 }
 
 /// Fields on a grid and their files; on the loaded face they carry the pressure.
-fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
+fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
     let grid = field.grid(&xs, &depths).map_err(|e| context("field")(&e))?;
     let top = &solution.contacts()[0];
@@ -188,9 +188,12 @@ fn fields(solution: &Solution, field: &Field) -> Result<(), String> {
     }
     for format in [FieldFormat::Csv, FieldFormat::Json] {
         let mut text = Vec::new();
-        write_field(grid.points(), None, format, &mut text).map_err(|e| context("field file")(&e))?;
+        write_field(grid.points(), scene.geometry, None, format, &mut text).map_err(|e| context("field file")(&e))?;
     }
-    let mean = 0.5 * top.resultant / top.reach();
+    let mean = match scene.geometry.is_axisymmetric() {
+        true => top.resultant / (std::f64::consts::PI * top.reach().powi(2)),
+        false => 0.5 * top.resultant / top.reach(),
+    };
     for point in grid.rows().next().unwrap_or_default() {
         let pressure = top.pressure(point.x);
         let missing = point.sigma_yy + pressure;

@@ -160,7 +160,7 @@ fn changed(scene: &Scene, change: &Structure) -> Result<Scene, Error> {
         Structure::BaseAlone => drop(items.drain(..items.len() - 1)),
         Structure::Remove(_) | Structure::Double(_) | Structure::Interface(..) => {}
     }
-    let written = Scene::new(scene.plane, punch, force, items).to_ron();
+    let written = Scene::new(scene.geometry, punch, force, items).to_ron();
     checked(Scene::from_reader("variant", written.as_bytes(), &Registry::default())?)
 }
 

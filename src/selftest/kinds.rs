@@ -1,10 +1,14 @@
 //! Random scenes with punches, loads, layers, interfaces and bases of all kinds.
 use proptest::prelude::*;
-use recede_layers::{EngineeringConstants, Graded, GradedHalfPlane, Orthotropic, PowerHalfPlane, Profile, Winkler};
+use recede_layers::{
+    EngineeringConstants, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Orthotropic, Plane, PowerHalfPlane, Profile,
+    Winkler,
+};
 
 use super::scenario::{Ply, Scenario, Units};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
+use crate::geometry::Geometry;
 use crate::scene::{Item, Load, Punch, Scene, Spring, ValueError};
 
 /// In a table the punch ends at this many times the half-length that is aimed at.
@@ -56,6 +60,31 @@ pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
     let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units.stress, ..kinds });
     Ok(Scene::new(scenario.plane, kinds.punch(&scenario)?, scenario.force, kinds.items(&scenario)?))
+}
+
+/// The same scene about an axis, with a force on the axis in place of several loads, and layers and a base of isotropic materials in place of
+/// orthotropic ones, as stiff against shear.
+pub fn about_axis(mut scene: Scene) -> Scene {
+    scene.geometry = Geometry::Axisymmetric;
+    if matches!(scene.punch, Punch::Given(Load::Several(_))) {
+        scene.punch = Punch::Given(Load::Line);
+    }
+    for item in &mut scene.stack {
+        let Item::Layer(layer) = &*item else { continue };
+        let is_orthotropic = ["Orthotropic", "OrthotropicHalfPlane"].contains(&layer.notation().kind);
+        if is_orthotropic {
+            let modulus = layer.material(0.0, Plane::Strain).shear_compliance.recip();
+            let isotropic = match layer.thickness() {
+                Some(thickness) => Homogeneous::new(thickness, modulus, 0.2).map(Item::layer),
+                None => HalfPlane::new(modulus, 0.2).map(Item::layer),
+            };
+            // the numbers are those of a legal layer
+            if let Ok(isotropic) = isotropic {
+                *item = isotropic;
+            }
+        }
+    }
+    scene
 }
 
 impl Kinds {

@@ -26,7 +26,7 @@ mod verify;
 
 pub use check::{Check, Outcome};
 pub use examples::{EXAMPLES, variant};
-pub use kinds::{scene_of_any_kind, scene_of_any_kind_in_units};
+pub use kinds::{about_axis, scene_of_any_kind, scene_of_any_kind_in_units};
 pub use scenario::{Ply, Scenario, Units};
 pub use strategy::{Ranges, scene, scenes};
 pub use verify::{Comparison, ROUNDING, compare};

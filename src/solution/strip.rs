@@ -23,6 +23,8 @@ pub(crate) struct Strip {
     pub(crate) tip: f64,
     /// What else is known of it.
     pub(crate) form: Form,
+    /// Whether it is a disc about the axis x = 0: then its series are those of [`jacobi_sum`], with the same singular parts, s = |x|/a.
+    pub(crate) is_round: bool,
 }
 
 /// Pressures that are known in closed form.
@@ -41,13 +43,26 @@ pub(crate) enum Form {
 impl Strip {
     /// A pressure about x = 0 of which nothing is known but its series.
     pub(crate) fn series(extent: f64, coefficients: Vec<f64>) -> Self {
-        Self { at: 0.0, extent, coefficients, skew: Vec::new(), corners: 0.0, tip: 0.0, form: Form::Series }
+        Self {
+            at: 0.0,
+            extent,
+            coefficients,
+            skew: Vec::new(),
+            corners: 0.0,
+            tip: 0.0,
+            form: Form::Series,
+            is_round: false,
+        }
     }
 
     /// The same in other units of length and pressure.
     pub(crate) fn scaled(mut self, length: f64, pressure: f64) -> Self {
         // on a line the only coefficient is a force
-        let unit = if self.form == Form::Line { length * pressure } else { pressure };
+        let unit = match self.form {
+            Form::Line if self.is_round => length * length * pressure,
+            Form::Line => length * pressure,
+            _ => pressure,
+        };
         self.coefficients.iter_mut().chain(&mut self.skew).for_each(|c| *c *= unit);
         (self.at, self.extent) = (self.at * length, self.extent * length);
         (self.corners, self.tip) = (self.corners * pressure, self.tip * pressure);
@@ -58,6 +73,10 @@ impl Strip {
     pub(crate) fn resultant(&self) -> f64 {
         if self.form == Form::Line {
             return self.coefficients.iter().sum();
+        }
+        if self.is_round {
+            let first = self.coefficients.first().copied().unwrap_or(0.0);
+            return 2.0 * PI / 3.0 * self.extent.powi(2) * (first + 3.0 * self.corners + 1.5 * self.tip);
         }
         0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
     }
@@ -72,12 +91,16 @@ impl Strip {
         if s.is_nan() || s.abs() > 1.0 {
             return 0.0;
         }
-        let mean = 0.5 * self.resultant() / self.extent;
+        let mean = match self.is_round {
+            true => self.resultant() / (PI * self.extent.powi(2)),
+            false => 0.5 * self.resultant() / self.extent,
+        };
+        let of_middle = if self.is_round { 2.0 } else { 1.5 };
         match self.form {
             // where it ends, the mean of both sides
             Form::Uniform if s.abs() == 1.0 => 0.5 * mean,
             Form::Uniform => mean,
-            Form::Parabolic => 1.5 * mean * (1.0 - s * s),
+            Form::Parabolic => of_middle * mean * (1.0 - s * s),
             Form::Series | Form::Line => {
                 let phi = s.acos();
                 let corners = match self.corners {
@@ -86,6 +109,9 @@ impl Strip {
                     corners => corners / phi.sin(),
                 };
                 let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
+                if self.is_round {
+                    return jacobi_sum(&self.coefficients, s.abs()) + corners + tip;
+                }
                 sine_sum(&self.coefficients, 1, phi) + mirror * sine_sum(&self.skew, 2, phi) + corners + tip
             }
         }
@@ -110,12 +136,33 @@ impl Strip {
         }
     }
 
-    pub(super) fn pressure(&self, x: f64) -> f64 {
+    pub(crate) fn pressure(&self, x: f64) -> f64 {
         if self.at == 0.0 {
             return self.image(x, 1.0);
         }
         self.image(x - self.at, 1.0) + self.image(x + self.at, -1.0)
     }
+}
+
+/// √(1 − s²) Σ c_m P_m(1 − 2s²) with Jacobi polynomials P_m^(0, 1/2), which are 1 at s = 0.
+pub(crate) fn jacobi_sum(coefficients: &[f64], s: f64) -> f64 {
+    const BETA: f64 = 0.5;
+    let x = 1.0 - 2.0 * s * s;
+    let (mut before, mut here, mut sum) = (0.0, 1.0, 0.0);
+    for (m, c) in coefficients.iter().enumerate() {
+        sum += c * here;
+        let (n, double) = (m as f64, 2.0 * m as f64 + BETA);
+        let next = if m == 0 {
+            // P_1 = (α + 1) + (α + β + 2) (x − 1)/2
+            1.0 + 0.5 * (BETA + 2.0) * (x - 1.0)
+        } else {
+            let along = (double + 1.0) * ((double + 2.0) * double * x - BETA * BETA) * here;
+            let across = 2.0 * n * (n + BETA) * (double + 2.0) * before;
+            (along - across) / (2.0 * (n + 1.0) * (n + 1.0 + BETA) * double)
+        };
+        (before, here) = (here, next);
+    }
+    ((1.0 - s) * (1.0 + s)).max(0.0).sqrt() * sum
 }
 
 /// Σ c_m sin((2m + first) φ).

@@ -1,10 +1,11 @@
 //! From items as written to laminates and base.
 use std::sync::Arc;
 
-use recede_layers::Plane;
-
 use super::contrast;
 use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
+use recede_layers::Material;
+
+use crate::geometry::Geometry;
 use crate::scene::Item;
 
 /// An interface, or the interfaces on both sides of layers of thickness 0, merged.
@@ -81,7 +82,7 @@ impl Groups {
     }
 }
 
-pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError> {
+pub(super) fn assemble(geometry: Geometry, items: &[Item]) -> Result<Stack, StackError> {
     check_order(items)?;
     let mut groups = Groups::default();
     let mut foundation = None;
@@ -119,7 +120,7 @@ pub(super) fn assemble(plane: Plane, items: &[Item]) -> Result<Stack, StackError
     groups.begin_next();
     // `check_order` has found a base
     let foundation = foundation.ok_or(StackError { item: None, problem: StackProblem::Empty })?;
-    finish(plane, groups, foundation).map_err(|(item, problem)| match item {
+    finish(geometry, groups, foundation).map_err(|(item, problem)| match item {
         Place::Whole => StackError { item: None, problem },
         Place::Base => at(items.len() - 1, problem),
         // layers and interfaces alternate
@@ -136,7 +137,7 @@ enum Place {
 }
 
 /// The stack of these groups, within the limits.
-fn finish(plane: Plane, groups: Groups, foundation: Foundation) -> Result<Stack, (Place, StackProblem)> {
+fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<Stack, (Place, StackProblem)> {
     let Groups { finished: laminates, open: layers, joints, dropped, .. } = groups;
     if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
         return Err((Place::Base, StackProblem::NothingElastic));
@@ -152,9 +153,12 @@ fn finish(plane: Plane, groups: Groups, foundation: Foundation) -> Result<Stack,
     if laminates.len() > MAX_RECEDING {
         return Err((Place::Whole, StackProblem::TooManyReceding { found: laminates.len() }));
     }
-    let stack = Stack { plane, laminates, base: Base { layers, joints, foundation }, dropped };
+    let stack = Stack { geometry, laminates, base: Base { layers, joints, foundation }, dropped };
     if !stack.total_thickness().is_finite() {
         return Err((Place::Whole, StackProblem::TooThick));
+    }
+    if geometry.is_axisymmetric() {
+        check_isotropic(&stack)?;
     }
     contrast::check(&stack, None).map_err(|(problem, number)| (Place::Layer(number), problem))?;
     Ok(stack)
@@ -216,6 +220,29 @@ fn called(item: &Item, number: usize) -> String {
     }
 }
 
+/// Moduli that differ by less are the same.
+const SAME: f64 = 1e-9;
+
+/// A material whose stiffness about the axis is not that along a radius would have no axisymmetric fields, and of one that is only stiffer
+/// across the layers the state equations do not tell the stiffness about the axis: all layers have to be isotropic.
+fn check_isotropic(stack: &Stack) -> Result<(), (Place, StackProblem)> {
+    let plane = stack.plane();
+    let is_isotropic = |placed: &&Placed| {
+        let thickness = placed.layer.thickness().unwrap_or(0.0);
+        [0.0, 0.5, 1.0].into_iter().all(|part| {
+            let Material { shear_compliance, normal_compliance, coupling, axial_stiffness, .. } =
+                placed.layer.material(part * thickness, plane);
+            let [stiffness, compliance] = [2.0 * (1.0 + coupling), 0.5 * (1.0 - coupling)];
+            (axial_stiffness * shear_compliance - stiffness).abs() <= SAME * stiffness
+                && (normal_compliance / shear_compliance - compliance).abs() <= SAME
+        })
+    };
+    match stack.groups().flat_map(|group| group.layers()).find(|placed| !is_isotropic(placed)) {
+        Some(placed) => Err((Place::Layer(placed.number), StackProblem::NotIsotropic { layer: placed.name() })),
+        None => Ok(()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use recede_layers::{HalfPlane, Homogeneous};
@@ -233,7 +260,7 @@ mod tests {
 
     /// Numbers of the layers of every laminate and of the base.
     fn groups(items: &[Item]) -> (Vec<Vec<usize>>, Vec<usize>) {
-        let stack = assemble(Plane::Strain, items).unwrap();
+        let stack = assemble(Geometry::PlaneStrain, items).unwrap();
         let numbers = |layers: &[Placed]| layers.iter().map(|layer| layer.number).collect::<Vec<_>>();
         (stack.laminates().iter().map(|laminate| numbers(laminate.layers())).collect(), numbers(stack.base().layers()))
     }
@@ -270,7 +297,7 @@ mod tests {
     #[test]
     fn contacts_are_named_by_the_layers_that_are_there() {
         let items = [strip(1.0), Item::Bonded, strip(0.0), Item::Receding, ground()];
-        let stack = assemble(Plane::Strain, &items).unwrap();
+        let stack = assemble(Geometry::PlaneStrain, &items).unwrap();
         let names: Vec<String> = stack.contacts().iter().map(ToString::to_string).collect();
         assert_eq!(names, ["punch", "1|3"]);
         assert_eq!(stack.dropped()[0].number, 2);
@@ -278,7 +305,7 @@ mod tests {
 
     #[test]
     fn nothing_elastic_is_refused() {
-        let builder = || StackBuilder::new(Plane::Strain);
+        let builder = || StackBuilder::new(Geometry::PlaneStrain);
         assert_eq!(builder().rigid().build().unwrap_err().problem(), &StackProblem::NothingElastic);
         let empty = builder().item(strip(0.0)).bonded().rigid().build();
         assert_eq!(empty.unwrap_err().item(), Some(2));

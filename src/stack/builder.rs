@@ -1,5 +1,7 @@
 //! Stacks described in code, from the top down.
-use recede_layers::{Layer, Plane, Support};
+use recede_layers::{Layer, Support};
+
+use crate::geometry::Geometry;
 
 use super::{Stack, StackError};
 use crate::scene::{Item, Spring};
@@ -9,13 +11,13 @@ use crate::scene::{Item, Spring};
 #[derive(Clone, Debug)]
 #[must_use = "a builder does nothing until `build`"]
 pub struct StackBuilder {
-    plane: Plane,
+    geometry: Geometry,
     items: Vec<Item>,
 }
 
 impl StackBuilder {
-    pub(super) fn new(plane: Plane) -> Self {
-        Self { plane, items: Vec::new() }
+    pub(super) fn new(geometry: Geometry) -> Self {
+        Self { geometry, items: Vec::new() }
     }
 
     /// Adds an item as it would be written in a scene.
@@ -73,6 +75,6 @@ impl StackBuilder {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn build(self) -> Result<Stack, StackError> {
-        Stack::from_items(self.plane, &self.items)
+        Stack::from_items(self.geometry, &self.items)
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), (Stack
     }
     let laminates = stack.laminates.iter().flat_map(|laminate| &laminate.layers);
     for placed in laminates.chain(&stack.base.layers).chain(stack.base.foundation.half_plane()) {
-        look(placed.number, range(placed, stack.plane), &|| placed.name());
+        look(placed.number, range(placed, stack.plane()), &|| placed.name());
     }
     let (Some(soft), Some(stiff)) = (softest, stiffest) else { return Ok(()) };
     let ratio = stiff.modulus / soft.modulus;

@@ -74,6 +74,12 @@ pub enum StackProblem {
         /// The base.
         base: String,
     },
+    /// A layer in an axisymmetric problem that is stiffer in one direction than in another.
+    #[error("{layer} is not isotropic, and cannot be part of an axisymmetric stack")]
+    NotIsotropic {
+        /// The layer.
+        layer: String,
+    },
     /// No layer between the punch and the rigid base can deform.
     #[error("nothing can deform between the punch and the rigid base")]
     NothingElastic,
@@ -140,6 +146,7 @@ pub enum StackProblem {
 impl StackProblem {
     fn hint(&self) -> Option<&'static str> {
         Some(match self {
+            Self::NotIsotropic { .. } => "take an isotropic layer, or a plane problem: `geometry: PlaneStrain`",
             Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
             Self::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
             Self::TwoInterfaces { .. } => "remove one of them, or write the layer between them",

@@ -12,7 +12,7 @@ impl Stack {
         let bottoms = laminates.clone().filter_map(|layers| layers.last()).map(|layer| (layer, true));
         let top_of_base = self.base.layers.first().or(self.base.foundation.half_plane());
         let tops = laminates.filter_map(|layers| layers.first()).chain(top_of_base).map(|layer| (layer, false));
-        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane, bottom, self.length()))
+        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane(), bottom, self.length()))
     }
 
     /// The length with which depths in a half-plane are compared.

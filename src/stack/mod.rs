@@ -16,6 +16,7 @@ pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
 pub use joint::Joint;
 
+use crate::geometry::Geometry;
 use crate::scene::Item;
 use crate::solution::Interface;
 
@@ -51,7 +52,7 @@ pub const MAX_CONTRAST: f64 = 1e15;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Stack {
-    plane: Plane,
+    geometry: Geometry,
     laminates: Vec<Laminate>,
     base: Base,
     dropped: Vec<Placed>,
@@ -208,8 +209,8 @@ impl Foundation {
 
 impl Stack {
     /// Begins a stack, to be described from the top down.
-    pub fn builder(plane: Plane) -> StackBuilder {
-        StackBuilder::new(plane)
+    pub fn builder(geometry: impl Into<Geometry>) -> StackBuilder {
+        StackBuilder::new(geometry.into())
     }
 
     /// Builds a stack from items as they are written in a scene.
@@ -217,19 +218,24 @@ impl Stack {
     /// # Errors
     /// [`StackError`] if the items do not alternate between layers and interfaces, do not end in a base, or have a
     /// base elsewhere; if nothing in the stack can deform.
-    pub fn from_items(plane: Plane, items: &[Item]) -> Result<Self, StackError> {
-        assemble::assemble(plane, items)
+    pub fn from_items(geometry: impl Into<Geometry>, items: &[Item]) -> Result<Self, StackError> {
+        assemble::assemble(geometry.into(), items)
     }
 
     /// Checks that an elastic punch is neither stiffer nor softer than the layers by more than [`MAX_CONTRAST`].
     pub(crate) fn check_punch(&self, material: &Isotropic) -> Result<(), StackError> {
-        let material = material.material(self.plane);
+        let material = material.material(self.plane());
         contrast::check(self, Some(material)).map_err(|(problem, _)| StackError { item: None, problem })
     }
 
-    /// Plane strain or plane stress.
+    /// Plane, and in which way, or round.
+    pub fn geometry(&self) -> Geometry {
+        self.geometry
+    }
+
+    /// Of which plane problem the transformed equations are.
     pub fn plane(&self) -> Plane {
-        self.plane
+        self.geometry.plane()
     }
 
     /// The free laminates from the top down; none if everything is joined to the foundation.

@@ -51,7 +51,7 @@ impl Sweep {
         let ends = [&choices[above].there, &choices[below].there];
         let items = [ends[0].as_ref()].into_iter().chain(between).chain([ends[1].as_ref()]);
         let items: Vec<Item> = items.flatten().chain(base).map(stand_in).collect();
-        let stack = Stack::from_items(self.scene.plane, &items).ok()?;
+        let stack = Stack::from_items(self.scene.geometry, &items).ok()?;
         let number = |index: usize| choices[..=index].iter().filter(|choice| !is_interface(choice)).count();
         let contact = Interface::Between { above: number(above), below: number(below) };
         (stack.contacts().len() > 1).then_some(contact)
@@ -62,7 +62,7 @@ impl Sweep {
     fn check_fullest(&self, choices: &[Choice]) -> Result<(), Error> {
         let items: Vec<Item> =
             choices.iter().filter_map(|choice| choice.there.as_ref().or(choice.missing.as_ref())).cloned().collect();
-        let Err(error) = Stack::from_items(self.scene.plane, &items) else { return Ok(()) };
+        let Err(error) = Stack::from_items(self.scene.geometry, &items) else { return Ok(()) };
         let only = match error.problem() {
             StackProblem::TooManyLayers { .. } | StackProblem::TooManyReceding { .. } => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())

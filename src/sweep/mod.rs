@@ -257,8 +257,9 @@ impl Sweep {
     /// A number that identifies this sweep: of another scene, other values, or another tolerance.
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = fnv::FnvHasher::default();
-        let Scene { plane, punch, force, stack, .. } = &self.scene;
-        let what = (plane, punch, force, stack, &self.options, self.approach, self.extremes, env!("CARGO_PKG_VERSION"));
+        let Scene { geometry, punch, force, stack, .. } = &self.scene;
+        let what =
+            (geometry, punch, force, stack, &self.options, self.approach, self.extremes, env!("CARGO_PKG_VERSION"));
         // numbers are written with all their digits
         hasher.write(format!("{what:?}").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
@@ -280,7 +281,7 @@ impl Sweep {
     fn stack(&self, key: usize) -> Result<Stack, Error> {
         let mut rest = key;
         let changes: Vec<_> = self.stack_axes().map(|(axis, slot)| (slot, pick(axis, &mut rest))).collect();
-        Ok(Stack::from_items(self.scene.plane, &self.scene.items_with(&changes)?)?)
+        Ok(Stack::from_items(self.scene.geometry, &self.scene.items_with(&changes)?)?)
     }
 }
 

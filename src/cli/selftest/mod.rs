@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use recede::Scene;
-use recede::selftest::{Ranges, scene, scene_of_any_kind, variant};
+use recede::selftest::{Ranges, about_axis, scene, scene_of_any_kind, variant};
 
 use super::Failure;
 use super::progress::Progress;
@@ -32,6 +32,7 @@ Examples:
   recede selftest --count 2000 --seed 1
   recede selftest --seed 1 --first 17 --count 1 --save hard     the scene with number 17 alone
   recede selftest --count 2000 --paper-kinds                    circles, parabolas, bonds, half-planes only
+  recede selftest --count 1000 --axisymmetric                   the same about an axis
   recede selftest --count 1000 --verify                         error estimates against a stricter run
 
 Exit status: 0 unless an answer was wrong, the program panicked, or a scene was killed.")]
@@ -48,6 +49,9 @@ pub struct Selftest {
     /// Circles and parabolas, homogeneous and exponential layers, bonded and receding, on half-planes and rigid bases only
     #[arg(long)]
     paper_kinds: bool,
+    /// The same scenes about an axis: spheres, cones and discs, forces as they are
+    #[arg(long)]
+    axisymmetric: bool,
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
@@ -137,13 +141,14 @@ impl Selftest {
     /// The scene with a number.
     fn scene(&self, number: u64) -> Result<Scene, recede::Error> {
         let ranges = Ranges::default();
-        if self.paper_kinds {
+        let drawn = if self.paper_kinds {
             scene(&ranges, self.seed, number).scene()
         } else if number % VARIED == VARIED - 1 {
             variant(self.seed, number)
         } else {
             scene_of_any_kind(&ranges, self.seed, number)
-        }
+        };
+        if self.axisymmetric { drawn.map(about_axis) } else { drawn }
     }
 
     /// The arguments of a worker process with the same options.
@@ -155,7 +160,8 @@ impl Selftest {
             ("--memory", self.memory.to_string()),
         ];
         arguments.extend(numbers.into_iter().flat_map(|(name, value)| [name.into(), value.into()]));
-        let flags = [("--paper-kinds", self.paper_kinds), ("--verify", self.verify)];
+        let flags =
+            [("--paper-kinds", self.paper_kinds), ("--axisymmetric", self.axisymmetric), ("--verify", self.verify)];
         arguments.extend(flags.into_iter().filter(|(_, set)| *set).map(|(name, _)| name.into()));
         arguments
     }

@@ -20,7 +20,6 @@ use crate::contact::integrals::columns::Columns;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::products::{product, symmetric_product};
 use crate::contact::integrals::tail::Weights;
-use crate::contact::problem::modes::order;
 use crate::contact::problem::profile::Slopes;
 use crate::contact::problem::support::Support;
 use crate::numeric::buffer::Buffer;
@@ -192,7 +191,7 @@ impl<'a> Equations<'a> {
 
     /// g∞ ∫ ψ² dζ/ζ.
     pub(crate) fn cauchy(&self, i: usize, m: usize) -> f64 {
-        0.5 * self.layout.own[i].limit / (order(m) * self.bases[i].half_length.powi(2))
+        self.layout.twin.diagonal(self.layout.own[i].limit, m, self.bases[i].half_length)
     }
 
     /// Whether all modes of some contact are counted from those of the contact above.
@@ -264,7 +263,7 @@ impl<'a> Equations<'a> {
             let response = self.spread(by, &change, &mut rows);
             add(&mut rows[by], &basis.test(&response, count));
             for (m, row) in rows[by].iter_mut().enumerate() {
-                *row -= 2.0 * self.cauchy(by, m) * modes[by][m];
+                *row -= self.layout.twin.diagonal_power() * self.cauchy(by, m) * modes[by][m];
                 if let Some(slopes) = &slopes[by] {
                     *row -= slopes.load_slope(m);
                 }

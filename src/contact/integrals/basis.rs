@@ -11,9 +11,14 @@ use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Tail;
 use crate::contact::problem::Problem;
 use crate::contact::problem::load::Given;
-use crate::numeric::bessel::{self, Wanted};
+use crate::contact::problem::twin::Twin;
+use crate::numeric::bessel::{self, Wanted, spherical};
 use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
+
+/// Tables of Bessel functions beyond their turning points.
+type JyTable = fn(usize, &[f64], &mut [f64], &mut [f64]);
+type HankelTable = fn(usize, &[Complex64], &mut [Complex64]);
 
 /// Nodes of a tail whose Bessel functions are made together.
 pub(crate) const TOGETHER: usize = 512;
@@ -30,6 +35,7 @@ pub(crate) struct Basis {
     arguments: Buffer,
     /// z on the turned path.
     paths: Vec<Complex64>,
+    twin: Twin,
 }
 
 impl Basis {
@@ -50,12 +56,20 @@ impl Basis {
             arguments.extend(tail.smooth.iter().map(|zeta| zeta * half_length));
         }
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
-        let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, half_length.recip());
+        let twin = layout.twin;
+        let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, twin.norm() / half_length);
         let mut table = Columns::new(rows, Wanted::ZERO_AND_ODD.below(orders));
-        bessel::scaled_orders(orders, Wanted::ZERO_AND_ODD, &arguments[..reach], scale, rows, &mut table.values);
-        let mut basis = Self { half_length, transform_minus_one: Buffer::default(), table, arguments, paths };
+        let fill = if twin == Twin::Round { spherical::scaled_orders } else { bessel::scaled_orders };
+        fill(orders, Wanted::ZERO_AND_ODD, &arguments[..reach], scale, rows, &mut table.values);
+        let mut basis = Self { half_length, transform_minus_one: Buffer::default(), table, arguments, paths, twin };
         if rows > reach {
             basis.tabulate_tail(tail, reach, orders);
+        }
+        if let Some(scales) = twin.scales() {
+            let columns = basis.table.values.chunks_exact_mut(rows.max(1)).skip(1);
+            columns.zip(scales).for_each(|(column, scale)| column.iter_mut().for_each(|value| *value *= scale));
+            let transform = basis.arguments[..reach].iter().map(|z| bessel::spherical_jinc_minus_one(*z));
+            return Self { transform_minus_one: transform.collect(), ..basis };
         }
         let mut transform_minus_one = Buffer::any(reach);
         vectorised(
@@ -73,14 +87,18 @@ impl Basis {
 
     /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
     fn tabulate_tail(&mut self, tail: &Tail, first: usize, orders: usize) {
-        let (rows, scale) = (self.rows(), self.half_length.recip());
+        let (rows, scale) = (self.rows(), self.twin.norm() / self.half_length);
+        let (jy_table, hankel_table) = match self.twin {
+            Twin::Plane => (bessel::jy_table as JyTable, bessel::hankel_table as HankelTable),
+            Twin::Round => (spherical::jy_table as JyTable, spherical::hankel_table as HankelTable),
+        };
         let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
         let smooth = &self.arguments[first..first + count];
         let all: Vec<usize> = (0..orders).collect();
         for (start, some) in (0..).step_by(TOGETHER).zip(smooth.chunks(TOGETHER)) {
             let length = some.len();
             let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
-            bessel::jy_table(orders, some, &mut j, &mut y);
+            jy_table(orders, some, &mut j, &mut y);
             for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
                 for (place, values) in [(first + start, &j), (first + count + start, &y)] {
                     let values = &values[n * length..(n + 1) * length];
@@ -92,7 +110,7 @@ impl Basis {
         let factors = self.paths.iter().zip(&tail.lift).map(|(z, lift)| (Complex64::I * z + lift).exp() * scale);
         let factors: Vec<Complex64> = factors.collect();
         let mut h = vec![Complex64::ZERO; orders * turned];
-        bessel::hankel_table(orders, &self.paths, &mut h);
+        hankel_table(orders, &self.paths, &mut h);
         for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
             let (re, im) = column[first + 2 * count..].split_at_mut(turned);
             for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
@@ -114,13 +132,17 @@ impl Basis {
             *value = 0.5 * zeta * (1.0 + transform_minus_one);
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
-        Self { half_length: given.half_length, transform_minus_one, table, arguments, paths: Vec::new() }
+        let (half_length, paths, twin) = (given.half_length, Vec::new(), layout.twin);
+        Self { half_length, transform_minus_one, table, arguments, paths, twin }
     }
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
     pub(crate) fn edges(&self) -> Buffer {
-        let mut edges: Buffer = self.value(0).iter().zip(self.value(1)).map(|(j1, j3)| -0.5 * (j1 + j3)).collect();
+        let factor = -1.0 / ((2.0 + self.twin.shift()) * self.twin.norm());
+        let third = self.twin.scales().map_or(1.0, |scales| scales[1].recip());
+        let sum = |(j1, j3): (&f64, &f64)| factor * (j1 + third * j3);
+        let mut edges: Buffer = self.value(0).iter().zip(self.value(1)).map(sum).collect();
         self.scale(&mut edges, false);
         self.scale(&mut edges, false);
         edges
@@ -164,17 +186,21 @@ impl Basis {
     /// The derivative of [`Self::combine`] with respect to ln a.
     pub(crate) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
         // (z/2) Σ d_m J_2m, d_m = y_m − y_(m−1), and J_2m = (z/2) (J_(2m−1) + J_(2m+1))/(2m) but for the first
+        let scaled = self.twin.scales().map(|_| self.twin.scaled(y));
+        let y = scaled.as_deref().unwrap_or(y);
         let mut odd = Buffer::zeros(y.len() + 1);
         for m in 1..=y.len() {
-            let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / (2 * m) as f64;
+            let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / ((2 * m) as f64 + self.twin.shift());
             odd[m - 1] += part;
             odd[m] += part;
         }
+        self.unscale(&mut odd);
         let mut slopes = self.combine(&odd);
         self.scale(&mut slopes, false);
         slopes.iter_mut().zip(self.zeroth()).for_each(|(slope, zeroth)| *slope += y[0] * zeroth);
         self.scale(&mut slopes, false);
-        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= value);
+        let norm = self.twin.norm();
+        slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= norm * value);
         slopes
     }
 
@@ -184,9 +210,19 @@ impl Basis {
         self.scale(&mut scaled, true);
         let zeroth: f64 = self.zeroth().iter().zip(scaled.iter()).map(|(zeroth, s)| zeroth * s).sum();
         self.scale(&mut scaled, true);
-        let odd = self.test(&scaled, tested.len() + 1);
-        let even = |m: usize| if m == 0 { zeroth } else { (odd[m - 1] + odd[m]) / (2 * m) as f64 };
-        tested.iter().enumerate().map(|(m, value)| even(m) - even(m + 1) - value).collect()
+        let mut odd = self.test(&scaled, tested.len() + 1);
+        self.unscale(&mut odd);
+        let (shift, norm) = (self.twin.shift(), self.twin.norm());
+        let even = |m: usize| if m == 0 { zeroth } else { (odd[m - 1] + odd[m]) / ((2 * m) as f64 + shift) };
+        let slope = |(m, value): (usize, &f64)| self.twin.scale(m) * (even(m) - even(m + 1)) - norm * value;
+        tested.iter().enumerate().map(slope).collect()
+    }
+
+    /// Divides by the factors of the modes.
+    fn unscale(&self, modes: &mut [f64]) {
+        if let Some(scales) = self.twin.scales() {
+            modes.iter_mut().zip(scales).for_each(|(value, scale)| *value /= scale);
+        }
     }
 
     /// Multiplies by z/2 in every row; `adjoint` on the side of the tests.

@@ -4,6 +4,7 @@
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
 use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, MOST_WAVENUMBERS, Tail, Weights, turning};
+use crate::contact::problem::twin::Twin;
 use crate::kernel::{Kernel, Panel, Values};
 use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::{LARGEST, rule};
@@ -36,6 +37,8 @@ fn points(phase: f64, digits: f64) -> usize {
 pub(crate) const FIELDS: f64 = 1e-6;
 /// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
 pub(crate) struct Layout {
+    /// Plane or axisymmetric.
+    pub(crate) twin: Twin,
     /// Real wavenumbers, ascending, shared by all contacts.
     pub(crate) zeta: Vec<f64>,
     /// Per contact.
@@ -161,7 +164,7 @@ impl Layout {
                 let i = group.contacts[0];
                 // kernels that never vanish
                 let rest = !kernel.asymptote(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
-                if rest { Tail::beyond(ends[i]) } else { Tail::default() }
+                if rest { Tail::beyond(layout.twin, ends[i]) } else { Tail::default() }
             } else {
                 let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
                 let reaches = group.ends(kernel, &ends, &coupled);
@@ -226,6 +229,7 @@ impl Layout {
         let own =
             |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.asymptote(i).limit, tail: tail_of(i) };
         Self {
+            twin: Twin::of(kernel.geometry()),
             zeta: Vec::new(),
             own: (0..n).map(own).collect(),
             coupling: (1..n).map(|_| Weights::default()).collect(),
@@ -292,7 +296,10 @@ impl Layout {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let first = self.zeta.len();
             self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
-            let weights: Buffer = points.on(at(part), at(part + 1)).map(|(zeta, weight)| weight / zeta).collect();
+            let weights: Buffer = points
+                .on(at(part), at(part + 1))
+                .map(|(zeta, weight)| weight / zeta * self.twin.measure(zeta))
+                .collect();
             let values = panel.map(|panel| panel.values(&self.zeta[first..], at(part), at(part + 1)));
             self.weigh(plan, values.as_ref(), first, &weights, (from, to));
         }

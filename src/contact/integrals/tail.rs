@@ -6,6 +6,7 @@
 //! R share the nodes of both.
 use num_complex::Complex64;
 
+use crate::contact::problem::twin::Twin;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::chebyshev::Series;
@@ -76,6 +77,7 @@ impl Tail {
         let Ends { from, coupled, to } = ends;
         let own = || contacts.iter().map(|i| half_lengths[*i]);
         let (shortest, longest) = own().fold((f64::INFINITY, 0.0_f64), |(s, l), a| (s.min(a), l.max(a)));
+        let twin = Twin::of(kernel.geometry());
         let mut tail = Self { from, ..Self::default() };
         let mut reached = from;
         for panel in kernel.panels().iter().filter(|panel| panel.to > from && panel.from < to) {
@@ -89,14 +91,14 @@ impl Tail {
             let width = (panel.to - reached) / parts as f64;
             for part in 0..parts {
                 let start = reached + width * part as f64;
-                tail.add(rule(points.div_ceil(parts)).on(start, start + width));
+                tail.add(twin, rule(points.div_ceil(parts)).on(start, start + width));
             }
             reached = panel.to;
         }
         if contacts.iter().any(|i| !kernel.asymptote(*i).is_constant()) {
             // ζ = start/u
             let nodes = rule(smooth_points(orders, from / reached)).on(0.0, 1.0);
-            tail.add(nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));
+            tail.add(twin, nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));
         }
         let laid_for = if contacts.len() > 1 { LAID_FOR * shortest } else { shortest };
         let laguerre = laguerre_rule(TURNED_POINTS);
@@ -104,22 +106,23 @@ impl Tail {
             let zeta = Complex64::new(from, 0.5 * s / laid_for);
             tail.turned.push(zeta);
             tail.lift.push(0.5 * s);
-            tail.turned_weights.push(Complex64::new(0.0, 0.25 * weight / laid_for) / zeta);
+            let weight = Complex64::new(0.0, 0.25 * weight / laid_for);
+            tail.turned_weights.push(if twin == Twin::Round { weight } else { weight / zeta });
         }
         Some(tail)
     }
 
     /// Beyond so short waves that their phases need not be told: what does not oscillate of a kernel that falls like 1/ζ.
-    pub(crate) fn beyond(from: f64) -> Self {
+    pub(crate) fn beyond(twin: Twin, from: f64) -> Self {
         let mut tail = Self { from, ..Self::default() };
-        tail.add(rule(2).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
+        tail.add(twin, rule(2).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
         tail
     }
 
-    fn add(&mut self, nodes: impl Iterator<Item = (f64, f64)>) {
+    fn add(&mut self, twin: Twin, nodes: impl Iterator<Item = (f64, f64)>) {
         for (zeta, weight) in nodes {
             self.smooth.push(zeta);
-            self.smooth_weights.push(0.5 * weight / zeta);
+            self.smooth_weights.push(0.5 * weight / zeta * twin.measure(zeta));
         }
     }
 

@@ -9,6 +9,7 @@ use crate::contact::problem::accuracy::ROUNDING;
 #[cfg(test)]
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::modes::order;
+use crate::contact::problem::twin::Twin;
 
 /// Terms of the series of pressures that do not vanish smoothly at their ends: enough wherever they have no closed form.
 const TERMS: usize = 64;
@@ -25,9 +26,10 @@ pub(crate) struct Given<'a> {
 
 impl<'a> Given<'a> {
     /// A load, with the length L in the units of the scene.
-    pub(crate) fn new(load: &'a Load, length: f64) -> Self {
+    pub(crate) fn new(load: &'a Load, length: f64, twin: Twin) -> Self {
         let half_length = (load.half_width() / length).max(ROUNDING);
-        Self { load, half_length, transform_minus_one: Box::new(move |zeta| transform_minus_one(load, zeta / length)) }
+        let transform = move |zeta: f64| transform_minus_one(load, zeta / length, twin);
+        Self { load, half_length, transform_minus_one: Box::new(transform) }
     }
 
     /// p̂/P − 1 at a wavenumber ζ.
@@ -37,10 +39,18 @@ impl<'a> Given<'a> {
 }
 
 /// p̂/P − 1, with all its digits also for long waves.
-fn transform_minus_one(load: &Load, wavenumber: f64) -> f64 {
+fn transform_minus_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
     let z = wavenumber * load.half_width();
     match load {
         Load::Line => 0.0,
+        Load::Uniform { .. } if twin == Twin::Round => bessel::jinc_minus_one(z),
+        Load::Parabolic { .. } if twin == Twin::Round => {
+            // 8 J_2/z² = 2 (J_1 + J_3)/z
+            let mut bessel = [0.0; 4];
+            bessel::table(4, &[z], &mut bessel);
+            bessel::jinc_minus_one(z) + if z > 0.0 { 2.0 * bessel[3] / z } else { 0.0 }
+        }
+        Load::Elliptic { .. } if twin == Twin::Round => bessel::spherical_jinc_minus_one(z),
         Load::Uniform { .. } => bessel::sinc_minus_one(z),
         Load::Parabolic { .. } => bessel::spherical_jinc_minus_one(z),
         Load::Elliptic { .. } => bessel::jinc_minus_one(z),
@@ -48,7 +58,7 @@ fn transform_minus_one(load: &Load, wavenumber: f64) -> f64 {
             let part = |(at, share, load): (f64, f64, &Load)| {
                 let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
                 // cos λx (1 + transform_minus_one) − 1
-                share * (transform_minus_one(load, wavenumber) * (cos * cos - sin * sin) - 2.0 * sin * sin)
+                share * (transform_minus_one(load, wavenumber, twin) * (cos * cos - sin * sin) - 2.0 * sin * sin)
             };
             load.parts().into_iter().map(part).sum()
         }
@@ -56,7 +66,7 @@ fn transform_minus_one(load: &Load, wavenumber: f64) -> f64 {
 }
 
 /// The strips on which a load presses with a force, in the units of the scene.
-fn strips(load: &Load, force: f64) -> Vec<Strip> {
+fn strips(load: &Load, force: f64, twin: Twin) -> Vec<Strip> {
     let strip = |(at, share, load): (f64, f64, &Load)| {
         let images = if at > 0.0 { 2.0 } else { 1.0 };
         let form = match load {
@@ -65,7 +75,8 @@ fn strips(load: &Load, force: f64) -> Vec<Strip> {
             Load::Parabolic { .. } => Form::Parabolic,
             Load::Elliptic { .. } | Load::Several(_) => Form::Series,
         };
-        self::strip(form, at, load.half_width(), share * force / images)
+        let strip = self::strip(form, at, load.half_width(), share * force / images);
+        if twin == Twin::Round { round(strip, force) } else { strip }
     };
     load.parts().into_iter().map(strip).collect()
 }
@@ -86,12 +97,22 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
     Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect()) }
 }
 
+/// The same about the axis: a series of one term, that of an ellipse, has the resultant; forms are known by it.
+fn round(strip: Strip, force: f64) -> Strip {
+    let first = if strip.form == Form::Line { force } else { 1.5 * force / (PI * strip.extent.powi(2)) };
+    Strip { coefficients: vec![first], is_round: true, ..strip }
+}
+
 /// What is said of a load in place of a contact: nothing of it is unknown.
-pub(crate) fn contact(load: &Load, interface: Interface, force: f64) -> Contact {
-    let strips = strips(load, force);
+pub(crate) fn contact(load: &Load, interface: Interface, force: f64, twin: Twin) -> Contact {
+    let strips = strips(load, force, twin);
     Contact {
         interface,
-        central_pressure: load.central_pressure(force),
+        central_pressure: match twin {
+            Twin::Plane => load.central_pressure(force),
+            Twin::Round if *load == Load::Line => f64::INFINITY,
+            Twin::Round => strips.iter().map(|strip| strip.pressure(0.0)).sum(),
+        },
         central_pressure_error: 0.0,
         resultant: force,
         parts: parts(&strips),
@@ -159,10 +180,10 @@ mod tests {
             part(1.1, 0.1, Ok(Load::Line)),
         ];
         for load in several.iter().map(|(_, _, load)| load.clone()).chain([Load::several(&several).unwrap()]) {
-            let strips = strips(&load, 3.0);
+            let strips = strips(&load, 3.0, Twin::Plane);
             for wavenumber in [1e-6, 0.3, 1.0, 7.0, 30.0] {
                 let (found, expected) =
-                    (3.0 * (1.0 + transform_minus_one(&load, wavenumber)), by_series(&strips, wavenumber));
+                    (3.0 * (1.0 + transform_minus_one(&load, wavenumber, Twin::Plane)), by_series(&strips, wavenumber));
                 assert!((found - expected).abs() < 1e-13, "{load} at {wavenumber}: {found} {expected}");
             }
         }
@@ -174,7 +195,10 @@ mod tests {
         let moment = 0.5 * (0.25 + 0.01 / 3.0);
         for wavenumber in [1e-3, 1e-6, 1e-9] {
             let expected = -0.5 * moment * wavenumber * wavenumber;
-            assert!((transform_minus_one(&load, wavenumber) / expected - 1.0).abs() < 1e-6, "{wavenumber}");
+            assert!(
+                (transform_minus_one(&load, wavenumber, Twin::Plane) / expected - 1.0).abs() < 1e-6,
+                "{wavenumber}"
+            );
         }
     }
 }

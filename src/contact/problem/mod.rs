@@ -7,7 +7,9 @@ pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
 pub(crate) mod profile;
+mod round;
 pub(crate) mod support;
+pub(crate) mod twin;
 
 use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
@@ -18,6 +20,7 @@ use accuracy::MOST_OPERATIONS;
 use load::Given;
 use profile::{Local, Profile, Slopes};
 use support::{End, Support, span};
+use twin::Twin;
 
 /// One punch, or one given load, pressed with one force on a stack.
 pub(crate) struct Problem<'a> {
@@ -57,10 +60,11 @@ impl<'a> Problem<'a> {
         tolerance: f64,
     ) -> Self {
         let length = kernel.length();
-        let force = force / (kernel.modulus() * length);
+        let twin = Twin::of(kernel.geometry());
+        let force = twin.force(force, kernel.modulus(), length);
         let top = match punch.load() {
-            Some(load) => Side::Known(Given::new(load, length)),
-            None => Side::Profile(Profile::new(punch, length, force)),
+            Some(load) => Side::Known(Given::new(load, length, twin)),
+            None => Side::Profile(Profile::new(punch, length, force, twin)),
         };
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
         let sides = std::iter::once(top).chain(closed).collect();
@@ -91,7 +95,12 @@ impl<'a> Problem<'a> {
 
     /// The force in the units of the scene.
     pub(crate) fn total_force(&self) -> f64 {
-        self.force * self.kernel.modulus() * self.kernel.length()
+        self.twin().total_force(self.force, self.kernel.modulus(), self.kernel.length())
+    }
+
+    /// Plane or axisymmetric.
+    pub(crate) fn twin(&self) -> Twin {
+        Twin::of(self.kernel.geometry())
     }
 
     pub(crate) fn contacts(&self) -> usize {

@@ -3,7 +3,6 @@
 //! p(x) = Σ c_j sin jφ with x = a cos φ and j = 2m + 1. The unknowns are y_m = ½ π j (−1)^m a c_j/(μ₀P'), y_0 = 1 by
 //! equilibrium.
 use crate::contact::problem::accuracy::SAFETY;
-use std::f64::consts::PI;
 
 /// Modes of the coarsest refinement level. Half as many: Newton's method meets more non-physical roots; twice as many cost time and
 /// change nothing.
@@ -22,12 +21,6 @@ pub(crate) fn alternating(m: usize) -> f64 {
 /// Order j of mode m.
 pub(crate) fn order(m: usize) -> f64 {
     (2 * m + 1) as f64
-}
-
-/// c_j a/(2 μ₀P') of p = Σ c_j sin jφ with x = a cos φ, from y_m = ½ π j (−1)^m a c_j/(μ₀P').
-pub(crate) fn coefficients(modes: &[f64]) -> Vec<f64> {
-    let coefficient = |(m, y): (usize, &f64)| alternating(m) * y / (order(m) * PI);
-    modes.iter().enumerate().map(coefficient).collect()
 }
 
 /// Σ_m |y_m|/order over a range of modes: how much they may add to the pressure at x = 0, in units of 2/(πa).

@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::accuracy::ROUNDING;
 use crate::contact::problem::modes::order;
+use crate::contact::problem::twin::Twin;
 use crate::numeric::quadrature::rule;
 use crate::scene::{Piece, Punch, Shape};
 
@@ -21,11 +22,12 @@ const SPARE: f64 = 14.0;
 /// The profile of a punch pressed with a force, in the units of the kernel.
 pub(crate) struct Profile<'a> {
     punch: &'a Punch,
-    shape: Shape<'a>,
+    pub(super) shape: Shape<'a>,
     /// Length L in the units of the scene.
-    length: f64,
-    /// P' = P/(μ₀L).
-    force: f64,
+    pub(super) length: f64,
+    /// P'.
+    pub(super) force: f64,
+    twin: Twin,
 }
 
 /// What a half-plane of the material at the face does under the punch, all rows but the first fulfilled: the pressure
@@ -45,24 +47,25 @@ pub(crate) struct Slopes {
     pub(crate) slope: Vec<f64>,
     /// a.
     pub(crate) half_length: f64,
+    twin: Twin,
 }
 
 impl Slopes {
     /// The row of mode `m`.
     pub(crate) fn load(&self, m: usize) -> f64 {
-        0.5 * self.value[m] / self.half_length
+        self.twin.load(m) * self.value[m] / self.half_length
     }
 
     /// Its derivative with respect to ln a.
     pub(crate) fn load_slope(&self, m: usize) -> f64 {
-        0.5 * (self.slope[m] - self.value[m]) / self.half_length
+        self.twin.load(m) * (self.slope[m] - self.value[m]) / self.half_length
     }
 }
 
 impl<'a> Profile<'a> {
     /// A punch in units of L, pressed with P'.
-    pub(crate) fn new(punch: &'a Punch, length: f64, force: f64) -> Self {
-        Self { punch, shape: punch.shape(), length, force }
+    pub(crate) fn new(punch: &'a Punch, length: f64, force: f64, twin: Twin) -> Self {
+        Self { punch, shape: punch.shape(), length, force, twin }
     }
 
     /// Half-length of the contact, in units of L, if it is that of a punch with sharp corners.
@@ -94,7 +97,7 @@ impl<'a> Profile<'a> {
         if half_length == 0.0 || self.is_parabola() {
             return Some(self.force / (self.length * self.shape.curvature(0.0)));
         }
-        Some(0.5 * PI * half_length / self.first_row(half_length))
+        Some(self.twin.parabola_row() * half_length / self.first_row(half_length))
     }
 
     /// Half-length at which the punch ends, in units of L.
@@ -111,7 +114,7 @@ impl<'a> Profile<'a> {
     pub(crate) fn too_small(&self, half_length: f64) -> Option<ContactError> {
         let edge = self.shape.edge().filter(|_| self.flat().is_none())?;
         (half_length * self.length > NEARLY * edge)
-            .then(|| NoSolution::PunchTooSmall { punch: self.punch.label(), edge }.into())
+            .then(|| NoSolution::PunchTooSmall { punch: self.punch.label(self.twin.geometry()), edge }.into())
     }
 
     /// The half-length at which a step from `before` to `after` ends: a contact covers more than the flat part of the
@@ -143,7 +146,12 @@ impl<'a> Profile<'a> {
     /// (−1)^m ∫ f'(as) T_k(s)/√(1 − s²) ds / P' for k = 2m + 1 and `rows` values of m, with derivatives with respect to
     /// ln a.
     pub(crate) fn slopes(&self, half_length: f64, rows: usize) -> Slopes {
-        let mut slopes = Slopes { value: vec![0.0; rows], slope: vec![0.0; rows], half_length };
+        let twin = self.twin;
+        let mut slopes = Slopes { value: vec![0.0; rows], slope: vec![0.0; rows], half_length, twin };
+        if twin == Twin::Round {
+            self.round_rows(half_length, &mut slopes);
+            return slopes;
+        }
         match &self.shape {
             Shape::Powers { length, terms, .. } => {
                 for (exponent, coefficient) in terms {
@@ -168,7 +176,14 @@ impl<'a> Profile<'a> {
         if self.shape.is_smooth() {
             return None;
         }
-        let Slopes { value, .. } = self.slopes(half_length, modes);
+        let slopes = self.slopes(half_length, modes);
+        if self.twin == Twin::Round {
+            let mode = |m: usize| slopes.load(m) / self.twin.diagonal(limit, m, half_length);
+            // p(0) = (2/πg∞) ∫ A'(t)/t dt
+            let peak = self.round_apex(half_length) * 2.0 * half_length.powi(2) / (3.0 * PI * PI * limit);
+            return Some(Local { modes: (0..modes).map(mode).collect(), peak });
+        }
+        let value = slopes.value;
         let factor = half_length / limit;
         let modes = value.iter().enumerate().map(|(m, value)| factor * order(m) * value).collect();
         Some(Local { modes, peak: factor / PI * self.apex(half_length) })
@@ -209,7 +224,7 @@ impl<'a> Profile<'a> {
     }
 
     /// Slope of a power of |x| at x = a, over P'.
-    fn amplitude(&self, half_length: f64, length: f64, exponent: f64, coefficient: f64) -> f64 {
+    pub(super) fn amplitude(&self, half_length: f64, length: f64, exponent: f64, coefficient: f64) -> f64 {
         let s = half_length * self.length / length;
         coefficient * exponent / length * s.powf(exponent - 1.0) / self.force
     }
@@ -265,7 +280,7 @@ impl<'a> Profile<'a> {
 }
 
 /// Where the pieces begin that a contact covers.
-fn covered(pieces: &[Piece], half_length: f64) -> impl Iterator<Item = f64> {
+pub(super) fn covered(pieces: &[Piece], half_length: f64) -> impl Iterator<Item = f64> {
     pieces.iter().map(|piece| piece.start).take_while(move |start| *start < half_length)
 }
 
@@ -281,7 +296,7 @@ fn power_rows(power: f64, amplitude: f64, slopes: &mut Slopes) {
 }
 
 /// ∫ cos^n θ dθ from 0 to π/2.
-fn wallis(n: f64) -> f64 {
+pub(super) fn wallis(n: f64) -> f64 {
     FRAC_PI_2.sqrt() * std::f64::consts::FRAC_1_SQRT_2 * libm::tgamma(0.5 * n + 0.5) / libm::tgamma(0.5 * n + 1.0)
 }
 
@@ -303,7 +318,7 @@ mod tests {
     use crate::contact::problem::modes::alternating;
 
     fn unit(punch: &Punch) -> Profile<'_> {
-        Profile::new(punch, 1.0, 1.0)
+        Profile::new(punch, 1.0, 1.0, Twin::Plane)
     }
 
     /// The rows by a rule of very many points.

@@ -10,13 +10,16 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{FIELDS, Layout};
 use crate::contact::problem::Problem;
-use crate::contact::problem::modes::{COARSEST, FINEST, alternating, coefficients, order};
+use crate::contact::problem::modes::{COARSEST, FINEST, alternating, order};
 use crate::contact::problem::profile::Profile;
+use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::Level;
+use crate::contact::quality::round::{round_deflection, round_deflections};
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::{LANES, vectorised};
+use crate::solution::jacobi_sum;
 
 /// A pressure may be wrong anywhere by this many times the part that its highest modes have in it.
 const UNRESOLVED: f64 = 10.0;
@@ -126,7 +129,7 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
             tensions.push(0.0);
             continue;
         }
-        let least = Least::of(level, i);
+        let least = Least::of(problem.twin(), level, i);
         // where a pressure decays there is no tension but that of truncation
         let most = if level.support.decay(i).is_some() { most.min(NO_GAP) } else { most };
         if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.uncertainty).min(most * least.largest) {
@@ -145,7 +148,7 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
 /// An error if a contact is in such tension that more modes will not change that.
 pub(crate) fn check_gross_tension(problem: &Problem, level: &Level) -> Result<(), ContactError> {
     for i in problem.unknown().filter(|i| level.remainders[*i].is_none() && !problem.sides[*i].is_joined()) {
-        let least = Least::of(level, i);
+        let least = Least::of(problem.twin(), level, i);
         if least.pressure < -GROSS * least.largest {
             return Err(least.tension(problem, level, i));
         }
@@ -173,9 +176,9 @@ impl Least {
         NoSolution::Tension { interface, x, half_lengths }.into()
     }
 
-    fn of(level: &Level, i: usize) -> Self {
+    fn of(twin: Twin, level: &Level, i: usize) -> Self {
         let modes = &level.modes[i];
-        let mut pressures = pressures(modes, modes.len());
+        let mut pressures = pressures(twin, modes, modes.len());
         let mut largest = pressures.iter().fold(0.0, |largest: f64, p| largest.max(p.abs()));
         if let Some(intensity) = level.support.intensity(i) {
             // as large as in the middle, not as next to the corners
@@ -183,7 +186,7 @@ impl Least {
             let places = pressures.len();
             for (place, pressure) in pressures.iter_mut().enumerate() {
                 let sine = angle(place, places).sin();
-                *pressure += 0.5 * intensity / PI * (sine.recip() - 2.0 * sine);
+                *pressure += twin.edge() * intensity / PI * (sine.recip() - twin.edge_unit() * sine);
             }
         }
         let least = |least: (usize, f64), (k, p): (usize, &f64)| if *p < least.1 { (k, *p) } else { least };
@@ -191,7 +194,7 @@ impl Least {
         let uncertainty = match &level.remainders[i] {
             // next to where the punch is not smooth pressures are less certain than elsewhere
             Some(remainder) => {
-                let remainder = self::pressures(remainder, modes.len());
+                let remainder = self::pressures(twin, remainder, modes.len());
                 let near = place.saturating_sub(4 * PER_MODE)..(place + 4 * PER_MODE).min(remainder.len());
                 remainder[near].iter().fold(0.0, |most: f64, p| most.max(p.abs()))
             }
@@ -209,9 +212,12 @@ fn angle(place: usize, places: usize) -> f64 {
 }
 
 /// The pressures at [`PER_MODE`] places per mode of `resolved`, from the end of the contact to its middle.
-fn pressures(modes: &[f64], resolved: usize) -> Vec<f64> {
-    let coefficients = coefficients(modes);
+fn pressures(twin: Twin, modes: &[f64], resolved: usize) -> Vec<f64> {
+    let coefficients = twin.coefficients(modes);
     let places = PER_MODE * resolved;
+    if twin == Twin::Round {
+        return (0..places).map(|place| jacobi_sum(&coefficients, angle(place, places).cos())).collect();
+    }
     let mut pressures = vec![0.0; places];
     vectorised(
         #[inline(always)]
@@ -298,16 +304,24 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
         // such steps that one of them ends where the profile is lowest
         steps[1] = fall / (fall / steps[1]).ceil().min(PLACES as f64);
     }
-    let regular = vectorised(
-        #[inline(always)]
-        || deflections(&waves.zeta, &waves.slopes[i], a, steps),
-    );
+    let twin = problem.twin();
+    let regular = match twin {
+        Twin::Plane => vectorised(
+            #[inline(always)]
+            || deflections(&waves.zeta, &waves.slopes[i], a, steps),
+        ),
+        Twin::Round => round_deflections(&waves.zeta, &waves.slopes[i], a, steps),
+    };
     let mut gaps = Vec::with_capacity(2 * PLACES);
     for (step, regular) in steps.into_iter().zip(regular) {
         gaps.extend(regular.into_iter().enumerate().map(|(k, regular)| {
             let x = a + step * (k + 1) as f64;
             let opened = side.height(x) - side.height(a);
-            (x, opened - 2.0 * (limit * cauchy_deflection(modes, x / a) + regular) / PI)
+            let elastic = match twin {
+                Twin::Plane => 2.0 * (limit * cauchy_deflection(modes, x / a) + regular) / PI,
+                Twin::Round => 2.0 * (limit * round_deflection(modes, x / a) / a + regular),
+            };
+            (x, opened - elastic)
         }));
     }
     gaps

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::Work;
 use crate::contact::problem::Problem;
-use crate::contact::problem::modes::{alternating, coefficients, order};
+use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible::{Check, Recontact};
 use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
 use crate::contact::quality::levels::Refined;
@@ -17,7 +17,7 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
     level.admit(&check);
     warnings.extend(check.recontacts.iter().map(|recontact| self::recontact(problem, recontact)));
     warnings.extend(problem.unknown().filter_map(|i| unknown_end(problem, &level, i)));
-    let contacts = problem.unknown().map(|i| found(&level, i)).collect();
+    let contacts = problem.unknown().map(|i| found(problem.twin(), &level, i)).collect();
     Answer {
         contacts,
         min_pressure: check.min_pressure,
@@ -35,18 +35,18 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
 }
 
 /// Contact i of a level.
-fn found(level: &Level, i: usize) -> Found {
+fn found(twin: Twin, level: &Level, i: usize) -> Found {
     let half_length = level.support.half_lengths[i];
-    let unit = 2.0 / half_length;
-    let mut coefficients: Vec<f64> = coefficients(&level.modes[i]).iter().map(|c| c * unit).collect();
-    let corners = 0.5 * level.support.intensity(i).unwrap_or(0.0) * unit / PI;
-    let tip = 0.5 * level.apexes[i] * unit / PI;
-    coefficients[0] -= 2.0 * corners;
+    let unit = twin.unit(half_length);
+    let mut coefficients: Vec<f64> = twin.coefficients(&level.modes[i]).iter().map(|c| c * unit).collect();
+    let corners = twin.edge() * level.support.intensity(i).unwrap_or(0.0) * unit / PI;
+    let tip = twin.tip(level.apexes[i]) * unit / PI;
+    coefficients[0] -= twin.edge_unit() * corners;
     if tip != 0.0 {
         // arcosh(1/|cos φ|) is a closed form for all modes together
         coefficients.truncate(level.counts[i]);
         let terms = coefficients.iter_mut().enumerate();
-        terms.for_each(|(m, c)| *c -= 2.0 * alternating(m) * tip / order(m));
+        terms.for_each(|(m, c)| *c -= twin.tip_mode(m, tip));
     }
     let (error, peak, size) = (level.errors[i], level.peaks[i] * unit, level.sizes[i] * unit);
     let to_error = error.length * half_length;
@@ -54,7 +54,7 @@ fn found(level: &Level, i: usize) -> Found {
         intervals: vec![Part { from: 0.0, from_error: 0.0, to: half_length, to_error }],
         peak,
         peak_error: if peak.is_finite() { error.pressure * size } else { f64::INFINITY },
-        strips: vec![Strip { corners, tip, ..Strip::series(half_length, coefficients) }],
+        strips: vec![Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) }],
     }
 }
 

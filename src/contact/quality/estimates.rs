@@ -144,10 +144,11 @@ impl Truncation {
         let intensity = found.support.intensity(i);
         // where modes fall like a power, the terms of the pressure at x = 0 are averaged
         let averaged = !problem.kernel.asymptote(i).is_constant();
+        let edge = problem.twin().edge() * (problem.twin().edge_unit() - 1.0);
         let swept = weight(&own, found.solved[i]..own.len());
         let (beyond, fall) = beyond(&own);
         let peak =
-            peak(&own, averaged) + local.map_or(0.0, |local| local.peak) - intensity.map_or(0.0, |q| 0.5 * q / PI);
+            peak(&own, averaged) + local.map_or(0.0, |local| local.peak) - intensity.map_or(0.0, |q| edge * q / PI);
         // an infinite pressure is known, and others are compared with a mean pressure
         let mean = PI.recip();
         let size = match intensity {

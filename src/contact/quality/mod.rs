@@ -3,3 +3,4 @@ pub(crate) mod admissible;
 pub(crate) mod answer;
 pub(crate) mod estimates;
 pub(crate) mod levels;
+mod round;

@@ -2,6 +2,7 @@
 use crate::contact::error::ContactError;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::profile::Profile;
+use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
 use crate::scene::Punch;
@@ -11,6 +12,8 @@ const ON_RIGID_BASE: f64 = 0.857;
 /// Half-length of the contact of a plate that a line load presses on a half-plane so soft that nothing matters but how the
 /// plate bends, in units of (D/E*)^(1/3).
 const ON_SOFT_BASE: f64 = 2.804;
+/// The same under a point load in the axisymmetric case: radii.
+const ROUND: [f64; 2] = [1.093, 3.70];
 /// What lies between is the sum of both in this power, to 1.5 per cent for a strip on a half-plane of any stiffness.
 const BETWEEN: f64 = 3.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
@@ -19,7 +22,8 @@ pub(crate) const TYPICAL: f64 = 1.2;
 /// The force P' at which the contact under a punch, the uppermost one, is expected to have a half-length (in units of L), for
 /// an indentation by P' = 1.
 pub(crate) fn force(kernel: &Kernel, profile: &Profile, half_length: f64) -> f64 {
-    profile.first_row(half_length) * half_length / kernel.compliances(TYPICAL / half_length)[0]
+    let twin = Twin::of(kernel.geometry());
+    twin.force_under(profile.first_row(half_length), half_length, kernel.compliances(TYPICAL / half_length)[0])
 }
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
@@ -52,12 +56,16 @@ pub(crate) fn half_lengths(problem: &Problem) -> Result<Vec<f64>, ContactError> 
 /// Half-length of the contact below a laminate (in units of L) that a line load presses.
 pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
     let (thickness, rigidity) = kernel.laminates()[laminate];
-    let mut local = ON_RIGID_BASE * thickness;
+    let [on_rigid_base, on_soft_base] = match Twin::of(kernel.geometry()) {
+        Twin::Plane => [ON_RIGID_BASE, ON_SOFT_BASE],
+        Twin::Round => ROUND,
+    };
+    let mut local = on_rigid_base * thickness;
     for _ in 0..4 {
         let zeta = TYPICAL / local;
         let below = (kernel.compliances(zeta)[laminate + 1] - kernel.equal_pressure_bottom(laminate, zeta)).max(0.0);
-        let soft = ON_SOFT_BASE * (0.5 * rigidity * below).cbrt();
-        local = ((ON_RIGID_BASE * thickness).powf(BETWEEN) + soft.powf(BETWEEN)).powf(BETWEEN.recip());
+        let soft = on_soft_base * (0.5 * rigidity * below).cbrt();
+        local = ((on_rigid_base * thickness).powf(BETWEEN) + soft.powf(BETWEEN)).powf(BETWEEN.recip());
     }
     local
 }

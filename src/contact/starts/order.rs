@@ -9,6 +9,7 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::parts;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::twin::Twin;
 use crate::contact::programme::{self, ActiveIntervals};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::contact::quality::levels::Start;
@@ -107,7 +108,11 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
                 break;
             }
             self.far = penetration;
-            active = programme::active(self.problem, &self.expected, penetration);
+            active = match self.problem.twin() {
+                Twin::Plane => programme::active(self.problem, &self.expected, penetration),
+                // the quadratic programme is that of plane problems
+                Twin::Round => None,
+            };
             let all = active.as_deref().unwrap_or_default();
             let certain = several(self.problem, all, true);
             // intervals of re-contact that a solution leaves out may be short

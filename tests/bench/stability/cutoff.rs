@@ -11,7 +11,7 @@ use recede::{BaseChain, BlockSystem, FreeChain, Scene, Wave};
 
 /// A homogeneous strip of thickness 1 on a half-plane of the same material.
 pub const SCENE: &str = "Scene(
-    plane: Strain,
+    geometry: PlaneStrain,
     punch: Cylinder(radius: 500.0),
     force: 0.002,
     stack: [
@@ -50,7 +50,7 @@ pub fn receding_half_length(lowest: f64, start: [f64; 2]) -> Option<f64> {
     while from < LAST {
         let to = (2.0 * from).min(from + 2.0).min(LAST);
         for (lambda, weight) in quadrature::rule(16).on(from, to) {
-            let wave = Wave { wavenumber: lambda, modulus: 1.0, plane: scene.plane };
+            let wave = Wave { wavenumber: lambda, modulus: 1.0, plane: scene.geometry.plane() };
             let (c, base) = (strip.flexibility(&wave)?, base.flexibility(&wave)?);
             let (top, lower) = (c.top - limit, c.bottom - base + 2.0 * limit);
             samples.push(Sample { lambda, weight, top, coupling: c.coupling, lower });

@@ -1,0 +1,48 @@
+//! Deflections outside an axisymmetric contact.
+use crate::contact::problem::accuracy::PLACES;
+use crate::contact::problem::modes::{alternating, order};
+use crate::contact::problem::twin::Twin;
+use crate::numeric::bessel;
+use crate::numeric::quadrature::rule;
+
+/// Gauss points besides those that the highest mode takes.
+const SPARE: usize = 16;
+
+/// ∫ s(ζ) (J₀(ζa) − J₀(ζx))/ζ for x = a + step, a + 2 step, ... with each of two steps.
+pub(super) fn round_deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; PLACES]; 2] {
+    let count = zeta.len().min(slopes.len());
+    let sum = |x: f64| {
+        let arguments: Vec<f64> = zeta[..count].iter().map(|zeta| zeta * x).collect();
+        let mut zeroth = vec![0.0; count];
+        bessel::table(1, &arguments, &mut zeroth);
+        zeroth.iter().zip(zeta).zip(slopes).map(|((j, zeta), slope)| slope * j / zeta).sum::<f64>()
+    };
+    let here = sum(a);
+    steps.map(|step| std::array::from_fn(|k| here - sum(a + step * (k + 1) as f64)))
+}
+
+/// The same for the short-wave limit of the kernel, times a: (3/2) Σ y_m κ_m ∫ j_j(z) (J₀(z) − J₀(zx/a)) dz/z. With
+/// j_j = (−1)^m ∫ P_j(t) sin zt dt the integral is (−1)^m ∫ P_j(t) (asin t − asin(ta/x)) dt over 0 < t < 1.
+pub(super) fn round_deflection(modes: &[f64], ratio: f64) -> f64 {
+    let points = rule((modes.len() + SPARE).min(crate::numeric::quadrature::LARGEST));
+    let scaled = Twin::Round.scaled(modes);
+    let parts = (2 * modes.len() + SPARE).div_ceil(crate::numeric::quadrature::LARGEST);
+    let width = std::f64::consts::FRAC_PI_2 / parts as f64;
+    let mut sum = 0.0;
+    for part in 0..parts {
+        // t = sin θ
+        for (theta, weight) in points.on(width * part as f64, width * (part + 1) as f64) {
+            let (t, cos) = theta.sin_cos();
+            let angle = weight * cos * (theta - (t / ratio).asin());
+            let (mut even, mut odd, mut series) = (1.0, t, 0.0);
+            for (m, y) in scaled.iter().enumerate() {
+                series += alternating(m) * y * odd;
+                let k = order(m);
+                even = ((2.0 * k + 1.0) * t * odd - k * even) / (k + 1.0);
+                odd = ((2.0 * k + 3.0) * t * even - (k + 1.0) * odd) / (k + 2.0);
+            }
+            sum += angle * series;
+        }
+    }
+    1.5 * sum
+}

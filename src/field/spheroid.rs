@@ -1,0 +1,142 @@
+//! Potentials of a series of pressures on a disc, in oblate spheroidal coordinates: r = a √((1 + ξ²)(1 − η²)), d = aξη.
+//!
+//! The transform of √(1 − ρ²) Σ c_m P_m(1 − 2ρ²) is a Σ C_n j_n(λa)/λ with odd n = 2m + 1, and with q_n(ξ) = i^(n+1) Q_n(iξ)
+//!
+//! ∫ j_n(λa) J₀(λr) e^(−λd) dλ = P_n(η) q_n(ξ)/a,  ∫ j_n(λa) J₁(λr) e^(−λd) dλ = −r P_n'(η) q_n'(ξ)/(n(n + 1)a²).
+//!
+//! Powers of λ are derivatives with respect to the depth and to r; j_n(z)/z = (j_(n−1) + j_(n+1))/(2n + 1) is one power less. The time is
+//! that of a recurrence over the orders. Source: Hobson 1931, chapters V and X.
+use num_complex::Complex64;
+
+use super::potentials::Potentials;
+use super::sources::{DiscPotentials, sources};
+
+/// Orders whose functions q_n are smaller than e^(−SMALL) are left out, but for the lowest two.
+const SMALL: f64 = 42.0;
+/// The recurrence for q_n loses e^LOST in upward order at most; where it would lose more it is run downwards.
+const LOST: f64 = 6.0;
+/// It is run downwards from so many orders above that what is left of the other solution is e^(−2·START).
+const START: f64 = 19.0;
+
+/// A place, in the coordinates of a disc.
+struct Spheroidal {
+    xi: f64,
+    eta: f64,
+    /// 1 − η².
+    beyond: f64,
+    /// r/a.
+    rho: f64,
+}
+
+impl Spheroidal {
+    fn new(rho: f64, depth: f64) -> Self {
+        // ξ² − η² and ξ² + η²
+        let difference = (rho - 1.0) * (rho + 1.0) + depth * depth;
+        let sum = difference.hypot(2.0 * depth);
+        let larger = (0.5 * (sum + difference.abs())).sqrt();
+        let smaller = if larger > 0.0 { depth / larger } else { 0.0 };
+        let (xi, eta) = if difference > 0.0 { (larger, smaller) } else { (smaller, larger) };
+        Self { xi, eta: eta.min(1.0), beyond: rho * rho / (1.0 + xi * xi), rho }
+    }
+}
+
+/// q_0 to q_n of `orders` n or fewer: the others are negligible.
+fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
+    let falls = xi.asinh();
+    let orders = orders.min((SMALL / falls) as usize).max(2);
+    let zeroth = f64::atan2(1.0, xi);
+    let mut values = vec![0.0; orders + 1];
+    if 2.0 * orders as f64 * falls < LOST {
+        [values[0], values[1]] = [zeroth, 1.0 - xi * zeroth];
+        for n in 1..orders {
+            let k = n as f64;
+            values[n + 1] = (k * values[n - 1] - (2.0 * k + 1.0) * xi * values[n]) / (k + 1.0);
+        }
+        return values;
+    }
+    let (mut above, mut value) = (0.0, 1.0);
+    for n in (0..=orders + (START / falls) as usize + 1).rev() {
+        if let Some(kept) = values.get_mut(n) {
+            *kept = value;
+        }
+        let k = n as f64;
+        (above, value) = (value, ((k + 1.0) * above + (2.0 * k + 1.0) * xi * value) / k);
+    }
+    let scale = zeroth / values[0];
+    values.iter_mut().for_each(|value| *value *= scale);
+    values
+}
+
+/// Sums over the orders of products of P_n(η), q_n(ξ) and their derivatives.
+#[derive(Default)]
+struct Sums {
+    /// Over the odd orders, with C_n: P q, P q', P' q, P' q', n(n + 1) P q, and P' q'/(n(n + 1)).
+    odd: [f64; 6],
+    /// Over the even orders, with (C_(n−1)/(2n − 1) + C_(n+1)/(2n + 3)): P q and, but for n = 0, P' q'/(n(n + 1)).
+    even: [f64; 2],
+}
+
+impl Sums {
+    fn new(place: &Spheroidal, coefficients: &[f64]) -> Self {
+        let Spheroidal { xi, eta, .. } = *place;
+        let q = second_kind(xi, 2 * coefficients.len() + 1);
+        let over = (1.0 + xi * xi).recip();
+        let mut sums = Self::default();
+        let (mut before, mut p) = (0.0, 1.0);
+        let (mut slope_before, mut slope) = (0.0, 0.0);
+        for n in 0..q.len() - 1 {
+            let k = n as f64;
+            let falls = -(k + 1.0) * (xi * q[n] + q[n + 1]) * over;
+            let product = k * (k + 1.0);
+            let of = |m: usize| coefficients.get(m).copied().unwrap_or(0.0);
+            if n % 2 == 1 {
+                let c = of(n / 2);
+                let terms =
+                    [p * q[n], p * falls, slope * q[n], slope * falls, product * p * q[n], slope * falls / product];
+                sums.odd.iter_mut().zip(terms).for_each(|(sum, term)| *sum += c * term);
+            } else {
+                let below = if n > 0 { of(n / 2 - 1) / (2.0 * k - 1.0) } else { 0.0 };
+                let c = below + of(n / 2) / (2.0 * k + 3.0);
+                sums.even[0] += c * p * q[n];
+                if n > 0 {
+                    sums.even[1] += c * slope * falls / product;
+                }
+            }
+            (slope_before, slope) = (slope, slope_before + (2.0 * k + 1.0) * p);
+            (before, p) = (p, ((2.0 * k + 1.0) * eta * p - k * before) / (k + 1.0));
+        }
+        sums
+    }
+}
+
+/// The potentials of a disc of radius a at a distance r from the axis and a depth, with the coefficients C_n of the odd orders n; those with
+/// further powers of λ are 0 on the face.
+pub(super) fn potentials(coefficients: &[f64], a: f64, r: f64, depth: f64) -> DiscPotentials {
+    let place = Spheroidal::new(r / a, depth / a);
+    let Sums { odd, even } = Sums::new(&place, coefficients);
+    let [zeroth, by_xi, by_eta, by_both, product, radial] = odd;
+    let Spheroidal { xi, eta, beyond, rho } = place;
+    // ∫ j_0(λa) J₁(λr) e^(−λd) dλ a
+    let lowest = coefficients.first().map_or(0.0, |first| first / 3.0) * sources(a, r, depth)[3].im;
+    let integral = a * Complex64::new(even[0], lowest - rho * even[1]);
+    let mut potentials = [Complex64::new(zeroth, -rho * radial), Complex64::ZERO, Complex64::ZERO];
+    if depth > 0.0 {
+        // ∂/∂d = (α ∂/∂ξ + β ∂/∂η)/H, ∂/∂r = ρ (ξ ∂/∂ξ − η ∂/∂η)/H
+        let (alpha, beta, over) = (eta * (1.0 + xi * xi), xi * beyond, 1.0 / (a * (xi * xi + eta * eta)));
+        let falls = alpha * by_xi + beta * by_eta;
+        let (of_xi, of_eta) = (
+            eta * product + beyond * by_eta + beta * by_both,
+            (1.0 + xi * xi) * by_xi + alpha * by_both - xi * product,
+        );
+        let (deeper, farther) = (alpha * xi + beta * eta, xi * xi - eta * eta);
+        let double = 2.0 * a * falls * over;
+        potentials[1] = over * Complex64::new(-falls, rho * (eta * by_eta - xi * by_xi));
+        potentials[2] = over
+            * over
+            * Complex64::new(
+                alpha * of_xi + beta * of_eta - double * deeper,
+                rho * (xi * of_xi - eta * of_eta - double * farther),
+            );
+    }
+    DiscPotentials { potentials: Potentials(potentials), integral }
+}

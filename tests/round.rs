@@ -1,0 +1,292 @@
+//! Axisymmetric problems: contacts of the references.
+use recede::selftest::{Check, Ranges, about_axis, scene_of_any_kind};
+use recede::{Geometry, HalfPlane, Homogeneous, Model, Options, Punch, Scene, Solution, Stack};
+
+/// A layer on a half-space, k = (μ₁/(1 − ν₁))/(μ₂/(1 − ν₂)).
+fn layer_on_half_space(k: f64) -> Stack {
+    let stack = Stack::builder(Geometry::Axisymmetric).layer(Homogeneous::new(1.0, 1.0, 0.3).unwrap()).receding();
+    match k {
+        0.0 => stack.rigid().build().unwrap(),
+        k => stack.layer(HalfPlane::new(1.0 / k * 0.8 / 0.7, 0.2).unwrap()).build().unwrap(),
+    }
+}
+
+fn press(stack: Stack, punch: &Punch, force: f64) -> Solution {
+    Model::new(stack).unwrap().press(punch, force).unwrap()
+}
+
+#[track_caller]
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() < tolerance, "{found} {expected}");
+}
+
+#[test]
+fn hertz() {
+    let stack = || Stack::builder(Geometry::Axisymmetric).layer(HalfPlane::new(3.0, 0.3).unwrap()).build().unwrap();
+    let modulus = 2.0 * 3.0 / 0.7;
+    let (radius, force) = (20.0, 0.01);
+    let solution = press(stack(), &Punch::parabola(radius).unwrap(), force);
+    let a = f64::cbrt(0.75 * force * radius / modulus);
+    let contact = &solution.contacts()[0];
+    close(contact.reach(), a, 1e-12);
+    close(contact.central_pressure, 1.5 * force / (std::f64::consts::PI * a * a), 1e-12);
+    close(contact.pressure(0.6 * a), 0.8 * contact.central_pressure, 1e-12);
+    close(contact.resultant, force, 1e-12);
+    // Sneddon's cone: F = E* a² tan/2 ... F = π a² E* slope/2 · (1/2)·2
+    let cone = press(stack(), &Punch::wedge(0.1).unwrap(), force);
+    let a = (2.0 * force / (std::f64::consts::PI * modulus * 0.1)).sqrt();
+    close(cone.contacts()[0].reach(), a, 1e-10);
+    close(cone.contacts()[0].pressure(0.3 * a), 0.5 * modulus * 0.1 * (1.0f64 / 0.3).acosh(), 1e-10);
+    let flat = press(stack(), &Punch::flat(0.5).unwrap(), force);
+    close(flat.contacts()[0].central_pressure, force / (2.0 * std::f64::consts::PI * 0.25), 1e-12);
+    close(flat.contacts()[0].pressure(0.3), force / (2.0 * std::f64::consts::PI * 0.25 * 0.8), 1e-12);
+}
+
+#[test]
+fn a_point_load_on_a_loose_layer() {
+    for (k, radius) in [
+        (0.0, 1.09328978774),
+        (0.25, 1.27434828968),
+        (0.5, 1.44323920761),
+        (1.0, 1.72654043897),
+        (2.0, 2.12507092644),
+        (4.0, 2.63447447412),
+        (10.0, 3.5227551617),
+    ] {
+        let solution = press(layer_on_half_space(k), &Punch::Given(recede::Load::Line), 0.01);
+        close(solution.contacts()[1].reach(), radius, 1e-10);
+    }
+}
+
+#[test]
+fn a_parabola_on_a_loose_layer() {
+    for (k, phi, punch, receding) in [
+        (1.0, 0.01, 0.155427678, 1.732918899),
+        (1.0, 1.0, 0.738832418, 1.868274712),
+        (1.0, 10.0, 1.657946935, 2.390366366),
+        (0.0, 0.1, 0.333579184, 1.136893994),
+        (4.0, 1.0, 0.79107067, 2.73998002),
+    ] {
+        // Φ = R F (1 − ν₁)/(μ₁h³)
+        let solution = press(layer_on_half_space(k), &Punch::parabola(100.0).unwrap(), phi / 70.0);
+        close(solution.contacts()[0].reach(), punch, 1e-8);
+        close(solution.contacts()[1].reach(), receding, 1e-8);
+    }
+}
+
+/// The field of a solution.
+fn field(stack: Stack, punch: &Punch, force: f64) -> recede::Field {
+    let model = Model::new(stack).unwrap();
+    let solution = model.press(punch, force).unwrap();
+    model.field(&solution).unwrap()
+}
+
+fn half_space() -> Stack {
+    Stack::builder(Geometry::Axisymmetric).layer(HalfPlane::new(3.0, 0.3).unwrap()).build().unwrap()
+}
+
+#[test]
+fn stresses_on_the_axis_of_a_half_space() {
+    let (shear, poisson, pi) = (3.0, 0.3, std::f64::consts::PI);
+    // Boussinesq
+    let point = field(half_space(), &Punch::Given(recede::Load::Line), 2.0);
+    for (r, z) in [(0.0, 0.7), (0.5, 0.4), (2.0, 0.1)] {
+        let found = point.at(r, z).unwrap();
+        let distance = f64::hypot(r, z);
+        close(found.sigma_yy, -3.0 * 2.0 / (2.0 * pi) * z.powi(3) / distance.powi(5), 1e-11);
+        close(
+            found.v,
+            -2.0 / (4.0 * pi * shear) * (2.0 * (1.0 - poisson) / distance + z * z / distance.powi(3)),
+            1e-11,
+        );
+        if r > 0.0 {
+            let inside = r * z / distance.powi(3) - (1.0 - 2.0 * poisson) * r / (distance * (distance + z));
+            close(found.u, 2.0 / (4.0 * pi * shear) * inside, 1e-10);
+            let hoop =
+                (1.0 - 2.0 * poisson) * 2.0 / (2.0 * pi) * (z / distance.powi(3) - 1.0 / (distance * (distance + z)));
+            close(found.sigma_zz, hoop, 1e-9);
+            let radial = 2.0 / (2.0 * pi)
+                * ((1.0 - 2.0 * poisson) / (distance * (distance + z)) - 3.0 * r * r * z / distance.powi(5));
+            close(found.sigma_xx, radial, 1e-9);
+        }
+    }
+    // a uniform disc: u_z(0) = 2 (1 − ν²) q a/E, and on the axis
+    let (q, a) = (0.4, 0.8);
+    let disc = field(half_space(), &Punch::Given(recede::Load::uniform(a).unwrap()), q * pi * a * a);
+    close(-disc.at(0.0, 0.0).unwrap().v, (1.0 - poisson) * q * a / shear, 1e-12);
+    for z in [0.1, 0.8, 3.0] {
+        let found = disc.at(0.0, z).unwrap();
+        let cos = z / f64::hypot(z, a);
+        close(found.sigma_yy, -q * (1.0 - cos.powi(3)), 1e-11);
+        let radial = -0.5 * q * (1.0 + 2.0 * poisson - 2.0 * (1.0 + poisson) * cos + cos.powi(3));
+        assert!((found.sigma_xx - radial).abs() < 1e-11 * q && (found.sigma_zz - radial).abs() < 1e-11 * q);
+    }
+    // Hertz
+    let sphere = field(half_space(), &Punch::parabola(20.0).unwrap(), 0.01);
+    let a = f64::cbrt(0.75 * 0.01 * 20.0 * 0.7 / 6.0);
+    let peak = 1.5 * 0.01 / (pi * a * a);
+    for z in [0.2, 0.48, 2.0] {
+        let found = sphere.at(0.0, z * a).unwrap();
+        let across = -peak / (1.0 + z * z);
+        close(found.sigma_yy, across, 1e-11);
+        let radial = -peak * ((1.0 + poisson) * (1.0 - z * (1.0 / z).atan()) - 0.5 / (1.0 + z * z));
+        close(found.sigma_xx, radial, 1e-10);
+    }
+}
+
+#[test]
+fn faces_carry_the_pressures() {
+    let model = Model::new(layer_on_half_space(1.0)).unwrap();
+    let solution = model.press(&Punch::parabola(100.0).unwrap(), 1.0 / 70.0).unwrap();
+    let field = model.field(&solution).unwrap();
+    let contacts = solution.contacts();
+    for r in [0.0, 0.3, 0.7, 1.0, 1.8, 2.5] {
+        let top = field.at(r, 0.0).unwrap();
+        let [above, below] = [1, 2].map(|layer| field.at_layer(r, 1.0, layer).unwrap());
+        for (point, contact) in [(top, 0), (above, 1), (below, 1)] {
+            let error = (point.sigma_yy + contacts[contact].pressure(r)).abs();
+            assert!(error < 1e-8 * contacts[0].central_pressure && point.sigma_xy.abs() < 1e-9, "{r} {point:?}");
+        }
+        // the faces touch inside the contact
+        let gap = below.v - above.v;
+        assert!(if r < 1.868 { gap.abs() < 1e-10 } else { gap < -1e-5 }, "{r}: {gap}");
+    }
+}
+
+#[test]
+fn pavements() {
+    let load = |radius: f64| Punch::Given(recede::Load::uniform(radius).unwrap());
+    let layer = |h: f64, young: f64, nu: f64| {
+        let constants = recede::Isotropic::from_young(young, nu).unwrap();
+        Homogeneous::new(h, constants.shear_modulus, nu).unwrap()
+    };
+    let ground = |young: f64, nu: f64| HalfPlane::new(young / (2.0 * (1.0 + nu)), nu).unwrap();
+    let stack = || Stack::builder(Geometry::Axisymmetric);
+    let first = stack().layer(layer(150.0, 3000.0, 0.3)).bonded().layer(layer(600.0, 200.0, 0.35)).bonded();
+    let pi = std::f64::consts::PI;
+    let field_a = field(first.layer(ground(40.0, 0.4)).build().unwrap(), &load(150.0), 1.1 * pi * 150.0 * 150.0);
+    close(-field_a.at_layer(0.0, 150.0, 1).unwrap().v, 1.023516022, 1e-8);
+    close(field_a.at_layer(0.0, 150.0, 1).unwrap().sigma_xx, 1.676090355, 1e-8);
+    close(field_a.at_layer(0.0, 150.0, 1).unwrap().sigma_yy, -0.275342805, 1e-8);
+    close(-field_a.at(0.0, 500.0).unwrap().v, 0.7726923071, 1e-8);
+    close(field_a.at(0.0, 500.0).unwrap().sigma_xx, 0.02326810783, 1e-7);
+    close(-field_a.at(0.0, 1000.0).unwrap().v, 0.5777983464, 1e-8);
+    close(field_a.at(0.0, 1000.0).unwrap().sigma_xx, 0.0004716630297, 1e-6);
+    // strains across the layers
+    let strain = |point: recede::FieldPoint, young: f64, nu: f64| {
+        (point.sigma_yy - nu * (point.sigma_xx + point.sigma_zz)) / young
+    };
+    let force = 0.7 * pi * 150.8 * 150.8;
+    for (sliding, top, base) in [(false, -2.516907015e-4, -1.8513004e-4), (true, -5.820430373e-7, -2.164667925e-4)] {
+        let top_layer = stack().layer(layer(260.0, 5000.0, 0.35));
+        let joined = if sliding { top_layer.sliding() } else { top_layer.bonded() };
+        let stack = joined.layer(layer(500.0, 200.0, 0.4)).bonded().layer(ground(50.0, 0.45)).build().unwrap();
+        let field = field(stack, &load(150.8), force);
+        close(strain(field.at_layer(0.0, 260.0, 2).unwrap(), 200.0, 0.4), top, 1e-7);
+        close(strain(field.at_layer(0.0, 760.0, 3).unwrap(), 50.0, 0.45), base, 1e-7);
+    }
+}
+
+fn layer_on_rigid(poisson: f64, sliding: bool) -> Stack {
+    let stack = Stack::builder(Geometry::Axisymmetric).layer(Homogeneous::new(1.0, 1.0, poisson).unwrap());
+    if sliding { stack.sliding().rigid().build().unwrap() } else { stack.bonded().rigid().build().unwrap() }
+}
+
+#[test]
+fn stiffness_of_layers_under_flat_punches() {
+    // F (1 − ν²)/(2 a E δ)
+    for (poisson, sliding, values) in [
+        (0.5, false, [(0.2, 1.280637), (1.0, 3.618736), (4.0, 31.52501), (8.0, 146.320434)]),
+        (0.3, false, [(0.2, 1.206558), (1.0, 2.483525), (4.0, 8.178894), (8.0, 15.868369)]),
+        (0.3, true, [(0.2, 1.171028), (1.0, 2.198621), (4.0, 6.853184), (8.0, 13.129309)]),
+    ] {
+        let model = Model::new(layer_on_rigid(poisson, sliding)).unwrap();
+        for (a, expected) in values {
+            let punch = Punch::flat(a).unwrap();
+            let approach = model.approach(&punch, &model.press(&punch, 0.01).unwrap()).unwrap();
+            let factor = (1.0 - poisson * poisson) / (2.0 * a * 2.0 * (1.0 + poisson));
+            close(0.01 * factor / approach.value, expected, 1e-6);
+            close(approach.stiffness.value().unwrap() * factor, expected, 1e-6);
+        }
+    }
+}
+
+#[test]
+fn approach_of_parabolas_on_layers() {
+    // δ R/h² and F R (1 − ν²)/(E h³)
+    for (poisson, sliding, a, depth, load) in [
+        (0.5, true, 1.0, 0.673980645, 1.5781227473),
+        (0.5, true, 2.0, 2.3609221704, 17.8389560521),
+        (0.5, false, 1.0, 0.5594154856, 1.8806668992),
+        (0.5, false, 2.0, 1.8196112862, 27.7132898586),
+    ] {
+        let (model, punch) = (Model::new(layer_on_rigid(poisson, sliding)).unwrap(), Punch::parabola(100.0).unwrap());
+        let force = load * 2.0 * (1.0 + poisson) / (1.0 - poisson * poisson) / 100.0;
+        let solution = model.press(&punch, force).unwrap();
+        close(solution.contacts()[0].reach(), a, 1e-9);
+        close(model.approach(&punch, &solution).unwrap().value * 100.0, depth, 1e-9);
+        let by_radius = model.press(&punch, recede::Force::ForHalfLength(a)).unwrap();
+        close(by_radius.force(), force, 1e-8);
+        let by_depth = model.press(&punch, recede::Force::ForDepth(depth / 100.0)).unwrap();
+        close(by_depth.force(), force, 1e-8);
+    }
+}
+
+#[test]
+fn approach_over_a_half_space() {
+    // Hertz: δ = a²/R, dF/dδ = 2 a E*
+    let (model, punch) = (Model::new(half_space()).unwrap(), Punch::parabola(20.0).unwrap());
+    let solution = model.press(&punch, 0.01).unwrap();
+    let a = solution.contacts()[0].reach();
+    let approach = model.approach(&punch, &solution).unwrap();
+    close(approach.value, a * a / 20.0, 1e-11);
+    close(approach.stiffness.value().unwrap(), 2.0 * a * 6.0 / 0.7, 1e-10);
+    // of two equal spheres, one of them on the half-space of the other
+    let punch = Punch::elastic_cylinder(2e5, 3.0, 0.3).unwrap();
+    let solution = model.press(&punch, 0.01).unwrap();
+    let a = solution.contacts()[0].reach();
+    close(a, f64::cbrt(0.75 * 0.01 * 2e5 / (3.0 / 0.7)), 1e-9);
+    let approach = model.approach(&punch, &solution).unwrap();
+    close(approach.value, a * a / 2e5, 1e-8);
+    close(approach.stiffness.value().unwrap(), 2.0 * a * 3.0 / 0.7, 1e-8);
+}
+
+#[test]
+fn derivatives_of_forces_are_stiffnesses() {
+    let (model, punch) = (Model::new(layer_on_half_space(1.0)).unwrap(), Punch::cylinder(100.0).unwrap());
+    let of = |force: f64| model.approach(&punch, &model.press(&punch, force).unwrap()).unwrap();
+    let (force, step) = (0.02, 1e-5);
+    let difference = 2.0 * step / (of(force + step).value - of(force - step).value);
+    close(of(force).stiffness.value().unwrap(), difference, 1e-6);
+}
+
+/// Random plane scenes with the axisymmetric geometry, where that is legal: solved, reported, and their fields checked, or refused for a reason.
+#[test]
+fn random_twins_do_all_that_a_command_does() {
+    let (mut solved, scenes) = (0, 40);
+    for number in 0..scenes {
+        let scene = about_axis(scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap());
+        let outcome = Check::run(&scene, &Options::default(), number % 16 == 0).outcome;
+        assert!(!outcome.is_wrong(), "{number}: {}\n{}", outcome.reason(), scene.to_ron());
+        solved += u64::from(outcome.solution().is_some());
+    }
+    assert!(10 * solved >= 9 * scenes, "{solved} of {scenes}");
+}
+
+#[test]
+fn scenes_are_read_and_written() {
+    let entries = std::fs::read_dir("examples/axisymmetric").unwrap();
+    let mut scenes = 0;
+    for path in entries.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "ron")) {
+        let scene = Scene::read(&path).unwrap();
+        assert_eq!(scene.geometry, Geometry::Axisymmetric);
+        let again = Scene::from_ron(&scene.to_ron()).unwrap();
+        assert_eq!((again.punch.clone(), again.force), (scene.punch.clone(), scene.force), "{}", path.display());
+        let outcome = Check::run(&scene, &Options::default(), true).outcome;
+        assert!(outcome.solution().is_some(), "{}: {}", path.display(), outcome.reason());
+        let json = Scene::from_json(&scene.to_json()).unwrap();
+        assert_eq!(json.punch, scene.punch);
+        scenes += 1;
+    }
+    assert!(scenes >= 2);
+}
