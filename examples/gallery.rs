@@ -14,7 +14,7 @@ pub use case::{Case, Found};
 use recede::plot;
 
 /// The scenes in the order of the page.
-pub const SCENES: [&str; 10] = [
+pub const SCENES: [&str; 13] = [
     "rubber_covered_roller",
     "elastic_roller",
     "sheets_on_felt",
@@ -25,6 +25,9 @@ pub const SCENES: [&str; 10] = [
     "cfrp_plies",
     "hard_coating",
     "graded_coating",
+    "afm_on_gel",
+    "ball_on_coating",
+    "wheel_on_slab",
 ];
 
 /// Writes the page and its pictures.

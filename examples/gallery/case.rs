@@ -11,7 +11,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use recede::{Contact, Field, FieldQuantity, Item, Model, Scene, Solution};
+use recede::{Contact, Field, FieldQuantity, Geometry, Item, Model, Scene, Solution};
 
 /// What the path of an interface begins with.
 const INTERFACE: &str = "interface ";
@@ -72,7 +72,7 @@ impl Case {
             if let Some(what) = line.strip_prefix("Compare: ") {
                 compare.push(what.split("; ").map(Change::parse).collect::<Outcome<_>>()?);
             } else if let Some(what) = line.strip_prefix("At: ") {
-                spots.push(Spot::parse(what)?);
+                spots.push(what.to_owned());
             } else if line.is_empty() {
                 paragraphs.push(String::new());
             } else if let Some(paragraph) = paragraphs.last_mut() {
@@ -81,7 +81,9 @@ impl Case {
             }
         }
         paragraphs.retain(|paragraph| !paragraph.is_empty());
-        Ok(Self { file: file.to_owned(), scene: Scene::read(file)?, paragraphs, compare, spots })
+        let scene = Scene::read(file)?;
+        let spots = spots.iter().map(|what| Spot::parse(what, scene.geometry)).collect::<Outcome<_>>()?;
+        Ok(Self { file: file.to_owned(), scene, paragraphs, compare, spots })
     }
 
     /// The name of the file without its ending.
@@ -108,13 +110,18 @@ impl Case {
         let solution = model.press(&scene.punch, scene.force)?;
         let field = model.field(&solution)?;
         let units = scene.units.as_ref().ok_or("a scene of the gallery has units")?;
-        let (length, line_load, stress) = (&units.length, units.line_load(), units.stress());
+        let (length, stress) = (&units.length, units.stress());
+        // about an axis the force is a whole one, and the stiffness one per length
+        let (force, stiffness) = match scene.geometry.is_axisymmetric() {
+            true => (units.force.clone(), units.line_load()),
+            false => (units.line_load(), stress.clone()),
+        };
         // a maximum in the middle is found there up to a small part of the contact
         let middle = 1e-3 * solution.contacts()[0].reach();
         let largest = |number: f64, x: f64| Value { number, at: if x.abs() > middle { x } else { 0.0 } };
         let mut numbers = Vec::new();
         if scene.force.given().is_none() {
-            numbers.push((format!("force, {line_load}"), Value::of(solution.force())));
+            numbers.push((format!("force, {force}"), Value::of(solution.force())));
         }
         for contact in solution.contacts().iter().skip(usize::from(scene.punch.load().is_some())) {
             let peak = contact.peak();
@@ -127,13 +134,13 @@ impl Case {
         numbers.push((format!("its depth, {length}"), Value::of(shear.depth)));
         for spot in &self.spots {
             if let Some(value) = spot.value(&field)? {
-                numbers.push((format!("{}, {stress}", spot.name()), Value::of(value)));
+                numbers.push((format!("{}, {stress}", spot.name(scene.geometry)), Value::of(value)));
             }
         }
         if let Ok(approach) = model.approach(&scene.punch, &solution) {
             numbers.push((format!("approach, {length}"), Value::of(approach.value)));
-            let stiffness = approach.stiffness.value().map(Value::of);
-            numbers.extend(stiffness.map(|stiffness| (format!("stiffness, {stress}"), stiffness)));
+            let value = approach.stiffness.value().map(Value::of);
+            numbers.extend(value.map(|value| (format!("stiffness, {stiffness}"), value)));
         }
         Ok(Found { label, solution, numbers })
     }
@@ -174,17 +181,18 @@ impl Value {
 }
 
 impl Spot {
-    fn parse(text: &str) -> Outcome<Self> {
+    fn parse(text: &str, geometry: Geometry) -> Outcome<Self> {
         let wrong = || format!("At: X, top|bottom of LAYER, QUANTITY, not {text}");
         let [x, face, quantity] = text.split(", ").collect::<Vec<_>>()[..] else { Err(wrong())? };
         let (side, layer) = face.split_once(" of ").ok_or_else(wrong)?;
-        let quantity = FieldQuantity::ALL.into_iter().find(|one| one.name() == quantity).ok_or_else(wrong)?;
+        let quantity =
+            FieldQuantity::ALL.into_iter().find(|one| one.name_in(geometry) == quantity).ok_or_else(wrong)?;
         Ok(Self { x: x.parse()?, bottom: side == "bottom", layer: layer.parse()?, quantity })
     }
 
-    fn name(&self) -> String {
+    fn name(&self, geometry: Geometry) -> String {
         let face = if self.bottom { "bottom" } else { "top" };
-        format!("`{}` at x = {}, {face} of layer {}", self.quantity.name(), self.x, self.layer)
+        format!("`{}` at x = {}, {face} of layer {}", self.quantity.name_in(geometry), self.x, self.layer)
     }
 
     /// `None` if the layer is not there.

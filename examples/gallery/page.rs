@@ -8,8 +8,9 @@ Real cases with their units, each a scene in `examples/gallery` that can be solv
 This page is made of these scenes by `cargo run --release --example gallery`: texts are their first comments, pictures those of `recede plot`, and numbers what is
 computed. `tests/gallery.rs` does it again and compares.
 
-Values of materials are typical ones, rounded, not those of a product; where a standard gives one, it is named. Everything is plane strain, linear and without
-friction: what each case leaves out is said under *Idealised*. The *width* of a contact is from its left end to its right end, twice the half-length. Forces are per unit length out of the plane, and so are stiffnesses. [troubleshooting.md](troubleshooting.md) explains the
+Values of materials are typical ones, rounded, not those of a product; where a standard gives one, it is named. Everything is linear and without
+friction: what each case leaves out is said under *Idealised*. The last three cases are axisymmetric, the others plane strain: there forces are per unit length out of the plane, and so are
+stiffnesses. The *width* of a contact is from its left end to its right end, twice the half-length, or the diameter. [troubleshooting.md](troubleshooting.md) explains the
 codes of warnings.
 ";
 /// Paragraphs that begin with one of these words and a colon have it in bold type.

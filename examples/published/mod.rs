@@ -1,4 +1,5 @@
 //! Published numbers next to those computed here, and what is to be said of the difference.
+mod axisymmetric;
 pub mod sources;
 
 /// Parts of the last printed digit by which the number computed here may be wrong, for a verdict to be certain.

@@ -4,6 +4,7 @@ use recede::{
 };
 
 use super::super::paper::{self, Row};
+use super::axisymmetric::{dimitriadis, hayes};
 use super::{Number, Table};
 
 /// The search for the largest shear stress ends where parabolas through the values no longer move it.
@@ -25,6 +26,8 @@ pub fn tables() -> Result<Vec<Table>, Error> {
         roark()?,
         nafems()?,
         das()?,
+        hayes()?,
+        dimitriadis()?,
     ])
 }
 

@@ -272,7 +272,8 @@ impl FieldQuantity {
     /// Its value in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
     pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
         match (geometry, self) {
-            (Geometry::Axisymmetric, Self::SigmaXy | Self::V) => -self.of(point),
+            // not −0
+            (Geometry::Axisymmetric, Self::SigmaXy | Self::V) => 0.0 - self.of(point),
             _ => self.of(point),
         }
     }
