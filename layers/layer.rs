@@ -148,6 +148,13 @@ pub trait Layer: Debug + Send + Sync + Any {
         let _ = below;
         None
     }
+
+    /// Whether the material is the same in all directions along the layer, as it has to be about the axis of an axisymmetric problem. The
+    /// default holds for isotropic materials: the coefficients of others do not tell.
+    fn is_same_all_around(&self) -> bool {
+        let thickness = self.thickness().unwrap_or(0.0);
+        [0.0, 0.5, 1.0].into_iter().all(|part| self.material(part * thickness, Plane::Strain).is_isotropic())
+    }
 }
 
 /// Fields of a layer in closed form, in place of the general body.

@@ -42,7 +42,17 @@ pub struct Material {
     pub out_of_plane: Option<[f64; 2]>,
 }
 
+/// Coefficients that differ by less, in parts of their size, are the same.
+const SAME: f64 = 1e-9;
+
 impl Material {
+    /// Whether it is that of an isotropic material in plane strain: the four coefficients follow from two of them.
+    pub fn is_isotropic(&self) -> bool {
+        let [stiffness, compliance] = [2.0 * (1.0 + self.coupling), 0.5 * (1.0 - self.coupling)];
+        (self.axial_stiffness * self.shear_compliance - stiffness).abs() <= SAME * stiffness
+            && (self.normal_compliance / self.shear_compliance - compliance).abs() <= SAME
+    }
+
     /// How fast the slowest field decays with λ·depth, dimensionless: the smaller real part of the roots of
     /// s⁴ − (em − 2c) s² + c² + ed = 0, in which the coefficients are those of this material in the order m, d, c, e. 1 for
     /// any isotropic material, less for one that is stiff along the layers.

@@ -73,6 +73,9 @@ pub struct EngineeringConstants {
     shear_modulus: Positive,
 }
 
+/// Moduli that differ by less, in parts of their size, are the same.
+const SAME: f64 = 1e-9;
+
 impl EngineeringConstants {
     /// Young's moduli E_x, E_y, E_z > 0 (stress), Poisson's ratios ν_xy, ν_xz, ν_yz and the shear modulus G_xy > 0
     /// (stress).
@@ -114,6 +117,12 @@ impl EngineeringConstants {
     fn numbers(&self) -> ([f64; 3], [f64; 3]) {
         let Self { young, poisson, .. } = self;
         ([young.x, young.y, young.z].map(Positive::get), [poisson.xy, poisson.xz, poisson.yz].map(Finite::get))
+    }
+
+    /// Whether x and z cannot be told apart: E_x = E_z and ν_xy/E_x = ν_zy/E_z.
+    fn is_same_all_around(&self) -> bool {
+        let ([ex, ey, ez], [xy, _, yz]) = self.numbers();
+        (ex - ez).abs() <= SAME * ex && (xy * ey - yz * ex).abs() <= SAME * ex
     }
 
     /// Any deformation takes work, or at least, like that of an incompressible material, gives none back.
@@ -201,6 +210,11 @@ impl Layer for Orthotropic {
         EngineeringConstants { young, poisson, shear_modulus }.material(plane)
     }
 
+    fn is_same_all_around(&self) -> bool {
+        let Self { young, poisson, shear_modulus, .. } = *self;
+        EngineeringConstants { young, poisson, shear_modulus }.is_same_all_around()
+    }
+
     fn key(&self) -> Option<Key> {
         Some(Key::of::<Self>().with_debug(self))
     }
@@ -276,6 +290,11 @@ impl Layer for OrthotropicHalfPlane {
 
     fn closed_form(&self) -> Option<&dyn ClosedForm> {
         Some(self)
+    }
+
+    fn is_same_all_around(&self) -> bool {
+        let Self { young, poisson, shear_modulus, .. } = *self;
+        EngineeringConstants { young, poisson, shear_modulus }.is_same_all_around()
     }
 
     fn key(&self) -> Option<Key> {

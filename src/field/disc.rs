@@ -62,7 +62,7 @@ impl StripPressure {
         arguments.iter().enumerate().map(of).collect()
     }
 
-    /// The potentials at a distance r ≥ 0 from the axis and a depth; those with n > 0 are not asked for on the face.
+    /// The potentials at a distance r from the axis and a depth, those of J₁ odd in r; those with n > 0 are not asked for on the face.
     pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> DiscPotentials {
         if self.form == Form::Line {
             return point(self.resultant(), r, depth);
@@ -70,7 +70,7 @@ impl StripPressure {
         let a = self.half_length;
         let mut sums = [Complex64::ZERO; 4];
         if self.form != Form::Series || self.tip != 0.0 {
-            for (s, weight) in places(r / a, depth / a) {
+            for (s, weight) in places(r.abs() / a, depth / a) {
                 let weight = a * weight * self.source(s);
                 sums.iter_mut().zip(sources(a * s, r, depth)).for_each(|(sum, value)| *sum += weight * value);
             }
@@ -117,7 +117,7 @@ impl StripPressure {
 
     /// The pressure on the face; the mean of both sides where it ends.
     fn on_face(&self, r: f64) -> f64 {
-        let s = r / self.half_length;
+        let s = r.abs() / self.half_length;
         let mean = self.resultant() / (self.half_length * self.half_length);
         if s > 1.0 {
             return 0.0;

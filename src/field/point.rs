@@ -241,12 +241,16 @@ fn strains(material: &Material, r: f64, [along, across, _, u, ..]: &Components) 
     [both - hoop, hoop, material.normal_compliance * across - material.coupling * both]
 }
 
-/// The radial stress and that about the axis: in an isotropic material they are less than the first component by 2μ ε_θθ and 2μ ε_rr.
+/// The radial stress and that about the axis: they are less than the first component by 2Gε_θθ and 2Gε_rr, G being the modulus of shear along
+/// the layers; with ν along the layers 2G is the modulus of a stretched plate times 1 − ν.
 fn around(material: &Material, along: f64, [radial, hoop, _]: [f64; 3]) -> [f64; 2] {
     if along.is_infinite() {
         return [along; 2];
     }
-    let shear = 2.0 / material.shear_compliance;
+    let shear = match material.out_of_plane {
+        Some([poisson, _]) => material.axial_stiffness * (1.0 - poisson),
+        None => 2.0 / material.shear_compliance,
+    };
     [along - shear * hoop, along - shear * radial]
 }
 

@@ -74,9 +74,11 @@ pub enum StackProblem {
         /// The base.
         base: String,
     },
-    /// A layer in an axisymmetric problem that is stiffer in one direction than in another.
-    #[error("{layer} is not isotropic, and cannot be part of an axisymmetric stack")]
-    NotIsotropic {
+    /// A layer in an axisymmetric problem that is stiffer along x than along z, or as much as stiff against shear that its roots are complex.
+    #[error(
+        "{layer} is not the same in all directions about the axis, or has complex roots, and cannot be part of an axisymmetric stack"
+    )]
+    NotAxisymmetric {
         /// The layer.
         layer: String,
     },
@@ -146,7 +148,9 @@ pub enum StackProblem {
 impl StackProblem {
     fn hint(&self) -> Option<&'static str> {
         Some(match self {
-            Self::NotIsotropic { .. } => "take an isotropic layer, or a plane problem: `geometry: PlaneStrain`",
+            Self::NotAxisymmetric { .. } => {
+                "take an isotropic layer, or one with young.x = young.z, poisson.xy/young.x = poisson.yz/young.y and a low shear modulus; or a plane problem: `geometry: PlaneStrain`"
+            }
             Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
             Self::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
             Self::TwoInterfaces { .. } => "remove one of them, or write the layer between them",
