@@ -79,6 +79,10 @@ impl Layer for Remembering {
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
         self.layer.continues(Self::without_memory(below)).map(Self::of)
     }
+
+    fn is_same_all_around(&self) -> bool {
+        self.layer.is_same_all_around()
+    }
 }
 
 impl ClosedForm for Remembering {
