@@ -303,7 +303,7 @@ fn random_twins_do_all_that_a_command_does() {
         assert!(!outcome.is_wrong(), "{number}: {}\n{}", outcome.reason(), scene.to_ron());
         solved += u64::from(outcome.solution().is_some());
     }
-    assert!(10 * solved >= 9 * scenes, "{solved} of {scenes}");
+    assert!(10 * solved >= 8 * scenes, "{solved} of {scenes}");
 }
 
 #[test]

@@ -44,7 +44,7 @@ pub fn hayes() -> Result<Table, Error> {
         }
     }
     Ok(Table {
-        title: "A flat punch on cartilage: Hayes et al. 1972",
+        title: "A flat punch on cartilage: Hayes, Keer, Herrmann and Mockros 1972",
         about: "\
 The factor κ of the stiffness of a layer bonded to a rigid base under a flat-ended cylinder of radius a, F = 2aκ E δ/(1 − ν²), as tables in circulation among those who
 indent cartilage and muscle have it. The wider the punch, the more they are
@@ -69,7 +69,7 @@ pub fn dimitriadis() -> Result<Table, Error> {
         numbers.push(Number::new(format!("χ = {chi}"), "F/F∞", &format!("{published:.4}"), computed));
     }
     Ok(Table {
-        title: "A sphere on a soft layer: Dimitriadis et al. 2002",
+        title: "A sphere on a soft layer: Dimitriadis, Horkay, Maresca, Kachar and Chadwick 2002",
         about: "\
 The formula by which forces in atomic force microscopy are corrected for the stiff support of a thin sample: the force on an incompressible layer bonded to it, in relation to
 Hertz's F∞ = 16/9 E √R δ^(3/2), is 1 + 1.133χ + 1.283χ² + 0.769χ³ + 0.0975χ⁴ with χ = √(Rδ)/h; evaluated here. It is the beginning of a series in the contact radius over

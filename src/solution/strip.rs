@@ -146,23 +146,34 @@ impl Strip {
 
 /// √(1 − s²) Σ c_m P_m(1 − 2s²) with Jacobi polynomials P_m^(0, 1/2), which are 1 at s = 0.
 pub(crate) fn jacobi_sum(coefficients: &[f64], s: f64) -> f64 {
+    let [sum] = jacobi_sums(coefficients, [s]);
+    sum
+}
+
+/// The same at several places.
+#[inline(always)]
+pub(crate) fn jacobi_sums<const N: usize>(coefficients: &[f64], places: [f64; N]) -> [f64; N] {
     const BETA: f64 = 0.5;
-    let x = 1.0 - 2.0 * s * s;
-    let (mut before, mut here, mut sum) = (0.0, 1.0, 0.0);
+    let x = places.map(|s| 1.0 - 2.0 * s * s);
+    let [mut before, mut here, mut sum] = [[0.0; N], [1.0; N], [0.0; N]];
     for (m, c) in coefficients.iter().enumerate() {
-        sum += c * here;
         let (n, double) = (m as f64, 2.0 * m as f64 + BETA);
-        let next = if m == 0 {
+        // P_(m+1) = (along x + shift) P_m − across P_(m−1)
+        let [along, shift, across] = if m == 0 {
             // P_1 = (α + 1) + (α + β + 2) (x − 1)/2
-            1.0 + 0.5 * (BETA + 2.0) * (x - 1.0)
+            [0.5 * (BETA + 2.0), -0.5 * BETA, 0.0]
         } else {
-            let along = (double + 1.0) * ((double + 2.0) * double * x - BETA * BETA) * here;
-            let across = 2.0 * n * (n + BETA) * (double + 2.0) * before;
-            (along - across) / (2.0 * (n + 1.0) * (n + 1.0 + BETA) * double)
+            let over = (2.0 * (n + 1.0) * (n + 1.0 + BETA) * double).recip();
+            let along = over * (double + 1.0) * (double + 2.0) * double;
+            [along, -over * (double + 1.0) * BETA * BETA, over * 2.0 * n * (n + BETA) * (double + 2.0)]
         };
-        (before, here) = (here, next);
+        for i in 0..N {
+            sum[i] += c * here[i];
+            let next = (along * x[i] + shift) * here[i] - across * before[i];
+            (before[i], here[i]) = (here[i], next);
+        }
     }
-    ((1.0 - s) * (1.0 + s)).max(0.0).sqrt() * sum
+    std::array::from_fn(|i| ((1.0 - places[i]) * (1.0 + places[i])).max(0.0).sqrt() * sum[i])
 }
 
 /// Σ c_m sin((2m + first) φ).

@@ -5,11 +5,18 @@
 use crate::contact::problem::modes::order;
 use crate::contact::problem::profile::{Profile, Slopes, covered, wallis};
 use crate::numeric::quadrature::rule;
+use crate::numeric::vector::{LANES, vectorised};
 use crate::scene::{Piece, Shape};
 
 /// Most oscillations of a test function, as a phase, that one Gauss rule is asked to integrate, and points besides those that these take.
 const PHASE: f64 = 100.0;
 const SPARE: f64 = 18.0;
+
+/// The factors of s and of the last but one by which −P_2, P_4, ... and then −P_3, P_5, ... follow from each other, with k = 2m + 1.
+fn steps(m: usize) -> [f64; 4] {
+    let k = order(m);
+    [-(2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0), (2.0 * k + 3.0) / (k + 2.0), (k + 1.0) / (k + 2.0)]
+}
 
 impl Profile<'_> {
     /// (−1)^m ∫ A'(as) P_k(s) ds/P' over −1 < s < 1 for k = 2m + 1, with derivatives with respect to ln a.
@@ -22,20 +29,32 @@ impl Profile<'_> {
             return;
         }
         let rows = slopes.value.len();
-        for (s, weight) in self.round_places(half_length, 2.0 * rows as f64) {
-            let (value, slope) = self.abel(half_length * s);
-            let (value, slope) = (2.0 * weight * value, 2.0 * weight * slope);
-            // P_1, −P_3, P_5, ... from two steps of the recurrence each
-            let (mut even, mut odd, mut sign) = (1.0, s, 1.0);
-            for (m, (row, derivative)) in slopes.value.iter_mut().zip(&mut slopes.slope).enumerate() {
-                *row += value * sign * odd;
-                *derivative += slope * sign * odd;
-                let k = order(m);
-                even = ((2.0 * k + 1.0) * s * odd - k * even) / (k + 1.0);
-                odd = ((2.0 * k + 3.0) * s * even - (k + 1.0) * odd) / (k + 2.0);
-                sign = -sign;
-            }
-        }
+        let places: Vec<(f64, f64)> = self.round_places(half_length, 2.0 * rows as f64).collect();
+        let values: Vec<(f64, f64)> = places.iter().map(|(s, _)| self.abel(half_length * s)).collect();
+        let steps: Vec<[f64; 4]> = (0..rows).map(steps).collect();
+        vectorised(
+            #[inline(always)]
+            || {
+                for (places, values) in places.chunks(LANES).zip(values.chunks(LANES)) {
+                    let [mut s, mut value, mut slope] = [[0.0; LANES]; 3];
+                    for (lane, ((place, weight), (own, derivative))) in places.iter().zip(values).enumerate() {
+                        s[lane] = *place;
+                        value[lane] = 2.0 * weight * own;
+                        slope[lane] = 2.0 * weight * derivative;
+                    }
+                    let (mut even, mut odd) = ([1.0; LANES], s);
+                    let rows = slopes.value.iter_mut().zip(&mut slopes.slope).zip(&steps);
+                    for ((row, derivative), [up, down, next, back]) in rows {
+                        for lane in 0..LANES {
+                            *row += value[lane] * odd[lane];
+                            *derivative += slope[lane] * odd[lane];
+                            even[lane] = up * s[lane] * odd[lane] + down * even[lane];
+                            odd[lane] = next * s[lane] * even[lane] + back * odd[lane];
+                        }
+                    }
+                }
+            },
+        );
     }
 
     /// ∫ A'(as)/s ds from 0 to 1, over P'.

@@ -19,7 +19,7 @@ use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::{LANES, vectorised};
-use crate::solution::jacobi_sum;
+use crate::solution::jacobi_sums;
 
 /// A pressure may be wrong anywhere by this many times the part that its highest modes have in it.
 const UNRESOLVED: f64 = 10.0;
@@ -215,9 +215,6 @@ fn angle(place: usize, places: usize) -> f64 {
 fn pressures(twin: Twin, modes: &[f64], resolved: usize) -> Vec<f64> {
     let coefficients = twin.coefficients(modes);
     let places = PER_MODE * resolved;
-    if twin == Twin::Round {
-        return (0..places).map(|place| jacobi_sum(&coefficients, angle(place, places).cos())).collect();
-    }
     let mut pressures = vec![0.0; places];
     vectorised(
         #[inline(always)]
@@ -225,6 +222,10 @@ fn pressures(twin: Twin, modes: &[f64], resolved: usize) -> Vec<f64> {
             for (block, out) in pressures.chunks_mut(LANES).enumerate() {
                 let phi: [f64; LANES] = std::array::from_fn(|lane| angle(block * LANES + lane, places));
                 let (mut sine, cosine) = sin_cos(&phi);
+                if twin == Twin::Round {
+                    out.copy_from_slice(&jacobi_sums(&coefficients, cosine)[..out.len()]);
+                    continue;
+                }
                 // sin(3φ), sin(5φ), ... from sin φ
                 let turn: [f64; LANES] = std::array::from_fn(|lane| 4.0 * cosine[lane] * cosine[lane] - 2.0);
                 let [mut before, mut pressure] = [sine.map(|sine| -sine), [0.0; LANES]];
