@@ -8,7 +8,7 @@
 //! are while the force grows: the derivative of the pressures with respect to the force is that of a flat punch, and of layers that are
 //! joined, on contacts of these half-lengths.
 use crate::contact::{self, ContactError, Measured};
-use crate::field::{Field, FieldError, Point};
+use crate::field::{Field, FieldError};
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature;
@@ -203,21 +203,14 @@ fn sunk(
         let flattened = mean.of(field.flattening(0, &material, &mean.places));
         sunk.iter_mut().zip(flattened).for_each(|(sunk, flattened)| *sunk += flattened);
     }
-    // body by body, what is between its faces: v is right but for a constant of the body
-    for body in 0..faces.len() {
-        let (top, bottom) =
-            (Some((body, faces[body][1], -1.0)), faces.get(body + 1).map(|face| (body + 1, face[0], 1.0)));
-        let of_body: Vec<_> =
-            [top, bottom].into_iter().flatten().filter_map(|(i, face, sign)| Some((i, face?, sign))).collect();
-        let places = of_body.iter().flat_map(|(i, (layer, depth), _)| {
-            means[*i].places.iter().map(|x| Point { x: *x, depth: *depth, layer: Some(*layer) })
-        });
-        let last = of_body.iter().fold(0.0, |last: f64, (i, ..)| last.max(means[*i].last));
-        let mut found = field.of_long_waves(&places.collect::<Vec<_>>(), last)?.into_iter();
-        for (i, _, sign) in of_body {
-            let mean = means[i].of(found.by_ref().take(means[i].places.len()).map(|there| there.v));
-            sunk.iter_mut().zip(mean).for_each(|(sunk, mean)| *sunk += sign * mean);
-        }
+    let of_contact = |(i, faces): (usize, &[Option<(usize, f64)>; 2])| {
+        faces.iter().zip([1.0, -1.0]).filter_map(|(face, sign)| Some((i, (*face)?, sign))).collect::<Vec<_>>()
+    };
+    let all: Vec<(usize, (usize, f64), f64)> = faces.iter().enumerate().flat_map(of_contact).collect();
+    let at: Vec<(usize, f64)> = all.iter().map(|(_, face, _)| *face).collect();
+    let places: Vec<Vec<f64>> = all.iter().map(|(i, ..)| means[*i].places.clone()).collect();
+    for ((i, _, sign), v) in all.iter().zip(field.on_faces(&at, &places, LAST)?) {
+        sunk.iter_mut().zip(means[*i].of(v)).for_each(|(sunk, mean)| *sunk += sign * mean);
     }
     Ok(sunk)
 }
@@ -226,8 +219,6 @@ fn sunk(
 struct Mean {
     places: Vec<f64>,
     weights: [Vec<f64>; 2],
-    /// Means take nothing of waves beyond this wavenumber.
-    last: f64,
 }
 
 impl Mean {
@@ -238,7 +229,7 @@ impl Mean {
         let sides: &[f64] = if middle == 0.0 { &[1.0] } else { &[-1.0, 1.0] };
         let modes = contact.strips.iter().fold(0, |most, strip| most.max(strip.coefficients.len()));
         let rule = quadrature::rule(modes.max(NODES));
-        let mut mean = Self { places: Vec::new(), weights: [Vec::new(), Vec::new()], last: LAST / half };
+        let mut mean = Self { places: Vec::new(), weights: [Vec::new(), Vec::new()] };
         for (t, weight) in sides.iter().flat_map(|side| rule.on(0.0, *side)) {
             let x = middle + half * t;
             let around = if geometry.is_axisymmetric() { x } else { 1.0 };

@@ -111,7 +111,12 @@ impl Field {
         most: impl Fn(usize) -> f64,
     ) -> impl Iterator<Item = (usize, f64)> {
         let end = move |(contact, decay): (usize, Option<Decay>)| {
-            (contact, decay.map_or(0.0, |decay| decay.end(precision, most(contact))))
+            let end = |decay: Decay| {
+                let on_face = decay.distance == 0.0;
+                let last = if on_face { precision.last / self.pressures[contact].narrowest() } else { f64::INFINITY };
+                decay.end(precision, most(contact).min(last))
+            };
+            (contact, decay.map_or(0.0, end))
         };
         self.decays(row).map(end)
     }
@@ -150,7 +155,7 @@ impl Field {
     pub(super) fn nearest(&self, rows: &[Row], precision: &Precision, contact: usize) -> Option<f64> {
         // without a length no wave is too short
         let length = Some(self.length(contact)).filter(|length| *length > 0.0)?;
-        let most = waves::most(length).min(precision.last);
+        let most = waves::most(length);
         let ends =
             rows.iter().flat_map(|row| self.ends(row, precision, |_| most)).filter(|(other, _)| *other == contact);
         let end = ends.map(|(_, end)| end).fold(0.0, f64::max);

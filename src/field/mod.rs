@@ -193,26 +193,36 @@ impl Field {
     /// # Errors
     /// As [`Self::at`] and [`Self::at_layer`].
     pub fn points(&self, requested: &[Point]) -> Result<Vec<FieldPoint>, FieldError> {
-        self.points_to(requested, &waves::FULL)
-    }
-
-    /// The same, without what waves beyond the wavenumber `last` add to the closed forms of loaded faces: for means over many places.
-    pub(crate) fn of_long_waves(&self, requested: &[Point], last: f64) -> Result<Vec<FieldPoint>, FieldError> {
-        self.points_to(requested, &waves::Precision { last, ..waves::FULL })
-    }
-
-    fn points_to(&self, requested: &[Point], precision: &waves::Precision) -> Result<Vec<FieldPoint>, FieldError> {
         let mut rows = Vec::with_capacity(requested.len());
         let mut sets = Vec::with_capacity(requested.len());
         for point in requested {
             rows.push(self.row(point, sets.len())?);
             sets.push(vec![point.x.abs()]);
         }
-        let values = self.sum(&rows, &sets, precision)?;
+        let values = self.sum(&rows, &sets, &waves::FULL)?;
         let of = |((point, row), values): ((&Point, &Row), Vec<_>)| {
             values.into_iter().map(|value| self.point(point.x, row, value)).collect::<Vec<_>>()
         };
         Ok(requested.iter().zip(&rows).zip(values).flat_map(of).collect())
+    }
+
+    /// v on faces, each a layer and a depth, at places of their own; without what waves beyond the wavenumber `last`/a add to the closed form
+    /// of the contact of the half-length a on the face: for means over many places.
+    pub(crate) fn on_faces(
+        &self,
+        faces: &[(usize, f64)],
+        places: &[Vec<f64>],
+        last: f64,
+    ) -> Result<Vec<Vec<f64>>, FieldError> {
+        let row = |(set, (layer, depth)): (usize, &(usize, f64))| {
+            self.row(&Point { x: 0.0, depth: *depth, layer: Some(*layer) }, set)
+        };
+        let rows: Vec<Row> = faces.iter().enumerate().map(row).collect::<Result<_, _>>()?;
+        let values = self.sum(&rows, places, &waves::Precision { last, ..waves::FULL })?;
+        let v = |((row, xs), values): ((&Row, &Vec<f64>), Vec<_>)| {
+            xs.iter().zip(values).map(|(x, value)| self.point(*x, row, value).v).collect()
+        };
+        Ok(rows.iter().zip(places).zip(values).map(v).collect())
     }
 
     /// Stresses and displacements on a grid, row by row from the first depth on.

@@ -187,7 +187,7 @@ impl Field {
     fn cut_offs(&self, rows: &[Row], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
         let cut_off = |contact: usize| CutOff { end: 0.0, extent: farthest + self.length(contact) };
         let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
-        let most: Vec<f64> = pressures.iter().map(|cut_off| waves::most(cut_off.extent).min(precision.last)).collect();
+        let most: Vec<f64> = pressures.iter().map(|cut_off| waves::most(cut_off.extent)).collect();
         // the last wavenumber of a row
         let mut end_of = |row: &Row| {
             self.ends(row, precision, |contact| most[contact]).fold(0.0, |last: f64, (contact, end)| {

@@ -15,7 +15,7 @@ pub(super) struct Precision {
     pub(super) growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
-    /// Shorter waves are left out.
+    /// On the face of a contact waves beyond this over its half-length are left out.
     pub(super) last: f64,
     /// Most evaluations of layers, all wavenumbers together: a sum that needs more is rejected.
     pub(super) evaluations: f64,
