@@ -14,7 +14,7 @@ use crate::contact::problem::modes::{COARSEST, FINEST, alternating, order};
 use crate::contact::problem::profile::Profile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::Level;
-use crate::contact::quality::round::{round_deflection, round_deflections};
+use crate::contact::quality::round::{RoundDeflection, round_deflections};
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
@@ -313,14 +313,15 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
         ),
         Twin::Round => round_deflections(&waves.zeta, &waves.slopes[i], a, steps),
     };
+    let own = (twin == Twin::Round).then(|| RoundDeflection::new(modes));
     let mut gaps = Vec::with_capacity(2 * PLACES);
     for (step, regular) in steps.into_iter().zip(regular) {
         gaps.extend(regular.into_iter().enumerate().map(|(k, regular)| {
             let x = a + step * (k + 1) as f64;
             let opened = side.height(x) - side.height(a);
-            let elastic = match twin {
-                Twin::Plane => 2.0 * (limit * cauchy_deflection(modes, x / a) + regular) / PI,
-                Twin::Round => 2.0 * (limit * round_deflection(modes, x / a) / a + regular),
+            let elastic = match &own {
+                None => 2.0 * (limit * cauchy_deflection(modes, x / a) + regular) / PI,
+                Some(own) => 2.0 * (limit * own.at(x / a) / a + regular),
             };
             (x, opened - elastic)
         }));

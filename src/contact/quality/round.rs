@@ -3,7 +3,7 @@ use crate::contact::problem::accuracy::PLACES;
 use crate::contact::problem::modes::{alternating, order};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::bessel;
-use crate::numeric::quadrature::rule;
+use crate::numeric::quadrature::{LARGEST, rule};
 
 /// Gauss points besides those that the highest mode takes.
 const SPARE: usize = 16;
@@ -23,17 +23,20 @@ pub(super) fn round_deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f6
 
 /// The same for the short-wave limit of the kernel, times a: (3/2) Σ y_m κ_m ∫ j_j(z) (J₀(z) − J₀(zx/a)) dz/z. With
 /// j_j = (−1)^m ∫ P_j(t) sin zt dt the integral is (−1)^m ∫ P_j(t) (asin t − asin(ta/x)) dt over 0 < t < 1.
-pub(super) fn round_deflection(modes: &[f64], ratio: f64) -> f64 {
-    let points = rule((modes.len() + SPARE).min(crate::numeric::quadrature::LARGEST));
-    let scaled = Twin::Round.scaled(modes);
-    let parts = (2 * modes.len() + SPARE).div_ceil(crate::numeric::quadrature::LARGEST);
-    let width = std::f64::consts::FRAC_PI_2 / parts as f64;
-    let mut sum = 0.0;
-    for part in 0..parts {
-        // t = sin θ
-        for (theta, weight) in points.on(width * part as f64, width * (part + 1) as f64) {
+pub(super) struct RoundDeflection {
+    /// asin t, t, and the sum of the modes there, weight included.
+    nodes: Vec<[f64; 3]>,
+}
+
+impl RoundDeflection {
+    pub(super) fn new(modes: &[f64]) -> Self {
+        let points = rule((modes.len() + SPARE).min(LARGEST));
+        let scaled = Twin::Round.scaled(modes);
+        let parts = (2 * modes.len() + SPARE).div_ceil(LARGEST);
+        let width = std::f64::consts::FRAC_PI_2 / parts as f64;
+        let of_part = |part: usize| points.on(width * part as f64, width * (part + 1) as f64);
+        let node = |(theta, weight): (f64, f64)| {
             let (t, cos) = theta.sin_cos();
-            let angle = weight * cos * (theta - (t / ratio).asin());
             let (mut even, mut odd, mut series) = (1.0, t, 0.0);
             for (m, y) in scaled.iter().enumerate() {
                 series += alternating(m) * y * odd;
@@ -41,8 +44,13 @@ pub(super) fn round_deflection(modes: &[f64], ratio: f64) -> f64 {
                 even = ((2.0 * k + 1.0) * t * odd - k * even) / (k + 1.0);
                 odd = ((2.0 * k + 3.0) * t * even - (k + 1.0) * odd) / (k + 2.0);
             }
-            sum += angle * series;
-        }
+            [theta, t, 1.5 * weight * cos * series]
+        };
+        Self { nodes: (0..parts).flat_map(of_part).map(node).collect() }
     }
-    1.5 * sum
+
+    /// At x = a · ratio.
+    pub(super) fn at(&self, ratio: f64) -> f64 {
+        self.nodes.iter().map(|[theta, t, share]| share * (theta - (t / ratio).asin())).sum()
+    }
 }
