@@ -2,7 +2,10 @@
 //!
 //! Inside its contact the top face follows the punch: v(x) = f(x) − f_min − δ, with the profile f and the approach δ. In plane problems that
 //! is defined where displacements can be counted from a base that stays: δ over a half-plane grows without limit with the distance of
-//! the point from which it is counted.
+//! the point from which it is counted. In axisymmetric problems displacements vanish far away, and it is defined over any base.
+//!
+//! Displacements are averaged over each contact, under the punch and below: the means at a contact tell how the bodies above and below it are
+//! placed, since they touch there.
 //!
 //! The stiffness is dP/dδ. Contact pressures vanish at the ends of their contacts, so that to first order the contacts stay as long as they
 //! are while the force grows: the derivative of the pressures with respect to the force is that of a flat punch, and of layers that are
@@ -19,7 +22,7 @@ use crate::stack::Stack;
 /// Displacements are averaged over the middle of a contact with the weights (1 − t²)^FLAT, t = 0 in its middle and ±1 at its ends: their mean
 /// takes no part of waves that are short compared with the contact, which singular pressures and graded faces are rich in.
 const FLAT: i32 = 8;
-/// Beyond the wavenumber LAST/a, a being half the length of the contact, nothing of a wave is left in a mean.
+/// A mean has less than 1e-8 of a wave beyond the wavenumber LAST/a, a being half the length of the contact: it is left out.
 const LAST: f64 = 60.0;
 /// Gauss points on half a contact, at least; as many as there are modes at least: fewer do not tell short waves of the closed forms from
 /// long ones.
@@ -36,7 +39,7 @@ pub struct Approach {
     pub value: f64,
     /// Estimate of its absolute error.
     pub error: f64,
-    /// The stiffness dP/dδ, force per unit length out of plane over length.
+    /// The stiffness dP/dδ, force per unit length out of plane over length; in axisymmetric problems the whole force over length.
     pub stiffness: Stiffness,
 }
 
@@ -45,7 +48,7 @@ pub struct Approach {
 pub enum Stiffness {
     /// It is known.
     Known {
-        /// dP/dδ, in stress.
+        /// dP/dδ, in stress; in axisymmetric problems dF/dδ, force over length.
         value: f64,
         /// Estimate of its absolute error.
         error: f64,

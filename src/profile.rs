@@ -2,6 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::field::{Field, FieldError, FieldPoint, Side};
+use crate::geometry::Geometry;
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
@@ -12,6 +13,8 @@ const BEYOND: f64 = 2.0;
 /// Pressures, gaps, displacements and slopes at places along x; made by [`Model::profile`](crate::Model::profile).
 #[derive(Clone, Debug)]
 pub struct Profile {
+    /// That of the stack, by which displacements are named.
+    pub geometry: Geometry,
     /// The places x, in length.
     pub x: Vec<f64>,
     /// Each contact from the top down, the punch first.
@@ -87,7 +90,7 @@ pub(crate) fn profile(punch: &Punch, stack: &Stack, solution: &Solution, x: &[f6
     });
     let contacts = contacts.collect();
     faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
-    Ok(Profile { x: x.to_vec(), contacts, faces })
+    Ok(Profile { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
 }
 
 /// What gaps are made of.

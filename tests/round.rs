@@ -261,6 +261,22 @@ fn derivatives_of_forces_are_stiffnesses() {
 }
 
 /// Random plane scenes with the axisymmetric geometry, where that is legal: solved, reported, and their fields checked, or refused for a reason.
+/// Displacements of faces have the names and signs of fields.
+#[test]
+fn profiles_are_in_cylindrical_coordinates() {
+    let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let solution = model.press(&scene.punch, scene.force).unwrap();
+    let profile = model.profile(&scene.punch, &solution, &[0.0]).unwrap();
+    let mut text = Vec::new();
+    recede::report::write_profile(&profile, &mut text).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    let [header, numbers] = [0, 1].map(|line| text.lines().nth(line).unwrap().split(',').collect::<Vec<_>>());
+    let column = header.iter().position(|name| *name == "layer_1_top_u_z").unwrap();
+    let sunk = model.approach(&scene.punch, &solution).unwrap().value;
+    close(numbers[column].parse().unwrap(), sunk, 1e-8);
+}
+
 /// A layer that is stiffer along its faces than across them obeys equilibrium and Hooke's law.
 #[test]
 fn transversely_isotropic_layers() {

@@ -15,7 +15,7 @@ use super::sources::{DiscPotentials, sources};
 const SMALL: f64 = 42.0;
 /// The recurrence for q_n loses e^LOST in upward order at most; where it would lose more it is run downwards.
 const LOST: f64 = 6.0;
-/// It is run downwards from so many orders above that what is left of the other solution is e^(−2·START).
+/// The downward recurrence starts at an order so high that the growing solution has fallen to e^(−2·START) of q_n where values are kept.
 const START: f64 = 19.0;
 
 /// A place, in the coordinates of a disc.

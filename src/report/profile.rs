@@ -2,8 +2,11 @@
 use std::io;
 
 use super::sweep::{number, owner};
-use crate::field::Side;
+use crate::field::{FieldQuantity, Side};
 use crate::profile::{ContactProfile, FaceProfile, Profile};
+
+/// The displacements of a face, in the order of the columns.
+const DISPLACEMENTS: [FieldQuantity; 2] = [FieldQuantity::U, FieldQuantity::V];
 
 /// Writes a profile: a header, then one line for each place, with all digits. What is infinite, or is not there, is empty.
 ///
@@ -35,7 +38,8 @@ pub fn write_profile(profile: &Profile, out: &mut dyn io::Write) -> io::Result<(
             Side::Top => "top",
             Side::Bottom => "bottom",
         };
-        ["u", "v", "slope"].map(|what| format!("layer_{}_{side}_{what}", face.layer))
+        let [u, v] = DISPLACEMENTS.map(|quantity| quantity.name_in(profile.geometry));
+        [u, v, "slope"].map(|what| format!("layer_{}_{side}_{what}", face.layer))
     };
     let contacts = profile.contacts.iter().flat_map(of_contact);
     let header: Vec<String> =
@@ -48,7 +52,8 @@ pub fn write_profile(profile: &Profile, out: &mut dyn io::Write) -> io::Result<(
             .flat_map(|contact| [contact.pressure[k]].into_iter().chain(contact.gap.as_ref().map(|gap| gap[k])));
         let faces = profile.faces.iter().flat_map(|face| {
             let point = &face.points[k];
-            [point.u, point.v, point.slope]
+            let values = DISPLACEMENTS.map(|quantity| quantity.of_in(point, profile.geometry));
+            values.into_iter().chain([point.slope])
         });
         let numbers: Vec<String> = [*x].into_iter().chain(contacts).chain(faces).map(number).collect();
         writeln!(out, "{}", numbers.join(","))?;

@@ -7,7 +7,7 @@ pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
 pub(crate) mod profile;
-mod round;
+pub(crate) mod round;
 pub(crate) mod support;
 pub(crate) mod twin;
 

@@ -8,12 +8,13 @@ use crate::numeric::quadrature::rule;
 use crate::numeric::vector::{LANES, vectorised};
 use crate::scene::{Piece, Shape};
 
-/// Most oscillations of a test function, as a phase, that one Gauss rule is asked to integrate, and points besides those that these take.
+/// Largest phase of a test function, in radians, over the interval of one Gauss rule, and the Gauss points added to those that resolve this
+/// phase.
 const PHASE: f64 = 100.0;
 const SPARE: f64 = 18.0;
 
 /// The factors of s and of the last but one by which −P_2, P_4, ... and then −P_3, P_5, ... follow from each other, with k = 2m + 1.
-fn steps(m: usize) -> [f64; 4] {
+pub(crate) fn steps(m: usize) -> [f64; 4] {
     let k = order(m);
     [-(2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0), (2.0 * k + 3.0) / (k + 2.0), (k + 1.0) / (k + 2.0)]
 }

@@ -1,11 +1,11 @@
 //! Deflections outside an axisymmetric contact.
 use crate::contact::problem::accuracy::PLACES;
-use crate::contact::problem::modes::{alternating, order};
+use crate::contact::problem::round::steps;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::bessel;
 use crate::numeric::quadrature::{LARGEST, rule};
 
-/// Gauss points besides those that the highest mode takes.
+/// Gauss points added to those that resolve the highest mode.
 const SPARE: usize = 16;
 
 /// ∫ s(ζ) (J₀(ζa) − J₀(ζx))/ζ for x = a + step, a + 2 step, ... with each of two steps.
@@ -32,17 +32,17 @@ impl RoundDeflection {
     pub(super) fn new(modes: &[f64]) -> Self {
         let points = rule((modes.len() + SPARE).min(LARGEST));
         let scaled = Twin::Round.scaled(modes);
+        let steps: Vec<[f64; 4]> = (0..modes.len()).map(steps).collect();
         let parts = (2 * modes.len() + SPARE).div_ceil(LARGEST);
         let width = std::f64::consts::FRAC_PI_2 / parts as f64;
         let of_part = |part: usize| points.on(width * part as f64, width * (part + 1) as f64);
         let node = |(theta, weight): (f64, f64)| {
             let (t, cos) = theta.sin_cos();
             let (mut even, mut odd, mut series) = (1.0, t, 0.0);
-            for (m, y) in scaled.iter().enumerate() {
-                series += alternating(m) * y * odd;
-                let k = order(m);
-                even = ((2.0 * k + 1.0) * t * odd - k * even) / (k + 1.0);
-                odd = ((2.0 * k + 3.0) * t * even - (k + 1.0) * odd) / (k + 2.0);
+            for (y, [up, down, next, back]) in scaled.iter().zip(&steps) {
+                series += y * odd;
+                even = up * t * odd + down * even;
+                odd = next * t * even + back * odd;
             }
             [theta, t, 1.5 * weight * cos * series]
         };
