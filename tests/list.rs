@@ -85,7 +85,8 @@ fn examine_forms(place: Place, forms: &[Form], seen: &mut usize) {
 
 #[test]
 fn what_is_listed_is_what_is_read() {
-    let Vocabulary { scene, punches, loads, layers, interfaces, bases } = Vocabulary::new(&Registry::default());
+    let Vocabulary { scene, punches, loads, round_punches, round_loads, layers, interfaces, bases } =
+        Vocabulary::new(&Registry::default());
     let mut seen = 0;
     let names: Vec<&str> = scene.iter().map(|field| &field.name[..]).collect();
     assert_allowed(&|text| format!("Scene({text})"), "no_such_field: 0", &names);
@@ -94,6 +95,9 @@ fn what_is_listed_is_what_is_read() {
     }
     examine(&|text| scene_with("punch", text), &Value::OneOf(punches), &mut seen);
     examine(&|text| scene_with("load", text), &Value::OneOf(loads), &mut seen);
+    let round_with = |field: &str, text: &str| scene_with(field, text).replace("PlaneStrain", "Axisymmetric");
+    examine(&|text| round_with("punch", text), &Value::OneOf(round_punches), &mut seen);
+    examine(&|text| round_with("load", text), &Value::OneOf(round_loads), &mut seen);
     let registered: Vec<&str> = Registry::default().iter().map(|entry| entry.name).collect();
     let item = |text: &str| scene_with("stack", &format!("[{text}]"));
     assert_allowed(
@@ -127,8 +131,9 @@ fn the_command_prints_all_of_it() {
     let output = Command::new(env!("CARGO_BIN_EXE_recede")).arg("list").output().expect("a command that runs");
     let text = String::from_utf8(output.stdout).expect("a text");
     assert!(output.status.success() && output.stderr.is_empty());
-    let Vocabulary { scene, punches, loads, layers, interfaces, bases } = Vocabulary::new(&Registry::default());
-    let forms: Vec<Form> = [punches, loads, layers, interfaces, bases].concat();
+    let Vocabulary { scene, punches, loads, round_punches, round_loads, layers, interfaces, bases } =
+        Vocabulary::new(&Registry::default());
+    let forms: Vec<Form> = [punches, loads, round_punches, round_loads, layers, interfaces, bases].concat();
     let fields = forms.iter().filter_map(|form| match &form.value {
         Some(Value::Fields(fields)) => Some(fields),
         _ => None,

@@ -18,7 +18,7 @@ Examples:
   recede list Homogeneous
   recede list --schema > scene.schema.json")]
 pub struct List {
-    /// One part only: scene, punches, loads, layers, interfaces or bases; or one name, such as Homogeneous
+    /// One part only: scene, punches, loads, "axisymmetric punches", "axisymmetric loads", layers, interfaces or bases; or one name, such as Homogeneous
     part: Option<String>,
     /// The JSON Schema of scenes in JSON, for editors and other programs
     #[arg(long, conflicts_with = "part")]
@@ -30,7 +30,8 @@ impl List {
         if self.schema {
             return Ok(writeln!(out, "{:#}", scene_schema(&Registry::default()))?);
         }
-        let Vocabulary { scene, punches, loads, layers, interfaces, bases } = Vocabulary::new(&Registry::default());
+        let Vocabulary { scene, punches, loads, round_punches, round_loads, layers, interfaces, bases } =
+            Vocabulary::new(&Registry::default());
         // what has a section of its own is not unfolded in place
         let scene: Vec<Field> = scene
             .into_iter()
@@ -44,8 +45,15 @@ impl List {
                 _ => field,
             })
             .collect();
-        let parts =
-            [("Punches", punches), ("Loads", loads), ("Layers", layers), ("Interfaces", interfaces), ("Bases", bases)];
+        let parts = [
+            ("Punches", punches),
+            ("Loads", loads),
+            ("Axisymmetric punches", round_punches),
+            ("Axisymmetric loads", round_loads),
+            ("Layers", layers),
+            ("Interfaces", interfaces),
+            ("Bases", bases),
+        ];
         match &self.part {
             None => {
                 writeln!(out, "Scene, with its load")?;
@@ -69,7 +77,7 @@ impl List {
                     return Err(Failure::usage(
                         format!("nothing in a scene is called `{name}`"),
                         format!(
-                            "parts are scene, punches, loads, layers, interfaces, bases; names are {}",
+                            "parts are scene, punches, loads, axisymmetric punches, axisymmetric loads, layers, interfaces, bases; names are {}",
                             names.join(", ")
                         ),
                     ));

@@ -236,7 +236,7 @@ impl Kernel {
         self.punch
     }
 
-    /// Plane, and in which way, or round.
+    /// Plane, and in which way, or axisymmetric.
     pub(crate) fn geometry(&self) -> Geometry {
         self.chains.geometry
     }

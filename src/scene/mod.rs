@@ -81,7 +81,7 @@ pub struct Scene {
     pub description: Option<String>,
     /// Labels of the units, for reports; they convert numbers with a unit of their own when a scene is read.
     pub units: Option<Units>,
-    /// Plane, and in which way, or round.
+    /// Plane, and in which way, or axisymmetric.
     pub geometry: Geometry,
     /// The punch on top, or the pressure that is given in its place, [`Punch::Given`].
     pub punch: Punch,

@@ -39,7 +39,7 @@ struct Draft<'a> {
     /// Labels of the units; nothing is converted.
     #[serde(default)]
     units: Option<Units>,
-    /// Plane, and in which way, or round.
+    /// Plane, and in which way, or axisymmetric.
     geometry: Geometry,
     /// The punch on top, if there is no `load`.
     #[serde(borrow, default)]
@@ -49,13 +49,13 @@ struct Draft<'a> {
     #[serde(borrow, default)]
     #[schemars(with = "Option<Load>")]
     load: Option<&'a RawValue>,
-    /// Line load P that presses the punch down, or resultant of the load: force per unit length out of the plane.
+    /// Line load P that presses the punch down, or resultant of the load: force per unit length out of the plane; the whole force in axisymmetric scenes.
     #[serde(default)]
     force: Option<Positive>,
-    /// In place of the force: half-length of the contact under the punch, for which the force is found; in length.
+    /// In place of the force: half-length of the contact under the punch, or its radius, for which the force is found; in length.
     #[serde(default)]
     half_length: Option<Positive>,
-    /// In place of the force: how far the punch sinks, for which the force is found; in length. The base has to be rigid, or springs.
+    /// In place of the force: how far the punch sinks, for which the force is found; in length. In plane scenes the base has to be rigid, or springs.
     #[serde(default)]
     depth: Option<Positive>,
     /// Layers and the interfaces between them from the top down, ending in a base.

@@ -3,6 +3,7 @@ use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value};
 
 use super::read::fields_of_scene;
+use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch};
 
 /// The field that a layer has and a base has not.
@@ -25,6 +26,10 @@ pub struct Vocabulary {
     pub punches: Vec<Form>,
     /// Pressures that may be given in place of a punch.
     pub loads: Vec<Form>,
+    /// Punches of axisymmetric scenes.
+    pub round_punches: Vec<Form>,
+    /// Loads of axisymmetric scenes.
+    pub round_loads: Vec<Form>,
     /// Layers of finite thickness.
     pub layers: Vec<Form>,
     /// Interfaces between layers.
@@ -51,17 +56,18 @@ impl Vocabulary {
         bases.push(rigid);
         Self {
             scene: fields_of_scene(),
-            punches: match Value::of::<Punch>() {
-                Value::OneOf(punches) => punches,
-                _ => Vec::new(),
-            },
-            loads: match Value::of::<Load>() {
-                Value::OneOf(loads) => loads,
-                _ => Vec::new(),
-            },
+            punches: alternatives(Value::of::<Punch>()),
+            loads: alternatives(Value::of::<Load>()),
+            round_punches: alternatives(Value::of::<RoundPunch>()),
+            round_loads: alternatives(Value::of::<RoundLoad>()),
             layers,
             interfaces,
             bases,
         }
     }
+}
+
+/// What stands in place of a value of several forms.
+fn alternatives(value: Value) -> Vec<Form> {
+    if let Value::OneOf(forms) = value { forms } else { Vec::new() }
 }

@@ -228,7 +228,7 @@ impl Stack {
         contrast::check(self, Some(material)).map_err(|(problem, _)| StackError { item: None, problem })
     }
 
-    /// Plane, and in which way, or round.
+    /// Plane, and in which way, or axisymmetric.
     pub fn geometry(&self) -> Geometry {
         self.geometry
     }
