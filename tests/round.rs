@@ -121,6 +121,19 @@ fn stresses_on_the_axis_of_a_half_space() {
         let radial = -0.5 * q * (1.0 + 2.0 * poisson - 2.0 * (1.0 + poisson) * cos + cos.powi(3));
         assert!((found.sigma_xx - radial).abs() < 1e-11 * q && (found.sigma_zz - radial).abs() < 1e-11 * q);
     }
+    // a flat punch: −F/2π (a² + 3z²)/(a² + z²)²
+    let (force, a) = (0.01, 0.5);
+    let flat = field(half_space(), &Punch::flat(a).unwrap(), force);
+    // a cone: p = ½ E* slope arcosh(a/r), a² = 2F/(πE* slope)
+    let (slope, modulus) = (0.1, 2.0 * shear / (1.0 - poisson));
+    let cone = field(half_space(), &Punch::wedge(slope).unwrap(), force);
+    let b = (2.0 * force / (pi * modulus * slope)).sqrt();
+    for z in [0.1, 0.5, 2.0] {
+        let (x, y) = (a * a + z * z * a * a, 1.0 + 3.0 * z * z);
+        close(flat.at(0.0, z * a).unwrap().sigma_yy, -force / (2.0 * pi) * a * a * y / (x * x), 1e-10);
+        let across = -0.5 * modulus * slope * (0.5 * (1.0 + 1.0 / (z * z)).ln() + 1.0 / (1.0 + z * z));
+        close(cone.at(0.0, z * b).unwrap().sigma_yy, across, 1e-10);
+    }
     // Hertz
     let sphere = field(half_space(), &Punch::parabola(20.0).unwrap(), 0.01);
     let a = f64::cbrt(0.75 * 0.01 * 20.0 * 0.7 / 6.0);
