@@ -11,22 +11,16 @@
 //! are while the force grows: the derivative of the pressures with respect to the force is that of a flat punch, and of layers that are
 //! joined, on contacts of these half-lengths.
 use crate::contact::{self, ContactError, Measured};
-use crate::field::{Field, FieldError};
+use crate::field::{FLAT, Field, FieldError, Window};
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature;
 use crate::scene::Punch;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 
-/// Displacements are averaged over the middle of a contact with the weights (1 − t²)^FLAT, t = 0 in its middle and ±1 at its ends: their mean
-/// takes no part of waves that are short compared with the contact, which singular pressures and graded faces are rich in.
-const FLAT: i32 = 8;
-/// A mean has less than 1e-8 of a wave beyond the wavenumber LAST/a, a being half the length of the contact: it is left out.
-const LAST: f64 = 60.0;
-/// Gauss points on half a contact, at least; as many as there are modes at least: fewer do not tell short waves of the closed forms from
-/// long ones.
-const NODES: usize = 96;
+/// Gauss points for the mean of a piece of a profile.
+const NODES: usize = 48;
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
 /// Relative error of a sum over wavenumbers.
@@ -179,81 +173,41 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
     solution.contacts().iter().map(of).filter(|error| error.is_finite()).sum::<f64>()
 }
 
-/// How far a punch has sunk into the top face, twice: the mean over the middle of its contact, and one over the rest of it. They differ by
-/// the errors of the pressures.
+/// How far a punch has sunk into the top face, twice: with two means over the middle of each contact. They differ by the errors of the
+/// pressures.
 fn sunk(
     profile: impl Fn(f64) -> f64,
     punch: &Punch,
     stack: &Stack,
     solution: &Solution,
 ) -> Result<[f64; 2], FieldError> {
-    let field = Field::new(stack, solution);
-    let means: Vec<Mean> = solution.contacts().iter().map(|contact| Mean::new(contact, stack.geometry())).collect();
-    let face = |number: usize, side: usize| {
-        let depth = field.layers().find(|(layer, _)| *layer == number).map(|(_, ends)| ends[side]);
-        depth.filter(|depth| depth.is_finite()).map(|depth| (number, depth))
+    let window = |contact: &Contact| {
+        let middle = contact.inside();
+        Window { middle, half: contact.innermost().to - middle }
     };
-    // a rigid base without layers has no face, and stays where it is
-    let faces = solution.contacts().iter().map(|contact| match contact.interface {
-        Interface::Punch => [None, field.layers().next().map(|(layer, _)| (layer, 0.0))],
-        Interface::Between { above, below } => [face(above, 1), face(below, 0)],
-    });
-    let faces: Vec<[Option<(usize, f64)>; 2]> = faces.collect();
-    let heights = means.first().map_or(&[][..], |mean| &mean.places);
-    let mut sunk = means.first().map_or([0.0; 2], |mean| mean.of(heights.iter().map(|x| profile(*x))));
-    if let (Some(material), Some(mean)) = (punch.material(), means.first()) {
-        // an elastic punch gives way as well
-        let flattened = mean.of(field.flattening(0, &material, &mean.places));
-        sunk.iter_mut().zip(flattened).for_each(|(sunk, flattened)| *sunk += flattened);
-    }
-    let of_contact = |(i, faces): (usize, &[Option<(usize, f64)>; 2])| {
-        faces.iter().zip([1.0, -1.0]).filter_map(|(face, sign)| Some((i, (*face)?, sign))).collect::<Vec<_>>()
-    };
-    let all: Vec<(usize, (usize, f64), f64)> = faces.iter().enumerate().flat_map(of_contact).collect();
-    let at: Vec<(usize, f64)> = all.iter().map(|(_, face, _)| *face).collect();
-    let places: Vec<Vec<f64>> = all.iter().map(|(i, ..)| means[*i].places.clone()).collect();
-    for ((i, _, sign), v) in all.iter().zip(field.on_faces(&at, &places, LAST)?) {
-        sunk.iter_mut().zip(means[*i].of(v)).for_each(|(sunk, mean)| *sunk += sign * mean);
-    }
-    Ok(sunk)
+    let windows: Vec<Window> = solution.contacts().iter().map(window).collect();
+    let height = windows.first().map_or([0.0; 2], |window| mean(profile, &punch.starts(), window, stack.geometry()));
+    let apart = Field::new(stack, solution).apart(&windows, punch.material().as_ref())?;
+    Ok([height[0] + apart[0], height[1] + apart[1]])
 }
 
-/// Places inside the innermost interval of a contact, and two sets of weights for means over it.
-struct Mean {
-    places: Vec<f64>,
-    weights: [Vec<f64>; 2],
-}
-
-impl Mean {
-    fn new(contact: &Contact, geometry: Geometry) -> Self {
-        let (middle, end) = (contact.inside(), contact.innermost().to);
-        let half = end - middle;
-        // the other half of an interval about x = 0 is its mirror image
-        let sides: &[f64] = if middle == 0.0 { &[1.0] } else { &[-1.0, 1.0] };
-        let modes = contact.strips.iter().fold(0, |most, strip| most.max(strip.coefficients.len()));
-        let rule = quadrature::rule(modes.max(NODES));
-        let mut mean = Self { places: Vec::new(), weights: [Vec::new(), Vec::new()] };
-        for (t, weight) in sides.iter().flat_map(|side| rule.on(0.0, *side)) {
-            let x = middle + half * t;
-            let around = if geometry.is_axisymmetric() { x } else { 1.0 };
-            let weight = weight.abs() * around * (1.0 - t * t).powi(FLAT);
-            mean.places.push(x);
-            mean.weights[0].push(weight);
-            mean.weights[1].push(weight * t * t);
+/// The means of a profile, with Gauss points between the places where its pieces begin.
+fn mean(profile: impl Fn(f64) -> f64, starts: &[f64], window: &Window, geometry: Geometry) -> [f64; 2] {
+    // the other half of an interval about x = 0 is its mirror image
+    let first = if window.middle == 0.0 { 0.0 } else { -1.0 };
+    let mut ends: Vec<f64> = starts.iter().map(|start| (start - window.middle) / window.half).collect();
+    ends.retain(|t| *t > first && *t < 1.0);
+    ends.insert(0, first);
+    ends.push(1.0);
+    let [mut sums, mut weights] = [[0.0; 2]; 2];
+    for (t, weight) in ends.windows(2).flat_map(|pair| quadrature::rule(NODES).on(pair[0], pair[1])) {
+        let x = window.middle + window.half * t;
+        let around = if geometry.is_axisymmetric() { x } else { 1.0 };
+        let weight = weight * around * (1.0 - t * t).powi(FLAT as i32);
+        for (k, weight) in [weight, weight * t * t].into_iter().enumerate() {
+            sums[k] += weight * profile(x);
+            weights[k] += weight;
         }
-        for weights in &mut mean.weights {
-            let sum: f64 = weights.iter().sum();
-            weights.iter_mut().for_each(|weight| *weight /= sum);
-        }
-        mean
     }
-
-    /// Both means of values at the places.
-    fn of(&self, values: impl IntoIterator<Item = f64>) -> [f64; 2] {
-        let mut sums = [0.0; 2];
-        for (k, value) in values.into_iter().enumerate() {
-            sums.iter_mut().zip(&self.weights).for_each(|(sum, weights)| *sum += weights[k] * value);
-        }
-        sums
-    }
+    [sums[0] / weights[0], sums[1] / weights[1]]
 }

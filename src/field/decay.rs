@@ -111,12 +111,7 @@ impl Field {
         most: impl Fn(usize) -> f64,
     ) -> impl Iterator<Item = (usize, f64)> {
         let end = move |(contact, decay): (usize, Option<Decay>)| {
-            let end = |decay: Decay| {
-                let on_face = decay.distance == 0.0;
-                let last = if on_face { precision.last / self.pressures[contact].narrowest() } else { f64::INFINITY };
-                decay.end(precision, most(contact).min(last))
-            };
-            (contact, decay.map_or(0.0, end))
+            (contact, decay.map_or(0.0, |decay| decay.end(precision, most(contact))))
         };
         self.decays(row).map(end)
     }
@@ -135,7 +130,7 @@ impl Field {
     }
 
     /// The distance of the loaded face above or below a depth, in lengths over which fields decay by e at λ = 1.
-    fn distance(&self, placed: &PlacedLayer, depth: f64, above: bool) -> f64 {
+    pub(super) fn distance(&self, placed: &PlacedLayer, depth: f64, above: bool) -> f64 {
         let within = if above { depth } else { (placed.thickness.unwrap_or(f64::INFINITY) - depth).max(0.0) };
         let between = self.layers.iter().filter(|other| {
             other.body == placed.body && if above { other.place < placed.place } else { other.place > placed.place }

@@ -8,8 +8,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use num_complex::Complex64;
 
-use super::potentials::Potentials;
-use super::sources::{DiscPotentials, point, sources};
+use super::potentials::{Closed, Potentials};
+use super::sources::{point, sources};
 use super::spheroid;
 use super::strip::StripPressure;
 use crate::numeric::bessel::{self, Wanted, spherical};
@@ -63,7 +63,7 @@ impl StripPressure {
     }
 
     /// The potentials at a distance r from the axis and a depth, those of J₁ odd in r; those with n > 0 are not asked for on the face.
-    pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> DiscPotentials {
+    pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> Closed {
         if self.form == Form::Line {
             return point(self.resultant(), r, depth);
         }
@@ -89,7 +89,7 @@ impl StripPressure {
             // the pressure itself
             potentials[0].re = self.on_face(r);
         }
-        DiscPotentials { potentials: Potentials(potentials), integral }
+        Closed { potentials: Potentials(potentials), integral }
     }
 
     /// The coefficients of j_(2m+1)(λa)/λ in p̂/a.

@@ -41,6 +41,6 @@ impl Field {
             return vec![0.0; xs.len()];
         };
         surface.shift = f64::INFINITY;
-        xs.iter().map(|x| -surface.closed(pressure, &At { x: x.abs(), depth: 0.0, slope: false })[4]).collect()
+        xs.iter().map(|x| -surface.closed(pressure, &At { x: x.abs(), depth: 0.0, displacements: true })[4]).collect()
     }
 }

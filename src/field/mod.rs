@@ -10,6 +10,7 @@ mod error;
 mod extremes;
 mod faces;
 mod joints;
+mod means;
 mod measure;
 mod parabola;
 mod peak;
@@ -31,6 +32,7 @@ use recede_layers::{Plane, Wave};
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes};
 pub use faces::Side;
+pub(crate) use means::{FLAT, Window};
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
@@ -204,25 +206,6 @@ impl Field {
             values.into_iter().map(|value| self.point(point.x, row, value)).collect::<Vec<_>>()
         };
         Ok(requested.iter().zip(&rows).zip(values).flat_map(of).collect())
-    }
-
-    /// v on faces, each a layer and a depth, at places of their own; without what waves beyond the wavenumber `last`/a add to the closed form
-    /// of the contact of the half-length a on the face: for means over many places.
-    pub(crate) fn on_faces(
-        &self,
-        faces: &[(usize, f64)],
-        places: &[Vec<f64>],
-        last: f64,
-    ) -> Result<Vec<Vec<f64>>, FieldError> {
-        let row = |(set, (layer, depth)): (usize, &(usize, f64))| {
-            self.row(&Point { x: 0.0, depth: *depth, layer: Some(*layer) }, set)
-        };
-        let rows: Vec<Row> = faces.iter().enumerate().map(row).collect::<Result<_, _>>()?;
-        let values = self.sum(&rows, places, &waves::Precision { last, ..waves::FULL })?;
-        let v = |((row, xs), values): ((&Row, &Vec<f64>), Vec<_>)| {
-            xs.iter().zip(values).map(|(x, value)| self.point(*x, row, value).v).collect()
-        };
-        Ok(rows.iter().zip(places).zip(values).map(v).collect())
     }
 
     /// Stresses and displacements on a grid, row by row from the first depth on.

@@ -13,10 +13,16 @@ pub(super) struct At {
     pub(super) x: f64,
     /// Distance from the face.
     pub(super) depth: f64,
-    /// Whether the slope is wanted, too: it takes as long as the others together.
-    pub(super) slope: bool,
+    /// Whether displacements and the slope are wanted, too: they take as long as the stresses or longer.
+    pub(super) displacements: bool,
 }
 
 /// G_n = (1/π) ∫ p̂ λⁿ e^(−λd + iλx) dλ at one point, n = 0, 1, 2: real parts belong to cos λx, imaginary ones to sin λx.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Potentials(pub(super) [Complex64; 3]);
+
+/// The potentials at one point, and G_(−1), their integral over the depth.
+pub(super) struct Closed {
+    pub(super) potentials: Potentials,
+    pub(super) integral: Complex64,
+}

@@ -1,7 +1,7 @@
 //! A contact pressure as a load on the bodies below and above it: its transform, and potentials in closed form.
 use num_complex::Complex64;
 
-use super::potentials::Potentials;
+use super::potentials::{Closed, Potentials};
 use super::strip::{Singularity, StripPressure};
 use crate::solution::{Contact, Strip};
 
@@ -125,14 +125,26 @@ impl Pressure {
         sums
     }
 
-    /// The potentials at a depth, eq. (25). G_1 and G_2 are infinite at the ends of the contact.
-    pub(super) fn potentials(&self, x: f64, depth: f64) -> Potentials {
-        let mut sums = [Complex64::ZERO; 3];
+    /// The potentials at a depth, eq. (25), and if it is wanted their [`Self::integral`]: those of a disc are known together. G_1 and G_2 are
+    /// infinite at the ends of the contact.
+    pub(super) fn closed(&self, x: f64, depth: f64, integral: bool) -> Closed {
+        let mut sums = Closed { potentials: Potentials([Complex64::ZERO; 3]), integral: Complex64::ZERO };
         self.each_strip(x, |strip, x, mirror| {
-            let Potentials(potentials) = strip.potentials(x, depth, mirror);
-            sums.iter_mut().zip(potentials).for_each(|(sum, potential)| *sum += potential);
+            let closed = if strip.is_round {
+                strip.disc_potentials(x, depth)
+            } else {
+                let integral = if integral { strip.integral(x, depth, mirror) } else { Complex64::ZERO };
+                Closed { potentials: strip.potentials(x, depth, mirror), integral }
+            };
+            sums.integral += closed.integral;
+            sums.potentials.0.iter_mut().zip(closed.potentials.0).for_each(|(sum, potential)| *sum += potential);
         });
-        Potentials(sums)
+        sums
+    }
+
+    /// The potentials at a depth.
+    pub(super) fn potentials(&self, x: f64, depth: f64) -> Potentials {
+        self.closed(x, depth, false).potentials
     }
 
     /// G_(−1), minus a constant that is infinite: the integral of G_0 over the depth, eq. (26).

@@ -59,7 +59,7 @@ impl Roots {
 
     /// The components at a point, with displacements minus those at the depth `shift` farther down, if that is finite.
     pub(super) fn closed(&self, pressure: &Pressure, at: &At, shift: f64, modulus: f64) -> Components {
-        let At { x, depth, slope } = *at;
+        let At { x, depth, displacements } = *at;
         let mut sum = Components::default();
         for Term { root, components } in &self.0 {
             // e^(−sλd) with a complex s moves waves along x
@@ -75,7 +75,7 @@ impl Roots {
             let pair = |wave: &dyn Fn(f64) -> Complex64| [wave(x - beside), wave(-x - beside)];
             // of the slope, which is a derivative of the displacement
             let slope = |x: f64| {
-                let from = if slope && shift.is_finite() {
+                let from = if displacements && shift.is_finite() {
                     pressure.potentials(x, depth + shift).0[0]
                 } else {
                     Complex64::ZERO

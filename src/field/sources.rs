@@ -1,13 +1,7 @@
 //! Potentials of forces on the axis, and of what they are at complex depths.
 use num_complex::Complex64;
 
-use super::potentials::Potentials;
-
-/// The potentials G_n, n = 0, 1, 2, and G_(−1) at a point: ∫ p̂ λ^(n+1) e^(−λd) J₀(λr) dλ as real parts, those of J₁ as imaginary ones.
-pub(super) struct DiscPotentials {
-    pub(super) potentials: Potentials,
-    pub(super) integral: Complex64,
-}
+use super::potentials::{Closed, Potentials};
 
 /// Im ∫ λ^n e^(−λ(d − is)) J(λr) dλ for n = 0, 1, 2, −1: of J₀ as real parts, of J₁ as imaginary ones.
 pub(super) fn sources(s: f64, r: f64, depth: f64) -> [Complex64; 4] {
@@ -28,7 +22,7 @@ pub(super) fn sources(s: f64, r: f64, depth: f64) -> [Complex64; 4] {
 }
 
 /// Those of a force P on the axis, p̂ = P/2π everywhere.
-pub(super) fn point(transform: f64, r: f64, depth: f64) -> DiscPotentials {
+pub(super) fn point(transform: f64, r: f64, depth: f64) -> Closed {
     let distance = r.hypot(depth);
     let over = distance.recip();
     let (cos, sin) = (depth * over, r * over);
@@ -38,5 +32,5 @@ pub(super) fn point(transform: f64, r: f64, depth: f64) -> DiscPotentials {
     let second = Complex64::new(6.0 * cos.powi(3) - 9.0 * cos * sin * sin, 3.0 * sin * (4.0 * cos * cos - sin * sin));
     let integral = Complex64::new(over, r / (distance * (distance + depth)));
     let potentials = Potentials([zeroth * transform, first * transform, second * (third * over * transform)]);
-    DiscPotentials { potentials, integral: integral * transform }
+    Closed { potentials, integral: integral * transform }
 }

@@ -8,8 +8,8 @@
 //! that of a recurrence over the orders. Source: Hobson 1931, chapters V and X.
 use num_complex::Complex64;
 
-use super::potentials::Potentials;
-use super::sources::{DiscPotentials, sources};
+use super::potentials::{Closed, Potentials};
+use super::sources::sources;
 
 /// Orders whose functions q_n are smaller than e^(−SMALL) are left out, but for the lowest two.
 const SMALL: f64 = 42.0;
@@ -111,7 +111,7 @@ impl Sums {
 
 /// The potentials of a disc of radius a at a distance r from the axis and a depth, with the coefficients C_n of the odd orders n; those with
 /// further powers of λ are 0 on the face.
-pub(super) fn potentials(coefficients: &[f64], a: f64, r: f64, depth: f64) -> DiscPotentials {
+pub(super) fn potentials(coefficients: &[f64], a: f64, r: f64, depth: f64) -> Closed {
     let place = Spheroidal::new(r / a, depth / a);
     let Sums { odd, even } = Sums::new(&place, coefficients);
     let [zeroth, by_xi, by_eta, by_both, product, radial] = odd;
@@ -138,5 +138,5 @@ pub(super) fn potentials(coefficients: &[f64], a: f64, r: f64, depth: f64) -> Di
                 rho * (xi * of_xi - eta * of_eta - double * farther),
             );
     }
-    DiscPotentials { potentials: Potentials(potentials), integral }
+    Closed { potentials: Potentials(potentials), integral }
 }

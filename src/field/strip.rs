@@ -3,7 +3,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
 use num_complex::Complex64;
 
-use super::potentials::Potentials;
+use super::potentials::{Closed, Potentials};
 use crate::solution::{Form, Strip};
 
 /// Terms of the potentials below this part of the largest one are left out.
@@ -253,12 +253,6 @@ fn artanh_twice(z: Complex64, w: Complex64) -> Complex64 {
     }
     // 1 − w² = 2zw keeps its digits next to the tip
     ((1.0 + w) * (1.0 + w) / (2.0 * z * w)).ln()
-}
-
-/// Potentials in closed form.
-struct Closed {
-    potentials: Potentials,
-    integral: Complex64,
 }
 
 /// ln z, finite at 0.

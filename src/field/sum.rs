@@ -102,15 +102,15 @@ impl Field {
         Ok(values)
     }
 
-    /// The closed forms of the loaded faces, with v counted from the reference point of the body, and the slope if that is wanted.
-    fn closed(&self, row: &Row, set: &[f64], slope: bool) -> Vec<Components> {
+    /// The closed forms of the loaded faces, with v counted from the reference point of the body, if displacements are wanted.
+    fn closed(&self, row: &Row, set: &[f64], displacements: bool) -> Vec<Components> {
         let placed = &self.layers[row.layer];
         let body = &self.bodies[placed.body];
         let at = |placed: &PlacedLayer, depth: f64, x: f64| {
             let mut sum = Components::default();
             for (face, contact, distance) in faces(body, placed, depth) {
                 let pressure = &self.pressures[contact];
-                let closed = face.surface.closed(pressure, &At { x, depth: distance, slope });
+                let closed = face.surface.closed(pressure, &At { x, depth: distance, displacements });
                 sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
                 if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
                     // the limits along the loaded face; those of the shear stress and of the slope depend on the direction
@@ -123,7 +123,7 @@ impl Field {
             }
             sum
         };
-        let origin = body.reference.map_or(0.0, |(place, depth)| {
+        let origin = body.reference.filter(|_| displacements).map_or(0.0, |(place, depth)| {
             let mut layers = self.layers.iter();
             let placed = layers.find(|other| other.body == placed.body && other.place == place);
             placed.map_or(0.0, |placed| at(placed, depth, 0.0)[4])
@@ -240,7 +240,7 @@ impl Field {
     }
 
     /// The wavenumbers of a panel, with the transforms of the pressures there.
-    fn waves(&self, panel: &Panel, cut_offs: &[CutOff]) -> Waves {
+    pub(super) fn waves(&self, panel: &Panel, cut_offs: &[CutOff]) -> Waves {
         let (wavenumbers, weights) = panel.points();
         let of = |(pressure, cut_off): (&Pressure, &CutOff)| match cut_off.end > panel.lo {
             true => pressure.transforms(&wavenumbers),
@@ -336,7 +336,7 @@ impl Field {
 }
 
 /// The loads on a body: for long waves, the equal part of both pressures and their small difference.
-fn load(body: &Body, wavenumber: f64, transform: impl Fn(usize) -> Transform) -> Load {
+pub(super) fn load(body: &Body, wavenumber: f64, transform: impl Fn(usize) -> Transform) -> Load {
     let top = transform(body.contact);
     let Some(bottom) = body.bottom else { return Load { top: -top.value, ..Load::default() } };
     let other = transform(body.contact + 1);
@@ -348,13 +348,13 @@ fn load(body: &Body, wavenumber: f64, transform: impl Fn(usize) -> Transform) ->
 }
 
 /// The wavenumbers of one panel.
-struct Waves {
+pub(super) struct Waves {
     /// Where the panel begins.
     from: f64,
-    wavenumbers: Vec<f64>,
-    weights: Vec<f64>,
+    pub(super) wavenumbers: Vec<f64>,
+    pub(super) weights: Vec<f64>,
     /// Transforms of the pressures, contact by contact.
-    transforms: Vec<Vec<Transform>>,
+    pub(super) transforms: Vec<Vec<Transform>>,
 }
 
 impl Waves {

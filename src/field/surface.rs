@@ -7,7 +7,7 @@ use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use num_complex::Complex64;
 use recede_layers::Material;
 
-use super::potentials::{At, Components, Potentials};
+use super::potentials::{At, Closed, Components, Potentials};
 use super::pressure::Pressure;
 use super::roots::Roots;
 
@@ -139,12 +139,15 @@ impl Polynomials {
     }
 
     fn closed(&self, pressure: &Pressure, at: &At, shift: f64, modulus: f64) -> Components {
-        let At { x, depth, slope } = *at;
-        let Potentials([g0, g1, g2]) = pressure.potentials(x, depth);
-        let (mut integral, mut change) = (pressure.integral(x, depth), g0);
-        if shift.is_finite() {
+        let At { x, depth, displacements } = *at;
+        // stresses take the integral where the material varies, and that about an axis the displacement from it
+        let varies = self.varied[0][..3].iter().any(|value| *value != 0.0);
+        let wanted = displacements || varies || pressure.is_round();
+        let Closed { potentials: Potentials([g0, g1, g2]), mut integral } = pressure.closed(x, depth, wanted);
+        let mut change = g0;
+        if wanted && shift.is_finite() {
             integral -= pressure.integral(x, depth + shift);
-            if slope {
+            if displacements {
                 change -= pressure.potentials(x, depth + shift).0[0];
             }
         }

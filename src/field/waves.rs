@@ -15,8 +15,6 @@ pub(super) struct Precision {
     pub(super) growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
-    /// On the face of a contact waves beyond this over its half-length are left out.
-    pub(super) last: f64,
     /// Most evaluations of layers, all wavenumbers together: a sum that needs more is rejected.
     pub(super) evaluations: f64,
 }
@@ -33,7 +31,6 @@ pub(super) const FULL: Precision = Precision {
     points: 16,
     growth: 2.0,
     displacements: true,
-    last: f64::INFINITY,
     evaluations: f64::INFINITY,
 };
 /// Stresses to some nine digits.
@@ -44,7 +41,6 @@ pub(super) const STRESSES: Precision = Precision {
     points: 12,
     growth: 3.0,
     displacements: false,
-    last: f64::INFINITY,
     evaluations: SEARCHED,
 };
 /// Stresses to some four digits.
@@ -55,7 +51,6 @@ pub(super) const LOW: Precision = Precision {
     points: 12,
     growth: 3.0,
     displacements: false,
-    last: f64::INFINITY,
     evaluations: SEARCHED,
 };
 
@@ -67,7 +62,6 @@ pub(super) const COARSE: Precision = Precision {
     points: 8,
     growth: 3.0,
     displacements: false,
-    last: f64::INFINITY,
     evaluations: SEARCHED,
 };
 

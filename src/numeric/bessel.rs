@@ -79,7 +79,7 @@ pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f
     assert!(arguments.len() <= stride && (columns - 1) * stride + arguments.len() <= out.len(), "the table fits");
     vectorised(
         #[inline(always)]
-        || fill(orders, wanted, arguments, factor, stride, out),
+        || fill::<false>(orders, wanted, arguments, factor, stride, out),
     );
 }
 
@@ -106,8 +106,16 @@ impl Wanted {
     }
 }
 
+/// Of J_n, or of spherical functions j_n.
 #[inline(always)]
-fn fill(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
+fn fill<const SPHERICAL: bool>(
+    orders: usize,
+    wanted: Wanted,
+    arguments: &[f64],
+    factor: f64,
+    stride: usize,
+    out: &mut [f64],
+) {
     let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
     let mut rows: Vec<Lanes> = Vec::new();
     for block in (0..arguments.len()).step_by(LANES) {
@@ -120,18 +128,18 @@ fn fill(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: u
         let far = z.map(|z| z >= upward_from);
         match far[..block.len()].iter().filter(|&&far| far).count() {
             0 => {
-                let scale = downward(orders, &z, &mut rows).map(|scale| factor * scale);
+                let scale = downward::<SPHERICAL>(orders, &z, &mut rows).map(|scale| factor * scale);
                 window.store(&rows[..orders], &scale, [true; LANES]);
             }
             all if all == block.len() => {
-                upward(orders, &z, &mut rows);
+                upward::<SPHERICAL>(orders, &z, &mut rows);
                 window.store(&rows[..orders], &[factor; LANES], [true; LANES]);
             }
             _ => {
                 let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
-                let scale = downward(orders, &near, &mut rows).map(|scale| factor * scale);
+                let scale = downward::<SPHERICAL>(orders, &near, &mut rows).map(|scale| factor * scale);
                 window.store(&rows[..orders], &scale, far.map(|far| !far));
-                upward(orders, &z, &mut rows);
+                upward::<SPHERICAL>(orders, &z, &mut rows);
                 window.store(&rows[..orders], &[factor; LANES], far);
             }
         }
@@ -170,7 +178,7 @@ impl Window<'_> {
 
 /// Miller's recurrence: fills `rows[n]` (n = 0..orders at least) up to a factor per lane, and returns that factor.
 #[inline(always)]
-fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
+fn downward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     let starts = start_orders(z, orders);
     let two_over_z = z.map(|z| if z < TINY { 0.0 } else { 2.0 / z });
     let highest = starts.iter().copied().max().unwrap_or(0);
@@ -179,6 +187,7 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     }
     rows[orders.min(highest + 1)..orders].fill([0.0; LANES]);
 
+    let shift = if SPHERICAL { 0.5 } else { 0.0 };
     let (mut above, mut here, mut sum) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut n = highest;
     loop {
@@ -191,21 +200,30 @@ fn downward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
                 next = next.max(starts[lane]);
             }
         }
-        (above, here, sum) = descend(&mut rows[next + 1..=n], n, &two_over_z, (above, here, sum));
+        (above, here, sum) = descend(&mut rows[next + 1..=n], n, shift, &two_over_z, (above, here, sum));
         if n == 0 {
             break;
         }
         n = next;
     }
     rows[0] = here;
+    if SPHERICAL {
+        return spherical::factors(z, &here, &above);
+    }
     std::array::from_fn(|lane| 1.0 / (2.0 * sum[lane] + here[lane]))
 }
 
-/// Goes down from order `n` through as many rows: values of the order above, of this one, and the sum of even orders.
+/// Goes down from order `n` (+ `shift`) through as many rows: values of the order above, of this one, and the sum of even orders.
 #[inline(always)]
-fn descend(rows: &mut [Lanes], n: usize, two_over_z: &Lanes, start: (Lanes, Lanes, Lanes)) -> (Lanes, Lanes, Lanes) {
+fn descend(
+    rows: &mut [Lanes],
+    n: usize,
+    shift: f64,
+    two_over_z: &Lanes,
+    start: (Lanes, Lanes, Lanes),
+) -> (Lanes, Lanes, Lanes) {
     let (mut above, mut here, mut sum) = start;
-    let mut order = n as f64;
+    let mut order = n as f64 + shift;
     let single = rows.len() % 2;
     let (lower, top) = rows.split_at_mut(rows.len() - single);
     for row in top {
@@ -236,16 +254,20 @@ fn descend(rows: &mut [Lanes], n: usize, two_over_z: &Lanes, start: (Lanes, Lane
     (above, here, sum)
 }
 
-/// Forward recurrence from Hankel's expansion: fills `rows[n]`, n = 0..orders.
+/// Forward recurrence from Hankel's expansion or, of spherical functions, from closed forms: fills `rows[n]`, n = 0..orders.
 #[inline(always)]
-fn upward(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
+fn upward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
     if rows.len() < orders {
         rows.resize(orders, [0.0; LANES]);
     }
     let z = z.map(|z| z.max(ASYMPTOTIC_FROM));
-    let [mut below, mut here, ..] = start_upward(&z);
+    let ([mut below, mut here], mut order) = if SPHERICAL {
+        (spherical::firsts(&z), 1.5)
+    } else {
+        let [zeroth, first, ..] = start_upward(&z);
+        ([zeroth, first], 1.0)
+    };
     let two_over_z = z.map(|z| 2.0 / z);
-    let mut order = 1.0;
     for row in &mut rows[..orders] {
         *row = below;
         let above: Lanes = std::array::from_fn(|lane| order * two_over_z[lane] * here[lane] - below[lane]);

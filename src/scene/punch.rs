@@ -242,6 +242,14 @@ impl Punch {
         self.shape().height(x)
     }
 
+    /// Where the pieces begin of which the profile consists, from x = 0 outwards; none if it is one piece.
+    pub(crate) fn starts(&self) -> Vec<f64> {
+        match self.shape() {
+            Shape::Pieces { pieces, .. } => pieces.iter().map(|piece| piece.start).collect(),
+            _ => Vec::new(),
+        }
+    }
+
     /// The smallest height of the profile, in length: 0 unless it falls somewhere.
     pub(crate) fn lowest(&self) -> f64 {
         self.shape().lowest()

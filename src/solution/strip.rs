@@ -1,10 +1,13 @@
 //! Pressures on strips, of which that of a contact is the sum.
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use num_complex::Complex64;
 
 /// Sines of so many multiples follow from one by rotation, each with a rounding more.
 const ROTATED: usize = 64;
+/// Factors of so many Jacobi polynomials are known beforehand.
+const USUAL: usize = 4096;
 
 /// A pressure on |x − at| < extent, symmetric about x = at, and where `at` is not 0 its mirror image. In stress.
 #[derive(Clone, Debug, PartialEq)]
@@ -153,27 +156,40 @@ pub(crate) fn jacobi_sum(coefficients: &[f64], s: f64) -> f64 {
 /// The same at several places.
 #[inline(always)]
 pub(crate) fn jacobi_sums<const N: usize>(coefficients: &[f64], places: [f64; N]) -> [f64; N] {
-    const BETA: f64 = 0.5;
     let x = places.map(|s| 1.0 - 2.0 * s * s);
     let [mut before, mut here, mut sum] = [[0.0; N], [1.0; N], [0.0; N]];
-    for (m, c) in coefficients.iter().enumerate() {
-        let (n, double) = (m as f64, 2.0 * m as f64 + BETA);
-        // P_(m+1) = (along x + shift) P_m − across P_(m−1)
-        let [along, shift, across] = if m == 0 {
-            // P_1 = (α + 1) + (α + β + 2) (x − 1)/2
-            [0.5 * (BETA + 2.0), -0.5 * BETA, 0.0]
-        } else {
-            let over = (2.0 * (n + 1.0) * (n + 1.0 + BETA) * double).recip();
-            let along = over * (double + 1.0) * (double + 2.0) * double;
-            [along, -over * (double + 1.0) * BETA * BETA, over * 2.0 * n * (n + BETA) * (double + 2.0)]
-        };
+    let more: Vec<[f64; 3]>;
+    let steps = if coefficients.len() <= USUAL {
+        &STEPS[..]
+    } else {
+        more = (0..coefficients.len()).map(step).collect();
+        &more
+    };
+    for (c, [along, shift, across]) in coefficients.iter().zip(steps) {
+        let mut next = [0.0; N];
         for i in 0..N {
             sum[i] += c * here[i];
-            let next = (along * x[i] + shift) * here[i] - across * before[i];
-            (before[i], here[i]) = (here[i], next);
+            next[i] = (along * x[i] + shift) * here[i] - across * before[i];
         }
+        (before, here) = (here, next);
     }
     std::array::from_fn(|i| ((1.0 - places[i]) * (1.0 + places[i])).max(0.0).sqrt() * sum[i])
+}
+
+/// [`step`] for as many polynomials as most series have.
+static STEPS: LazyLock<Vec<[f64; 3]>> = LazyLock::new(|| (0..USUAL).map(step).collect());
+
+/// The factors of P_(m+1) = (along x + shift) P_m − across P_(m−1).
+fn step(m: usize) -> [f64; 3] {
+    const BETA: f64 = 0.5;
+    if m == 0 {
+        // P_1 = (α + 1) + (α + β + 2) (x − 1)/2
+        return [0.5 * (BETA + 2.0), -0.5 * BETA, 0.0];
+    }
+    let (n, double) = (m as f64, 2.0 * m as f64 + BETA);
+    let over = (2.0 * (n + 1.0) * (n + 1.0 + BETA) * double).recip();
+    let along = over * (double + 1.0) * (double + 2.0) * double;
+    [along, -over * (double + 1.0) * BETA * BETA, over * 2.0 * n * (n + BETA) * (double + 2.0)]
 }
 
 /// Σ c_m sin((2m + first) φ).

@@ -33,6 +33,8 @@ impl Profile<'_> {
         let places: Vec<(f64, f64)> = self.round_places(half_length, 2.0 * rows as f64).collect();
         let values: Vec<(f64, f64)> = places.iter().map(|(s, _)| self.abel(half_length * s)).collect();
         let steps: Vec<[f64; 4]> = (0..rows).map(steps).collect();
+        // lane by lane: sums over the lanes would take longer than the polynomials
+        let mut sums = vec![[[0.0; LANES]; 2]; rows];
         vectorised(
             #[inline(always)]
             || {
@@ -44,11 +46,10 @@ impl Profile<'_> {
                         slope[lane] = 2.0 * weight * derivative;
                     }
                     let (mut even, mut odd) = ([1.0; LANES], s);
-                    let rows = slopes.value.iter_mut().zip(&mut slopes.slope).zip(&steps);
-                    for ((row, derivative), [up, down, next, back]) in rows {
+                    for ([row, derivative], [up, down, next, back]) in sums.iter_mut().zip(&steps) {
                         for lane in 0..LANES {
-                            *row += value[lane] * odd[lane];
-                            *derivative += slope[lane] * odd[lane];
+                            row[lane] += value[lane] * odd[lane];
+                            derivative[lane] += slope[lane] * odd[lane];
                             even[lane] = up * s[lane] * odd[lane] + down * even[lane];
                             odd[lane] = next * s[lane] * even[lane] + back * odd[lane];
                         }
@@ -56,6 +57,9 @@ impl Profile<'_> {
                 }
             },
         );
+        for ((value, slope), sums) in slopes.value.iter_mut().zip(&mut slopes.slope).zip(sums) {
+            [*value, *slope] = sums.map(|lanes| lanes.iter().sum());
+        }
     }
 
     /// ∫ A'(as)/s ds from 0 to 1, over P'.
@@ -79,15 +83,16 @@ impl Profile<'_> {
         ends.push(0.0);
         let ends: Vec<(f64, f64)> = ends.windows(2).map(|pair| (pair[0], pair[0] - pair[1])).collect();
         ends.into_iter().flat_map(move |(from, width)| {
-            // θ = from − width u²
-            let parts = (2.0 * phase * width / PHASE).ceil().max(1.0);
-            let points = rule((phase * width / parts + SPARE) as usize);
+            // θ = from − width u², in parts of equal phase; in the first one the phase grows from nothing to twice its mean rate
+            let parts = (phase * width / PHASE).ceil().max(1.0);
+            let each = phase * width / parts;
             let place = move |(u, weight): (f64, f64)| {
                 let theta = from - width * u * u;
                 (theta.cos(), weight * 2.0 * width * u * theta.sin())
             };
             (0..parts as usize).flat_map(move |part| {
-                let (from, to) = (part as f64 / parts, (part + 1) as f64 / parts);
+                let points = rule((if part == 0 { each } else { 0.6 * each } + SPARE) as usize);
+                let [from, to] = [part, part + 1].map(|part| (part as f64 / parts).sqrt());
                 points.on(from, to).map(place).collect::<Vec<_>>()
             })
         })

@@ -1,63 +1,56 @@
 //! Spherical Bessel functions of many orders, for axisymmetric problems: j_n(z) = √(π/2z) J_(n+1/2)(z).
 //!
-//! The recurrence f_(n+1) = (2n + 1)/z f_n − f_(n−1) is run upwards from closed forms where the argument is above the orders, and
-//! downwards and normalised by one of these (Miller) where it is not. Source: Abramowitz and Stegun 1964, 10.1.
+//! The recurrences are those of [`super`] with orders larger by 1/2, and the first two functions have closed forms. Source: Abramowitz and
+//! Stegun 1964, 10.1.
 use num_complex::Complex64;
 
-use super::Wanted;
-
-/// Arguments below this differ from zero in j_1 alone, which is then negligible as well.
-const TINY: f64 = 1e-150;
-/// Where the downward recurrence starts, and by what it is divided where it has grown beyond that.
-const SEED: f64 = 1e-250;
-const LARGE: f64 = 1e200;
-/// Functions of orders above z + ABOVE z^(1/3) + SPARE are below rounding.
-const ABOVE: f64 = 10.0;
-const SPARE: usize = 20;
+use super::{Lanes, TINY, Wanted, fill};
+use crate::numeric::trigonometry::sin_cos;
+use crate::numeric::vector::{LANES, vectorised};
 
 /// As [`super::scaled_orders`]: `factor` j_n(z_i) for the orders that are `wanted`, one after the other.
+///
+/// # Panics
+/// If `stride` is less than the number of arguments, or `out` too short.
 pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
-    let mut values = vec![0.0; orders];
-    for (i, z) in arguments.iter().enumerate() {
-        fill(*z, &mut values);
-        for (column, value) in wanted.of(&values).enumerate() {
-            out[column * stride + i] = factor * value;
-        }
+    let columns = wanted.below(orders);
+    if columns == 0 || arguments.is_empty() {
+        return;
     }
+    assert!(arguments.len() <= stride && (columns - 1) * stride + arguments.len() <= out.len(), "the table fits");
+    vectorised(
+        #[inline(always)]
+        || fill::<true>(orders, wanted, arguments, factor, stride, out),
+    );
 }
 
-/// j_n(z) for all orders of `values`.
-fn fill(z: f64, values: &mut [f64]) {
-    let orders = values.len();
-    if z < TINY {
-        values.fill(0.0);
-        values.iter_mut().take(1).for_each(|first| *first = 1.0);
-        return;
+/// j_0 and j_1, to a few units of rounding of the larger one of both.
+#[inline(always)]
+pub(super) fn firsts(z: &Lanes) -> [Lanes; 2] {
+    let (sin, cos) = sin_cos(z);
+    let mut firsts = [[0.0; LANES]; 2];
+    for lane in 0..LANES {
+        let over = 1.0 / z[lane];
+        firsts[0][lane] = sin[lane] * over;
+        firsts[1][lane] = (firsts[0][lane] - cos[lane]) * over;
     }
-    let (sin, cos) = z.sin_cos();
-    let first = [sin / z, (sin / z - cos) / z];
-    if z > orders as f64 {
-        upwards(z.recip(), first, values);
-        return;
-    }
-    let most = z.max(orders as f64);
-    let start = most as usize + (ABOVE * most.cbrt()) as usize + SPARE;
-    let (mut above, mut here) = (0.0, SEED);
-    let over = z.recip();
-    for n in (0..start).rev() {
-        let below = (2 * n + 3) as f64 * over * here - above;
-        (above, here) = (here, below);
-        if n < orders {
-            values[n] = here;
+    firsts
+}
+
+/// What the values of a downward recurrence are to be multiplied by, from those of the orders 0 and 1: the larger one of both is compared.
+#[inline(always)]
+pub(super) fn factors(z: &Lanes, zeroth: &Lanes, first: &Lanes) -> Lanes {
+    let firsts = firsts(z);
+    std::array::from_fn(|lane| {
+        if z[lane] < TINY {
+            // j_0 is 1, and the only value that is not 0
+            1.0 / zeroth[lane]
+        } else if firsts[0][lane].abs() >= firsts[1][lane].abs() {
+            firsts[0][lane] / zeroth[lane]
+        } else {
+            firsts[1][lane] / first[lane]
         }
-        if here.abs() > LARGE {
-            (above, here) = (above / LARGE, here / LARGE);
-            values.iter_mut().skip(n).for_each(|value| *value /= LARGE);
-        }
-    }
-    // the loop ends with the orders 0, here, and 1, above; the larger one of both is compared
-    let factor = if first[0].abs() >= first[1].abs() { first[0] / here } else { first[1] / above };
-    values.iter_mut().for_each(|value| *value *= factor);
+    })
 }
 
 fn upwards(over: f64, first: [f64; 2], values: &mut [f64]) {
@@ -104,20 +97,46 @@ mod tests {
         (15.0 / z.powi(3) - 6.0 / z) * z.sin() / z - (15.0 / z.powi(2) - 1.0) * z.cos() / z
     }
 
+    fn all(orders: usize, z: f64) -> Vec<f64> {
+        let mut values = vec![0.0; orders];
+        scaled_orders(orders, Wanted::ALL, &[z], 1.0, 1, &mut values);
+        values
+    }
+
+    #[test]
+    fn functions_next_to_zero_are_powers() {
+        let powers = |z: f64| [1.0, z / 3.0, z * z / 15.0, z * z * z / 105.0];
+        for z in [0.0, 1e-295, 1e-200, 1e-80, 1e-9] {
+            for (found, expected) in all(60, z).into_iter().zip(powers(z)) {
+                assert!((found - expected).abs() <= 1e-15 * expected + TINY, "{z:e}: {found:e} {expected:e}");
+            }
+        }
+        // one table for arguments that differ by hundreds of orders of magnitude
+        let (arguments, mut table) = ([0.0, 1e-150, 1e-30, 0.1, 3.0, 40.0, 900.0], [0.0; 7 * 50]);
+        scaled_orders(50, Wanted::ALL, &arguments, 1.0, 7, &mut table);
+        for (i, z) in arguments.into_iter().enumerate() {
+            for (n, expected) in all(50, z).into_iter().enumerate() {
+                let found = table[7 * n + i];
+                assert!(
+                    (found - expected).abs() <= 1e-13 * expected.abs() + 1e-16,
+                    "{z:e} {n}: {found:e} {expected:e}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn functions_are_those_of_closed_forms_and_of_series() {
         for z in [0.5, 1.0, 2.7, 6.0, 30.0, 200.0] {
             for orders in [5, 40, 300] {
-                let mut values = vec![0.0; orders];
-                fill(z, &mut values);
+                let values = all(orders, z);
                 assert!((values[3] - third(z)).abs() < 1e-13 / z.min(1.0), "{z} {orders}: {} {}", values[3], third(z));
                 // Σ (2n + 1) j_n² = 1, as far as the orders reach
                 let sum: f64 = values.iter().enumerate().map(|(n, j)| (2 * n + 1) as f64 * j * j).sum();
                 assert!(orders as f64 <= z + 20.0 || (sum - 1.0).abs() < 1e-13, "{z} {orders}: {sum}");
             }
         }
-        let mut values = vec![0.0; 4];
-        fill(1e-3, &mut values);
+        let values = all(4, 1e-3);
         assert!((values[2] / (1e-6 / 15.0) - 1.0).abs() < 1e-6 && (values[3] / (1e-9 / 105.0) - 1.0).abs() < 1e-6);
     }
 
