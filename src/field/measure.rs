@@ -42,6 +42,9 @@ impl Measure {
     }
 }
 
+/// A value that is higher by less than this part than what is expected at a peak is no higher.
+const ROUNDED: f64 = 1e-7;
+
 /// What is searched for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Search {
@@ -80,5 +83,13 @@ impl Peak {
     pub(super) fn new(measure: Measure, layer: usize, seen: Seen, scale: f64) -> Self {
         let Seen { x, depth, value } = seen;
         Self { measure, layer, x, depth, value, scale, seen }
+    }
+
+    /// Goes to the highest value that was computed, if that is higher than what is expected here.
+    pub(super) fn take_seen(&mut self) {
+        let Seen { x, depth, value } = self.seen;
+        if value > self.value + ROUNDED * self.value.abs() {
+            (self.x, self.depth, self.value) = (x, depth, value);
+        }
     }
 }

@@ -164,7 +164,8 @@ fn exactly(field: &Field, peaks: &mut [Peak], extent: Extent) -> Result<(), Fiel
     }
     unfinished.into_iter().zip(moved).for_each(|(k, peak)| peaks[k] = peak);
     if extent == Extent::Near {
-        // a parabola of the last steps is as good next to the largest shear stress, which is inside
+        // a parabola of the last steps is as good next to the largest shear stress, which is inside; but not in a layer thinner than its steps
+        peaks.iter_mut().for_each(Peak::take_seen);
         return Ok(());
     }
     let sets: Vec<Vec<f64>> = peaks.iter().map(|peak| vec![peak.x]).collect();
@@ -172,11 +173,8 @@ fn exactly(field: &Field, peaks: &mut [Peak], extent: Extent) -> Result<(), Fiel
     let rows: Vec<Row> = peaks.iter().enumerate().map(row).collect();
     let there = points(field, &rows, &sets, &waves::STRESSES)?;
     for (peak, point) in peaks.iter_mut().zip(there.iter().flatten()) {
-        let Seen { x, depth, value } = peak.seen;
         peak.value = peak.measure.of(point);
-        if value > peak.value {
-            (peak.x, peak.depth, peak.value) = (x, depth, value);
-        }
+        peak.take_seen();
     }
     Ok(())
 }

@@ -24,7 +24,7 @@ pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f
     );
 }
 
-/// j_0 and j_1, to a few units of rounding of the larger one of both.
+/// j_0 and, where it is the larger one, j_1, to a few units of rounding.
 #[inline(always)]
 pub(super) fn firsts(z: &Lanes) -> [Lanes; 2] {
     let (sin, cos) = sin_cos(z);
@@ -37,7 +37,7 @@ pub(super) fn firsts(z: &Lanes) -> [Lanes; 2] {
     firsts
 }
 
-/// What the values of a downward recurrence are to be multiplied by, from those of the orders 0 and 1: the larger one of both is compared.
+/// What the values of a downward recurrence are to be multiplied by, from those of the orders 0 and 1: the larger one of both is compared, which is that of order 0 next to z = 0.
 #[inline(always)]
 pub(super) fn factors(z: &Lanes, zeroth: &Lanes, first: &Lanes) -> Lanes {
     let firsts = firsts(z);
@@ -45,7 +45,7 @@ pub(super) fn factors(z: &Lanes, zeroth: &Lanes, first: &Lanes) -> Lanes {
         if z[lane] < TINY {
             // j_0 is 1, and the only value that is not 0
             1.0 / zeroth[lane]
-        } else if firsts[0][lane].abs() >= firsts[1][lane].abs() {
+        } else if z[lane] < 1.0 || firsts[0][lane].abs() >= firsts[1][lane].abs() {
             firsts[0][lane] / zeroth[lane]
         } else {
             firsts[1][lane] / first[lane]
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn functions_next_to_zero_are_powers() {
         let powers = |z: f64| [1.0, z / 3.0, z * z / 15.0, z * z * z / 105.0];
-        for z in [0.0, 1e-295, 1e-200, 1e-80, 1e-9] {
+        for z in [0.0, 1e-295, 1e-200, 1e-80].into_iter().chain((8..60).map(|k| 10f64.powi(-k))) {
             for (found, expected) in all(60, z).into_iter().zip(powers(z)) {
                 assert!((found - expected).abs() <= 1e-15 * expected + TINY, "{z:e}: {found:e} {expected:e}");
             }
