@@ -68,6 +68,12 @@ impl<'a> SweepCsv<'a> {
     /// # Errors
     /// None in practice.
     pub fn line(&self, row: &Row) -> io::Result<String> {
+        let numbers = self.numbers(row).into_iter().map(number);
+        line(numbers.chain(self.texts(row)).chain([self.fingerprint.clone()]))
+    }
+
+    /// What a row has besides numbers: its status, codes of its warnings, and what there is to say, each in one line.
+    pub fn texts(&self, row: &Row) -> [String; 3] {
         let (status, warnings, message) = match &row.result {
             Ok(solution) => {
                 let warnings = solution.warnings();
@@ -78,10 +84,7 @@ impl<'a> SweepCsv<'a> {
             }
             Err(error) => (status(error), String::new(), error.to_string()),
         };
-        // one line for each row
-        let message = message.replace(|c: char| c.is_control(), " ");
-        let numbers = self.numbers(row).into_iter().map(number);
-        line(numbers.chain([status.to_owned(), warnings, message, self.fingerprint.clone()]))
+        [status.to_owned(), warnings, message.replace(|c: char| c.is_control(), " ")]
     }
 
     /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; the force with its error,
