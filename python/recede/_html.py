@@ -1,0 +1,34 @@
+"""Tables for notebooks."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any
+
+
+def table(head: list[str], rows: list[list[Any]]) -> str:
+    """A table with a head."""
+    top = "".join(f"<th>{escape(text)}</th>" for text in head)
+    body = "".join(f"<tr>{''.join(f'<td>{escape(_text(cell))}</td>' for cell in row)}</tr>" for row in rows)
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _text(cell: Any) -> str:
+    if cell is None:
+        return ""
+    return f"{cell:.8g}" if isinstance(cell, float) else str(cell)
+
+
+def solution(found: Any) -> str:
+    """Contacts of a solution, with errors, and the approach."""
+    rows = [
+        [c.interface, c.reach, c.half_length_error, c.central_pressure, c.central_pressure_error, c.resultant]
+        for c in found.contacts
+    ]
+    head = ["contact", "half-length", "± ", "pressure at x = 0", "± ", "resultant"]
+    text = table(head, rows)
+    if found.approach is not None:
+        stiffness = "" if found.stiffness is None else f", stiffness {found.stiffness:.8g}"
+        text += f"<p>force {found.force:.8g}, approach {found.approach:.8g}{stiffness}</p>"
+    notes = "".join(f"<li>{escape(message)}</li>" for _, message in found.warnings)
+    return text + (f"<ul>{notes}</ul>" if notes else "")

@@ -1,0 +1,368 @@
+"""Compiled part of `recede`."""
+
+import os
+from collections.abc import Callable
+from typing import Any, final, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import Fields
+from ._solutions import Interval, Solutions
+from ._text import Item, Stack
+
+__all__ = [
+    "CompiledPunch",
+    "Contact",
+    "Field",
+    "Model",
+    "Rows",
+    "Scene",
+    "Solution",
+    "__version__",
+    "arrow_stream",
+    "examine",
+    "schema",
+]
+
+__version__: str
+
+@final
+class Scene:
+    """What is pressed by what: a stack, a punch or a load, and a force.
+
+    Args:
+        stack: a `Stack`, or its items from the top down.
+        punch: such as `Cylinder(radius=500)`; its tip is at x = 0.
+        force: the force, per unit length out of the plane, or the whole force in axisymmetric scenes; a number > 0.
+        load: a pressure that is given, in place of the punch.
+        half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
+        depth: in place of the force: how far the punch sinks, in length.
+        geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; that of the stack if it is a `Stack`.
+        name: a name for reports.
+        description: what the scene shows.
+        units: labels of the units of length and force, such as `("mm", "N")`; numbers may then be texts, such as "26 GPa".
+
+    Raises:
+        InputError: with the line and a hint, if something is not legal.
+    """
+
+    def __new__(
+        cls,
+        stack: Stack | list[Item] | tuple[Item, ...],
+        punch: Item | None = None,
+        force: float | str | None = None,
+        **fields: Any,
+    ) -> Scene: ...
+    @staticmethod
+    def from_ron(text: str) -> Scene:
+        """A scene from a text in RON."""
+
+    @staticmethod
+    def from_json(text: str) -> Scene:
+        """A scene from a text in JSON."""
+
+    @staticmethod
+    def read(path: str | os.PathLike[str]) -> Scene:
+        """A scene from a file in RON or JSON."""
+
+    def to_ron(self) -> str:
+        """The scene as a text in RON."""
+
+    def to_json(self) -> str:
+        """The scene as a text in JSON."""
+
+    @property
+    def name(self) -> str:
+        """What the scene is called in reports."""
+
+    @property
+    def geometry(self) -> str:
+        """"PlaneStrain", "PlaneStress" or "Axisymmetric"."""
+
+    @property
+    def paths(self) -> list[str]:
+        """The paths of all numbers that may vary, such as "force" and "layer[2].beta"."""
+
+    def number(self, path: str) -> float:
+        """The number at a path, in the units of the scene."""
+
+    def with_number(self, path: str, value: float) -> Scene:
+        """The same scene with another number at a path."""
+
+    def solve(self, *, tolerance: float = 1e-10) -> Solution:
+        """Solves the scene.
+
+        Args:
+            tolerance: relative error to aim at, 1e-13 to 1e-2.
+
+        Raises:
+            NoSolutionError: if no admissible contact was found.
+        """
+
+    def __copy__(self) -> Scene: ...
+    def __deepcopy__(self, _memo: object) -> Scene: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+@final
+class Model:
+    """A stack with its kernels: serves any punch and any force.
+
+    Args:
+        stack: a `Stack`, or a `Scene`, of which the stack is taken.
+        many_loads: keeps a table of solutions to start others from, which halves the time of thousands of loads.
+    """
+
+    def __new__(cls, stack: Stack | Scene, *, many_loads: bool = False) -> Model: ...
+    @overload
+    def press(self, punch: Item, force: float, *, tolerance: float = 1e-10) -> Solution: ...
+    @overload
+    def press(self, punch: Item, force: ArrayLike, *, tolerance: float = 1e-10) -> Solutions: ...
+    @overload
+    def press(
+        self,
+        punch: Item,
+        force: None = None,
+        *,
+        half_length: float | None = None,
+        depth: float | None = None,
+        tolerance: float = 1e-10,
+    ) -> Solution: ...
+    @overload
+    def press(
+        self,
+        punch: Item,
+        force: None = None,
+        *,
+        half_length: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+        tolerance: float = 1e-10,
+    ) -> Solutions:
+        """Presses a punch, or a load, on the stack; other threads of Python go on meanwhile.
+
+        Args:
+            punch: such as `Cylinder(radius=500)`, or a load such as `Uniform(half_width=1)`.
+            force: force per unit length out of the plane, or the whole force in axisymmetric stacks; a number, or an array of them, in
+                which a number that is not legal, or has no solution, has an error of its own.
+            half_length: in place of the force: half-length (radius) of the contact under the punch, in length.
+            depth: in place of the force: how far the punch sinks, in length.
+            tolerance: relative error to aim at, 1e-13 to 1e-2.
+
+        Raises:
+            InputError: if a number is not legal.
+            NoSolutionError: if no admissible contact was found.
+        """
+
+    def field(self, solution: Solution) -> Field:
+        """Stresses and displacements, for a solution of this stack."""
+
+    @property
+    def geometry(self) -> str:
+        """"PlaneStrain", "PlaneStress" or "Axisymmetric"."""
+
+    def __copy__(self) -> Model: ...
+    def __deepcopy__(self, _memo: object) -> Model: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+@final
+class Solution:
+    """A solved scene. In a notebook it shows a table and, with `_repr_svg_`, the picture."""
+
+    @property
+    def contacts(self) -> tuple[Contact, ...]:
+        """The contacts from the top down, the punch first."""
+
+    @property
+    def force(self) -> float:
+        """The force that presses, per unit length out of the plane, or the whole force in axisymmetric scenes."""
+
+    @property
+    def force_error(self) -> float:
+        """Estimate of its absolute error; 0 if it was given."""
+
+    @property
+    def tolerance(self) -> float:
+        """The relative error that was aimed at."""
+
+    @property
+    def approach(self) -> float | None:
+        """How far the punch has sunk, in length; None where that is not defined, such as over a half-plane in plane scenes."""
+
+    @property
+    def approach_error(self) -> float | None:
+        """Estimate of its absolute error."""
+
+    @property
+    def stiffness(self) -> float | None:
+        """The derivative of the force with respect to the approach; None where it is not known."""
+
+    @property
+    def stiffness_error(self) -> float | None:
+        """Estimate of its absolute error."""
+
+    @property
+    def min_pressure(self) -> float:
+        """Smallest pressure found inside the contacts, in stress."""
+
+    @property
+    def min_gap(self) -> float:
+        """Smallest gap found outside the contacts, in length."""
+
+    @property
+    def modes(self) -> int:
+        """Largest number of modes of a pressure."""
+
+    @property
+    def wavenumbers(self) -> int:
+        """Number of wavenumbers at which the stack was evaluated."""
+
+    @property
+    def newton_steps(self) -> int:
+        """Newton steps taken."""
+
+    @property
+    def seconds(self) -> float:
+        """The time that it took, without the kernels of the stack."""
+
+    @property
+    def warnings(self) -> list[tuple[str, str]]:
+        """(code, sentence) of each warning; they were handed to Python's `warnings`, too."""
+
+    def field(self) -> Field:
+        """Stresses and displacements."""
+
+    def to_json(self) -> str:
+        """All numbers as JSON, as `recede solve --format json` writes them."""
+
+    def svg(self) -> str:
+        """The stack to scale with its contacts, and the pressures below it, as SVG."""
+
+    def png(self) -> bytes:
+        """The same as PNG."""
+
+    def _repr_svg_(self) -> str: ...
+    def _repr_html_(self) -> str: ...
+    def __copy__(self) -> Solution: ...
+    def __deepcopy__(self, _memo: object) -> Solution: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+    __hash__: None  # type: ignore[assignment]
+
+@final
+class Contact:
+    """One contact of a solution. Pressures are positive in compression."""
+
+    @property
+    def interface(self) -> str:
+        """Which contact: "punch", or "2|3" between the layers 2 and 3."""
+
+    @property
+    def half_length(self) -> float | None:
+        """Half-length (radius) of a contact that is one interval, in length; None if it is none, or several."""
+
+    @property
+    def half_length_error(self) -> float | None:
+        """Estimate of its absolute error."""
+
+    @property
+    def reach(self) -> float:
+        """As far as the bodies touch, in length."""
+
+    @property
+    def central_pressure(self) -> float:
+        """Pressure at x = 0, in stress; infinite under a sharp tip."""
+
+    @property
+    def central_pressure_error(self) -> float:
+        """Estimate of its absolute error."""
+
+    @property
+    def resultant(self) -> float:
+        """Resultant of the pressure."""
+
+    @property
+    def peak_pressure(self) -> float:
+        """Largest pressure, in stress."""
+
+    @property
+    def peak_pressure_error(self) -> float:
+        """Estimate of its absolute error."""
+
+    @property
+    def peak_at(self) -> float:
+        """Where it is, x >= 0, in length."""
+
+    @property
+    def intervals(self) -> list[Interval]:
+        """All intervals in which the bodies touch, from left to right."""
+
+    @overload
+    def pressure(self, x: float) -> float: ...
+    @overload
+    def pressure(self, x: ArrayLike) -> NDArray[np.float64]:
+        """Pressure at places x, in stress; 0 outside the contact."""
+
+    @overload
+    def gap(self, x: float) -> float: ...
+    @overload
+    def gap(self, x: ArrayLike) -> NDArray[np.float64]:
+        """How far the bodies are apart at places x, in length; 0 where they touch."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+
+@final
+class Field:
+    """Stresses and displacements inside a stack, stresses positive in tension."""
+
+    def at(self, x: ArrayLike, depth: ArrayLike, layer: int | None = None) -> Fields:
+        """Stresses and displacements at points.
+
+        Args:
+            x: places along the layers (distances from the axis), in length.
+            depth: depths below the top face, in length; in the shape of `x`, or one that fits to it.
+            layer: number of the layer from the top, from 1, on an interface; the layer below if not given.
+        """
+
+    def grid(self, x: ArrayLike, depth: ArrayLike) -> Fields:
+        """The same on a grid: arrays with a row for each depth, faster than one by one."""
+
+    def stress_error(self, x: float, depth: float, layer: int | None = None) -> float:
+        """Estimate of the error of the stresses at a point, in stress."""
+
+    def max_shear(self) -> dict[str, Any]:
+        """The largest shear stress in the plane anywhere, with x, depth and layer."""
+
+    def extremes(self) -> dict[str, Any]:
+        """The stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, shear stress and
+        tension across each interface that does not open."""
+
+@final
+class Rows:
+    def __new__(
+        cls, scene: Scene, axes: list[tuple[str, list[float]]], tolerance: float, approach: bool, extremes: bool
+    ) -> Rows: ...
+    def __len__(self) -> int: ...
+    @property
+    def names(self) -> list[str]:
+        """The names of the columns: numbers, then texts."""
+
+    @property
+    def fingerprint(self) -> str: ...
+    def run(self, first: int, last: int, threads: int) -> tuple[list[NDArray[np.float64]], list[list[str]], bool]:
+        """Some rows, by this many threads. When interrupted it returns those that are complete."""
+
+@final
+class CompiledPunch:
+    """A punch or load as the library knows it."""
+
+def examine(thickness: float, function: Callable[[float], tuple[float, float]]) -> None:
+    """Examines a function of the depth as the material of a layer of this thickness."""
+
+def schema() -> str:
+    """The JSON Schema of scenes."""
+
+def arrow_stream(names: list[str], columns: list[Any]) -> object:
+    """A stream of one batch, by the Arrow PyCapsule interface."""

@@ -1,0 +1,87 @@
+"""Solutions for many forces, and the intervals of contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import Error
+from ._recede import Contact, Solution
+
+
+class Interval(NamedTuple):
+    """An interval in which the bodies of a contact touch, in length, with the force on it and where that acts."""
+
+    left: float
+    right: float
+    left_error: float
+    right_error: float
+    force: float
+    centroid: float
+
+
+class Solutions:
+    """Solutions for many forces, in the order in which these were given. A force without a solution raises its error when it is
+    asked for, and is NaN in arrays."""
+
+    def __init__(self, found: list[Solution | Error], numbers: NDArray[np.float64]) -> None:
+        self._found = found
+        self._shape = numbers.shape
+
+    @property
+    def errors(self) -> list[Error | None]:
+        """For each force why there is no solution, or None."""
+        return [one if isinstance(one, BaseException) else None for one in self._found]
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __getitem__(self, index: int) -> Solution:
+        found = self._found[index]
+        if isinstance(found, BaseException):
+            raise found
+        return found
+
+    def __iter__(self) -> Iterator[Solution]:
+        return (self[index] for index in range(len(self)))
+
+    def _array(self, of: Callable[[Solution], float | None]) -> NDArray[np.float64]:
+        values = [np.nan if isinstance(one, BaseException) else of(one) for one in self._found]
+        return np.array([np.nan if value is None else value for value in values], dtype=float).reshape(self._shape)
+
+    def _of_contact(self, contact: int, of: Callable[[Contact], float | None]) -> NDArray[np.float64]:
+        return self._array(lambda one: of(one.contacts[contact]))
+
+    @property
+    def force(self) -> NDArray[np.float64]:
+        """Forces, in force per length (plane scenes) or force (axisymmetric ones)."""
+        return self._array(lambda one: one.force)
+
+    @property
+    def approach(self) -> NDArray[np.float64]:
+        """How far the punch has sunk, in length; NaN where that is not defined."""
+        return self._array(lambda one: one.approach)
+
+    @property
+    def stiffness(self) -> NDArray[np.float64]:
+        """The derivative of the force with respect to the approach; NaN where it is not known."""
+        return self._array(lambda one: one.stiffness)
+
+    def half_length(self, contact: int = 0) -> NDArray[np.float64]:
+        """Half-lengths of a contact, counted from 0 at the punch, in length; NaN for several intervals."""
+        return self._of_contact(contact, lambda one: one.half_length)
+
+    def central_pressure(self, contact: int = 0) -> NDArray[np.float64]:
+        """Pressures at x = 0, in stress."""
+        return self._of_contact(contact, lambda one: one.central_pressure)
+
+    def peak_pressure(self, contact: int = 0) -> NDArray[np.float64]:
+        """Largest pressures, in stress."""
+        return self._of_contact(contact, lambda one: one.peak_pressure)
+
+    def __repr__(self) -> str:
+        failed = sum(isinstance(one, BaseException) for one in self._found)
+        return f"<Solutions: {len(self)}, {failed} of them without solution>"

@@ -1,0 +1,104 @@
+"""Sweeps: a scene for many values of some of its numbers."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from ._arrays import line
+from ._errors import Interrupted
+from ._recede import Rows, Scene
+from ._table import Columns, joined
+
+#: Tasks per worker of an executor: some, so that none waits long for the others.
+TASKS = 8
+#: Rows of a task at least, unless it is told: fewer do not outweigh the way to another process.
+LEAST = 50
+
+
+def sweep(
+    scene: Scene,
+    vary: Mapping[str, Iterable[float]],
+    *,
+    approach: bool = False,
+    extremes: bool = False,
+    tolerance: float = 1e-10,
+    threads: int | None = None,
+    executor: Any = None,
+    chunk: int | None = None,
+) -> Columns:
+    """Solves a scene for all combinations of some values of its numbers; those given last change first.
+
+    Args:
+        scene: the scene.
+        vary: values by path, such as `{"force": numpy.linspace(1, 10, 10), "layer[1].thickness": [1, 2]}`; `scene.paths` lists paths.
+        approach: adds the approach of the punch (length) and the stiffness.
+        extremes: adds the stresses by which layers and bonds break.
+        tolerance: relative error to aim at, 1e-13 to 1e-2.
+        threads: threads that compute; as many as there are processors if not given. With an executor: threads of each task, 1 if
+            not given.
+        executor: anything with the interface of `concurrent.futures`, such as a process pool, or a client of `dask.distributed`.
+        chunk: rows of a task of the executor.
+
+    Returns:
+        A table with the columns that `recede sweep` writes. A row without solution says why in the column `message`.
+
+    Raises:
+        InputError: if there is no number at a path, or a value is not legal for it.
+        Interrupted: if interrupted from the keyboard; its `table` has the rows that were complete.
+    """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"a sweep is one of a `Scene`, not of {scene!r}")
+    if not vary:
+        raise ValueError(f"nothing varies; what can vary in this scene: {', '.join(scene.paths)}")
+    axes = [(path, line(list(values), path).tolist()) for path, values in vary.items()]
+    rows = Rows(scene, axes, tolerance, approach, extremes)
+    if executor is None:
+        table, complete = _part(rows, 0, len(rows), threads or os.cpu_count() or 1)
+        if not complete:
+            raise Interrupted(f"interrupted after {table.rows} of {len(rows)} rows", table)
+        return table
+    what = (scene.to_ron(), axes, tolerance, approach, extremes)
+    size = chunk or max(LEAST, -(-len(rows) // (TASKS * (os.cpu_count() or 1))))
+    return _by_executor(executor, what, len(rows), size, threads or 1)
+
+
+def _part(rows: Rows, first: int, last: int, threads: int) -> tuple[Columns, bool]:
+    numbers, texts, complete = rows.run(first, last, threads)
+    return _table(rows, [*numbers, *texts]), complete
+
+
+def _table(rows: Rows, columns: list[Any]) -> Columns:
+    count = len(columns[0])
+    return Columns(dict(zip(rows.names, [*columns, [rows.fingerprint] * count], strict=True)))
+
+
+def _task(what: tuple[Any, ...], first: int, last: int, threads: int) -> list[Any]:
+    """Some rows of a sweep in another process: the columns alone, since what they are called is known."""
+    text, axes, tolerance, approach, extremes = what
+    rows = Rows(Scene.from_ron(text), axes, tolerance, approach, extremes)
+    numbers, texts, complete = rows.run(first, last, threads)
+    if not complete:
+        raise KeyboardInterrupt
+    return [*numbers, *texts]
+
+
+def _by_executor(executor: Any, what: tuple[Any, ...], count: int, size: int, threads: int) -> Columns:
+    text, axes, tolerance, approach, extremes = what
+    rows = Rows(Scene.from_ron(text), axes, tolerance, approach, extremes)
+    starts = range(0, count, size)
+    futures = [executor.submit(_task, what, first, min(first + size, count), threads) for first in starts]
+    try:
+        parts = [_table(rows, future.result()) for future in futures]
+    except KeyboardInterrupt:
+        for future in futures:
+            future.cancel()
+        done = [_table(rows, future.result()) for future in futures if _is_there(future)]
+        table = joined(done) if done else _table(rows, [[] for _ in rows.names[:-1]])
+        raise Interrupted(f"interrupted after {table.rows} of {count} rows", table) from None
+    return joined(parts)
+
+
+def _is_there(future: Any) -> bool:
+    return future.done() and not future.cancelled() and future.exception() is None

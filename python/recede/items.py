@@ -1,0 +1,552 @@
+"""Layers, interfaces, bases, punches and loads.
+
+Numbers may be texts with a unit, such as '26 GPa', where the scene names its units.
+
+Written by make_items.py from the JSON Schema of scenes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ._text import Item
+
+
+class StackItem(Item):
+    """An item of a stack."""
+
+    __slots__ = ()
+
+
+class Homogeneous(StackItem):
+    """One isotropic material through the thickness.
+
+    Args:
+        thickness: Thickness h, in length. Allowed: a finite number >= 0 (0 means: not there).
+        poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
+        shear_modulus: Shear modulus μ, in stress; or in its place `young`. Allowed: a finite number > 0.
+        young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, thickness: Any, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
+        super().__init__(thickness=thickness, poisson=poisson, shear_modulus=shear_modulus, young=young)
+
+
+class Exponential(StackItem):
+    """Shear modulus varies as exp(beta d) with the depth d.
+
+    Args:
+        thickness: Thickness h, in length. Allowed: a finite number >= 0 (0 means: not there).
+        poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
+        beta: Grading exponent β, in 1/length: the modulus at depth d is that at the top face times exp(beta d).
+            Allowed: a finite number.
+        shear_modulus: Shear modulus μ at the top face, in stress; or in its place `young`. Allowed: a finite number >
+            0.
+        young: Young's modulus E at the top face, in stress; or in its place `shear_modulus`. Allowed: a finite number >
+            0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        thickness: Any,
+        poisson: Any,
+        beta: Any,
+        shear_modulus: Any = None,
+        young: Any = None,
+    ) -> None:
+        super().__init__(thickness=thickness, poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
+
+
+class Graded(StackItem):
+    """Shear modulus and Poisson's ratio vary in any way.
+
+    Args:
+        thickness: Thickness h, in length. Allowed: a finite number >= 0 (0 means: not there).
+        shear_modulus: Shear modulus as a function of the depth d, in stress; or in its place `young`.
+        young: Young's modulus as a function of the depth d, in stress; or in its place `shear_modulus`.
+        poisson: Poisson's ratio, if it is the same at any depth. Allowed: -1 < poisson <= 0.5.
+        poisson_profile: Poisson's ratio as a function of depth, in place of `poisson`.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        thickness: Any,
+        shear_modulus: Any = None,
+        young: Any = None,
+        poisson: Any = None,
+        poisson_profile: Any = None,
+    ) -> None:
+        super().__init__(
+            thickness=thickness,
+            shear_modulus=shear_modulus,
+            young=young,
+            poisson=poisson,
+            poisson_profile=poisson_profile,
+        )
+
+
+class Orthotropic(StackItem):
+    """One orthotropic material through the thickness.
+
+    Args:
+        thickness: Thickness h, in length. Allowed: a finite number >= 0 (0 means: not there).
+        young: Young's moduli.
+        poisson: Poisson's ratios.
+        shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, thickness: Any, young: Any, poisson: Any, shear_modulus: Any) -> None:
+        super().__init__(thickness=thickness, young=young, poisson=poisson, shear_modulus=shear_modulus)
+
+
+class HalfPlane(StackItem):
+    """One isotropic material, down to any depth.
+
+    Args:
+        poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
+        shear_modulus: Shear modulus μ, in stress; or in its place `young`. Allowed: a finite number > 0.
+        young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
+        super().__init__(poisson=poisson, shear_modulus=shear_modulus, young=young)
+
+
+class GradedHalfPlane(StackItem):
+    """Shear modulus grows as exp(beta d).
+
+    Args:
+        poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
+        beta: Grading exponent β, in 1/length: the modulus at depth d is that at the face times exp(beta d). Allowed: a
+            finite number >= 0 (a half-plane that softens without end carries no force).
+        shear_modulus: Shear modulus μ at the face, in stress; or in its place `young`. Allowed: a finite number > 0.
+        young: Young's modulus E at the face, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, poisson: Any, beta: Any, shear_modulus: Any = None, young: Any = None) -> None:
+        super().__init__(poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
+
+
+class PowerHalfPlane(StackItem):
+    """Shear modulus grows as (1 + d/length)^exponent.
+
+    Args:
+        poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
+        length: Length l over which the modulus rises first, in length. Allowed: a finite number > 0.
+        exponent: Exponent m, dimensionless: the modulus at depth d is that at the face times (1 + d/length)^m. Allowed:
+            a finite number > -1 (a half-plane that softens faster carries no force).
+        shear_modulus: Shear modulus μ at the face, in stress; or in its place `young`. Allowed: a finite number > 0.
+        young: Young's modulus E at the face, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        poisson: Any,
+        length: Any,
+        exponent: Any,
+        shear_modulus: Any = None,
+        young: Any = None,
+    ) -> None:
+        super().__init__(poisson=poisson, length=length, exponent=exponent, shear_modulus=shear_modulus, young=young)
+
+
+class OrthotropicHalfPlane(StackItem):
+    """One orthotropic material.
+
+    Args:
+        young: Young's moduli.
+        poisson: Poisson's ratios.
+        shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, young: Any, poisson: Any, shear_modulus: Any) -> None:
+        super().__init__(young=young, poisson=poisson, shear_modulus=shear_modulus)
+
+
+class Winkler(StackItem):
+    """Springs on rigid ground; the layer above is to be bonded to them.
+
+    Args:
+        stiffness: Stiffness k, in stress/length. Allowed: a finite number > 0.
+        shear_stiffness: Stiffness k_t along the face, in stress/length; without it, the layer slides freely. Allowed: a
+            finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, stiffness: Any, shear_stiffness: Any = None) -> None:
+        super().__init__(stiffness=stiffness, shear_stiffness=shear_stiffness)
+
+
+class Spring(StackItem):
+    """Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u].
+
+    Args:
+        normal: Stress σ_yy per length by which the layers separate. Allowed: a finite number > 0.
+        tangential: Stress σ_xy per length by which the layers slide on each other; none if it is not given. Allowed: a
+            finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, normal: Any, tangential: Any = None) -> None:
+        super().__init__(normal=normal, tangential=tangential)
+
+
+class Bonded(StackItem):
+    """All displacements and stresses are continuous."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class Sliding(StackItem):
+    """No friction, but no opening either: only v and σ_yy are continuous."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class Receding(StackItem):
+    """No friction, no adhesion, free to open: where closed it transmits pressure only."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class Rigid(StackItem):
+    """A rigid base, to which the layer above is joined or on which it lies loose."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class Punch(Item):
+    """A punch."""
+
+    __slots__ = ()
+
+
+class Cylinder(Punch):
+    """A circular cylinder, exactly: height R − √(R² − x²), slope x/√(R² − x²).
+
+    Args:
+        radius: Radius R, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any) -> None:
+        super().__init__(radius=radius)
+
+
+class Parabola(Punch):
+    """A parabola: height x²/(2R), slope x/R.
+
+    Args:
+        radius: Radius of curvature R at the tip, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any) -> None:
+        super().__init__(radius=radius)
+
+
+class Power(Punch):
+    """A power of the distance from the tip: height (|x|/half_width)^exponent · height.
+
+    Args:
+        exponent: Exponent, 1 for a wedge, 2 for a parabola; dimensionless. Allowed: a number from 1 to 100.
+        height: Height there above the tip, in length. Allowed: a finite number > 0.
+        half_width: Where the height is given, in length. Allowed: a finite number > 0.
+        radius: Where the height is given, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, exponent: Any, height: Any, half_width: Any = None, radius: Any = None) -> None:
+        super().__init__(exponent=exponent, height=height, half_width=half_width, radius=radius)
+
+
+class Polynomial(Punch):
+    """A polynomial in even powers: height h₁ s² + h₂ s⁴ + h₃ s⁶ + ..., s = x/half_width. If it falls in the end, the
+    punch ends where that begins.
+
+    Args:
+        heights: h₁, h₂, h₃ and so on, in length. Allowed: [height, height, ...], one or more finite numbers that are
+            not all 0.
+        half_width: Where s is 1, in length. Allowed: a finite number > 0.
+        radius: Where s is 1, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, heights: Any, half_width: Any = None, radius: Any = None) -> None:
+        super().__init__(heights=heights, half_width=half_width, radius=radius)
+
+
+class Wedge(Punch):
+    """A wedge: height slope · |x|. The pressure is infinite at the tip, like a logarithm.
+
+    Args:
+        slope: Slope of its faces, dimensionless. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, slope: Any) -> None:
+        super().__init__(slope=slope)
+
+
+class RoundedFlat(Punch):
+    """A flat punch with rounded corners: height 0 up to half_width, from there on (|x| − half_width)²/(2R).
+
+    Args:
+        radius: Radius of curvature R of the corners, in length. Allowed: a finite number > 0.
+        half_width: Half-width of the flat part, in length. Allowed: a finite number >= 0 (0 means: not there).
+        flat_radius: Radius of the flat part, in length. Allowed: a finite number >= 0 (0 means: not there).
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any, half_width: Any = None, flat_radius: Any = None) -> None:
+        super().__init__(radius=radius, half_width=half_width, flat_radius=flat_radius)
+
+
+class Flat(Punch):
+    """A flat punch with sharp corners: the contact is as long as the punch, and the pressure is infinite at its
+    corners, like an inverse root.
+
+    Args:
+        half_width: Half-width of the punch, in length. Allowed: a finite number > 0.
+        radius: Radius of the punch, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
+        super().__init__(half_width=half_width, radius=radius)
+
+
+class Table(Punch):
+    """Heights at distances from the tip, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
+    them.
+
+    Args:
+        rows: Allowed: [(x, height), ...], two or more with increasing distances x, the first 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, rows: Any) -> None:
+        super().__init__(rows=rows)
+
+
+class ElasticCylinder(Punch):
+    """A circular cylinder of an elastic material: it is flattened like a half-plane.
+
+    Args:
+        radius: Radius R, in length. Allowed: a finite number > 0.
+        poisson: Poisson's ratio of the cylinder, dimensionless. Allowed: -1 < poisson <= 0.5.
+        shear_modulus: Shear modulus of the cylinder, in stress; or in its place `young`. Allowed: a finite number > 0.
+        young: Young's modulus of the cylinder, in stress; or in its place `shear_modulus`. Allowed: a finite number >
+            0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
+        super().__init__(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
+
+
+class Sphere(Punch):
+    """A sphere, exactly: height R − √(R² − r²), slope r/√(R² − r²).
+
+    Args:
+        radius: Radius R, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any) -> None:
+        super().__init__(radius=radius)
+
+
+class Cone(Punch):
+    """A cone: height slope · r. The pressure is infinite at the tip, like a logarithm.
+
+    Args:
+        slope: Slope of its surface, dimensionless: the tangent of its angle with the stack. Allowed: a finite number >
+            0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, slope: Any) -> None:
+        super().__init__(slope=slope)
+
+
+class ElasticSphere(Punch):
+    """A sphere of an elastic material: it is flattened like a half-space.
+
+    Args:
+        radius: Radius R, in length. Allowed: a finite number > 0.
+        poisson: Poisson's ratio of the cylinder, dimensionless. Allowed: -1 < poisson <= 0.5.
+        shear_modulus: Shear modulus of the cylinder, in stress; or in its place `young`. Allowed: a finite number > 0.
+        young: Young's modulus of the cylinder, in stress; or in its place `shear_modulus`. Allowed: a finite number >
+            0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
+        super().__init__(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
+
+
+class Load(Item):
+    """A given pressure in place of a punch."""
+
+    __slots__ = ()
+
+    _is_load = True
+
+
+class Line(Load):
+    """The whole force on the line x = 0."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class Uniform(Load):
+    """The same pressure everywhere on |x| < half_width.
+
+    Args:
+        half_width: Half-width of the loaded strip, in length. Allowed: a finite number > 0.
+        radius: Radius of the loaded disc, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
+        super().__init__(half_width=half_width, radius=radius)
+
+
+class Parabolic(Load):
+    """A pressure like 1 − (x/half_width)².
+
+    Args:
+        half_width: Half-width of the loaded strip, in length. Allowed: a finite number > 0.
+        radius: Radius of the loaded disc, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
+        super().__init__(half_width=half_width, radius=radius)
+
+
+class Elliptic(Load):
+    """A pressure like √(1 − (x/half_width)²), that of Hertz.
+
+    Args:
+        half_width: Half-width of the loaded strip, in length. Allowed: a finite number > 0.
+        radius: Radius of the loaded disc, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
+        super().__init__(half_width=half_width, radius=radius)
+
+
+class Several(Load):
+    """Several of these at once, each at a distance from x = 0 and, beyond 0, with its mirror image. The force is
+    divided among them in the ratio of their shares, a share being that of both images together. They may overlap.
+
+    Args:
+        rows: Allowed: [(at: x, share: s, load: ...), ...], one or more loads with their distances x >= 0 and shares s >
+            0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, rows: Any) -> None:
+        super().__init__(rows=rows)
+
+
+class Point(Load):
+    """The whole force at the point r = 0."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__()
+
+
+__all__ = [
+    "Bonded",
+    "Cone",
+    "Cylinder",
+    "ElasticCylinder",
+    "ElasticSphere",
+    "Elliptic",
+    "Exponential",
+    "Flat",
+    "Graded",
+    "GradedHalfPlane",
+    "HalfPlane",
+    "Homogeneous",
+    "Line",
+    "Load",
+    "Orthotropic",
+    "OrthotropicHalfPlane",
+    "Parabola",
+    "Parabolic",
+    "Point",
+    "Polynomial",
+    "Power",
+    "PowerHalfPlane",
+    "Punch",
+    "Receding",
+    "Rigid",
+    "RoundedFlat",
+    "Several",
+    "Sliding",
+    "Sphere",
+    "Spring",
+    "StackItem",
+    "Table",
+    "Uniform",
+    "Wedge",
+    "Winkler",
+]
