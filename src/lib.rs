@@ -116,7 +116,7 @@ pub use stack::{
 };
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;
-pub use sweep::{Axis, AxisError, Row as SweepRow, Sweep, SweepPoint};
+pub use sweep::{Axis, AxisError, Part, PartError, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved};
 pub use system::{
     Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,

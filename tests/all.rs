@@ -36,6 +36,7 @@ mod layers;
 mod list;
 mod loads;
 mod many_loads;
+mod merge;
 mod paper;
 mod parts;
 mod plot;

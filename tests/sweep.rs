@@ -73,16 +73,18 @@ fn numbers_do_not_depend_on_threads_nor_on_where_one_begins() {
     let alone: Vec<String> = sweep.rows().map(|row| csv.line(&row).unwrap()).collect();
     assert_eq!(alone.len(), sweep.len());
     for threads in [2, 4] {
-        let rows = sweep.parallel_rows(0, NonZeroUsize::new(threads).unwrap());
+        let rows = sweep.parallel_rows(0..sweep.len(), NonZeroUsize::new(threads).unwrap());
         assert!(rows.map(|row| csv.line(&row).unwrap()).eq(alone.iter().cloned()), "{threads} threads");
     }
     for first in [7, 150, 198] {
-        assert!(sweep.rows_from(first).map(|row| csv.line(&row).unwrap()).eq(alone[first..].iter().cloned()));
-        let rows = sweep.parallel_rows(first, NonZeroUsize::MIN);
+        assert!(
+            sweep.rows_in(first..sweep.len()).map(|row| csv.line(&row).unwrap()).eq(alone[first..].iter().cloned())
+        );
+        let rows = sweep.parallel_rows(first..sweep.len(), NonZeroUsize::MIN);
         assert!(rows.map(|row| csv.line(&row).unwrap()).eq(alone[first..].iter().cloned()));
     }
     // the receiver may stop at any row
-    assert_eq!(sweep.parallel_rows(0, NonZeroUsize::new(2).unwrap()).take(3).count(), 3);
+    assert_eq!(sweep.parallel_rows(0..sweep.len(), NonZeroUsize::new(2).unwrap()).take(3).count(), 3);
 }
 
 #[test]
@@ -287,9 +289,9 @@ fn a_large_grid_begins_at_once() {
     let expected = few(&mut small.rows());
     assert_eq!(few(&mut sweep.rows()), expected);
     for threads in [1, 2] {
-        assert_eq!(few(&mut sweep.parallel_rows(0, NonZeroUsize::new(threads).unwrap())), expected);
+        assert_eq!(few(&mut sweep.parallel_rows(0..sweep.len(), NonZeroUsize::new(threads).unwrap())), expected);
     }
-    assert_eq!(sweep.rows_from(999_999_999).map(|row| row.values).collect::<Vec<_>>(), [[-1.0, 1000.0]]);
+    assert_eq!(sweep.rows_in(999_999_999..1_000_000_000).map(|row| row.values).collect::<Vec<_>>(), [[-1.0, 1000.0]]);
     // of what is drawn there is no more than of a small grid
     let drawn = (0..1_000_000).filter(|row| recede::plot::is_drawn(&sweep, *row)).count();
     assert_eq!(drawn, 10);

@@ -3,8 +3,11 @@ mod check;
 mod convert;
 mod field;
 mod generate;
+mod grid;
 mod init;
 mod list;
+mod merge;
+mod part_file;
 mod plot;
 mod profile;
 mod progress;
@@ -40,6 +43,7 @@ Examples:
   recede field scene.ron --out shear.svg     the same as a map
   recede profile scene.ron --out profile.csv pressures, gaps and displacements along x
   recede sweep scene.ron --vary force=1:9:5  contacts for five forces
+  recede merge sweep.ron part_*.csv --out all.csv  the files of all parts in one
   recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
   recede init scene.ron                      a scene to begin with
   recede convert scene.ron --out scene.json  a scene for other programs
@@ -58,6 +62,7 @@ enum Command {
     List(list::List),
     Selftest(selftest::Selftest),
     Sweep(sweep::Command),
+    Merge(merge::Merge),
     Plot(plot::Plot),
     Init(init::Init),
     Completions(generate::Completions),
@@ -143,6 +148,7 @@ impl Arguments {
             Command::List(command) => command.run(&mut out),
             Command::Selftest(command) => command.run(&mut out),
             Command::Sweep(command) => command.run(&mut out),
+            Command::Merge(command) => command.run(),
             Command::Plot(command) => command.run(),
             Command::Init(command) => command.run(),
             Command::Completions(command) => command.run(&mut out),

@@ -1,6 +1,7 @@
 //! A file of rows that grows by whole lines, so that a sweep can be interrupted at any time.
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::Path;
 
 use recede::report::SweepCsv;
@@ -23,21 +24,22 @@ impl RowsFile<'_> {
         Ok(Self::File(file))
     }
 
-    /// A file that was begun, and how many rows it has, each of which is shown to `see` with its number; a new one if there is none.
+    /// A file that was begun with the first of these rows, and how many it has, each of which is shown to `see` with its number; a new one
+    /// if there is none.
     pub(super) fn resume(
         path: &Path,
         csv: &SweepCsv,
-        rows: usize,
+        rows: Range<usize>,
         see: impl FnMut(usize, &str),
     ) -> Result<(Self, usize), Failure> {
         let mut file = match OpenOptions::new().read(true).write(true).open(path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((Self::create(path, csv)?, 0)),
             other => other.map_err(|cause| Failure::file(path, cause))?,
         };
-        let Begun { lines, bytes } = begun(&file, csv, see).map_err(|cause| Failure::file(path, cause))?;
-        let Some(done) = lines.filter(|lines| *lines <= rows) else {
+        let Begun { lines, bytes } = begun(&file, csv, &rows, see).map_err(|cause| Failure::file(path, cause))?;
+        let Some(done) = lines else {
             return Err(Failure::usage(
-                format!("{} holds something else than rows of this sweep", path.display()),
+                format!("{} holds something else than rows of this sweep, or of this part of it", path.display()),
                 "without --resume it is begun anew, and what it holds is lost",
             ));
         };
@@ -61,15 +63,14 @@ impl RowsFile<'_> {
 
 /// What an interrupted sweep has left.
 struct Begun {
-    /// Whole lines below the header; `None` if some line is not one of this sweep.
+    /// Whole lines below the header; `None` if some line is not that of the row that is to stand there.
     lines: Option<usize>,
     /// Bytes of all whole lines.
     bytes: u64,
 }
 
-fn begun(file: &File, csv: &SweepCsv, mut see: impl FnMut(usize, &str)) -> io::Result<Begun> {
+fn begun(file: &File, csv: &SweepCsv, rows: &Range<usize>, mut see: impl FnMut(usize, &str)) -> io::Result<Begun> {
     let header = csv.header()?;
-    let end = format!(",{}\n", csv.fingerprint());
     let mut reader = BufReader::new(file);
     let mut line = Vec::new();
     let mut begun = Begun { lines: Some(0), bytes: 0 };
@@ -79,13 +80,16 @@ fn begun(file: &File, csv: &SweepCsv, mut see: impl FnMut(usize, &str)) -> io::R
             begun.lines = begun.lines.filter(|_| begun.bytes > 0 || header.as_bytes().starts_with(&line));
             break;
         }
-        let expected = if begun.bytes == 0 { line == header.as_bytes() } else { line.ends_with(end.as_bytes()) };
+        let row = rows.start + begun.lines.unwrap_or(0);
+        let text = String::from_utf8_lossy(&line);
+        let expected =
+            if begun.bytes == 0 { text == header } else { rows.contains(&row) && csv.is_line_of(&text, row) };
         if !expected {
             begun.lines = None;
             break;
         }
         if begun.bytes > 0 {
-            see(begun.lines.unwrap_or(0), &String::from_utf8_lossy(&line));
+            see(row, &text);
             begun.lines = begun.lines.map(|lines| lines + 1);
         }
         begun.bytes += line.len() as u64;

@@ -87,6 +87,43 @@ impl<'a> SweepCsv<'a> {
         [status.to_owned(), warnings, message.replace(|c: char| c.is_control(), " ")]
     }
 
+    /// Whether this is the whole line of the row with this number, as far as its values and the fingerprint tell.
+    ///
+    /// ```
+    /// use recede::{Scene, Sweep, report::SweepCsv};
+    /// let scene = Scene::read("examples/scenes/hertz.ron")?;
+    /// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?])?;
+    /// let csv = SweepCsv::new(&sweep);
+    /// let lines = sweep.rows().map(|row| csv.line(&row)).collect::<Result<Vec<_>, _>>()?;
+    /// assert!(csv.is_line_of(&lines[1], 1) && !csv.is_line_of(&lines[0], 1) && !csv.is_line_of(lines[1].trim_end(), 1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn is_line_of(&self, line: &str, row: usize) -> bool {
+        let mut rest = Some(line);
+        for value in self.sweep.values(row) {
+            rest = rest.and_then(|rest| rest.strip_prefix(&number(value))?.strip_prefix(','));
+        }
+        let end = rest.and_then(|rest| rest.strip_suffix('\n')?.strip_suffix(self.fingerprint()));
+        end.is_some_and(|rest| rest.ends_with(','))
+    }
+
+    /// The number of the row of which this is a line, by its values; `None` if these are not those of one row of the sweep.
+    ///
+    /// ```
+    /// use recede::{Scene, Sweep, report::SweepCsv};
+    /// let scene = Scene::read("examples/scenes/hertz.ron")?;
+    /// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?])?;
+    /// let csv = SweepCsv::new(&sweep);
+    /// for row in sweep.rows() {
+    ///     assert_eq!(csv.row_of(&csv.line(&row)?), Some(row.index));
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn row_of(&self, line: &str) -> Option<usize> {
+        let values = line.split(',').take(self.sweep.axes().len()).map(|field| field.parse().ok());
+        self.sweep.index_of(&values.collect::<Option<Vec<f64>>>()?)
+    }
+
     /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; the force with its error,
     /// if it is found; the approach and the stiffness with theirs, and the stresses by which layers and bonds break, if they were asked for.
     pub fn numbers(&self, row: &Row) -> Vec<f64> {

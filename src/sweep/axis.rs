@@ -128,6 +128,16 @@ impl Axis {
         }
     }
 
+    /// The number of the value that is this one bit by bit; `None` if there is none, or more than one.
+    pub(super) fn index_of(&self, value: f64) -> Option<usize> {
+        let candidates = match &self.values {
+            Values::List(values) => 0..values.len(),
+            Values::Range(range) => range.near(value),
+        };
+        let mut found = candidates.filter(|index| self.at(*index).to_bits() == value.to_bits());
+        found.next().filter(|_| found.next().is_none())
+    }
+
     /// The smallest value, the one nearest to zero, and the largest, each once. What is legal is an interval for every
     /// quantity that ships, so that these tell of the others; and a thickness vanishes at the one nearest to zero or not at
     /// all.
@@ -269,6 +279,24 @@ mod tests {
         assert_eq!(extremes("force=5:1:9"), [1.0, 5.0]);
         assert_eq!(extremes("force=0.1:10:100000000:log"), [0.1, 10.0]);
         assert_eq!(extremes("force=2:2:1"), [2.0]);
+    }
+
+    #[test]
+    fn a_value_is_found_if_it_is_there_once() {
+        for text in ["force=1:2:100000000", "force=2:-1:3001", "force=1000:0.003:99999:log", "force=[3, -0.0, 2]"] {
+            let axis: Axis = text.parse().unwrap();
+            let last = axis.count() - 1;
+            for index in [0, 1, 2, last / 7, last / 3, last / 2, last - 1, last].map(|index| index.min(last)) {
+                assert_eq!(axis.index_of(axis.at(index)), Some(index), "{text}");
+            }
+            assert_eq!([5e3, -7.0, f64::NAN].map(|value| axis.index_of(value)), [None; 3], "{text}");
+        }
+        let twice: Axis = "force=[1, 2, 1]".parse().unwrap();
+        assert_eq!([1.0, 2.0].map(|value| twice.index_of(value)), [None, Some(1)]);
+        // more values than there are numbers between the ends
+        let dense: Axis = "force=1:1.0000000000000004:9".parse().unwrap();
+        assert_eq!(dense.index_of(1.0), None);
+        assert_eq!("force=2:2:5".parse::<Axis>().unwrap().index_of(2.0), None);
     }
 
     #[test]

@@ -6,6 +6,7 @@ mod error;
 mod kept;
 #[cfg(feature = "parallel")]
 mod parallel;
+mod part;
 mod range;
 #[cfg(feature = "files")]
 mod read;
@@ -14,6 +15,7 @@ use std::error::Error as _;
 use std::hash::Hasher;
 #[cfg(feature = "parallel")]
 use std::num::NonZeroUsize;
+use std::ops::Range;
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
@@ -23,6 +25,7 @@ pub use axis::Axis;
 pub use error::AxisError;
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
+pub use part::{Part, PartError};
 
 use kept::Kept;
 
@@ -227,6 +230,25 @@ impl Sweep {
         values
     }
 
+    /// The number of the row with these values, the same bit by bit; `None` if there is no such row, or several because an axis
+    /// has a value twice.
+    ///
+    /// ```
+    /// use recede::{Scene, Sweep};
+    /// let scene = Scene::read("examples/scenes/hertz.ron")?;
+    /// let sweep = Sweep::new(scene, vec!["punch.radius=[250, 500, 250]".parse()?, "force=0.001:0.01:10".parse()?])?;
+    /// assert_eq!(sweep.index_of(&sweep.values(13)), Some(13));
+    /// assert_eq!((sweep.index_of(&[500.0, 0.5]), sweep.index_of(&[250.0, 0.001])), (None, None));
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn index_of(&self, values: &[f64]) -> Option<usize> {
+        if values.len() != self.axes.len() {
+            return None;
+        }
+        let mut axes = self.axes.iter().zip(values);
+        axes.try_fold(0, |index, (axis, value)| Some(index * axis.count() + axis.index_of(*value)?))
+    }
+
     /// The scene of row `index`.
     ///
     /// # Errors
@@ -239,19 +261,30 @@ impl Sweep {
 
     /// The rows in the order of the grid, each solved on demand.
     pub fn rows(&self) -> impl Iterator<Item = Row> {
-        self.rows_from(0)
+        self.rows_in(0..self.rows)
     }
 
-    /// The rows from number `first` on. They are the same, bit by bit, as those of all rows.
-    pub fn rows_from(&self, first: usize) -> impl Iterator<Item = Row> {
-        (first..self.rows).map(|index| self.row(index))
+    /// The rows with these numbers, from 0; those of a [`Part`], say. They are the same, bit by bit, as among all rows.
+    pub fn rows_in(&self, rows: Range<usize>) -> impl Iterator<Item = Row> {
+        (rows.start..rows.end.min(self.rows)).map(|index| self.row(index))
     }
 
-    /// The rows from number `first` on in the order of the grid, solved by this many threads ahead of the caller.
-    /// They are the same, bit by bit, for any number of threads.
+    /// The rows with these numbers in the order of the grid, solved by this many threads ahead of the caller.
+    /// They are the same, bit by bit, for any number of threads, and as among all rows.
+    ///
+    /// ```
+    /// use std::{num::NonZeroUsize, sync::Arc};
+    /// use recede::{Part, Scene, Sweep};
+    /// let scene = Scene::read("examples/scenes/hertz.ron")?;
+    /// let sweep = Arc::new(Sweep::new(scene, vec!["force=0.001:0.01:10".parse()?])?);
+    /// let rows = Part::new(2, 3)?.rows(sweep.len());
+    /// let forces: Vec<f64> = sweep.parallel_rows(rows, NonZeroUsize::MIN).map(|row| row.values[0]).collect();
+    /// assert_eq!(forces, [0.004, 0.005, 0.006]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[cfg(feature = "parallel")]
-    pub fn parallel_rows(self: &Arc<Self>, first: usize, threads: NonZeroUsize) -> ParallelRows {
-        ParallelRows::new(Arc::clone(self), first, threads)
+    pub fn parallel_rows(self: &Arc<Self>, rows: Range<usize>, threads: NonZeroUsize) -> ParallelRows {
+        ParallelRows::new(Arc::clone(self), rows, threads)
     }
 
     /// A number that identifies this sweep: of another scene, other values, or another tolerance.

@@ -39,12 +39,12 @@ pub struct ParallelRows {
 type Solved = (usize, Option<Row>);
 
 impl ParallelRows {
-    pub(super) fn new(sweep: Arc<Sweep>, first: usize, threads: NonZeroUsize) -> Self {
+    pub(super) fn new(sweep: Arc<Sweep>, rows: Range<usize>, threads: NonZeroUsize) -> Self {
         let (orders, todo) = channel();
         let (done, solved) = channel();
         let todo = Arc::new(Mutex::new(todo));
         let chunk = (sweep.len() / FEWEST).clamp(1, LONGEST);
-        let rows = first.min(sweep.len())..sweep.len();
+        let rows = rows.start.min(sweep.len())..rows.end.min(sweep.len());
         let waiting = rows.start / chunk..rows.end.div_ceil(chunk);
         let threads = threads.get().min(waiting.len());
         for _ in 0..threads {

@@ -1,5 +1,5 @@
 //! Values between two ends, each computed on demand: exact decimals, rounded once.
-use std::fmt;
+use std::{fmt, ops};
 
 use super::decimal::{Decimal, linear};
 
@@ -11,6 +11,9 @@ pub(super) enum Spacing {
     /// At equal ratios.
     Logarithmic,
 }
+
+/// A logarithm of any number below 1e308 is rounded by less than 1e-13, and its power by less than this part.
+const ROUNDING: f64 = 1e-12;
 
 /// Values between two finite ends, both included.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +39,34 @@ impl Range {
             Spacing::Linear => linear(start, stop, index, last),
             Spacing::Logarithmic => logarithmic(start, stop, index, last),
         }
+    }
+
+    /// Numbers of values, among which are all that are this one.
+    pub(super) fn near(&self, value: f64) -> ops::Range<usize> {
+        if value.is_nan() {
+            return 0..0;
+        }
+        let [start, stop] = self.ends;
+        let is_before = |a: f64, b: f64| if start < stop { a < b } else { a > b };
+        // values at equal ratios are in order but for rounding
+        let mut ends = [value - ROUNDING * value.abs(), value + ROUNDING * value.abs()];
+        if start > stop {
+            ends.reverse();
+        }
+        let [first, last] = ends;
+        let [begin, end] =
+            [self.leading(|value| is_before(value, first)), self.leading(|value| !is_before(last, value))];
+        begin.saturating_sub(1)..(end + 1).min(self.count)
+    }
+
+    /// How many values, from the first one on, are of a kind to which none belongs behind one that does not.
+    fn leading(&self, belongs: impl Fn(f64) -> bool) -> usize {
+        let (mut least, mut most) = (0, self.count);
+        while least < most {
+            let middle = least + (most - least) / 2;
+            if belongs(self.at(middle)) { least = middle + 1 } else { most = middle }
+        }
+        least
     }
 
     /// Numbers of values, among which are the smallest, the largest and the one nearest to zero.

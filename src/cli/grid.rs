@@ -1,0 +1,74 @@
+//! The sweep that a file and options name together, for all commands that need one.
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use recede::{Axis, MAX_BYTES, Options, Registry, Scene, Sweep};
+
+use super::Failure;
+
+/// What tells one sweep from another.
+#[derive(Debug, clap::Args)]
+pub(super) struct Grid {
+    /// Scene, or sweep, in RON; `-` reads standard input
+    #[arg(value_name = "SCENE.ron")]
+    file: PathBuf,
+    /// What varies: PATH=START:STOP:COUNT, PATH=START:STOP:COUNT:log or PATH=[v,v,...]
+    #[arg(long, value_name = "PATH=VALUES")]
+    vary: Vec<Axis>,
+    /// Add columns with the approach of the punch and the stiffness: how far it sinks, dP/d(approach)
+    #[arg(long)]
+    approach: bool,
+    /// Add columns with the stresses by which layers and bonds break: tension, von Mises stress of each layer, shear stress and tension
+    /// across each interface that does not open
+    #[arg(long)]
+    extremes: bool,
+    /// Relative error to aim at, from 1e-13 to 1e-2 [default: 1e-10]
+    #[arg(long)]
+    tolerance: Option<f64>,
+}
+
+impl Grid {
+    /// The sweep.
+    pub(super) fn sweep(&self) -> Result<Sweep, Failure> {
+        let registry = Registry::default();
+        let name = if self.file == Path::new("-") { Path::new("stdin") } else { &self.file };
+        let text = self.text().map_err(|cause| Failure::file(&self.file, cause))?;
+        let sweep = if std::str::from_utf8(&text).is_ok_and(Sweep::begins) {
+            let sweep = Sweep::from_reader(name, &text[..], &registry)?;
+            if self.vary.is_empty() { sweep } else { sweep.and_vary(self.vary.clone())? }
+        } else {
+            let scene = Scene::from_reader(&name.display().to_string(), &text[..], &registry)?;
+            if self.vary.is_empty() {
+                let paths = scene.paths().join(", ");
+                return Err(Failure::usage(
+                    "nothing varies: --vary PATH=START:STOP:COUNT is missing",
+                    format!("what can vary in this scene: {paths}"),
+                ));
+            }
+            Sweep::new(scene, self.vary.clone())?
+        };
+        let sweep = match self.tolerance {
+            Some(tolerance) => sweep.with_options(Options { tolerance, ..Options::default() })?,
+            None => sweep,
+        };
+        let sweep = if self.approach { sweep.with_approach() } else { sweep };
+        Ok(if self.extremes { sweep.with_extremes() } else { sweep })
+    }
+
+    /// The file as it was named.
+    pub(super) fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// What is in the file; no more than a scene may have.
+    fn text(&self) -> io::Result<Vec<u8>> {
+        let mut text = Vec::new();
+        let most = MAX_BYTES as u64 + 1;
+        match self.file == Path::new("-") {
+            true => io::stdin().lock().take(most).read_to_end(&mut text)?,
+            false => File::open(&self.file)?.take(most).read_to_end(&mut text)?,
+        };
+        Ok(text)
+    }
+}

@@ -1,0 +1,132 @@
+//! `recede merge`: the files of the parts of a sweep put together.
+use std::io;
+use std::path::{Path, PathBuf};
+
+use recede::files;
+use recede::report::SweepCsv;
+
+use super::Failure;
+use super::grid::Grid;
+use super::part_file::PartFile;
+
+/// Gaps that are listed; those of many lost parts would fill the screen.
+const LISTED: usize = 5;
+
+/// Put the files of all parts of a sweep together, in the order of rows
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+The sweep is named as for `recede sweep`: that tells the place of each line, and whether all are there. The files may be in any
+order, and the result is the file that the sweep would have written in one go.
+
+Examples:
+  recede sweep sweep.ron --part 1/2 --out part_1.csv
+  recede sweep sweep.ron --part 2/2 --out part_2.csv
+  recede merge sweep.ron part_1.csv part_2.csv --out all.csv
+  recede merge scene.ron --vary force=0.001:0.004:4000 part_*.csv --out all.csv
+
+Exit status: 0 all rows are in the file, 2 bad input, and nothing is written.")]
+pub struct Merge {
+    #[command(flatten)]
+    grid: Grid,
+    /// Files of the parts, in any order
+    #[arg(value_name = "PART.csv", required = true)]
+    parts: Vec<PathBuf>,
+    /// Write the rows of all parts to this file
+    #[arg(long, value_name = "FILE.csv")]
+    out: PathBuf,
+}
+
+impl Merge {
+    pub fn run(&self) -> Result<(), Failure> {
+        if self.grid.file().extension().is_some_and(|ending| ending == "csv") {
+            return Err(Failure::usage(
+                format!("{} is no sweep", self.grid.file().display()),
+                "the sweep comes first, as for `recede sweep`, then the files of its parts",
+            ));
+        }
+        let sweep = self.grid.sweep()?;
+        let csv = SweepCsv::new(&sweep);
+        let mut parts = Vec::new();
+        for path in &self.parts {
+            parts.extend(PartFile::open(path, &csv)?);
+        }
+        parts.sort_by_key(|part| part.rows.start);
+        complete(&parts, sweep.len())?;
+        write(&self.out, &csv, &parts)
+    }
+}
+
+/// Copies all lines to a file that appears when it is complete.
+fn write(path: &Path, csv: &SweepCsv, parts: &[PartFile]) -> Result<(), Failure> {
+    let mut wrong = None;
+    let written = files::replace(path, |out| {
+        out.write_all(csv.header()?.as_bytes())?;
+        for part in parts {
+            match part.copy(csv, out) {
+                Err(Failure::Output(cause)) => return Err(cause),
+                Err(failure) => {
+                    wrong = Some(failure);
+                    return Err(io::ErrorKind::InvalidData.into());
+                }
+                Ok(()) => {}
+            }
+        }
+        Ok(())
+    });
+    // a part that is wrong says more than that the file was given up
+    wrong.map_or_else(|| written.map_err(|cause| Failure::file(path, cause)), Err)
+}
+
+/// Whether these parts, in the order of their first rows, have each row once.
+fn complete(parts: &[PartFile], rows: usize) -> Result<(), Failure> {
+    let mut missing = Vec::new();
+    let mut next = 0;
+    let mut previous: Option<&PartFile> = None;
+    for part in parts {
+        let here = part.path.display();
+        if part.rows.end <= part.rows.start {
+            return Err(Failure::usage(
+                format!("{here}: its last row is before its first"),
+                "remove the file, and compute this part again",
+            ));
+        }
+        match previous {
+            Some(previous) if part.rows.start < next => {
+                let both = named(part.rows.start, next.min(part.rows.end), rows);
+                return Err(Failure::usage(
+                    format!("{both} are in {} and in {here}", previous.path.display()),
+                    "name each part once, and parts of one division of the sweep only",
+                ));
+            }
+            _ if next < part.rows.start => {
+                let where_from = match previous {
+                    Some(previous) => format!("between those of {} and {here}", previous.path.display()),
+                    None => format!("before those of {here}"),
+                };
+                missing.push(format!("{}, {where_from}", named(next, part.rows.start, rows)));
+            }
+            _ => {}
+        }
+        next = part.rows.end;
+        previous = Some(part);
+    }
+    if next < rows {
+        let behind = previous.map(|previous| format!(", behind those of {}", previous.path.display()));
+        missing.push(named(next, rows, rows) + &behind.unwrap_or_default());
+    }
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let more = missing.len().saturating_sub(LISTED);
+    missing.truncate(LISTED);
+    let more = if more > 0 { format!("; and {more} more gaps") } else { String::new() };
+    Err(Failure::usage(
+        format!("missing are {}{more}", missing.join("; ")),
+        "name the files of all parts; the command of a part that was interrupted completes it with --resume",
+    ))
+}
+
+/// Rows counted from 1, as a user does.
+fn named(first: usize, end: usize, rows: usize) -> String {
+    format!("rows {} to {end} of {rows}", first + 1)
+}
