@@ -73,7 +73,7 @@ impl Rows {
         let (sender, mut receiver) = channel();
         let sweep = Arc::clone(&self.sweep);
         let rows = move || {
-            for row in sweep.parallel_rows(first, threads).take(last - first) {
+            for row in sweep.parallel_rows(first..last, threads) {
                 if sender.send(row).is_err() {
                     return;
                 }
