@@ -43,7 +43,6 @@ Examples:
   recede field scene.ron --out shear.svg     the same as a map
   recede profile scene.ron --out profile.csv pressures, gaps and displacements along x
   recede sweep scene.ron --vary force=1:9:5  contacts for five forces
-  recede merge sweep.ron part_*.csv --out all.csv  the files of all parts in one
   recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
   recede init scene.ron                      a scene to begin with
   recede convert scene.ron --out scene.json  a scene for other programs
