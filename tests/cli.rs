@@ -381,7 +381,7 @@ fn a_first_scene_is_written_once_and_solved() {
 
 #[test]
 fn completions_and_manual_know_all_subcommands() {
-    let names = ["solve", "check", "show", "sweep", "plot", "init", "completions", "man"];
+    let names = ["solve", "check", "show", "sweep", "merge", "plot", "init", "completions", "man"];
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let script = succeeds(&["completions", shell]);
         assert!(names.iter().all(|name| script.contains(name)), "{shell}");
@@ -397,7 +397,7 @@ fn completions_and_manual_know_all_subcommands() {
 fn names_that_are_nearly_right_are_understood() {
     assert!(refused(&["slove", PAPER]).contains("a similar subcommand exists: 'solve'"));
     assert!(refused(&["solve", PAPER, "--fromat", "json"]).contains("a similar argument exists: '--format'"));
-    for name in ["solve", "sweep", "plot", "init", "completions", "man"] {
+    for name in ["solve", "sweep", "merge", "plot", "init", "completions", "man"] {
         assert!(succeeds(&[name, "--help"]).contains("Examples:\n"), "{name}");
     }
 }

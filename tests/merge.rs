@@ -103,10 +103,10 @@ fn what_is_not_the_whole_is_refused() {
     let [first, second, third] =
         [1, 2, 3].map(|number| part(&format!("good_{number}.csv"), &format!("{number}/3"), &[]));
     let files = [&first.0, &second.0, &third.0].map(PathBuf::as_path);
-    refused("missing.csv", &[files[0], files[2]], "missing are rows 4 to 6 of 10, between those of");
-    refused("no_first.csv", &[files[1], files[2]], "missing are rows 1 to 3 of 10, before those of");
-    refused("no_last.csv", &files[..2], "missing are rows 7 to 10 of 10, behind those of");
-    refused("double.csv", &[files[0], files[1], files[1], files[2]], "rows 4 to 6 of 10 are in");
+    refused("missing.csv", &[files[0], files[2]], "missing: rows 4 to 6 of 10, between those of");
+    refused("no_first.csv", &[files[1], files[2]], "missing: rows 1 to 3 of 10, before those of");
+    refused("no_last.csv", &files[..2], "missing: rows 7 to 10 of 10, behind those of");
+    refused("double.csv", &[files[0], files[1], files[1], files[2]], "rows 4 to 6 of 10: in");
     let with = |name: &str, text: &str| {
         fs::write(file(name), text).unwrap();
         file(name)
@@ -114,7 +114,7 @@ fn what_is_not_the_whole_is_refused() {
     let cut = with("cut.csv", &second.1[..second.1.len() - 5]);
     refused("from_cut.csv", &[files[0], &cut, files[2]], "cut.csv: the last line is cut off");
     let short = with("short.csv", second.1.split_inclusive('\n').take(3).collect::<String>().as_str());
-    refused("from_short.csv", &[files[0], &short, files[2]], "missing are rows 6 to 6 of 10");
+    refused("from_short.csv", &[files[0], &short, files[2]], "missing: row 6 of 10");
     let lines: Vec<&str> = second.1.split_inclusive('\n').collect();
     let holed = with("holed.csv", &[lines[0], lines[1], lines[3]].concat());
     refused("from_holed.csv", &[files[0], &holed, files[2]], "holed.csv, line 3: the row that belongs here is missing");

@@ -364,5 +364,5 @@ def examine(thickness: float, function: Callable[[float], tuple[float, float]]) 
 def schema() -> str:
     """The JSON Schema of scenes."""
 
-def arrow_stream(names: list[str], columns: list[Any]) -> object:
+def arrow_stream(names: list[str], columns: list[Any], metadata: dict[str, str]) -> object:
     """A stream of one batch, by the Arrow PyCapsule interface."""

@@ -8,7 +8,7 @@ from typing import Any
 
 from ._arrays import line
 from ._errors import Interrupted
-from ._recede import Rows, Scene
+from ._recede import Rows, Scene, __version__
 from ._table import Columns, joined
 
 #: Tasks per worker of an executor: some, so that none waits long for the others.
@@ -54,24 +54,25 @@ def sweep(
         raise ValueError(f"nothing varies; what can vary in this scene: {', '.join(scene.paths)}")
     axes = [(path, line(list(values), path).tolist()) for path, values in vary.items()]
     rows = Rows(scene, axes, tolerance, approach, extremes)
+    metadata = {"scene": scene.to_ron(), "version": __version__, "tolerance": repr(tolerance)}
     if executor is None:
-        table, complete = _part(rows, 0, len(rows), threads or os.cpu_count() or 1)
+        table, complete = _part(rows, metadata, threads or os.cpu_count() or 1)
         if not complete:
             raise Interrupted(f"interrupted after {table.rows} of {len(rows)} rows", table)
         return table
-    what = (scene.to_ron(), axes, tolerance, approach, extremes)
+    what = (metadata["scene"], axes, tolerance, approach, extremes)
     size = chunk or max(LEAST, -(-len(rows) // (TASKS * (os.cpu_count() or 1))))
-    return _by_executor(executor, what, len(rows), size, threads or 1)
+    return _by_executor(executor, what, rows, metadata, size, threads or 1)
 
 
-def _part(rows: Rows, first: int, last: int, threads: int) -> tuple[Columns, bool]:
-    numbers, texts, complete = rows.run(first, last, threads)
-    return _table(rows, [*numbers, *texts]), complete
+def _part(rows: Rows, metadata: Mapping[str, str], threads: int) -> tuple[Columns, bool]:
+    numbers, texts, complete = rows.run(0, len(rows), threads)
+    return _table(rows, metadata, [*numbers, *texts]), complete
 
 
-def _table(rows: Rows, columns: list[Any]) -> Columns:
+def _table(rows: Rows, metadata: Mapping[str, str], columns: list[Any]) -> Columns:
     count = len(columns[0])
-    return Columns(dict(zip(rows.names, [*columns, [rows.fingerprint] * count], strict=True)))
+    return Columns(dict(zip(rows.names, [*columns, [rows.fingerprint] * count], strict=True)), metadata)
 
 
 def _task(what: tuple[Any, ...], first: int, last: int, threads: int) -> list[Any]:
@@ -84,18 +85,19 @@ def _task(what: tuple[Any, ...], first: int, last: int, threads: int) -> list[An
     return [*numbers, *texts]
 
 
-def _by_executor(executor: Any, what: tuple[Any, ...], count: int, size: int, threads: int) -> Columns:
-    text, axes, tolerance, approach, extremes = what
-    rows = Rows(Scene.from_ron(text), axes, tolerance, approach, extremes)
+def _by_executor(
+    executor: Any, what: tuple[Any, ...], rows: Rows, metadata: Mapping[str, str], size: int, threads: int
+) -> Columns:
+    count = len(rows)
     starts = range(0, count, size)
     futures = [executor.submit(_task, what, first, min(first + size, count), threads) for first in starts]
     try:
-        parts = [_table(rows, future.result()) for future in futures]
+        parts = [_table(rows, metadata, future.result()) for future in futures]
     except KeyboardInterrupt:
         for future in futures:
             future.cancel()
-        done = [_table(rows, future.result()) for future in futures if _is_there(future)]
-        table = joined(done) if done else _table(rows, [[] for _ in rows.names[:-1]])
+        done = [_table(rows, metadata, future.result()) for future in futures if _is_there(future)]
+        table = joined(done) if done else _table(rows, metadata, [[] for _ in rows.names[:-1]])
         raise Interrupted(f"interrupted after {table.rows} of {count} rows", table) from None
     return joined(parts)
 

@@ -6,7 +6,7 @@ import csv
 import os
 import pathlib
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -27,8 +27,14 @@ class Columns(Mapping[str, Any]):
     `pyarrow.table(table).to_pandas()`.
     """
 
-    def __init__(self, columns: Mapping[str, NDArray[np.float64] | list[str]]) -> None:
+    #: The scene as a text, the version of the package and the tolerance, which files and other programs get, too.
+    metadata: dict[str, str]
+
+    def __init__(
+        self, columns: Mapping[str, NDArray[np.float64] | list[str]], metadata: Mapping[str, str] | None = None
+    ) -> None:
         self.columns = dict(columns)
+        self.metadata = dict(metadata or {})
 
     def __getitem__(self, name: str) -> Any:
         return self.columns[name]
@@ -51,22 +57,26 @@ class Columns(Mapping[str, Any]):
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """A stream of one batch, for other programs."""
-        return arrow_stream(list(self.columns), list(self.columns.values()))
+        return arrow_stream(list(self.columns), list(self.columns.values()), self.metadata)
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Writes comma-separated values as `recede sweep` does, to a temporary file that is then renamed."""
-        path = pathlib.Path(path)
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+
+        def write(temporary: str) -> None:
+            with open(temporary, "w", encoding="utf-8", newline="") as file:
                 writer = csv.writer(file, lineterminator="\n")
                 writer.writerow(self.columns)
                 columns = [_written(column) for column in self.columns.values()]
                 writer.writerows(zip(*columns, strict=True))
-            os.replace(temporary, path)
-        except BaseException:
-            os.unlink(temporary)
-            raise
+
+        _replace(path, write)
+
+    def to_parquet(self, path: str | os.PathLike[str]) -> None:
+        """Writes a Parquet file with the scene, the version and the tolerance in its metadata; needs `pyarrow`."""
+        import pyarrow  # type: ignore[import-untyped, unused-ignore]
+        import pyarrow.parquet  # type: ignore[import-untyped, unused-ignore]
+
+        _replace(path, lambda temporary: pyarrow.parquet.write_table(pyarrow.table(self), temporary))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Columns) or list(self.columns) != list(other.columns):
@@ -83,6 +93,19 @@ class Columns(Mapping[str, Any]):
         rows = [[column[k] for column in self.columns.values()] for k in range(min(self.rows, SHOWN))]
         more = f"<p>{self.rows} rows in all</p>" if self.rows > SHOWN else ""
         return _html.table(list(self.columns), [[_plain(cell) for cell in row] for row in rows]) + more
+
+
+def _replace(path: str | os.PathLike[str], write: Callable[[str], None]) -> None:
+    """Writes a temporary file next to the one that is meant, and renames it."""
+    path = pathlib.Path(path)
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
+    os.close(handle)
+    try:
+        write(temporary)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
 
 
 def _plain(cell: Any) -> Any:
@@ -113,4 +136,4 @@ def joined(tables: list[Columns]) -> Columns:
             return [text for part in parts for text in part]
         return np.concatenate(parts)
 
-    return Columns({name: column(name) for name in tables[0].columns})
+    return Columns({name: column(name) for name in tables[0].columns}, tables[0].metadata)

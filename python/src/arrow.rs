@@ -1,4 +1,5 @@
 //! Columns for other programs, by the Arrow PyCapsule interface.
+use std::collections::HashMap;
 use std::panic::AssertUnwindSafe;
 use std::ptr::NonNull;
 use std::sync::Arc;
@@ -13,12 +14,13 @@ use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 
-/// A stream of one batch: arrays of doubles are shared, not copied; lists of strings are.
+/// A stream of one batch, with what there is to say about all of it: arrays of doubles are shared, not copied; lists of strings are.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,
     names: Vec<String>,
     columns: Vec<Bound<'py, PyAny>>,
+    metadata: HashMap<String, String>,
 ) -> PyResult<Bound<'py, PyCapsule>> {
     let columns: Vec<ArrayRef> = columns.iter().map(column).collect::<PyResult<_>>()?;
     let fields: Vec<Field> = names
@@ -26,7 +28,7 @@ pub fn arrow_stream<'py>(
         .zip(&columns)
         .map(|(name, column)| Field::new(name, column.data_type().clone(), true))
         .collect();
-    let schema = Arc::new(Schema::new(fields));
+    let schema = Arc::new(Schema::new_with_metadata(fields, metadata));
     let batch = RecordBatch::try_new(Arc::clone(&schema), columns);
     let batch = batch.map_err(|error: ArrowError| PyRuntimeError::new_err(error.to_string()))?;
     let stream = FFI_ArrowArrayStream::new(Box::new(RecordBatchIterator::new([Ok(batch)], schema)));

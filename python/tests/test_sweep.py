@@ -61,6 +61,17 @@ def test_other_programs_take_tables_as_they_are(swept):
     assert pandas.DataFrame.from_arrow(table).shape == (60, len(table.column_names))
 
 
+def test_parquet_files_know_their_scene(scene, swept, tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    swept.to_parquet(tmp_path / "rows.parquet")
+    read = parquet.read_table(tmp_path / "rows.parquet")
+    assert read["force"].to_pylist() == swept["force"].tolist() and list(tmp_path.iterdir()) == [tmp_path / "rows.parquet"]
+    assert recede.Scene.from_ron(read.schema.metadata[b"scene"].decode()) == scene
+    assert read.schema.metadata[b"tolerance"] == b"1e-10" and read.schema.metadata[b"version"].decode() == recede.__version__
+    with pytest.raises(OSError):
+        swept.to_parquet(tmp_path / "nowhere" / "rows.parquet")
+
+
 def test_arrow_keeps_the_memory_alive(scene):
     pyarrow = pytest.importorskip("pyarrow")
     table = pyarrow.table(recede.sweep(scene, {"force": [0.001, 0.002]}))

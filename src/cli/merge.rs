@@ -94,7 +94,7 @@ fn complete(parts: &[PartFile], rows: usize) -> Result<(), Failure> {
             Some(previous) if part.rows.start < next => {
                 let both = named(part.rows.start, next.min(part.rows.end), rows);
                 return Err(Failure::usage(
-                    format!("{both} are in {} and in {here}", previous.path.display()),
+                    format!("{both}: in {} and in {here}", previous.path.display()),
                     "name each part once, and parts of one division of the sweep only",
                 ));
             }
@@ -121,12 +121,15 @@ fn complete(parts: &[PartFile], rows: usize) -> Result<(), Failure> {
     missing.truncate(LISTED);
     let more = if more > 0 { format!("; and {more} more gaps") } else { String::new() };
     Err(Failure::usage(
-        format!("missing are {}{more}", missing.join("; ")),
+        format!("missing: {}{more}", missing.join("; ")),
         "name the files of all parts; the command of a part that was interrupted completes it with --resume",
     ))
 }
 
 /// Rows counted from 1, as a user does.
 fn named(first: usize, end: usize, rows: usize) -> String {
-    format!("rows {} to {end} of {rows}", first + 1)
+    match end - first {
+        1 => format!("row {end} of {rows}"),
+        _ => format!("rows {} to {end} of {rows}", first + 1),
+    }
 }
