@@ -38,6 +38,7 @@ mod loads;
 mod many_loads;
 mod merge;
 mod paper;
+mod parquet;
 mod parts;
 mod plot;
 mod profile;

@@ -1,13 +1,12 @@
 //! `recede merge`: the files of the parts of a sweep put together.
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use recede::files;
 use recede::report::SweepCsv;
 
 use super::Failure;
 use super::grid::Grid;
 use super::part_file::PartFile;
+use super::whole_file::{self, RowsKind};
 
 /// Gaps that are listed; those of many lost parts would fill the screen.
 const LISTED: usize = 5;
@@ -32,7 +31,7 @@ pub struct Merge {
     #[arg(value_name = "PART.csv", required = true)]
     parts: Vec<PathBuf>,
     /// Write the rows of all parts to this file
-    #[arg(long, value_name = "FILE.csv")]
+    #[arg(long, value_name = "FILE.csv|parquet")]
     out: PathBuf,
 }
 
@@ -44,6 +43,7 @@ impl Merge {
                 "the sweep comes first, as for `recede sweep`, then the files of its parts",
             ));
         }
+        RowsKind::of(&self.out)?;
         let sweep = self.grid.sweep()?;
         let csv = SweepCsv::new(&sweep);
         let mut parts = Vec::new();
@@ -52,29 +52,8 @@ impl Merge {
         }
         parts.sort_by_key(|part| part.rows.start);
         complete(&parts, sweep.len())?;
-        write(&self.out, &csv, &parts)
+        whole_file::write(&self.out, &csv, &parts)
     }
-}
-
-/// Copies all lines to a file that appears when it is complete.
-fn write(path: &Path, csv: &SweepCsv, parts: &[PartFile]) -> Result<(), Failure> {
-    let mut wrong = None;
-    let written = files::replace(path, |out| {
-        out.write_all(csv.header()?.as_bytes())?;
-        for part in parts {
-            match part.copy(csv, out) {
-                Err(Failure::Output(cause)) => return Err(cause),
-                Err(failure) => {
-                    wrong = Some(failure);
-                    return Err(io::ErrorKind::InvalidData.into());
-                }
-                Ok(()) => {}
-            }
-        }
-        Ok(())
-    });
-    // a part that is wrong says more than that the file was given up
-    wrong.map_or_else(|| written.map_err(|cause| Failure::file(path, cause)), Err)
 }
 
 /// Whether these parts, in the order of their first rows, have each row once.

@@ -16,6 +16,7 @@ mod selftest;
 mod show;
 mod solve;
 mod sweep;
+mod whole_file;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! The file of one part of a sweep, read line by line.
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -39,8 +39,8 @@ impl PartFile {
         Ok(Some(Self { path: path.to_owned(), rows: first..last + 1 }))
     }
 
-    /// Copies the lines, each of which has to be that of its row.
-    pub(super) fn copy(&self, csv: &SweepCsv, out: &mut dyn Write) -> Result<(), Failure> {
+    /// Hands on the lines, each of which has to be that of its row.
+    pub(super) fn copy(&self, csv: &SweepCsv, write: &mut dyn FnMut(&str) -> io::Result<()>) -> Result<(), Failure> {
         let failed = |cause| Failure::file(&self.path, cause);
         let mut reader = BufReader::new(File::open(&self.path).map_err(failed)?);
         read_line(&mut reader).map_err(failed)?;
@@ -49,7 +49,7 @@ impl PartFile {
             if !csv.is_line_of(&line, row) {
                 return Err(self.disordered(index + 2));
             }
-            out.write_all(line.as_bytes())?;
+            write(&line)?;
         }
         if reader.fill_buf().map_err(failed)?.is_empty() { Ok(()) } else { Err(self.disordered(self.rows.len() + 2)) }
     }

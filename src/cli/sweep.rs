@@ -1,7 +1,8 @@
 //! `recede sweep`: a scene for many values of some of its quantities.
+use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
@@ -10,9 +11,11 @@ use recede::plot::{self, Kind};
 use recede::report::SweepCsv;
 
 use super::grid::Grid;
+use super::part_file::PartFile;
 use super::plot::Title;
 use super::progress::Progress;
 use super::rows_file::RowsFile;
+use super::whole_file::{self, RowsKind};
 use super::{Failure, tell};
 
 /// Solve a scene for many values of some of its quantities
@@ -35,8 +38,8 @@ A scene without solution is a row with its reason. Exit status: 0 all rows were 
 pub struct Command {
     #[command(flatten)]
     grid: Grid,
-    /// Write comma-separated values to this file rather than to standard output
-    #[arg(long, value_name = "FILE.csv")]
+    /// Write rows to this file rather than to standard output: comma-separated values, or Parquet if it is built in
+    #[arg(long, value_name = "FILE.csv|parquet")]
     out: Option<PathBuf>,
     /// Go on where an interrupted sweep has left the file
     #[arg(long, requires = "out")]
@@ -66,13 +69,16 @@ impl Command {
         }
         // that a picture cannot be written is better known before than after
         self.plot.as_deref().map(Kind::of).transpose()?;
+        let kind = self.out.as_deref().map_or(Ok(RowsKind::Csv), RowsKind::of)?;
+        // a Parquet file is none before it is complete: rows are kept as lines until then
+        let lines = self.out.as_ref().map(|out| if kind == RowsKind::Parquet { lines_of(out) } else { out.clone() });
         let sweep = Arc::new(self.grid.sweep()?);
         let csv = SweepCsv::new(&sweep);
         let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
         let all = 0..sweep.len();
         let wanted = self.part.map_or(all, |part| part.rows(sweep.len()));
-        let (mut file, done) = match &self.out {
+        let (mut file, done) = match &lines {
             Some(path) if self.resume => RowsFile::resume(path, &csv, wanted.clone(), |index, line| {
                 if drawn(index) {
                     rows.push(csv.point_of(line));
@@ -96,6 +102,11 @@ impl Command {
             bar.step();
         }
         bar.finish();
+        if let (RowsKind::Parquet, Some(lines), Some(path)) = (kind, &lines, &self.out) {
+            let part = PartFile { path: lines.clone(), rows: wanted.clone() };
+            whole_file::write(path, &csv, &[part])?;
+            fs::remove_file(lines).map_err(|cause| Failure::file(lines, cause))?;
+        }
         if unsolved > 0 {
             let rows = wanted.len() - done;
             tell(&format!("warning: {unsolved} of {rows} rows have no solution; column `message` says why\n"));
@@ -106,6 +117,13 @@ impl Command {
         }
         Ok(())
     }
+}
+
+/// The file of lines from which a Parquet file is made.
+fn lines_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".csv");
+    name.into()
 }
 
 /// How far the sweep has come, unless its rows on a terminal show it.

@@ -4,6 +4,8 @@ mod digits;
 mod extremes;
 mod field;
 mod json;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod profile;
 mod ruled;
 mod stats;
@@ -19,6 +21,8 @@ use crate::field::{Extremes, MaxShear};
 use crate::scene::{Dimension, Scene, Units};
 use crate::solution::{Contact, Interface, Solution};
 
+#[cfg(feature = "parquet")]
+pub use parquet::SweepParquet;
 pub use profile::write_profile;
 pub use sweep::SweepCsv;
 

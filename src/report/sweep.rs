@@ -13,6 +13,9 @@ const FOUND: [&str; 2] = ["force", "force_error"];
 /// Additional columns with the approach.
 const APPROACH: [&str; 4] = ["approach", "approach_error", "stiffness", "stiffness_error"];
 
+/// The columns of texts, which are the last ones.
+pub(super) const TEXTS: [&str; 4] = ["status", "warnings", "message", "sweep"];
+
 /// Status of a row with a solution.
 const SOLVED: &str = "solved";
 
@@ -43,6 +46,11 @@ impl<'a> SweepCsv<'a> {
         Self { sweep, fingerprint: format!("{:016x}", sweep.fingerprint()) }
     }
 
+    /// The sweep.
+    pub fn sweep(&self) -> &'a Sweep {
+        self.sweep
+    }
+
     /// The fingerprint of the sweep as it stands at the end of each line.
     pub fn fingerprint(&self) -> &str {
         &self.fingerprint
@@ -56,11 +64,7 @@ impl<'a> SweepCsv<'a> {
         let axes = self.sweep.axes().iter().map(|axis| column(axis.path()));
         let of = |interface: &Interface| Contact::COLUMNS.map(|quantity| format!("{}_{quantity}", owner(interface)));
         let contacts = self.sweep.interfaces().iter().flat_map(of);
-        line(
-            axes.chain(contacts)
-                .chain(self.of_all())
-                .chain(["status", "warnings", "message", "sweep"].map(str::to_owned)),
-        )
+        line(axes.chain(contacts).chain(self.of_all()).chain(TEXTS.map(str::to_owned)))
     }
 
     /// One row, with the end of the line. A contact that the row does not have is left empty.

@@ -144,6 +144,11 @@ impl Sweep {
         Ok(Self { options, ..self })
     }
 
+    /// What is demanded of the solutions.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
     /// The same sweep with the approach of the punch and the stiffness in each row, as [`Model::approach`] has them.
     ///
     /// ```
