@@ -76,6 +76,18 @@ quantity!(
 quantity!(
     /// A thickness: zero means "not there".
     Thickness, "a finite number >= 0 (0 means: not there)", {"minimum": 0}, |x| x >= 0.0 && x.is_finite());
+
+impl Positive {
+    /// 1.
+    pub const ONE: Self = Self(1.0);
+}
+
+impl From<Positive> for Thickness {
+    fn from(value: Positive) -> Self {
+        Self(value.0)
+    }
+}
+
 quantity!(
     /// Poisson's ratio of an isotropic material.
     Poisson, "-1 < poisson <= 0.5", {"exclusiveMinimum": -1, "maximum": 0.5}, |x| x > -1.0 && x <= 0.5);

@@ -70,7 +70,12 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
 /// The largest mean pressure of the intervals of a contact, compared with E*.
 fn large(name: &str, contact: &Contact, geometry: Geometry, modulus: f64) -> Option<Warning> {
     let mean = |interval: &Interval| match geometry {
-        Geometry::Axisymmetric => interval.force / (std::f64::consts::PI * interval.right * interval.right),
+        // of a disc, or of half a ring
+        Geometry::Axisymmetric => {
+            let [left, right] =
+                [interval.left, interval.right].map(|end| std::f64::consts::FRAC_PI_2 * end * end.abs());
+            interval.force / (right - left)
+        }
         _ => interval.force / (interval.right - interval.left),
     };
     // a line load has no mean pressure

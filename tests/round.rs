@@ -147,6 +147,111 @@ fn stresses_on_the_axis_of_a_half_space() {
     }
 }
 
+fn ring(radius: f64, half_width: f64) -> Punch {
+    let text = format!(
+        "Scene(geometry: Axisymmetric, load: Ring(radius: {radius}, half_width: {half_width}), force: 1,
+            stack: [HalfPlane(shear_modulus: 1, poisson: 0.3)])"
+    );
+    Scene::from_ron(&text).unwrap().punch
+}
+
+/// On a half-space and on a layer; a ring that is as wide as it can be is a disc, and one that is small is a point.
+#[test]
+fn a_ring_is_the_difference_of_two_discs() {
+    let (q, outer, inner) = (0.4, 0.8, 0.5);
+    let area = |radius: f64| std::f64::consts::PI * radius * radius;
+    let disc = |radius: f64| Punch::Given(recede::Load::uniform(radius).unwrap());
+    let bonded = || {
+        let layer = Homogeneous::new(0.6, 1.0, 0.3).unwrap();
+        Stack::builder(Geometry::Axisymmetric)
+            .layer(layer)
+            .bonded()
+            .layer(HalfPlane::new(4.0, 0.2).unwrap())
+            .build()
+            .unwrap()
+    };
+    for stack in [half_space, bonded] {
+        let whole = field(stack(), &ring(0.65, 0.15), q * (area(outer) - area(inner)));
+        let [more, less] = [outer, inner].map(|radius| field(stack(), &disc(radius), q * area(radius)));
+        for (r, depth) in [(0.0, 0.0), (0.3, 0.0), (0.6, 0.0), (1.3, 0.0), (0.0, 0.4), (0.7, 0.1), (2.0, 0.9)] {
+            let [whole, more, less] = [&whole, &more, &less].map(|field| field.at(r, depth).unwrap());
+            for (whole, more, less) in [
+                (whole.sigma_xx, more.sigma_xx, less.sigma_xx),
+                (whole.sigma_yy, more.sigma_yy, less.sigma_yy),
+                (whole.sigma_xy, more.sigma_xy, less.sigma_xy),
+                (whole.sigma_zz, more.sigma_zz, less.sigma_zz),
+                (whole.u, more.u, less.u),
+                (whole.v, more.v, less.v),
+            ] {
+                assert!((whole - (more - less)).abs() < 1e-9 * q, "{r} {depth}: {whole} {more} {less}");
+            }
+        }
+    }
+    // (1 − ν) q (b − a)/μ under the middle
+    let middle = field(half_space(), &ring(0.65, 0.15), q * (area(outer) - area(inner))).at(0.0, 0.0).unwrap();
+    close(-middle.v, 0.7 * q * (outer - inner) / 3.0, 1e-12);
+    let radius = |punch: &Punch| press(layer_on_half_space(1.0), punch, 0.01).contacts()[1].reach();
+    close(radius(&ring(0.4, 0.5)), radius(&disc(0.9)), 1e-12);
+    close(radius(&ring(1e-4, 4e-5)), 1.72654043897, 1e-7);
+    let solution = press(half_space(), &ring(0.65, 0.15), 2.0);
+    let load = &solution.contacts()[0];
+    close(load.peak().pressure, 2.0 / (area(0.8) - area(0.5)), 1e-12);
+    assert_eq!((load.central_pressure, load.resultant), (0.0, 2.0));
+    assert!(load.pressure(0.2).abs() < 1e-15);
+}
+
+#[test]
+fn what_is_no_ring_is_refused() {
+    let model = Model::new(half_space()).unwrap();
+    let line = recede::Load::several(&[(0.4, 1.0, recede::Load::Line)]).unwrap();
+    for punch in [ring(1.0, 1e-5), Punch::Given(line)] {
+        let error = model.press(&punch, 1.0).unwrap_err();
+        assert!(error.is_input() && error.hint().unwrap().contains("`Ring`"), "{error}");
+    }
+}
+
+#[test]
+fn rows_of_sweeps_are_single_solutions() {
+    let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
+    let axes = ["punch.radius=[3,5]", "force=[10,20]"].map(|axis| axis.parse().unwrap()).to_vec();
+    let sweep = recede::Sweep::new(scene, axes).unwrap().with_approach().with_extremes();
+    let columns = recede::report::SweepCsv::new(&sweep).header().unwrap();
+    assert!(columns.contains(",approach,") && columns.contains("_von_mises"), "{columns}");
+    for row in sweep.rows() {
+        let scene = sweep.scene_at(row.index).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let alone = model.press(&scene.punch, scene.force).unwrap();
+        let solution = row.result.unwrap();
+        close(solution.contacts()[0].reach(), alone.contacts()[0].reach(), 1e-10);
+        let approach = model.approach(&scene.punch, &alone).unwrap().value;
+        close(row.approach.unwrap().unwrap().value, approach, 1e-9);
+        let [found, expected] = [row.extremes.unwrap().unwrap(), model.field(&alone).unwrap().extremes().unwrap()];
+        close(found.layers[0].von_mises.unwrap().value, expected.layers[0].von_mises.unwrap().value, 1e-8);
+    }
+}
+
+#[test]
+fn maps_are_symmetric_about_the_axis() {
+    let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let solution = model.press(&scene.punch, scene.force).unwrap();
+    let field = model.field(&solution).unwrap();
+    let (xs, depths) = ([-2.0, -0.7, 0.0, 0.7, 2.0], [0.0, 0.5, 1.0]);
+    let grids = field.by_layer(&xs, &depths).unwrap();
+    for grid in &grids {
+        for row in grid.rows() {
+            for (left, right) in row.iter().zip(row.iter().rev()) {
+                assert_eq!((left.x, left.sigma_xx, left.sigma_yy), (-right.x, right.sigma_xx, right.sigma_yy));
+                assert_eq!((left.sigma_zz, left.v), (right.sigma_zz, right.v));
+                assert_eq!((left.sigma_xy, left.u), (-right.sigma_xy, -right.u));
+            }
+        }
+    }
+    let map = |quantity| recede::plot::map(&scene, &solution, &field, &grids, quantity).unwrap().svg();
+    let [along, about] = [recede::FieldQuantity::SigmaXx, recede::FieldQuantity::SigmaZz].map(map);
+    assert!(along.starts_with("<svg") && along != about);
+}
+
 #[test]
 fn faces_carry_the_pressures() {
     let model = Model::new(layer_on_half_space(1.0)).unwrap();

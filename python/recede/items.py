@@ -513,6 +513,20 @@ class Point(Load):
         super().__init__()
 
 
+class Ring(Load):
+    """The same pressure everywhere on a ring, |r − radius| < half_width.
+
+    Args:
+        radius: Radius of the middle of the ring, in length. Allowed: a finite number > 0.
+        half_width: Half of its width, in length; at least a ten-thousandth of the radius. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, radius: Any, half_width: Any) -> None:
+        super().__init__(radius=radius, half_width=half_width)
+
+
 __all__ = [
     "Bonded",
     "Cone",
@@ -539,6 +553,7 @@ __all__ = [
     "Punch",
     "Receding",
     "Rigid",
+    "Ring",
     "RoundedFlat",
     "Several",
     "Sliding",

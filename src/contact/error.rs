@@ -14,6 +14,9 @@ pub enum ContactError {
     /// A given pressure, and a half-length of the contact under a punch, or its approach.
     #[error("{}: under a given pressure there is nothing that a force could be found for", .0.field())]
     LoadControlled(Controlled),
+    /// A given pressure that is not known about an axis.
+    #[error("the load {0} is not known about an axis")]
+    LoadAboutAxis(String),
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -26,7 +29,9 @@ impl ContactError {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadControlled(_) => true,
+            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadControlled(_) | Self::LoadAboutAxis(_) => {
+                true
+            }
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -40,6 +45,10 @@ impl ContactError {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
             Self::LoadControlled(_) => Some("give the force instead, the resultant of the pressure".to_owned()),
+            Self::LoadAboutAxis(_) => Some(
+                "what presses off the axis is one `Ring`, whose half_width is at least a ten-thousandth of its radius"
+                    .to_owned(),
+            ),
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
         }

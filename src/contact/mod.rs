@@ -50,6 +50,12 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
+    if let Some(load) = punch.load()
+        && kernel.geometry().is_axisymmetric()
+        && !load.is_known_about_axis()
+    {
+        return Err(ContactError::LoadAboutAxis(punch.label(kernel.geometry())));
+    }
     let table = table.filter(|_| punch.material().is_none());
     let own = &*kernel_under(kernel, punch, force)?;
     let problem = Problem::new(own, interfaces, punch, force, options.tolerance);

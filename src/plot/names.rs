@@ -63,6 +63,13 @@ pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
             Load::Uniform { half_width: w } => lines("uniform load", &[half_width(w.get())]),
             Load::Parabolic { half_width: w } => lines("parabolic load", &[half_width(w.get())]),
             Load::Elliptic { half_width: w } => lines("elliptic load", &[half_width(w.get())]),
+            Load::Several(_) if is_round => {
+                let parts = load.parts();
+                let sizes = |(at, _, part): &(f64, f64, &Load)| {
+                    format!("{} … {}{length}", label((at - part.half_width()).max(0.0)), label(at + part.half_width()))
+                };
+                lines("ring load", &parts.iter().map(sizes).collect::<Vec<_>>())
+            }
             Load::Several(_) => {
                 let images = |(at, _, _): &(f64, f64, &Load)| if *at > 0.0 { 2 } else { 1 };
                 lines(&format!("{} loads", load.parts().iter().map(images).sum::<usize>()), &[])

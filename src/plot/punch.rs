@@ -112,7 +112,9 @@ impl Punch<'_> {
         for x in lines(self.scene).into_iter().map(place).filter(|x| (left..=right).contains(x)) {
             arrow(picture, x, self.top - 3.0, HIGHEST + 8.0);
         }
-        let several = load.parts().iter().map(|(at, _, _)| if *at > 0.0 { 2 } else { 1 }).sum::<usize>() > 1;
+        let is_plane = !self.scene.geometry.is_axisymmetric();
+        let several =
+            is_plane && load.parts().iter().map(|(at, _, _)| if *at > 0.0 { 2 } else { 1 }).sum::<usize>() > 1;
         self.force(picture, if several { " in all" } else { "" });
     }
 

@@ -33,6 +33,7 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["ElasticCylinder", "ElasticBall"], &["ElasticSphere"]),
     (&["Wedge", "Cone"], &["Cone", "Wedge"]),
     (&["Line", "Concentrated"], &["Point"]),
+    (&["Annulus", "Annular"], &["Ring"]),
     (&["half_width", "halfwidth"], &["radius"]),
     (&["radius"], &["half_width"]),
     (&["Knife", "Vee"], &["Wedge"]),
@@ -57,7 +58,7 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
     ),
     (
         &["Ellipsoid", "Torus", "Several"],
-        "this is not supported: punches are the same along a line or about an axis, and loads about an axis are discs",
+        "this is not supported: punches are the same along a line or about an axis, and what presses about an axis is one disc or one ring",
     ),
     (&["plane"], "write `geometry: PlaneStrain`, or `geometry: PlaneStress` for `plane: Stress`"),
     (

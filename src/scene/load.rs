@@ -10,6 +10,9 @@ use serde::{Deserialize, Serialize};
 use super::value::{LoadsError, MOST_LOADS, ValueError};
 use super::write::written;
 
+/// Narrowest half-width of a ring in terms of its radius: as the difference of two discs it has so many digits less.
+const NARROWEST: f64 = 1e-4;
+
 /// A pressure on the top face that is given, symmetric about x = 0, with the force as its resultant.
 ///
 /// ```
@@ -97,6 +100,31 @@ impl Load {
     /// [`ValueError::OutOfRange`] if the half-width is not positive and finite.
     pub fn elliptic(half_width: f64) -> Result<Self, ValueError> {
         Ok(Self::Elliptic { half_width: ValueError::checked("half_width", half_width)? })
+    }
+
+    /// One uniform pressure at a distance from x = 0, and its mirror image: about an axis it is a ring.
+    pub(super) fn pair(at: Positive, half_width: Positive) -> Self {
+        let (at, load) = (at.into(), Self::Uniform { half_width });
+        Self::Several(Loads(vec![Part { at, share: Positive::ONE, load }]))
+    }
+
+    /// The distance and the half-width, if it is [`Self::pair`].
+    pub(super) fn as_pair(&self) -> Option<(Positive, Positive)> {
+        match self {
+            Self::Several(Loads(parts)) => match &parts[..] {
+                [Part { at, load: Self::Uniform { half_width }, .. }] => {
+                    Some((Positive::try_from(at.get()).ok()?, *half_width))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Whether it is known about an axis: several have to be one ring, and that not too narrow.
+    pub(crate) fn is_known_about_axis(&self) -> bool {
+        let is_wide = |(at, half_width): (Positive, Positive)| half_width.get() >= NARROWEST * at.get();
+        !matches!(self, Self::Several(_)) || self.as_pair().is_some_and(is_wide)
     }
 
     /// Half-width of the loaded part of the face, in length; 0 of a line load. Of several loads, the outer end of the farthest.

@@ -87,6 +87,13 @@ pub(super) enum RoundLoad {
         /// Radius of the loaded disc, in length.
         radius: Positive,
     },
+    /// The same pressure everywhere on a ring, |r − radius| < half_width.
+    Ring {
+        /// Radius of the middle of the ring, in length.
+        radius: Positive,
+        /// Half of its width, in length; at least a ten-thousandth of the radius.
+        half_width: Positive,
+    },
 }
 
 impl From<RoundPunch> for Punch {
@@ -112,6 +119,7 @@ impl From<RoundLoad> for Load {
             RoundLoad::Uniform { radius } => Self::Uniform { half_width: radius },
             RoundLoad::Parabolic { radius } => Self::Parabolic { half_width: radius },
             RoundLoad::Elliptic { radius } => Self::Elliptic { half_width: radius },
+            RoundLoad::Ring { radius, half_width } => Self::pair(radius, half_width),
         }
     }
 }
@@ -164,14 +172,17 @@ impl RoundPunch {
 }
 
 impl RoundLoad {
-    /// The load about the axis; `None` of several.
+    /// The load about the axis; `None` of several that are not one ring.
     pub(super) fn of(load: &Load) -> Option<Self> {
         Some(match load {
             Load::Line => Self::Point,
             Load::Uniform { half_width } => Self::Uniform { radius: *half_width },
             Load::Parabolic { half_width } => Self::Parabolic { radius: *half_width },
             Load::Elliptic { half_width } => Self::Elliptic { radius: *half_width },
-            Load::Several(_) => return None,
+            Load::Several(_) => {
+                let (radius, half_width) = load.as_pair()?;
+                Self::Ring { radius, half_width }
+            }
         })
     }
 }

@@ -62,12 +62,14 @@ pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units
     Ok(Scene::new(scenario.plane, kinds.punch(&scenario)?, scenario.force, kinds.items(&scenario)?))
 }
 
-/// The same scene about an axis, with a force on the axis in place of several loads, and layers and a base of isotropic materials in place of
+/// The same scene about an axis, with the first of several loads as a ring, and layers and a base of isotropic materials in place of
 /// orthotropic ones, as stiff against shear.
 pub fn about_axis(mut scene: Scene) -> Scene {
     scene.geometry = Geometry::Axisymmetric;
-    if matches!(scene.punch, Punch::Given(Load::Several(_))) {
-        scene.punch = Punch::Given(Load::Line);
+    if let Punch::Given(load @ Load::Several(_)) = &scene.punch {
+        let (at, _, first) = load.parts()[0];
+        let ring = Load::uniform(first.half_width().max(1e-3 * at)).and_then(|load| Load::several(&[(at, 1.0, load)]));
+        scene.punch = Punch::Given(ring.unwrap_or(Load::Line));
     }
     for item in &mut scene.stack {
         let Item::Layer(layer) = &*item else { continue };

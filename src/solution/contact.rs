@@ -50,9 +50,9 @@ pub struct Interval {
     pub right: f64,
     /// The solver's estimate of the absolute error of `right`.
     pub right_error: f64,
-    /// Resultant of the pressure on it, force per unit length out of plane.
+    /// Resultant of the pressure on it, force per unit length out of plane; about an axis the force of a disc, or of each half of a ring.
     pub force: f64,
-    /// Where that acts; the middle where nothing presses.
+    /// Where that acts; the middle where nothing presses, and about an axis.
     pub centroid: f64,
 }
 
@@ -107,6 +107,14 @@ impl Contact {
 
     /// Gives each strip of the pressure to the interval that it lies in; in low-accuracy answers one may lie next to it.
     fn share(&self, intervals: &mut [Interval]) {
+        if self.strips.iter().any(|strip| strip.is_round) {
+            // one disc or ring; its images are the halves of it
+            let share = self.resultant / intervals.len() as f64;
+            for interval in intervals {
+                (interval.force, interval.centroid) = (share, 0.5 * (interval.left + interval.right));
+            }
+            return;
+        }
         for (middle, resultant, moment) in self.strips.iter().flat_map(Strip::images) {
             let outside = |interval: &Interval| (interval.left - middle).max(middle - interval.right).max(0.0);
             if let Some(own) = intervals.iter_mut().min_by(|a, b| outside(a).total_cmp(&outside(b))) {

@@ -45,6 +45,11 @@ impl Peak {
                 }
             }
         }
+        // a ring is the difference of two discs, which says nothing of the places between their ends
+        let inside = contact.inside();
+        if pressure(inside) > best.1 * by_rounding {
+            best = (inside, pressure(inside));
+        }
         let (x, largest) = best;
         if x == 0.0 {
             return Self { pressure: contact.central_pressure, error: contact.central_pressure_error, x, x_error: 0.0 };

@@ -56,6 +56,10 @@ fn transform_minus_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
         Load::Elliptic { .. } => bessel::jinc_minus_one(z),
         Load::Several(_) => {
             let part = |(at, share, load): (f64, f64, &Load)| {
+                if twin == Twin::Round && at > 0.0 {
+                    let disc = |(radius, part): (f64, f64)| part * bessel::jinc_minus_one(wavenumber * radius);
+                    return share * ring(at, load.half_width()).into_iter().map(disc).sum::<f64>();
+                }
                 let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
                 // cos λx (1 + transform_minus_one) − 1
                 share * (transform_minus_one(load, wavenumber, twin) * (cos * cos - sin * sin) - 2.0 * sin * sin)
@@ -65,9 +69,20 @@ fn transform_minus_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
     }
 }
 
+/// The discs whose uniform pressures are together one on a ring |r − at| < half_width: radii, and parts of the force.
+fn ring(at: f64, half_width: f64) -> [(f64, f64); 2] {
+    let [outer, inner] = [at + half_width, (at - half_width).max(0.0)];
+    let area = (outer - inner) * (outer + inner);
+    [(outer, outer * outer / area), (inner, -inner * inner / area)]
+}
+
 /// The strips on which a load presses with a force, in the units of the scene.
 fn strips(load: &Load, force: f64, twin: Twin) -> Vec<Strip> {
-    let strip = |(at, share, load): (f64, f64, &Load)| {
+    let strips = |(at, share, load): (f64, f64, &Load)| -> Vec<Strip> {
+        if twin == Twin::Round && at > 0.0 {
+            let disc = |(radius, part)| round(strip(Form::Uniform, 0.0, radius, 1.0), share * part * force);
+            return ring(at, load.half_width()).into_iter().filter(|(radius, _)| *radius > 0.0).map(disc).collect();
+        }
         let images = if at > 0.0 { 2.0 } else { 1.0 };
         let form = match load {
             Load::Line => Form::Line,
@@ -75,10 +90,10 @@ fn strips(load: &Load, force: f64, twin: Twin) -> Vec<Strip> {
             Load::Parabolic { .. } => Form::Parabolic,
             Load::Elliptic { .. } | Load::Several(_) => Form::Series,
         };
-        let strip = self::strip(form, at, load.half_width(), share * force / images);
-        if twin == Twin::Round { round(strip, force) } else { strip }
+        let strip = strip(form, at, load.half_width(), share * force / images);
+        vec![if twin == Twin::Round { round(strip, share * force) } else { strip }]
     };
-    load.parts().into_iter().map(strip).collect()
+    load.parts().into_iter().flat_map(strips).collect()
 }
 
 /// A pressure of a form on a strip, one image of which has a resultant.
@@ -105,25 +120,26 @@ fn round(strip: Strip, force: f64) -> Strip {
 
 /// What is said of a load in place of a contact: nothing of it is unknown.
 pub(crate) fn contact(load: &Load, interface: Interface, force: f64, twin: Twin) -> Contact {
-    let strips = strips(load, force, twin);
+    let (strips, parts) = (strips(load, force, twin), parts(load));
     Contact {
         interface,
         central_pressure: match twin {
             Twin::Plane => load.central_pressure(force),
-            Twin::Round if *load == Load::Line => f64::INFINITY,
+            Twin::Round if parts[0].from > 0.0 => 0.0,
+            Twin::Round if load.has_lines() => f64::INFINITY,
             Twin::Round => strips.iter().map(|strip| strip.pressure(0.0)).sum(),
         },
         central_pressure_error: 0.0,
         resultant: force,
-        parts: parts(&strips),
+        parts,
         strips,
     }
 }
 
-/// Where strips press for x ≥ 0, those that overlap as one.
-fn parts(strips: &[Strip]) -> Vec<Part> {
-    let mut ends: Vec<[f64; 2]> =
-        strips.iter().map(|strip| [(strip.at - strip.extent).max(0.0), strip.at + strip.extent]).collect();
+/// Where a load presses for x ≥ 0, what overlaps as one.
+fn parts(load: &Load) -> Vec<Part> {
+    let end = |(at, _, part): (f64, f64, &Load)| [(at - part.half_width()).max(0.0), at + part.half_width()];
+    let mut ends: Vec<[f64; 2]> = load.parts().into_iter().map(end).collect();
     ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut parts: Vec<Part> = Vec::new();
     for [from, to] in ends {
