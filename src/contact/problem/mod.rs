@@ -189,6 +189,11 @@ impl<'a> Side<'a> {
         self.profile().map_or(0.0, |profile| profile.height(x))
     }
 
+    /// The same after Abel's transform, which is what the equations of axisymmetric problems are about.
+    pub(crate) fn transformed_height(&self, x: f64) -> f64 {
+        self.profile().map_or(0.0, |profile| profile.transformed(x))
+    }
+
     /// Slope at x (in units of L), per unit of P'.
     pub(crate) fn slope(&self, x: f64) -> f64 {
         self.profile().map_or(0.0, |profile| profile.slope(x))

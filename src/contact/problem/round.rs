@@ -12,6 +12,8 @@ use crate::scene::{Piece, Shape};
 /// phase.
 const PHASE: f64 = 100.0;
 const SPARE: f64 = 18.0;
+/// Where a circle ends its slope is infinite: it is as steep as here.
+const STEEPEST: f64 = 1.0 - 1e-12;
 
 /// The factors of s and of the last but one by which −P_2, P_4, ... and then −P_3, P_5, ... follow from each other, with k = 2m + 1.
 pub(crate) fn steps(m: usize) -> [f64; 4] {
@@ -31,7 +33,7 @@ impl Profile<'_> {
         }
         let rows = slopes.value.len();
         let places: Vec<(f64, f64)> = self.round_places(half_length, 2.0 * rows as f64).collect();
-        let values: Vec<(f64, f64)> = places.iter().map(|(s, _)| self.abel(half_length * s)).collect();
+        let values: Vec<[f64; 3]> = places.iter().map(|(s, _)| self.abel(half_length * s)).collect();
         let steps: Vec<[f64; 4]> = (0..rows).map(steps).collect();
         // lane by lane: sums over the lanes would take longer than the polynomials
         let mut sums = vec![[[0.0; LANES]; 2]; rows];
@@ -40,7 +42,7 @@ impl Profile<'_> {
             || {
                 for (places, values) in places.chunks(LANES).zip(values.chunks(LANES)) {
                     let [mut s, mut value, mut slope] = [[0.0; LANES]; 3];
-                    for (lane, ((place, weight), (own, derivative))) in places.iter().zip(values).enumerate() {
+                    for (lane, ((place, weight), [_, own, derivative])) in places.iter().zip(values).enumerate() {
                         s[lane] = *place;
                         value[lane] = 2.0 * weight * own;
                         slope[lane] = 2.0 * weight * derivative;
@@ -71,7 +73,7 @@ impl Profile<'_> {
             };
             return terms.iter().map(term).sum();
         }
-        self.round_places(half_length, 0.0).map(|(s, weight)| weight * self.abel(half_length * s).0 / s).sum()
+        self.round_places(half_length, 0.0).map(|(s, weight)| weight * self.abel(half_length * s)[1] / s).sum()
     }
 
     /// Places s = t/a from 0 to 1 and weights: s = cos θ, with a square root where pieces begin.
@@ -98,25 +100,36 @@ impl Profile<'_> {
         })
     }
 
-    /// A'(t) and t A''(t) at t in units of L, over P'.
-    fn abel(&self, t: f64) -> (f64, f64) {
+    /// A(t) at t in units of L, over P'.
+    pub(crate) fn transformed(&self, t: f64) -> f64 {
+        if let Shape::Powers { length, terms, .. } = &self.shape {
+            let term = |(exponent, coefficient): &(f64, f64)| {
+                self.amplitude(t, *length, *exponent, *coefficient) * wallis(exponent - 1.0)
+            };
+            return t * terms.iter().map(term).sum::<f64>();
+        }
+        t * self.abel(t)[0]
+    }
+
+    /// A(t)/t, A'(t) and t A''(t) at t in units of L, over P'.
+    fn abel(&self, t: f64) -> [f64; 3] {
         let t = t * self.length;
-        let (value, slope) = match &self.shape {
+        let values = match &self.shape {
             Shape::Circle(radius) => {
-                let u = t / radius;
+                let u = (t / radius).min(STEEPEST);
                 let over = ((1.0 - u) * (1.0 + u)).recip();
-                (u.atanh() + u * over, 2.0 * u * over * over)
+                [u.atanh(), u.atanh() + u * over, 2.0 * u * over * over]
             }
             Shape::Pieces { pieces, .. } => pieces_abel(pieces, t),
-            Shape::Flat(_) | Shape::Powers { .. } => (0.0, 0.0),
+            Shape::Flat(_) | Shape::Powers { .. } => [0.0; 3],
         };
-        (value / self.force, slope / self.force)
+        values.map(|value| value / self.force)
     }
 }
 
-/// The same for polynomials: ∫ g(t sin φ) dφ with g = (r f')' = e_0 + e_1 r + e_2 r² in each piece.
-fn pieces_abel(pieces: &[Piece], t: f64) -> (f64, f64) {
-    let (mut value, mut slope, mut before) = (0.0, 0.0, 0.0);
+/// The same for polynomials: ∫ f'(t sin φ) dφ, and ∫ g(t sin φ) dφ with g = (r f')' = e_0 + e_1 r + e_2 r² in each piece.
+fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 3] {
+    let [mut whole, mut value, mut slope, mut before] = [0.0; 4];
     for (i, Piece { start, coefficients: [_, c1, c2, c3] }) in pieces.iter().enumerate() {
         if *start >= t {
             break;
@@ -131,10 +144,11 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> (f64, f64) {
         };
         let ((phi, sin, cos), (phi_0, sin_0, cos_0)) = (at(end), at(*start));
         let angle = phi - phi_0;
-        let square = 0.5 * (angle - sin * cos + sin_0 * cos_0);
+        let square = 0.5 * t * t * (angle - sin * cos + sin_0 * cos_0);
         let linear = e[1] * t * (cos_0 - cos);
-        value += e[0] * angle + linear + e[2] * t * t * square;
-        slope += linear + 2.0 * e[2] * t * t * square;
+        whole += d[0] * angle + 0.5 * linear + d[2] * square;
+        value += e[0] * angle + linear + e[2] * square;
+        slope += linear + 2.0 * e[2] * square;
         // where g jumps
         let here = e[0] + start * (e[1] + start * e[2]);
         if i > 0 {
@@ -142,7 +156,7 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> (f64, f64) {
         }
         before = e[0] + end * (e[1] + end * e[2]);
     }
-    (value, slope)
+    [whole, value, slope]
 }
 
 /// The rows of amplitude · |s|^power sign(s).

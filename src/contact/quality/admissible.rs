@@ -14,7 +14,7 @@ use crate::contact::problem::modes::{COARSEST, FINEST, alternating, order};
 use crate::contact::problem::profile::Profile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::Level;
-use crate::contact::quality::round::{RoundDeflection, round_deflections};
+use crate::contact::quality::round;
 use crate::kernel::Kernel;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
@@ -305,26 +305,24 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
         // such steps that one of them ends where the profile is lowest
         steps[1] = fall / (fall / steps[1]).ceil().min(PLACES as f64);
     }
-    let twin = problem.twin();
-    let regular = match twin {
-        Twin::Plane => vectorised(
-            #[inline(always)]
-            || deflections(&waves.zeta, &waves.slopes[i], a, steps),
-        ),
-        Twin::Round => round_deflections(&waves.zeta, &waves.slopes[i], a, steps),
-    };
-    let own = (twin == Twin::Round).then(|| RoundDeflection::new(modes));
+    let regular = vectorised(
+        #[inline(always)]
+        || deflections(&waves.zeta, &waves.slopes[i], a, steps),
+    );
     let mut gaps = Vec::with_capacity(2 * PLACES);
     for (step, regular) in steps.into_iter().zip(regular) {
-        gaps.extend(regular.into_iter().enumerate().map(|(k, regular)| {
-            let x = a + step * (k + 1) as f64;
-            let opened = side.height(x) - side.height(a);
-            let elastic = match &own {
-                None => 2.0 * (limit * cauchy_deflection(modes, x / a) + regular) / PI,
-                Some(own) => 2.0 * (limit * own.at(x / a) / a + regular),
-            };
-            (x, opened - elastic)
-        }));
+        let places: [f64; PLACES] = std::array::from_fn(|k| a + step * (k + 1) as f64);
+        let of = |height: &dyn Fn(f64) -> f64, elastic: &dyn Fn(usize) -> f64| {
+            std::array::from_fn(|k| height(places[k]) - height(a) - elastic(k))
+        };
+        let found = match problem.twin() {
+            Twin::Plane => {
+                of(&|x| side.height(x), &|k| 2.0 * (limit * cauchy_deflection(modes, places[k] / a) + regular[k]) / PI)
+            }
+            // the modes themselves bring nothing to the transform beyond a
+            Twin::Round => round::gap(a, step, of(&|x| side.transformed_height(x), &|k| 2.0 * regular[k])),
+        };
+        gaps.extend(places.into_iter().zip(found));
     }
     gaps
 }

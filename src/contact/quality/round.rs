@@ -1,56 +1,37 @@
-//! Deflections outside an axisymmetric contact.
+//! Gaps outside an axisymmetric contact.
+use std::f64::consts::FRAC_2_PI;
+
 use crate::contact::problem::accuracy::PLACES;
-use crate::contact::problem::round::steps;
-use crate::contact::problem::twin::Twin;
-use crate::numeric::bessel;
-use crate::numeric::quadrature::{LARGEST, rule};
 
-/// Gauss points added to those that resolve the highest mode.
-const SPARE: usize = 16;
-
-/// ∫ s(ζ) (J₀(ζa) − J₀(ζx))/ζ for x = a + step, a + 2 step, ... with each of two steps.
-pub(super) fn round_deflections(zeta: &[f64], slopes: &[f64], a: f64, steps: [f64; 2]) -> [[f64; PLACES]; 2] {
-    let count = zeta.len().min(slopes.len());
-    let sum = |x: f64| {
-        let arguments: Vec<f64> = zeta[..count].iter().map(|zeta| zeta * x).collect();
-        let mut zeroth = vec![0.0; count];
-        bessel::table(1, &arguments, &mut zeroth);
-        zeroth.iter().zip(zeta).zip(slopes).map(|((j, zeta), slope)| slope * j / zeta).sum::<f64>()
-    };
-    let here = sum(a);
-    steps.map(|step| std::array::from_fn(|k| here - sum(a + step * (k + 1) as f64)))
+/// The gap w at x = a + step, a + 2 step, ... from its transform A(t) = t ∫ w'(r)/√(t² − r²) dr there, which vanishes on t ≤ a. It is
+/// w(x) = (2/π) ∫ A'(t) acos(t/x) dt from a to x, with A' constant between two places: nowhere negative unless A is.
+pub(super) fn gap(a: f64, step: f64, transformed: [f64; PLACES]) -> [f64; PLACES] {
+    let mut before = 0.0;
+    let differences = transformed.map(|here| here - std::mem::replace(&mut before, here));
+    std::array::from_fn(|k| {
+        let x = a + step * (k + 1) as f64;
+        let of = |(j, difference): (usize, &f64)| difference * ((a + step * (j as f64 + 0.5)) / x).acos();
+        FRAC_2_PI * differences[..=k].iter().enumerate().map(of).sum::<f64>()
+    })
 }
 
-/// The same for the short-wave limit of the kernel, times a: (3/2) Σ y_m κ_m ∫ j_j(z) (J₀(z) − J₀(zx/a)) dz/z. With
-/// j_j = (−1)^m ∫ P_j(t) sin zt dt the integral is (−1)^m ∫ P_j(t) (asin t − asin(ta/x)) dt over 0 < t < 1.
-pub(super) struct RoundDeflection {
-    /// asin t, t, and the sum of the modes there, weight included.
-    nodes: Vec<[f64; 3]>,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl RoundDeflection {
-    pub(super) fn new(modes: &[f64]) -> Self {
-        let points = rule((modes.len() + SPARE).min(LARGEST));
-        let scaled = Twin::Round.scaled(modes);
-        let steps: Vec<[f64; 4]> = (0..modes.len()).map(steps).collect();
-        let parts = (2 * modes.len() + SPARE).div_ceil(LARGEST);
-        let width = std::f64::consts::FRAC_PI_2 / parts as f64;
-        let of_part = |part: usize| points.on(width * part as f64, width * (part + 1) as f64);
-        let node = |(theta, weight): (f64, f64)| {
-            let (t, cos) = theta.sin_cos();
-            let (mut even, mut odd, mut series) = (1.0, t, 0.0);
-            for (y, [up, down, next, back]) in scaled.iter().zip(&steps) {
-                series += y * odd;
-                even = up * t * odd + down * even;
-                odd = next * t * even + back * odd;
+    /// Under a paraboloid on a half-space A = t² − a², and w = (1/π) ((x²/a² − 2) a² acos(a/x) + a √(x² − a²)) of r²/2.
+    #[test]
+    fn gaps_are_those_of_hertz() {
+        let a = 0.7;
+        for step in [0.02, 0.3] {
+            let at = |k: usize| a + step * (k + 1) as f64;
+            let found = gap(a, step, std::array::from_fn(|k| at(k) * at(k) - a * a));
+            for (k, found) in found.into_iter().enumerate() {
+                let x = at(k);
+                let expected =
+                    ((x * x - 2.0 * a * a) * (a / x).acos() + a * (x * x - a * a).sqrt()) / std::f64::consts::PI;
+                assert!((found / expected - 1.0).abs() < 0.06 / (k + 1) as f64, "{x}: {found} {expected}");
             }
-            [theta, t, 1.5 * weight * cos * series]
-        };
-        Self { nodes: (0..parts).flat_map(of_part).map(node).collect() }
-    }
-
-    /// At x = a · ratio.
-    pub(super) fn at(&self, ratio: f64) -> f64 {
-        self.nodes.iter().map(|[theta, t, share]| share * (theta - (t / ratio).asin())).sum()
+        }
     }
 }
