@@ -12,7 +12,7 @@ use super::potentials::{Closed, Potentials};
 use super::sources::{point, sources};
 use super::spheroid;
 use super::strip::StripPressure;
-use crate::numeric::bessel::{self, Wanted, spherical};
+use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::numeric::quadrature::rule;
 use crate::solution::Form;
 
@@ -44,10 +44,11 @@ impl StripPressure {
 
     fn disc_series(&self, arguments: &[f64]) -> Vec<f64> {
         let (count, orders) = (arguments.len(), 2 * self.series.len() + 1);
-        let columns = Wanted::ZERO_AND_ODD.below(orders);
+        let wanted = Wanted::ZERO_AND_ODD.of_kind(Kind::Spherical);
+        let columns = wanted.below(orders);
         let mut table = vec![0.0; columns * count];
         if self.series.len() > 1 {
-            spherical::scaled_orders(orders, Wanted::ZERO_AND_ODD, arguments, 1.0, count, &mut table);
+            bessel::scaled_orders(orders, wanted, arguments, 1.0, count, &mut table);
         }
         let (square, weighted) = (self.half_length * self.half_length, self.weighted());
         let of = |(i, z): (usize, &f64)| {

@@ -14,7 +14,7 @@ use super::pressure::Transform;
 use super::sum::load;
 use super::surface::Surface;
 use super::waves::{self, CutOff, Panel};
-use crate::numeric::bessel::{self, Wanted, spherical};
+use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::system::Unresolved;
 
 /// The power n of the weights.
@@ -39,8 +39,8 @@ impl Window {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half).collect();
         let (count, first) = (arguments.len(), if is_round { FLAT + 1 } else { FLAT });
         let mut table = vec![0.0; (first + 2) * count];
-        let fill = if is_round { bessel::scaled_orders } else { spherical::scaled_orders };
-        fill(first + 2, Wanted::ALL, &arguments, 1.0, count, &mut table);
+        let kind = if is_round { Kind::Integer } else { Kind::Spherical };
+        bessel::scaled_orders(first + 2, Wanted::ALL.of_kind(kind), &arguments, 1.0, count, &mut table);
         // Γ(ν + 1) (2/z)^ν J_ν, next to z = 0 as a series of q = −z²/4
         let less_one = |i: usize, order: usize, z: f64| {
             let b = order as f64 + if is_round { 1.0 } else { 1.5 };

@@ -1,4 +1,7 @@
-//! Bessel functions of integer order for many orders and arguments at once.
+//! Bessel functions of integer order, and spherical ones, for many orders and arguments at once.
+//!
+//! Spherical functions j_n(z) = √(π/2z) J_(n+1/2)(z) are those of axisymmetric problems: their recurrences are the same with orders larger by
+//! 1/2, and the first two have closed forms.
 //!
 //! Tables are laid out one order after the other: the value of order `n` at the argument `i` is
 //! `out[n * arguments.len() + i]`, which is a column-major matrix of arguments by orders.
@@ -9,10 +12,10 @@
 //!   arguments below the highest order;
 //! * upwards from orders 0 and 1, given by Hankel's expansion, for arguments above it.
 //!
-//! Source: Abramowitz and Stegun 1964, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12.
+//! Source: Abramowitz and Stegun 1964, 9.1.27, 9.1.46, 9.2.5-9.2.10, 9.3.2, 9.12, 10.1.
 
 mod minus_one;
-pub mod spherical;
+mod spherical;
 mod start;
 
 use num_complex::Complex64;
@@ -31,6 +34,25 @@ use super::vector::{LANES, vectorised};
 pub const ASYMPTOTIC_FROM: f64 = 25.0;
 
 type Lanes = [f64; LANES];
+
+/// Which functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// J_n and Y_n.
+    Integer,
+    /// j_n and y_n.
+    Spherical,
+}
+
+impl Kind {
+    /// By how much orders in the recurrence are larger.
+    const fn shift(self) -> f64 {
+        match self {
+            Self::Integer => 0.0,
+            Self::Spherical => 0.5,
+        }
+    }
+}
 
 /// Arguments below this differ from zero in J1 alone, which is then negligible as well.
 const TINY: f64 = 1e-290;
@@ -79,21 +101,30 @@ pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f
     assert!(arguments.len() <= stride && (columns - 1) * stride + arguments.len() <= out.len(), "the table fits");
     vectorised(
         #[inline(always)]
-        || fill::<false>(orders, wanted, arguments, factor, stride, out),
+        || match wanted.kind {
+            Kind::Integer => fill::<false>(orders, wanted, arguments, factor, stride, out),
+            Kind::Spherical => fill::<true>(orders, wanted, arguments, factor, stride, out),
+        },
     );
 }
 
-/// Which orders of a table are wanted.
+/// Which functions of a table are wanted: of integer order, unless [`Self::of_kind`] says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
+    kind: Kind,
     step: usize,
 }
 
 impl Wanted {
     /// 0, 1, 2, ...
-    pub const ALL: Self = Self { step: 1 };
+    pub const ALL: Self = Self { kind: Kind::Integer, step: 1 };
     /// 0, 1, 3, 5, ...: all others are sums of two of these, by J_(n−1) + J_(n+1) = (2n/z) J_n.
-    pub const ZERO_AND_ODD: Self = Self { step: 2 };
+    pub const ZERO_AND_ODD: Self = Self { kind: Kind::Integer, step: 2 };
+
+    /// The same orders of other functions.
+    pub const fn of_kind(self, kind: Kind) -> Self {
+        Self { kind, ..self }
+    }
 
     /// How many of them are below `orders`.
     pub fn below(self, orders: usize) -> usize {
@@ -187,7 +218,7 @@ fn downward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lane
     }
     rows[orders.min(highest + 1)..orders].fill([0.0; LANES]);
 
-    let shift = if SPHERICAL { 0.5 } else { 0.0 };
+    let shift = if SPHERICAL { Kind::Spherical } else { Kind::Integer }.shift();
     let (mut above, mut here, mut sum) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut n = highest;
     loop {
@@ -261,12 +292,8 @@ fn upward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>
         rows.resize(orders, [0.0; LANES]);
     }
     let z = z.map(|z| z.max(ASYMPTOTIC_FROM));
-    let ([mut below, mut here], mut order) = if SPHERICAL {
-        (spherical::firsts(&z), 1.5)
-    } else {
-        let [zeroth, first, ..] = start_upward(&z);
-        ([zeroth, first], 1.0)
-    };
+    let ([mut below, mut here, ..], mut order) =
+        if SPHERICAL { (spherical::starts(&z), 1.5) } else { (start_upward(&z), 1.0) };
     let two_over_z = z.map(|z| 2.0 / z);
     for row in &mut rows[..orders] {
         *row = below;
@@ -324,13 +351,13 @@ fn start_upward(z: &Lanes) -> [Lanes; 4] {
     starts
 }
 
-/// J_n(z) and Y_n(z) for n = 0..`orders` at real arguments z >= 25 with `orders` <= z, laid out as in [`table`].
+/// Functions of both kinds, J_n(z) and Y_n(z), for n = 0..`orders` at real arguments z >= 25 with `orders` <= z, laid out as in [`table`].
 ///
 /// The modulus |J + iY| is right to about 1e-14 of itself for n <= 0.8 z.
 ///
 /// # Panics
 /// If `j` or `y` is not `orders` times as long as `arguments`.
-pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) {
+pub fn jy_table(kind: Kind, orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) {
     let length = arguments.len();
     assert_eq!((j.len(), y.len()), (orders * length, orders * length), "one value per order and argument");
     let two_over_z: Vec<f64> = arguments.iter().map(|z| 2.0 / z).collect();
@@ -340,15 +367,18 @@ pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) 
             for (block, some) in arguments.chunks(LANES).enumerate() {
                 let mut z = [ASYMPTOTIC_FROM; LANES];
                 z[..some.len()].copy_from_slice(some);
-                let [j0, j1, y0, y1] = start_upward(&z);
+                let [j0, j1, y0, y1] = match kind {
+                    Kind::Integer => start_upward(&z),
+                    Kind::Spherical => spherical::starts(&z),
+                };
                 for (table, starts) in [(&mut *j, [j0, j1]), (&mut *y, [y0, y1])] {
                     for (column, start) in table.chunks_exact_mut(length).zip(starts) {
                         column[block * LANES..][..some.len()].copy_from_slice(&start[..some.len()]);
                     }
                 }
             }
-            recur_upward(&two_over_z, j);
-            recur_upward(&two_over_z, y);
+            recur_upward(kind.shift(), &two_over_z, j);
+            recur_upward(kind.shift(), &two_over_z, y);
         },
     );
 }
@@ -360,20 +390,16 @@ pub fn jy_table(orders: usize, arguments: &[f64], j: &mut [f64], y: &mut [f64]) 
 ///
 /// # Panics
 /// If `out` is not `orders` times as long as `arguments`.
-pub fn hankel_table(orders: usize, arguments: &[Complex64], out: &mut [Complex64]) {
+pub fn hankel_table(kind: Kind, orders: usize, arguments: &[Complex64], out: &mut [Complex64]) {
     let length = arguments.len();
     assert_eq!(out.len(), orders * length, "one value per order and argument");
     let mut two_over_z = Vec::with_capacity(length);
     for (i, &z) in arguments.iter().enumerate() {
         let w = z.inv();
-        let square = w * w;
-        let sum = |c: &[f64; TERMS]| c.iter().rev().fold(Complex64::ZERO, |s, c| s * square + c);
-        let amplitude = (FRAC_2_PI * w).sqrt() * FRAC_1_SQRT_2;
-        // exp(-i pi/4) = (1 - i)/sqrt(2), exp(-3i pi/4) = (-1 - i)/sqrt(2)
-        let start = [
-            amplitude * Complex64::new(1.0, -1.0) * (sum(&P0) + Complex64::I * w * sum(&Q0)),
-            amplitude * Complex64::new(-1.0, -1.0) * (sum(&P1) + Complex64::I * w * sum(&Q1)),
-        ];
+        let start = match kind {
+            Kind::Integer => start_hankel(w),
+            Kind::Spherical => [-Complex64::I * w, -(w + Complex64::I * w * w)],
+        };
         for (n, start) in start.into_iter().enumerate().take(orders) {
             out[n * length + i] = start;
         }
@@ -381,13 +407,25 @@ pub fn hankel_table(orders: usize, arguments: &[Complex64], out: &mut [Complex64
     }
     vectorised(
         #[inline(always)]
-        || recur_upward(&two_over_z, out),
+        || recur_upward(kind.shift(), &two_over_z, out),
     );
+}
+
+/// exp(-iz) H_0(z) and exp(-iz) H_1(z), w = 1/z.
+fn start_hankel(w: Complex64) -> [Complex64; 2] {
+    let square = w * w;
+    let sum = |c: &[f64; TERMS]| c.iter().rev().fold(Complex64::ZERO, |s, c| s * square + c);
+    let amplitude = (FRAC_2_PI * w).sqrt() * FRAC_1_SQRT_2;
+    // exp(-i pi/4) = (1 - i)/sqrt(2), exp(-3i pi/4) = (-1 - i)/sqrt(2)
+    [
+        amplitude * Complex64::new(1.0, -1.0) * (sum(&P0) + Complex64::I * w * sum(&Q0)),
+        amplitude * Complex64::new(-1.0, -1.0) * (sum(&P1) + Complex64::I * w * sum(&Q1)),
+    ]
 }
 
 /// Completes a table whose orders 0 and 1 are given.
 #[inline(always)]
-fn recur_upward<T>(two_over_z: &[T], table: &mut [T])
+fn recur_upward<T>(shift: f64, two_over_z: &[T], table: &mut [T])
 where
     T: Copy + Mul<f64, Output = T> + Mul<T, Output = T> + Sub<T, Output = T>,
 {
@@ -399,7 +437,7 @@ where
         let (known, new) = table.split_at_mut((n + 1) * length);
         let (below, here) = known[(n - 1) * length..].split_at(length);
         for (((new, &here), &below), &factor) in new.iter_mut().zip(here).zip(below).zip(two_over_z) {
-            *new = factor * (n as f64) * here - below;
+            *new = factor * (n as f64 + shift) * here - below;
         }
     }
 }

@@ -12,13 +12,9 @@ use crate::contact::integrals::tail::Tail;
 use crate::contact::problem::Problem;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::twin::Twin;
-use crate::numeric::bessel::{self, Wanted, spherical};
+use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
-
-/// Tables of Bessel functions beyond their turning points.
-type JyTable = fn(usize, &[f64], &mut [f64], &mut [f64]);
-type HankelTable = fn(usize, &[Complex64], &mut [Complex64]);
 
 /// Nodes of a tail whose Bessel functions are made together.
 pub(crate) const TOGETHER: usize = 512;
@@ -58,9 +54,9 @@ impl Basis {
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
         let twin = layout.twin;
         let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, twin.norm() / half_length);
-        let mut table = Columns::new(rows, Wanted::ZERO_AND_ODD.below(orders));
-        let fill = if twin == Twin::Round { spherical::scaled_orders } else { bessel::scaled_orders };
-        fill(orders, Wanted::ZERO_AND_ODD, &arguments[..reach], scale, rows, &mut table.values);
+        let wanted = Wanted::ZERO_AND_ODD.of_kind(twin.bessel());
+        let mut table = Columns::new(rows, wanted.below(orders));
+        bessel::scaled_orders(orders, wanted, &arguments[..reach], scale, rows, &mut table.values);
         let mut basis = Self { half_length, transform_minus_one: Buffer::default(), table, arguments, paths, twin };
         if rows > reach {
             basis.tabulate_tail(tail, reach, orders);
@@ -88,17 +84,14 @@ impl Basis {
     /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
     fn tabulate_tail(&mut self, tail: &Tail, first: usize, orders: usize) {
         let (rows, scale) = (self.rows(), self.twin.norm() / self.half_length);
-        let (jy_table, hankel_table) = match self.twin {
-            Twin::Plane => (bessel::jy_table as JyTable, bessel::hankel_table as HankelTable),
-            Twin::Round => (spherical::jy_table as JyTable, spherical::hankel_table as HankelTable),
-        };
+        let kind = self.twin.bessel();
         let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
         let smooth = &self.arguments[first..first + count];
         let all: Vec<usize> = (0..orders).collect();
         for (start, some) in (0..).step_by(TOGETHER).zip(smooth.chunks(TOGETHER)) {
             let length = some.len();
             let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
-            jy_table(orders, some, &mut j, &mut y);
+            bessel::jy_table(kind, orders, some, &mut j, &mut y);
             for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
                 for (place, values) in [(first + start, &j), (first + count + start, &y)] {
                     let values = &values[n * length..(n + 1) * length];
@@ -110,7 +103,7 @@ impl Basis {
         let factors = self.paths.iter().zip(&tail.lift).map(|(z, lift)| (Complex64::I * z + lift).exp() * scale);
         let factors: Vec<Complex64> = factors.collect();
         let mut h = vec![Complex64::ZERO; orders * turned];
-        hankel_table(orders, &self.paths, &mut h);
+        bessel::hankel_table(kind, orders, &self.paths, &mut h);
         for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
             let (re, im) = column[first + 2 * count..].split_at_mut(turned);
             for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {

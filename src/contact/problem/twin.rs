@@ -11,6 +11,7 @@ use std::sync::LazyLock;
 
 use crate::contact::problem::modes::{FINEST, alternating, order};
 use crate::geometry::Geometry;
+use crate::numeric::bessel::Kind;
 
 /// A plane problem, or its axisymmetric twin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +55,11 @@ impl Twin {
     /// s, by which orders of Bessel functions are larger.
     pub(crate) fn shift(self) -> f64 {
         if self == Self::Round { 0.5 } else { 0.0 }
+    }
+
+    /// Which Bessel functions these are.
+    pub(crate) fn bessel(self) -> Kind {
+        if self == Self::Round { Kind::Spherical } else { Kind::Integer }
     }
 
     /// 1 + s: Bessel functions are multiplied by it, so that the first mode has the resultant P.

@@ -6,6 +6,7 @@ use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, MINOR, SLOW};
 use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
+use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible;
 use crate::contact::quality::estimates::{BEST, Level};
 use crate::kernel::Kernel;
@@ -22,6 +23,9 @@ const FINER: usize = 8;
 const GRADED: usize = 40;
 /// Modes that sweeps add: half as many as are solved for, at least these.
 const MORE: usize = 16;
+/// So many more about an axis, where pressures are more peaked: without these many axisymmetric scenes miss ten digits by one, and
+/// take a second level.
+const ABOUT_AXIS: usize = 4;
 /// What is known to begin with.
 pub(crate) enum Start {
     /// Half-lengths from formulas: Newton's method may converge to a non-physical root, which is given up as soon as it shows.
@@ -180,12 +184,12 @@ impl<'a> Levels<'a> {
     fn first(&mut self, coarse: &Modes) {
         let power = (1e-10 / self.tolerance).powf(1.0 / 6.0);
         let with_more = |(solved, coarse): (&usize, &Vec<f64>)| {
-            with_more(*solved, self.tolerance).min(enough_modes(coarse, *solved, self.tolerance))
+            self.with_more(*solved, self.tolerance).min(enough_modes(coarse, *solved, self.tolerance))
         };
         self.modes = self.solved.iter().zip(coarse).map(with_more).collect();
         one_where_known(self.problem, &mut self.modes);
         for i in self.problem.unknown().filter(|i| self.graded[*i]) {
-            let wanted = (GRADED as f64 * power) as usize;
+            let wanted = ((GRADED + self.about_axis()) as f64 * power) as usize;
             if wanted > self.modes[i] {
                 self.modes[i] = wanted.next_multiple_of(4).min(self.finest);
                 self.solved[i] = self.solved[i].max((self.modes[i] / 3).next_multiple_of(4));
@@ -220,7 +224,7 @@ impl<'a> Levels<'a> {
 
     /// A level of few digits, where the first level cannot be solved.
     fn few_digits(&mut self, half_lengths: Vec<f64>) -> Result<Refined, ContactError> {
-        self.modes = self.coarse.iter().map(|solved| with_more(*solved, COARSE)).collect();
+        self.modes = self.coarse.iter().map(|solved| self.with_more(*solved, COARSE)).collect();
         one_where_known(self.problem, &mut self.modes);
         let found = self.newton.converge(half_lengths, &self.coarse, &self.coarse, &self.modes, COARSE)?;
         let fewer: Vec<usize> = self.coarse.iter().map(|modes| modes.div_ceil(2)).collect();
@@ -247,9 +251,9 @@ impl<'a> Levels<'a> {
             // a contact of few modes costs next to nothing beside one of many
             let least = self.solved.iter().max().map_or(0, |largest| largest / 4);
             let grow = |count: usize| ((count as f64 * grown) as usize).max(least).next_multiple_of(4);
-            let most = with_more(self.finest, self.tolerance);
+            let most = self.with_more(self.finest, self.tolerance);
             self.solved[i] = grow(self.solved[i]).min(self.finest);
-            self.modes[i] = grow(self.modes[i]).max(with_more(self.solved[i], self.tolerance)).min(most);
+            self.modes[i] = grow(self.modes[i]).max(self.with_more(self.solved[i], self.tolerance)).min(most);
         }
         self.match_singular();
         true
@@ -264,6 +268,17 @@ impl<'a> Levels<'a> {
         }
     }
 
+    /// Modes that are solved for, and those that sweeps add.
+    fn with_more(&self, solved: usize, tolerance: f64) -> usize {
+        let more = MORE + self.about_axis();
+        solved + (solved / 2).max(if tolerance < COARSE { more } else { more / 2 })
+    }
+
+    /// By how many modes more axisymmetric problems begin.
+    fn about_axis(&self) -> usize {
+        if self.problem.twin() == Twin::Round { ABOUT_AXIS } else { 0 }
+    }
+
     fn refined(&self, level: Level) -> Refined {
         let modes = self.modes.iter().max().copied().unwrap_or(0);
         let not_met = (level.worst_error() > self.tolerance).then_some(modes);
@@ -274,12 +289,6 @@ impl<'a> Levels<'a> {
 /// The transform of a given pressure is known: it counts as one mode.
 fn one_where_known(problem: &Problem, counts: &mut [usize]) {
     counts.iter_mut().enumerate().filter(|(i, _)| problem.is_known(*i)).for_each(|(_, count)| *count = 1);
-}
-
-/// Modes that are solved for, and those that sweeps add.
-fn with_more(solved: usize, tolerance: f64) -> usize {
-    let least = if tolerance < COARSE { MORE } else { MORE / 2 };
-    solved + (solved / 2).max(least)
 }
 
 /// All modes, where the last of the coarse solution are below the tolerance already: sweeps add a few only.

@@ -103,8 +103,8 @@ fn zero_and_almost_zero() {
 fn shapes() {
     table(0, &[1.0, 2.0], &mut []);
     table(3, &[], &mut []);
-    jy_table(2, &[], &mut [], &mut []);
-    hankel_table(0, &[Complex64::new(30.0, 0.0)], &mut []);
+    jy_table(Kind::Integer, 2, &[], &mut [], &mut []);
+    hankel_table(Kind::Integer, 0, &[Complex64::new(30.0, 0.0)], &mut []);
     let mut one = [f64::NAN];
     for z in [0.0, 3.0, 80.0] {
         table(1, &[z], &mut one);
@@ -150,7 +150,7 @@ proptest! {
     fn wronskian(z in (25f64.ln()..1e6f64.ln()).prop_map(f64::exp)) {
         let orders = (z as usize).min(300);
         let (mut j, mut y) = (vec![f64::NAN; orders], vec![f64::NAN; orders]);
-        jy_table(orders, &[z], &mut j, &mut y);
+        jy_table(Kind::Integer, orders, &[z], &mut j, &mut y);
         let mut same = vec![f64::NAN; orders];
         table(orders, &[z], &mut same);
         for n in 0..orders - 1 {
@@ -164,9 +164,9 @@ proptest! {
     fn hankel_functions_join_the_real_axis(z in 25.0f64..1e4) {
         let orders = (0.8 * z.min(100.0)) as usize;
         let (mut j, mut y) = (vec![f64::NAN; orders], vec![f64::NAN; orders]);
-        jy_table(orders, &[z], &mut j, &mut y);
+        jy_table(Kind::Integer, orders, &[z], &mut j, &mut y);
         let mut h = vec![Complex64::ZERO; orders];
-        hankel_table(orders, &[Complex64::from(z)], &mut h);
+        hankel_table(Kind::Integer, orders, &[Complex64::from(z)], &mut h);
         for n in 0..orders {
             let joined = h[n] * Complex64::cis(z);
             prop_assert!((joined - Complex64::new(j[n], y[n])).norm() < 1e-14 * joined.norm());
@@ -178,12 +178,12 @@ proptest! {
 fn known_values_of_the_second_kind() {
     for (n, z, exact_j, exact_y) in JY {
         let (mut j, mut y) = (vec![f64::NAN; n + 1], vec![f64::NAN; n + 1]);
-        jy_table(n + 1, &[z], &mut j, &mut y);
+        jy_table(Kind::Integer, n + 1, &[z], &mut j, &mut y);
         assert!((j[n] - exact_j).hypot(y[n] - exact_y) < 1e-14 * exact_j.hypot(exact_y), "order {n} at {z}");
     }
     for (n, x, y, re, im) in H {
         let mut h = vec![Complex64::ZERO; n + 1];
-        hankel_table(n + 1, &[Complex64::new(x, y)], &mut h);
+        hankel_table(Kind::Integer, n + 1, &[Complex64::new(x, y)], &mut h);
         let exact = Complex64::new(re, im);
         assert!((h[n] - exact).norm() < 1e-14 * exact.norm(), "order {n} at {x} + {y}i");
     }
