@@ -138,9 +138,9 @@ impl Body {
                 reference,
             };
             let wave = |wavenumber: f64| Wave { wavenumber, modulus, plane };
-            body.faces[0] = body.face(0, first, pressures[i].half_length, &wave);
+            body.faces[0] = body.face(0, first, &pressures[i], &wave);
             if let (true, Some(pressure)) = (free, pressures.get(i + 1)) {
-                body.faces[1] = body.face(1, last, pressure.half_length, &wave);
+                body.faces[1] = body.face(1, last, pressure, &wave);
             }
             Some(body)
         });
@@ -148,14 +148,14 @@ impl Body {
     }
 
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
-    fn face(&self, side: usize, placed: &PlacedLayer, half_length: f64, wave: &dyn Fn(f64) -> Wave) -> Option<Face> {
+    fn face(&self, side: usize, placed: &PlacedLayer, pressure: &Pressure, wave: &dyn Fn(f64) -> Wave) -> Option<Face> {
         let Wave { plane, modulus, .. } = wave(0.0);
         let material = |distance: f64| match placed.thickness {
             Some(thickness) if side == 1 => placed.layer.material((thickness - distance).max(0.0), plane),
             _ => placed.layer.material(distance, plane),
         };
-        let length = placed.thickness.unwrap_or_else(|| depth_of_change(&material, half_length));
-        let mut surface = Surface::new(&material, length, modulus)?;
+        let length = placed.thickness.unwrap_or_else(|| depth_of_change(&material, pressure.half_length));
+        let mut surface = Surface::new(&material, length, modulus)?.under(pressure);
         if side == 1 {
             surface = surface.upside_down();
         }
@@ -166,7 +166,7 @@ impl Body {
             if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| same(l) == Some(true)) {
                 return Some(Face { surface, remainder: Remainder::NONE });
             }
-            surface = Surface::new(&material, length, modulus)?;
+            surface = Surface::new(&material, length, modulus)?.under(pressure);
         }
         let short = SHORT / surface.shift;
         let remainders: Option<Vec<f64>> = (0..DOUBLINGS)

@@ -25,8 +25,10 @@ pub(super) struct Surface {
     fields: Fields,
     /// μ₀, by which displacements are multiplied.
     modulus: f64,
-    /// Terms with 1/λ are multiplied by 1 − e^(−λs), so that they stay finite for λ → 0; s may be infinite.
+    /// The length s below which the face is a half-plane's; infinite if it is one's altogether.
     pub(super) shift: f64,
+    /// Terms with 1/λ are multiplied by 1 − e^(−λs), so that they stay finite for λ → 0. About an axis they do, since dλ is λdλ there.
+    is_round: bool,
     /// −1 for a face that is the bottom of its body: V and T change their signs.
     up: f64,
 }
@@ -68,7 +70,7 @@ impl Surface {
         let shift = depth.min(grading(&slope).recip());
         let Some(plain) = polynomials(&decay, PLAIN, &[], Some(-1.0)) else {
             let fields = Fields::Simple(Roots::new(&at_face, modulus)?);
-            return Some(Self { fields, modulus, shift, up: 1.0 });
+            return Some(Self { fields, modulus, shift, is_round: false, up: 1.0 });
         };
         let forcing: Vec<Vector4<f64>> =
             [Vector4::zeros()].into_iter().chain(plain.iter().map(|y| -slope * y)).collect();
@@ -86,13 +88,23 @@ impl Surface {
             })
             .collect();
         let (plain, varied) = (plain_states.try_into().ok()?, varied_states.try_into().ok()?);
-        Some(Self { fields: Fields::Double(Polynomials { plain, varied }), modulus, shift, up: 1.0 })
+        Some(Self { fields: Fields::Double(Polynomials { plain, varied }), modulus, shift, is_round: false, up: 1.0 })
+    }
+
+    /// The same, under a pressure like this one.
+    pub(super) fn under(self, pressure: &Pressure) -> Self {
+        Self { is_round: pressure.is_round(), ..self }
+    }
+
+    /// How far below a place terms with 1/λ are taken that are subtracted.
+    fn subtracted(&self) -> f64 {
+        if self.is_round { f64::INFINITY } else { self.shift }
     }
 
     /// The transformed components at a wavenumber and a depth, per unit of p̂: stresses, λμ₀U, λμ₀V.
     pub(super) fn transformed(&self, wavenumber: f64, depth: f64) -> Components {
         let t = wavenumber * depth;
-        let regular = -(-wavenumber * self.shift).exp_m1();
+        let regular = -(-wavenumber * self.subtracted()).exp_m1();
         self.turned(match &self.fields {
             Fields::Double(polynomials) => polynomials.transformed(t, wavenumber.recip(), regular),
             Fields::Simple(roots) => roots.transformed(t, regular),
@@ -103,8 +115,8 @@ impl Surface {
     /// infinite, it cancels in what is counted from another point.
     pub(super) fn closed(&self, pressure: &Pressure, at: &At) -> Components {
         self.turned(match &self.fields {
-            Fields::Double(polynomials) => polynomials.closed(pressure, at, self.shift, self.modulus),
-            Fields::Simple(roots) => roots.closed(pressure, at, self.shift, self.modulus),
+            Fields::Double(polynomials) => polynomials.closed(pressure, at, self.subtracted(), self.modulus),
+            Fields::Simple(roots) => roots.closed(pressure, at, self.subtracted(), self.modulus),
         })
     }
 
