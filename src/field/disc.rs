@@ -10,17 +10,15 @@ use num_complex::Complex64;
 
 use super::potentials::{Closed, Potentials};
 use super::sources::{point, sources};
-use super::spheroid;
+use super::spheroid::{self, Spheroidal};
 use super::strip::StripPressure;
 use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::numeric::quadrature::rule;
 use crate::solution::Form;
 
-/// Gauss points of a panel.
-const POINTS: usize = 20;
-/// Panels next to a singular point are no narrower than this part of its distance, nor than this, in u.
-const NARROWEST: f64 = 0.5;
-const LEAST: f64 = 1e-8;
+/// Gauss points in v, and per unit of it.
+const POINTS: usize = 12;
+const PER_LENGTH: f64 = 7.0;
 
 impl StripPressure {
     /// p̂ − p̂(0) at some wavenumbers, accurate to rounding.
@@ -71,16 +69,17 @@ impl StripPressure {
         let a = self.half_length;
         let mut sums = [Complex64::ZERO; 4];
         if self.form != Form::Series || self.tip != 0.0 {
-            for (s, weight) in places(r.abs() / a, depth / a) {
-                let weight = a * weight * self.source(s);
-                sums.iter_mut().zip(sources(a * s, r, depth)).for_each(|(sum, value)| *sum += weight * value);
+            for (theta, weight) in places(&Spheroidal::new(r.abs() / a, depth / a)) {
+                let weight = a * weight * self.source(theta);
+                let values = sources(a * theta.sin(), r, depth);
+                sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
             }
         }
         if self.corners != 0.0 {
             sums.iter_mut().zip(sources(a, r, depth)).for_each(|(sum, value)| *sum += a * self.corners * value);
         }
         if self.form == Form::Series {
-            let of = spheroid::potentials(&self.weighted(), a, r, depth);
+            let of = spheroid::potentials(&self.by_order, a, r, depth);
             let Potentials([zeroth, first, second]) = of.potentials;
             sums.iter_mut().zip([zeroth, first, second, of.integral]).for_each(|(sum, value)| *sum += value);
         }
@@ -94,7 +93,7 @@ impl StripPressure {
     }
 
     /// The coefficients of j_(2m+1)(λa)/λ in p̂/a.
-    fn weighted(&self) -> Vec<f64> {
+    pub(super) fn weighted(&self) -> Vec<f64> {
         let mut weight = 1.0;
         let of = |(m, c): (usize, &f64)| {
             if m > 0 {
@@ -105,14 +104,15 @@ impl StripPressure {
         self.series.iter().enumerate().map(of).collect()
     }
 
-    /// h(s), without that of a series.
-    fn source(&self, s: f64) -> f64 {
+    /// h(s) ds/dθ with s = sin θ, without that of a series.
+    fn source(&self, theta: f64) -> f64 {
+        let (sin, cos) = theta.sin_cos();
         let mean = self.resultant() / (self.half_length * self.half_length);
         match self.form {
             // p = 2 p̂(0)/a² and 4 p̂(0)/a² (1 − ρ²)
-            Form::Uniform => 4.0 / PI * mean * s / ((1.0 - s) * (1.0 + s)).sqrt(),
-            Form::Parabolic => 16.0 / PI * mean * s * ((1.0 - s) * (1.0 + s)).sqrt(),
-            Form::Series | Form::Line => self.tip,
+            Form::Uniform => 4.0 / PI * mean * sin,
+            Form::Parabolic => 16.0 / PI * mean * sin * cos * cos,
+            Form::Series | Form::Line => self.tip * cos,
         }
     }
 
@@ -142,28 +142,21 @@ impl StripPressure {
     }
 }
 
-/// Places 0 < s < 1 and weights: s = sin θ, and θ = θ_0 ± u² about the singular point, whose root is smooth in u; panels become
-/// narrower towards it.
-fn places(singular: f64, distance: f64) -> Vec<(f64, f64)> {
-    let centre = singular.min(1.0).asin();
-    // how far the singular point is from the nearest place, in θ
-    let away = distance.hypot((singular - 1.0).max(0.0));
-    let near = away / centre.cos().max(away.sqrt());
-    // on the face there is nothing but the root
-    let least = if away == 0.0 { f64::INFINITY } else { NARROWEST * near.sqrt().max(LEAST) };
+/// Places 0 < θ < π/2 and weights; the sources at s = sin θ have singular points θ = ±α − iβ. θ = α ± u² takes the root out, and u = √β sinh v
+/// moves the singular points to v = arsinh e^(±iπ/4), however close to the disc the place is.
+fn places(Spheroidal { xi, eta, beyond, .. }: &Spheroidal) -> Vec<(f64, f64)> {
+    let alpha = f64::atan2(beyond.sqrt(), *eta);
+    // on the disc the root is taken out, and the nearest singular point is the other one
+    let near = if *xi > 0.0 { xi.asinh() } else { alpha }.sqrt();
     let mut places = Vec::new();
-    for (sign, whole) in [(-1.0, centre.sqrt()), (1.0, (FRAC_PI_2 - centre).sqrt())] {
-        let mut done = 0.0;
-        while done < whole {
-            let width = f64::max(done, least);
-            let next = if whole - done < 1.5 * width { whole } else { done + width };
-            let place = |(u, weight): (f64, f64)| {
-                let (sin, cos) = (centre + sign * u * u).sin_cos();
-                (sin, 2.0 * weight * u * cos)
-            };
-            places.extend(rule(POINTS).on(done, next).map(place));
-            done = next;
-        }
+    let sides = [(-1.0, alpha.sqrt()), (1.0, (FRAC_PI_2 - alpha).max(0.0).sqrt())];
+    for (sign, whole) in sides.into_iter().filter(|(_, whole)| *whole > 0.0) {
+        let longest = if near > 0.0 { (whole / near).asinh() } else { 1.0 };
+        let place = |(v, weight): (f64, f64)| {
+            let (u, slope) = if near > 0.0 { (near * v.sinh(), near * v.cosh()) } else { (whole * v, whole) };
+            (alpha + sign * u * u, 2.0 * weight * u * slope)
+        };
+        places.extend(rule(POINTS + (PER_LENGTH * longest) as usize).on(0.0, longest).map(place));
     }
     places
 }

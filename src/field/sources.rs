@@ -8,7 +8,7 @@ pub(super) fn sources(s: f64, r: f64, depth: f64) -> [Complex64; 4] {
     let w = Complex64::new(depth, -s);
     // (d − is)² + r² without cancellation; the root of positive real part
     let square = Complex64::new(depth * depth + (r - s) * (r + s), -2.0 * depth * s);
-    let root = square.sqrt();
+    let root = self::root(square);
     let over = root.inv();
     let (third, sum) = (over * over * over, (root + w).inv());
     let fifth = third * over * over;
@@ -16,9 +16,20 @@ pub(super) fn sources(s: f64, r: f64, depth: f64) -> [Complex64; 4] {
         (over, r * over * sum),
         (w * third, r * third),
         ((2.0 * w * w - r * r) * fifth, 3.0 * r * w * fifth),
-        (sum.ln(), r * sum),
+        (Complex64::new(0.0, sum.arg()), r * sum),
     ];
     pairs.map(|(zeroth, first)| Complex64::new(zeroth.im, first.im))
+}
+
+/// The square root with a positive real part; next to the negative axis the imaginary part has the sign of that of the square.
+fn root(square: Complex64) -> Complex64 {
+    let larger = (0.5 * (square.norm() + square.re.abs())).sqrt();
+    let smaller = if larger > 0.0 { 0.5 * square.im / larger } else { 0.0 };
+    if square.re > 0.0 {
+        Complex64::new(larger, smaller)
+    } else {
+        Complex64::new(smaller.abs(), larger.copysign(square.im))
+    }
 }
 
 /// Those of a force P on the axis, p̂ = P/2π everywhere.

@@ -9,7 +9,6 @@
 use num_complex::Complex64;
 
 use super::potentials::{Closed, Potentials};
-use super::sources::sources;
 
 /// Orders whose functions q_n are smaller than e^(−SMALL) are left out, but for the lowest two.
 const SMALL: f64 = 42.0;
@@ -19,17 +18,17 @@ const LOST: f64 = 6.0;
 const START: f64 = 19.0;
 
 /// A place, in the coordinates of a disc.
-struct Spheroidal {
-    xi: f64,
-    eta: f64,
+pub(super) struct Spheroidal {
+    pub(super) xi: f64,
+    pub(super) eta: f64,
     /// 1 − η².
-    beyond: f64,
+    pub(super) beyond: f64,
     /// r/a.
     rho: f64,
 }
 
 impl Spheroidal {
-    fn new(rho: f64, depth: f64) -> Self {
+    pub(super) fn new(rho: f64, depth: f64) -> Self {
         // ξ² − η² and ξ² + η²
         let difference = (rho - 1.0) * (rho + 1.0) + depth * depth;
         let sum = difference.hypot(2.0 * depth);
@@ -50,7 +49,8 @@ fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
         [values[0], values[1]] = [zeroth, 1.0 - xi * zeroth];
         for n in 1..orders {
             let k = n as f64;
-            values[n + 1] = (k * values[n - 1] - (2.0 * k + 1.0) * xi * values[n]) / (k + 1.0);
+            let over = (k + 1.0).recip();
+            values[n + 1] = k * over * values[n - 1] - (2.0 * k + 1.0) * over * xi * values[n];
         }
         return values;
     }
@@ -60,7 +60,8 @@ fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
             *kept = value;
         }
         let k = n as f64;
-        (above, value) = (value, ((k + 1.0) * above + (2.0 * k + 1.0) * xi * value) / k);
+        let over = k.recip();
+        (above, value) = (value, (k + 1.0) * over * above + (2.0 * k + 1.0) * over * xi * value);
     }
     let scale = zeroth / values[0];
     values.iter_mut().for_each(|value| *value *= scale);
@@ -70,55 +71,62 @@ fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
 /// Sums over the orders of products of P_n(η), q_n(ξ) and their derivatives.
 #[derive(Default)]
 struct Sums {
-    /// Over the odd orders, with C_n: P q, P q', P' q, P' q', n(n + 1) P q, and P' q'/(n(n + 1)).
+    /// Over the odd orders: P q, P q', P' q, P' q', n(n + 1) P q, and P' q'/(n(n + 1)).
     odd: [f64; 6],
-    /// Over the even orders, with (C_(n−1)/(2n − 1) + C_(n+1)/(2n + 3)): P q and, but for n = 0, P' q'/(n(n + 1)).
+    /// Over the even orders: P q and, but for n = 0, P' q'/(n(n + 1)).
     even: [f64; 2],
 }
 
+/// What the products of all orders n are multiplied by: odd ones by C_n, even ones by C_(n−1)/(2n − 1) + C_(n+1)/(2n + 3).
+pub(super) fn by_order(coefficients: &[f64]) -> Vec<f64> {
+    let of = |n: usize| {
+        let c = |m: Option<usize>| m.and_then(|m| coefficients.get(m)).copied().unwrap_or(0.0);
+        let (m, k) = (n / 2, n as f64);
+        if n % 2 == 1 { c(Some(m)) } else { c(m.checked_sub(1)) / (2.0 * k - 1.0) + c(Some(m)) / (2.0 * k + 3.0) }
+    };
+    (0..=2 * coefficients.len()).map(of).collect()
+}
+
 impl Sums {
-    fn new(place: &Spheroidal, coefficients: &[f64]) -> Self {
+    fn new(place: &Spheroidal, by_order: &[f64]) -> Self {
         let Spheroidal { xi, eta, .. } = *place;
-        let q = second_kind(xi, 2 * coefficients.len() + 1);
+        let q = second_kind(xi, by_order.len());
         let over = (1.0 + xi * xi).recip();
         let mut sums = Self::default();
         let (mut before, mut p) = (0.0, 1.0);
         let (mut slope_before, mut slope) = (0.0, 0.0);
-        for n in 0..q.len() - 1 {
-            let k = n as f64;
-            let falls = -(k + 1.0) * (xi * q[n] + q[n + 1]) * over;
-            let product = k * (k + 1.0);
-            let of = |m: usize| coefficients.get(m).copied().unwrap_or(0.0);
+        // 1/n, and 0 in its place of the order 0, of which there is no P'
+        let mut inverse = 0.0;
+        for (n, (c, pair)) in by_order.iter().zip(q.windows(2)).enumerate() {
+            let (k, [here, next]) = (n as f64, [pair[0], pair[1]]);
+            let following = (k + 1.0).recip();
+            let falls = -(k + 1.0) * (xi * here + next) * over;
+            let (value, both, shared) = (c * p * here, c * slope * falls, inverse * following);
             if n % 2 == 1 {
-                let c = of(n / 2);
-                let terms =
-                    [p * q[n], p * falls, slope * q[n], slope * falls, product * p * q[n], slope * falls / product];
-                sums.odd.iter_mut().zip(terms).for_each(|(sum, term)| *sum += c * term);
+                let terms = [value, c * p * falls, c * slope * here, both, k * (k + 1.0) * value, shared * both];
+                sums.odd.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             } else {
-                let below = if n > 0 { of(n / 2 - 1) / (2.0 * k - 1.0) } else { 0.0 };
-                let c = below + of(n / 2) / (2.0 * k + 3.0);
-                sums.even[0] += c * p * q[n];
-                if n > 0 {
-                    sums.even[1] += c * slope * falls / product;
-                }
+                sums.even[0] += value;
+                sums.even[1] += shared * both;
             }
             (slope_before, slope) = (slope, slope_before + (2.0 * k + 1.0) * p);
-            (before, p) = (p, ((2.0 * k + 1.0) * eta * p - k * before) / (k + 1.0));
+            (before, p) = (p, (2.0 * k + 1.0) * following * eta * p - k * following * before);
+            inverse = following;
         }
         sums
     }
 }
 
-/// The potentials of a disc of radius a at a distance r from the axis and a depth, with the coefficients C_n of the odd orders n; those with
+/// The potentials of a disc of radius a at a distance r from the axis and a depth, with coefficients [`by_order`]; those with
 /// further powers of λ are 0 on the face.
-pub(super) fn potentials(coefficients: &[f64], a: f64, r: f64, depth: f64) -> Closed {
+pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Closed {
     let place = Spheroidal::new(r / a, depth / a);
-    let Sums { odd, even } = Sums::new(&place, coefficients);
+    let Sums { odd, even } = Sums::new(&place, by_order);
     let [zeroth, by_xi, by_eta, by_both, product, radial] = odd;
     let Spheroidal { xi, eta, beyond, rho } = place;
-    // ∫ j_0(λa) J₁(λr) e^(−λd) dλ a
-    let lowest = coefficients.first().map_or(0.0, |first| first / 3.0) * sources(a, r, depth)[3].im;
-    let integral = a * Complex64::new(even[0], lowest - rho * even[1]);
+    // a ∫ j_0(λa) J₁(λr) e^(−λd) dλ
+    let lowest = by_order[0] / ((1.0 + eta) * (1.0 + xi * xi));
+    let integral = a * Complex64::new(even[0], rho * (lowest - even[1]));
     let mut potentials = [Complex64::new(zeroth, -rho * radial), Complex64::ZERO, Complex64::ZERO];
     if depth > 0.0 {
         // ∂/∂d = (α ∂/∂ξ + β ∂/∂η)/H, ∂/∂r = ρ (ξ ∂/∂ξ − η ∂/∂η)/H

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use num_complex::Complex64;
 
 use super::potentials::{Closed, Potentials};
+use super::spheroid;
 use crate::solution::{Form, Strip};
 
 /// Terms of the potentials below this part of the largest one are left out.
@@ -30,6 +31,8 @@ pub(super) struct StripPressure {
     pub(super) form: Form,
     /// Whether it is a disc about the axis, see [`super::disc`]: without signs in the series.
     pub(super) is_round: bool,
+    /// The series of a disc as its potentials take it, see [`super::spheroid`].
+    pub(super) by_order: Vec<f64>,
     /// Amplitudes of p̂ at the wavenumbers λ_k = SAMPLED^k/a.
     pub(super) envelope: Vec<f64>,
 }
@@ -41,8 +44,9 @@ impl StripPressure {
         let signed = |all: &[f64]| all.iter().enumerate().map(|(m, c)| sign(m) * c).collect();
         let (series, skew) = (signed(&strip.coefficients), signed(&strip.skew));
         let Strip { extent: half_length, corners, tip, form, .. } = *strip;
-        let envelope = Vec::new();
-        let pressure = Self { half_length, series, skew, corners, tip, form, is_round, envelope }.truncated(ROUNDED);
+        let [by_order, envelope] = [const { Vec::new() }; 2];
+        let whole = Self { half_length, series, skew, corners, tip, form, is_round, by_order, envelope };
+        let pressure = whole.truncated(ROUNDED);
         Self { envelope: pressure.sampled_envelope(), ..pressure }
     }
 
@@ -63,7 +67,10 @@ impl StripPressure {
             keep -= 1;
         }
         let skew = self.skew[..keep.min(self.skew.len())].to_vec();
-        Self { series: self.series[..keep].to_vec(), skew, envelope: self.envelope.clone(), ..*self }
+        let (series, by_order, envelope) = (self.series[..keep].to_vec(), Vec::new(), self.envelope.clone());
+        let pressure = Self { series, skew, by_order, envelope, ..*self };
+        let by_order = if self.is_round { spheroid::by_order(&pressure.weighted()) } else { Vec::new() };
+        Self { by_order, ..pressure }
     }
 
     /// The resultant P = p̂(0); of a disc P/2π.
