@@ -4,7 +4,7 @@ use recede::{
 };
 
 use super::super::paper::{self, Row};
-use super::axisymmetric::{dimitriadis, hayes};
+use super::axisymmetric::{amadeus, dimitriadis, hayes};
 use super::{Number, Table};
 
 /// The search for the largest shear stress ends where parabolas through the values no longer move it.
@@ -28,6 +28,7 @@ pub fn tables() -> Result<Vec<Table>, Error> {
         das()?,
         hayes()?,
         dimitriadis()?,
+        amadeus()?,
     ])
 }
 
