@@ -116,7 +116,7 @@ pub fn amadeus() -> Result<Table, Error> {
         }
     }
     Ok(Table {
-        title: "A wheel on a pavement: AMADEUS 2000",
+        title: "A wheel on a pavement: Amadeus 2000",
         about: "\
 The comparison of programs for pavements by a European project: strains in 10⁻⁶, compression positive, under the middle of a wheel of 0.7 MPa on a disc of radius 150.8 mm; 260 mm
 of E = 5000 MPa, 500 mm of 200 MPa on 50 MPa, with ν = 0.35, 0.40, 0.45; all bonded, and with the first interface sliding. Numbers as Skar and Andersen 2020 have

@@ -14,7 +14,7 @@ use super::spheroid::{self, Spheroidal};
 use super::strip::StripPressure;
 use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::numeric::quadrature::rule;
-use crate::solution::Form;
+use crate::solution::{Form, jacobi_weights};
 
 /// Gauss points in v, and per unit of it.
 const POINTS: usize = 12;
@@ -94,14 +94,7 @@ impl StripPressure {
 
     /// The coefficients of j_(2m+1)(λa)/λ in p̂/a.
     pub(super) fn weighted(&self) -> Vec<f64> {
-        let mut weight = 1.0;
-        let of = |(m, c): (usize, &f64)| {
-            if m > 0 {
-                weight *= (2 * m) as f64 / (2 * m + 1) as f64;
-            }
-            c / weight
-        };
-        self.series.iter().enumerate().map(of).collect()
+        self.series.iter().zip(jacobi_weights()).map(|(c, weight)| c / weight).collect()
     }
 
     /// h(s) ds/dθ with s = sin θ, without that of a series.

@@ -34,6 +34,7 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["Wedge", "Cone"], &["Cone", "Wedge"]),
     (&["Line", "Concentrated"], &["Point"]),
     (&["Annulus", "Annular"], &["Ring"]),
+    (&["Ring"], &["Several"]),
     (&["half_width", "halfwidth"], &["radius"]),
     (&["radius"], &["half_width"]),
     (&["Knife", "Vee"], &["Wedge"]),

@@ -10,7 +10,7 @@ use std::fmt;
 pub(crate) use contact::Part;
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
-pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums};
+pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums, jacobi_weights};
 pub use warning::{Warning, WarningCode};
 
 /// Which contact: the punch on top, or a receding interface.

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 /// Sines of so many multiples follow from one by rotation, each with a rounding more.
 const ROTATED: usize = 64;
-/// Factors of so many Jacobi polynomials are known beforehand.
+/// Factors of so many Jacobi polynomials are tabulated.
 const USUAL: usize = 4096;
 
 /// A pressure on |x − at| < extent, symmetric about x = at, and where `at` is not 0 its mirror image. In stress.
@@ -151,6 +151,12 @@ impl Strip {
 pub(crate) fn jacobi_sum(coefficients: &[f64], s: f64) -> f64 {
     let [sum] = jacobi_sums(coefficients, [s]);
     sum
+}
+
+/// w_m = (−1)^m ∫ P_(2m+1)(t)/t dt from 0 to 1: the transform of the term of order m is a² j_(2m+1)(λa)/(λa w_m).
+pub(crate) fn jacobi_weights() -> impl Iterator<Item = f64> {
+    let ratio = |m: i32| f64::from(2 * m + 2) / f64::from(2 * m + 3);
+    (0..).scan(1.0, move |next, m| Some(std::mem::replace(next, *next * ratio(m))))
 }
 
 /// The same at several places.

@@ -12,6 +12,7 @@ use std::sync::LazyLock;
 use crate::contact::problem::modes::{FINEST, alternating, order};
 use crate::geometry::Geometry;
 use crate::numeric::bessel::Kind;
+use crate::solution::jacobi_weights;
 
 /// A plane problem, or its axisymmetric twin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,16 +32,9 @@ static TIPS: LazyLock<Vec<f64>> = LazyLock::new(|| {
     (0..8 * FINEST).map(tip).collect()
 });
 
-/// κ_m = 1/(j w_m), where w_m = ∏ (2i + 2)/(2i + 3) over i < m is (−1)^m ∫ P_j(t)/t dt from 0 to 1.
-static SCALES: LazyLock<Vec<f64>> = LazyLock::new(|| {
-    let mut weight = 1.0;
-    let scale = |m: usize| {
-        let scale = 1.0 / (order(m) * weight);
-        weight *= (2 * m + 2) as f64 / (2 * m + 3) as f64;
-        scale
-    };
-    (0..8 * FINEST).map(scale).collect()
-});
+/// κ_m = 1/(j w_m).
+static SCALES: LazyLock<Vec<f64>> =
+    LazyLock::new(|| jacobi_weights().take(8 * FINEST).enumerate().map(|(m, w)| 1.0 / (order(m) * w)).collect());
 
 impl Twin {
     pub(crate) fn of(geometry: Geometry) -> Self {
