@@ -47,6 +47,7 @@ mod reference;
 mod rejected;
 mod rival;
 mod round;
+mod round_reports;
 mod singular;
 mod skips;
 mod sweep;

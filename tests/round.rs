@@ -193,6 +193,9 @@ fn a_ring_is_the_difference_of_two_discs() {
     let radius = |punch: &Punch| press(layer_on_half_space(1.0), punch, 0.01).contacts()[1].reach();
     close(radius(&ring(0.4, 0.5)), radius(&disc(0.9)), 1e-12);
     close(radius(&ring(1e-4, 4e-5)), 1.72654043897, 1e-7);
+    // next to a narrow ring as next to a strip: a largest shear stress of 1/π of the pressure
+    let narrow = field(half_space(), &ring(1.0, 1e-3), 4e-3 * std::f64::consts::PI).max_shear().unwrap();
+    close(narrow.value, std::f64::consts::FRAC_1_PI, 1e-3);
     let solution = press(half_space(), &ring(0.65, 0.15), 2.0);
     let load = &solution.contacts()[0];
     close(load.peak().pressure, 2.0 / (area(0.8) - area(0.5)), 1e-12);
@@ -208,48 +211,6 @@ fn what_is_no_ring_is_refused() {
         let error = model.press(&punch, 1.0).unwrap_err();
         assert!(error.is_input() && error.hint().unwrap().contains("`Ring`"), "{error}");
     }
-}
-
-#[test]
-fn rows_of_sweeps_are_single_solutions() {
-    let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
-    let axes = ["punch.radius=[3,5]", "force=[10,20]"].map(|axis| axis.parse().unwrap()).to_vec();
-    let sweep = recede::Sweep::new(scene, axes).unwrap().with_approach().with_extremes();
-    let columns = recede::report::SweepCsv::new(&sweep).header().unwrap();
-    assert!(columns.contains(",approach,") && columns.contains("_von_mises"), "{columns}");
-    for row in sweep.rows() {
-        let scene = sweep.scene_at(row.index).unwrap();
-        let model = Model::new(scene.stack().unwrap()).unwrap();
-        let alone = model.press(&scene.punch, scene.force).unwrap();
-        let solution = row.result.unwrap();
-        close(solution.contacts()[0].reach(), alone.contacts()[0].reach(), 1e-10);
-        let approach = model.approach(&scene.punch, &alone).unwrap().value;
-        close(row.approach.unwrap().unwrap().value, approach, 1e-9);
-        let [found, expected] = [row.extremes.unwrap().unwrap(), model.field(&alone).unwrap().extremes().unwrap()];
-        close(found.layers[0].von_mises.unwrap().value, expected.layers[0].von_mises.unwrap().value, 1e-8);
-    }
-}
-
-#[test]
-fn maps_are_symmetric_about_the_axis() {
-    let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
-    let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
-    let field = model.field(&solution).unwrap();
-    let (xs, depths) = ([-2.0, -0.7, 0.0, 0.7, 2.0], [0.0, 0.5, 1.0]);
-    let grids = field.by_layer(&xs, &depths).unwrap();
-    for grid in &grids {
-        for row in grid.rows() {
-            for (left, right) in row.iter().zip(row.iter().rev()) {
-                assert_eq!((left.x, left.sigma_xx, left.sigma_yy), (-right.x, right.sigma_xx, right.sigma_yy));
-                assert_eq!((left.sigma_zz, left.v), (right.sigma_zz, right.v));
-                assert_eq!((left.sigma_xy, left.u), (-right.sigma_xy, -right.u));
-            }
-        }
-    }
-    let map = |quantity| recede::plot::map(&scene, &solution, &field, &grids, quantity).unwrap().svg();
-    let [along, about] = [recede::FieldQuantity::SigmaXx, recede::FieldQuantity::SigmaZz].map(map);
-    assert!(along.starts_with("<svg") && along != about);
 }
 
 #[test]
@@ -379,22 +340,6 @@ fn derivatives_of_forces_are_stiffnesses() {
 }
 
 /// Random plane scenes with the axisymmetric geometry, where that is legal: solved, reported, and their fields checked, or refused for a reason.
-/// Displacements of faces have the names and signs of fields.
-#[test]
-fn profiles_are_in_cylindrical_coordinates() {
-    let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
-    let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
-    let profile = model.profile(&scene.punch, &solution, &[0.0]).unwrap();
-    let mut text = Vec::new();
-    recede::report::write_profile(&profile, &mut text).unwrap();
-    let text = String::from_utf8(text).unwrap();
-    let [header, numbers] = [0, 1].map(|line| text.lines().nth(line).unwrap().split(',').collect::<Vec<_>>());
-    let column = header.iter().position(|name| *name == "layer_1_top_u_z").unwrap();
-    let sunk = model.approach(&scene.punch, &solution).unwrap().value;
-    close(numbers[column].parse().unwrap(), sunk, 1e-8);
-}
-
 /// A layer that is stiffer along its faces than across them obeys equilibrium and Hooke's law.
 #[test]
 fn transversely_isotropic_layers() {
@@ -438,22 +383,4 @@ fn random_twins_do_all_that_a_command_does() {
         solved += u64::from(outcome.solution().is_some());
     }
     assert!(10 * solved >= 8 * scenes, "{solved} of {scenes}");
-}
-
-#[test]
-fn scenes_are_read_and_written() {
-    let entries = std::fs::read_dir("examples/axisymmetric").unwrap();
-    let mut scenes = 0;
-    for path in entries.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "ron")) {
-        let scene = Scene::read(&path).unwrap();
-        assert_eq!(scene.geometry, Geometry::Axisymmetric);
-        let again = Scene::from_ron(&scene.to_ron()).unwrap();
-        assert_eq!((again.punch.clone(), again.force), (scene.punch.clone(), scene.force), "{}", path.display());
-        let outcome = Check::run(&scene, &Options::default(), true).outcome;
-        assert!(outcome.solution().is_some(), "{}: {}", path.display(), outcome.reason());
-        let json = Scene::from_json(&scene.to_json()).unwrap();
-        assert_eq!(json.punch, scene.punch);
-        scenes += 1;
-    }
-    assert!(scenes >= 2);
 }

@@ -72,7 +72,8 @@ fn transform_minus_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
 /// The discs whose uniform pressures are together one on a ring |r − at| < half_width: radii, and parts of the force.
 fn ring(at: f64, half_width: f64) -> [(f64, f64); 2] {
     let [outer, inner] = [at + half_width, (at - half_width).max(0.0)];
-    let area = (outer - inner) * (outer + inner);
+    // without cancellation in narrow rings
+    let area = if inner > 0.0 { 4.0 * at * half_width } else { outer * outer };
     [(outer, outer * outer / area), (inner, -inner * inner / area)]
 }
 
