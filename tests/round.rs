@@ -339,7 +339,6 @@ fn derivatives_of_forces_are_stiffnesses() {
     close(of(force).stiffness.value().unwrap(), difference, 1e-6);
 }
 
-/// Random plane scenes with the axisymmetric geometry, where that is legal: solved, reported, and their fields checked, or refused for a reason.
 /// A layer that is stiffer along its faces than across them obeys equilibrium and Hooke's law.
 #[test]
 fn transversely_isotropic_layers() {
@@ -373,6 +372,7 @@ fn transversely_isotropic_layers() {
     close(radial, slope(&|d| at(r + d, depth).u), 1e-8);
 }
 
+/// Random plane scenes with the axisymmetric geometry, where that is legal: solved, reported, and their fields checked, or refused for a reason.
 #[test]
 fn random_twins_do_all_that_a_command_does() {
     let (mut solved, scenes) = (0, 24);
