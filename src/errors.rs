@@ -2,12 +2,12 @@
 use recede_layers::LayerError;
 
 use crate::approach::ApproachError;
+use crate::axis::AxisError;
 use crate::contact::{ContactError, NoSolution};
 use crate::field::FieldError;
 use crate::options::OptionsError;
 use crate::scene::{HeightsError, LoadsError, Scene, SceneError, ValueError};
 use crate::stack::StackError;
-use crate::sweep::AxisError;
 use crate::system::Unresolved;
 
 /// Why a scene could not be read or solved.

@@ -61,6 +61,7 @@
 #![deny(missing_docs)]
 
 mod approach;
+mod axis;
 mod collocation;
 mod contact;
 mod errors;
@@ -88,6 +89,7 @@ mod system;
 mod validity;
 
 pub use approach::{Approach, ApproachError, Stiffness};
+pub use axis::{Axis, AxisError};
 pub use contact::{ContactError, Controlled, NoSolution};
 pub use errors::Error;
 pub use field::{
@@ -116,7 +118,7 @@ pub use stack::{
 };
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;
-pub use sweep::{Axis, AxisError, Part, PartError, Row as SweepRow, Sweep, SweepPoint};
+pub use sweep::{Part, PartError, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved};
 pub use system::{
     Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,

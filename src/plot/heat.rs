@@ -6,7 +6,8 @@ use super::picture::{Anchor, Picture};
 use super::planes::{Plane, number, scale_of, step};
 use super::scale::Scale;
 use super::style::{INK, SMALL, TEXT};
-use crate::sweep::{Axis, Sweep, SweepPoint};
+use crate::axis::Axis;
+use crate::sweep::{Sweep, SweepPoint};
 
 /// Fewest values of an axis for a map: fewer are curves.
 const FEWEST: usize = 6;

@@ -1,8 +1,9 @@
 //! What the pictures of a sweep show, be they curves or maps.
 use super::names::{Dimension, of_contact, symbols, unit};
 use super::scale::Scale;
+use crate::axis::Axis;
 use crate::solution::Contact;
-use crate::sweep::{Axis, Sweep, SweepPoint};
+use crate::sweep::{Sweep, SweepPoint};
 
 /// Most contacts that have a column.
 pub(super) const CONTACTS: usize = 6;

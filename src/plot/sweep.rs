@@ -7,8 +7,9 @@ use super::picture::{Anchor, Picture, Stroke};
 use super::planes::{CONTACTS, Plane, number, planes, scale_of, step};
 use super::scale::{Scale, label};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
+use crate::axis::Axis;
 use crate::scene::Scene;
-use crate::sweep::{Axis, Sweep, SweepPoint};
+use crate::sweep::{Sweep, SweepPoint};
 
 /// Size of one plane of curves, in points.
 const PLANE: (f64, f64) = (215.0, 145.0);

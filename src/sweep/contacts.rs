@@ -6,7 +6,8 @@
 //! from the one to the other has a contact.
 use recede_layers::{HalfPlane, Homogeneous};
 
-use super::{Axis, Sweep};
+use super::Sweep;
+use crate::axis::Axis;
 use crate::errors::Error;
 use crate::scene::{Change, Item, Owner, Slot};
 use crate::solution::Interface;

@@ -1,13 +1,9 @@
 //! Sweeps: one scene solved for all combinations of values of some of its quantities.
-mod axis;
 mod contacts;
-mod decimal;
-mod error;
 mod kept;
 #[cfg(feature = "parallel")]
 mod parallel;
 mod part;
-mod range;
 #[cfg(feature = "files")]
 mod read;
 
@@ -21,8 +17,6 @@ use std::sync::Arc;
 
 use recede_layers::ReadError;
 
-pub use axis::Axis;
-pub use error::AxisError;
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
 pub use part::{Part, PartError};
@@ -30,6 +24,7 @@ pub use part::{Part, PartError};
 use kept::Kept;
 
 use crate::approach::{Approach, ApproachError};
+use crate::axis::{Axis, AxisError};
 use crate::errors::Error;
 use crate::field::{Extremes, FieldError};
 use crate::model::Model;

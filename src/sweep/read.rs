@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use recede_layers::Registry;
 use serde::Deserialize;
 
-use super::{Axis, Sweep};
+use super::Sweep;
+use crate::axis::Axis;
 use crate::errors::Error;
 use crate::options::Options;
 use crate::scene::{Scene, SceneError, first_name, read_document};

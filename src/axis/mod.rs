@@ -1,10 +1,15 @@
 //! What varies in a sweep, and over which values.
+mod decimal;
+mod error;
+mod range;
+
 use std::fmt;
 use std::hash::Hasher;
 use std::str::FromStr;
 
-use super::error::AxisError;
-use super::range::{Range, Spacing};
+pub use error::AxisError;
+
+use range::{Range, Spacing};
 
 /// Most values of one axis.
 const LONGEST: usize = 100_000_000;
