@@ -90,7 +90,7 @@ impl fmt::Display for Range {
     }
 }
 
-/// start (stop/start)^(index/last): where the ratio is a power of ten, and that of the value a whole one, it is the decimal
+/// start (stop/start)^(index/last): where the ratio is a power of ten, and the power of the value is a whole number, it is the decimal
 /// with the digits of `start`.
 fn logarithmic(start: f64, stop: f64, index: usize, last: usize) -> f64 {
     let (first, end) = (Decimal::of(start), Decimal::of(stop));

@@ -8,7 +8,7 @@
 //! k = E*₁/E*₂ = [μ₁/(1 - ν₁)]/[μ₂/(1 - ν₂)]   (plane strain).
 //! ```
 //!
-//! The problem is that of Keer, Dundurs and Tsai 1972 and of Gladwell 1976. The constants are those of a
+//! Keer, Dundurs and Tsai 1972 and Gladwell 1976 treat the problem. The constants come from a
 //! multiple-precision evaluation, and are solved for again by this module's tests.
 
 use super::Elastic;

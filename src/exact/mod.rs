@@ -11,7 +11,7 @@
 //! | [`punches`] | powers, wedge, flat punches with round and with sharp corners on a half-plane |
 //! | [`strip`] | flexibility of a free strip |
 //!
-//! The theory is that of Johnson 1985; the publications are listed in `docs/references.md`.
+//! The theory follows Johnson 1985; the publications are listed in `docs/references.md`.
 
 pub mod hertz;
 pub mod line_load;

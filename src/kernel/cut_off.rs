@@ -1,7 +1,7 @@
 //! Kernels cut off beyond a wavenumber, for contacts whose modes do not resolve their shortest waves.
 //!
-//! Next to a face layer much thinner than the contact is long, the kernel is that of the bodies behind the layer up to
-//! waves about as short as the layer is thick, and that of the layer beyond.
+//! Next to a face layer much thinner than the contact is long, the kernel belongs to the bodies behind the layer up to
+//! waves about as short as the layer is thick, and to the layer beyond.
 use crate::numeric::quadrature::rule;
 
 use super::{Asymptote, Kernel};

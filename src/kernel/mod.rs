@@ -2,7 +2,7 @@
 //!
 //! Everything here is dimensionless: wavenumbers ζ = λL with L the total thickness of the layers, or the length over which
 //! a half-plane without layers is graded, flexibilities λμ₀C with μ₀ the shear modulus at the top face. Nothing depends on
-//! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in that of its contact.
+//! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in the length of its contact.
 mod asymptote;
 mod cut_off;
 mod length;
@@ -204,7 +204,7 @@ impl Kernel {
         0.25 * (material.kappa(self.chains.geometry.plane()) + 1.0) * self.chains.modulus / material.shear_modulus
     }
 
-    /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain; the punch is that of
+    /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain; the punch belongs to
     /// contact 0.
     pub(crate) fn contact_modulus(&self, contact: usize, punch: Option<&Isotropic>) -> f64 {
         let punch = punch.filter(|_| contact == 0).map_or(0.0, |material| self.half_plane(material));
@@ -219,7 +219,7 @@ impl Kernel {
         kernel
     }
 
-    /// Whether the kernel is constant: that of a homogeneous half-plane, in which no length occurs.
+    /// Whether the kernel is constant, as for a homogeneous half-plane, in which no length occurs.
     pub(crate) fn has_no_length(&self) -> bool {
         self.panels.is_empty()
             && self.asymptotes.iter().all(|asymptote| asymptote.is_constant() && asymptote.from == 0.0)
@@ -389,7 +389,7 @@ impl Kernel {
     }
 
     /// For each contact the compliance λμ₀C of all bodies below it and of the laminate above it, at one wavenumber, as
-    /// if the interfaces further down slid without opening: the equal-pressure responses of two neighbouring contacts, that of the lower one
+    /// if the interfaces further down slid without opening: the equal-pressure responses of two neighbouring contacts, the response of the lower one
     /// in series with the bending of the laminate between them.
     pub(crate) fn compliances(&self, zeta: f64) -> Vec<f64> {
         let at = self.at(zeta);

@@ -58,7 +58,7 @@ fn power(zeta: f64, power: i32) -> f64 {
 }
 
 /// Adds panels for [from, to], halved until every component is resolved, and returns whether that took more than one. If this
-/// is `expected`, both halves are sampled at once, since samples of a panel that is not resolved are wasted; from those of
+/// is `expected`, both halves are sampled at once, since samples of a panel that is not resolved are wasted; from the samples of
 /// the halves it follows whether one panel would have sufficed.
 pub(super) fn resolve(
     chains: &Chains,

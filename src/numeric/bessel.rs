@@ -1,6 +1,6 @@
 //! Bessel functions of integer order, and spherical ones, for many orders and arguments at once.
 //!
-//! Spherical functions j_n(z) = √(π/2z) J_(n+1/2)(z) are those of axisymmetric problems: their recurrences are the same with orders larger by
+//! Spherical functions j_n(z) = √(π/2z) J_(n+1/2)(z) belong to axisymmetric problems: their recurrences are the same with orders larger by
 //! 1/2, and the first two have closed forms.
 //!
 //! Tables are laid out one order after the other: the value of order `n` at the argument `i` is

@@ -58,7 +58,7 @@ pub fn interpolation_row(nodes: &[f64], weights: &[f64], x: f64, row: &mut [f64]
     row.iter_mut().for_each(|r| *r /= sum);
 }
 
-/// Interpolation from the nodes of `rule(PANEL)` to those of `rule(n)`: `matrix[j * n + i]` is what the value at panel
+/// Interpolation from the nodes of `rule(PANEL)` to the nodes of `rule(n)`: `matrix[j * n + i]` is what the value at panel
 /// node `j` contributes at node `i`.
 pub fn panel_matrix(n: usize) -> &'static [f64] {
     static MATRICES: [OnceLock<Vec<f64>>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];

@@ -7,7 +7,7 @@
 const FARTHEST: f64 = 1e6;
 /// π/2 in three parts of 33 bits.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
-/// Adding it rounds to whole numbers, the last bits of which are then those of the sum.
+/// Adding it rounds to whole numbers, which are the last bits of the sum.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
 const SIN: [f64; 6] = [

@@ -80,7 +80,7 @@ pub fn about_axis(mut scene: Scene) -> Scene {
                 Some(thickness) => Homogeneous::new(thickness, modulus, 0.2).map(Item::layer),
                 None => HalfPlane::new(modulus, 0.2).map(Item::layer),
             };
-            // the numbers are those of a legal layer
+            // the numbers belong to a legal layer
             if let Ok(isotropic) = isotropic {
                 *item = isotropic;
             }

@@ -30,7 +30,7 @@ const ORDERS: usize = 3;
 /// Number of places at which the slope of the punch is evaluated.
 const PLACES: usize = 64;
 
-/// The force; that of the uppermost layer alone if the compliance of the stack cannot be computed.
+/// The force; the force on the uppermost layer alone if the compliance of the stack cannot be computed.
 pub(super) fn force(scenario: &Scenario, half_length: f64) -> f64 {
     match estimate(scenario, half_length) {
         Ok(Some(force)) if force > 0.0 && force.is_finite() => force,

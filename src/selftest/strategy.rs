@@ -19,7 +19,7 @@ pub struct Ranges {
     pub receding: usize,
     /// Ratio of two layers' thicknesses at most, dimensionless.
     pub thickness_ratio: f64,
-    /// Ratio of the shear moduli of two layers, or of a layer and the half-plane, at most, dimensionless; that of a graded
+    /// Ratio of the shear moduli of two layers, or of a layer and the half-plane, at most, dimensionless; the modulus of a graded
     /// layer is taken at its top face.
     pub modulus_ratio: f64,
     /// Largest |βh| of a graded layer, dimensionless.

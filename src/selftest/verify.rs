@@ -38,7 +38,7 @@ impl Comparison {
     }
 }
 
-/// Compares the numbers of an answer to a scene with those of the strictest answer.
+/// Compares the numbers of an answer to a scene with the numbers of the strictest answer.
 ///
 /// # Errors
 /// As [`Model::press_with`], if there is no stricter answer.

@@ -27,7 +27,7 @@ pub(crate) fn negligible(tolerance: f64) -> f64 {
 
 /// Gauss points for a wave of this phase times a kernel of which `digits` decimal digits matter.
 fn points(phase: f64, digits: f64) -> usize {
-    // two points per wavelength, those of the turning points, and what kernel and wave take besides
+    // two points per wavelength, points for the turning points, and what kernel and wave take besides
     let turning = (0.5 * phase).cbrt();
     let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
     (0.25 * phase + digits / 14.0 * spare).ceil() as usize
@@ -67,7 +67,7 @@ struct Plan<'a> {
     half_lengths: &'a [f64],
     /// Where the real wavenumbers of each contact's own kernel end.
     reaches: Vec<f64>,
-    /// Where those of each coupling end.
+    /// Where the wavenumbers of each coupling end.
     coupled: Vec<f64>,
     /// See [`negligible`].
     negligible: f64,
@@ -223,7 +223,7 @@ impl Layout {
         Some(layout)
     }
 
-    /// Without wavenumbers; `tail_of` tells which of the tails is that of a contact.
+    /// Without wavenumbers; `tail_of` tells which of the tails belongs to a contact.
     fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
         let n = kernel.contacts();
         let own =
@@ -237,7 +237,7 @@ impl Layout {
         }
     }
 
-    /// Wavenumbers, those of the tails included.
+    /// Number of wavenumbers, the tails included.
     pub(crate) fn nodes(&self) -> usize {
         self.zeta.len() + self.tails.iter().map(|tail| tail.smooth.len() + tail.turned.len()).sum::<usize>()
     }

@@ -25,7 +25,7 @@ impl Estimate {
         numeric::largest([self.length, self.pressure])
     }
 
-    /// Whether neither is larger than that of another.
+    /// Whether neither error is larger than the same error of another answer.
     pub(crate) fn is_within(self, other: Self) -> bool {
         self.length <= other.length && self.pressure <= other.pressure
     }

@@ -103,7 +103,7 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
         return Strip { at, form, ..Strip::series(extent, vec![resultant]) };
     }
     let unit = 2.0 * resultant / (PI * extent);
-    // c_j of 1 and of 1 − s² over that of the ellipse with the same resultant
+    // c_j of 1 and of 1 − s² over the c_1 of the ellipse with the same resultant
     let coefficient = |m: usize| match form {
         Form::Line | Form::Series => unit,
         Form::Uniform => unit / order(m),
@@ -113,7 +113,7 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
     Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect()) }
 }
 
-/// The same about the axis: a series of one term, that of an ellipse, has the resultant; forms are known by it.
+/// The same about the axis: a series of one term, an ellipse, has the resultant; forms are known by it.
 fn round(strip: Strip, force: f64) -> Strip {
     let first = if strip.form == Form::Line { force } else { 1.5 * force / (PI * strip.extent.powi(2)) };
     Strip { coefficients: vec![first], is_round: true, ..strip }

@@ -1,6 +1,6 @@
 //! The contact problem: a kernel, what presses on each contact, and where the contacts are.
 //!
-//! Every contact has a [`Side`] that says what is special about it. No other room asks which contact is that of the punch.
+//! Every contact has a [`Side`] that says what is special about it. No other room asks which contact belongs to the punch.
 pub(crate) mod accuracy;
 pub(crate) mod estimate;
 pub(crate) mod iteration;
@@ -204,7 +204,7 @@ impl<'a> Side<'a> {
         self.profile().and_then(Profile::edge)
     }
 
-    /// Whether the contact is that of a punch with sharp corners.
+    /// Whether the punch of the contact has sharp corners.
     pub(crate) fn is_flat(&self) -> bool {
         self.profile().is_some_and(|profile| profile.flat().is_some())
     }

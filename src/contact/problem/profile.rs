@@ -68,7 +68,7 @@ impl<'a> Profile<'a> {
         Self { punch, shape: punch.shape(), length, force, twin }
     }
 
-    /// Half-length of the contact, in units of L, if it is that of a punch with sharp corners.
+    /// Half-length of the contact, in units of L, if the punch has sharp corners.
     pub(crate) fn flat(&self) -> Option<f64> {
         if let Shape::Flat(edge) = self.shape { Some(edge / self.length) } else { None }
     }
@@ -203,7 +203,7 @@ impl<'a> Profile<'a> {
             Shape::Circle(_) => self.slopes(half_length, 1024).value.iter().sum(),
             Shape::Flat(_) => 0.0,
             Shape::Pieces { pieces, .. } => {
-                // with x = a/cosh u the integral is that of f' over u
+                // with x = a/cosh u the integral of f' is taken over u
                 // slopes at x = a/cosh u are nothing beyond
                 let nothing = -2.0 * ROUNDING.ln();
                 let farthest = |start: f64| (half_length * self.length / start).acosh().min(nothing);
@@ -300,7 +300,7 @@ pub(super) fn wallis(n: f64) -> f64 {
     FRAC_PI_2.sqrt() * std::f64::consts::FRAC_1_SQRT_2 * libm::tgamma(0.5 * n + 0.5) / libm::tgamma(0.5 * n + 1.0)
 }
 
-/// Continues modes by those of the local pressure, tapered to nothing at their end, so that the sum of all converges fast
+/// Continues modes by the modes of the local pressure, tapered to nothing at their end, so that the sum of all converges fast
 /// wherever the pressure is smooth.
 pub(crate) fn continued(modes: &mut Vec<f64>, local: &[f64]) {
     let from = modes.len();

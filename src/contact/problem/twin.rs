@@ -131,7 +131,7 @@ impl Twin {
         }
     }
 
-    /// The pressure next to sharp corners less a unit pressure of the same resultant is that of this times 1/√(1 − s²) minus
+    /// The pressure next to sharp corners less a unit pressure of the same resultant has the modes of this factor times 1/√(1 − s²) minus
     /// [`Self::edge_unit`] times √(1 − s²), in the unit of [`Self::unit`] over π.
     pub(crate) fn edge(self) -> f64 {
         if self == Self::Round { 1.0 / 3.0 } else { 0.5 }
@@ -142,10 +142,10 @@ impl Twin {
         if self == Self::Round { 3.0 } else { 2.0 }
     }
 
-    /// The logarithm arcosh(1/s) under a sharp tip, in the unit of [`Self::unit`] over π, of which all modes are like those of the
-    /// asymptotic pressure; `first` is the first of these.
+    /// The logarithm arcosh(1/s) under a sharp tip, in the unit of [`Self::unit`] over π, of which all modes are like the modes of the
+    /// asymptotic pressure; `first` is the first of the latter.
     pub(crate) fn tip(self, first: f64) -> f64 {
-        // its first mode is that of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
+        // its first mode is the first mode of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
         if self == Self::Round { first / 1.5 } else { 0.5 * first }
     }
 
@@ -157,7 +157,7 @@ impl Twin {
         }
     }
 
-    /// c_j a/(2 μ₀P') of p = Σ c_j sin jφ with x = a cos φ, from y_m = ½ π j (−1)^m a c_j/(μ₀P'); in the axisymmetric case those of √(1 − s²)
+    /// c_j a/(2 μ₀P') of p = Σ c_j sin jφ with x = a cos φ, from y_m = ½ π j (−1)^m a c_j/(μ₀P'); in the axisymmetric case the coefficients of √(1 − s²)
     /// times Jacobi polynomials that are 1 at s = 0.
     pub(crate) fn coefficients(self, modes: &[f64]) -> Vec<f64> {
         let sign = |m: usize| if self == Self::Plane { alternating(m) } else { 1.0 };

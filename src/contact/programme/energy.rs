@@ -2,7 +2,7 @@
 //! p_(i+1)) + Σ b_iᵀ p_i, per unit of P'.
 //!
 //! A pressure 1 on [x_e, x_(e+1)] and its mirror image has the transform (2/ζ) (sin ζx_(e+1) − sin ζx_e). The energy is
-//! that of the Galerkin equations. Resultants are given, so every pressure is taken less a uniform one of the same resultant
+//! the quadratic form of the Galerkin equations. Resultants are given, so every pressure is taken less a uniform one of the same resultant
 //! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
 //! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form: −g/π ln |x| responds
 //! to a line load. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even

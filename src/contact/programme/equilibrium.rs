@@ -129,7 +129,7 @@ impl<'a> Equilibrium<'a> {
         Some(unknowns)
     }
 
-    /// The pressure of contact i + 1 from that of contact i and the unknowns.
+    /// The pressure of contact i + 1 from the pressure of contact i and the unknowns.
     fn add_above(&self, i: usize, above: MatRef<'_, f64>, mut unknowns: Mat<f64>) -> Mat<f64> {
         for (k, e) in self.elements[i + 1].iter().enumerate() {
             if let Ok(place) = self.elements[i].binary_search(e) {

@@ -93,7 +93,7 @@ impl Grid {
         found
     }
 
-    /// Which elements touch if those of a coarser grid do that they are part of.
+    /// Which elements touch, if an element touches where the element of a coarser grid that contains it does.
     pub(super) fn inherit(&self, coarse: &Self, touching: &[Vec<bool>]) -> Vec<Vec<bool>> {
         let parent = |e: usize| {
             let [from, to] = self.element(e);

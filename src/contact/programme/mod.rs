@@ -1,4 +1,4 @@
-//! The contact problem as what it is, a quadratic programme, solved coarsely.
+//! The contact problem as a quadratic programme, solved coarsely.
 //!
 //! Of all pressures p ≥ 0 of the right resultants the true ones make the elastic energy plus the work against the
 //! punch's profile least. With pressures constant on elements of one grid for all contacts that is a quadratic
@@ -46,7 +46,7 @@ const LEAST_FORCE: f64 = 1e-8;
 struct Resolution {
     /// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it.
     ends: f64,
-    /// Elements besides those of the first grid: with more, none are refined.
+    /// Number of elements added to the first grid: with more, none are refined.
     elements: usize,
 }
 
@@ -151,7 +151,7 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
     cycles
 }
 
-/// Layers that lie on each other without a force: the sign of the pressure there is that of rounding, and they count as apart.
+/// Layers that lie on each other without a force: the sign of the pressure there is a rounding error, and they count as apart.
 fn separate_where_unloaded(touching: &mut [bool], forces: &[f64]) {
     let mut start = 0;
     while start < touching.len() {

@@ -18,8 +18,8 @@ pub(super) fn starts(z: &Lanes) -> [Lanes; 4] {
     starts
 }
 
-/// What the values of a downward recurrence are to be multiplied by, from those of the orders 0 and 1: the larger one of both is
-/// compared, which is that of order 0 next to z = 0.
+/// The factors that scale the values of a downward recurrence, from the known values of the orders 0 and 1: the larger of the two is
+/// compared, which is the value of order 0 next to z = 0.
 #[inline(always)]
 pub(super) fn factors(z: &Lanes, zeroth: &Lanes, first: &Lanes) -> Lanes {
     let [j0, j1, ..] = starts(z);
