@@ -89,7 +89,7 @@ impl ApproachError {
     pub fn hint(&self) -> String {
         match self {
             Self::Field(cause) => cause.hint().unwrap_or_default(),
-            _ => "prescribe the force, or the half-length of the contact under a punch".to_owned(),
+            _ => "prescribe `force`, or `half_length` of the contact under a punch".to_owned(),
         }
     }
 }

@@ -34,7 +34,82 @@ impl Geometry {
     pub fn is_axisymmetric(self) -> bool {
         self == Self::Axisymmetric
     }
+
+    /// The words for its quantities.
+    ///
+    /// ```
+    /// use recede::Geometry;
+    /// assert_eq!(Geometry::PlaneStrain.words().half_length, "half-length");
+    /// assert_eq!(Geometry::Axisymmetric.words().half_length, "contact radius");
+    /// ```
+    pub fn words(self) -> &'static Words {
+        match self {
+            Self::PlaneStrain | Self::PlaneStress => &PLANE,
+            Self::Axisymmetric => &AXISYMMETRIC,
+        }
+    }
+
+    /// The length of an interval from `left` to `right`, on which a line load is spread; in axisymmetric problems the area of the disc about
+    /// the axis, or of the half of a ring that lies on the side of the interval.
+    pub(crate) fn size(self, left: f64, right: f64) -> f64 {
+        match self {
+            Self::PlaneStrain | Self::PlaneStress => right - left,
+            Self::Axisymmetric => {
+                let half_disc = |end: f64| std::f64::consts::FRAC_PI_2 * end * end.abs();
+                half_disc(right) - half_disc(left)
+            }
+        }
+    }
 }
+
+/// What quantities are called in tables, pictures and messages. Keys of JSON and columns of CSV are the same in all geometries, but for
+/// [those of fields](crate::FieldQuantity::name_in).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
+    /// The coordinate along the layers. About an axis it is counted along a diameter: at negative r, vectors have the same directions as at
+    /// positive r.
+    pub along: &'static str,
+    /// The distance from the middle along the layers.
+    pub distance: &'static str,
+    /// Half of the length of a contact about the middle.
+    pub half_length: &'static str,
+    /// Several of these.
+    pub half_lengths: &'static str,
+    /// Half of the width of a punch or a load.
+    pub half_width: &'static str,
+    /// A punch whose profile is a circle.
+    pub cylinder: &'static str,
+    /// A punch with straight flanks and a sharp tip.
+    pub wedge: &'static str,
+    /// Where a flat punch ends.
+    pub corners: &'static str,
+    /// A force without extent.
+    pub line_load: &'static str,
+}
+
+const PLANE: Words = Words {
+    along: "x",
+    distance: "|x|",
+    half_length: "half-length",
+    half_lengths: "half-lengths",
+    half_width: "half-width",
+    cylinder: "cylinder",
+    wedge: "wedge",
+    corners: "corners",
+    line_load: "line load",
+};
+
+const AXISYMMETRIC: Words = Words {
+    along: "r",
+    distance: "r",
+    half_length: "contact radius",
+    half_lengths: "contact radii",
+    half_width: "radius",
+    cylinder: "sphere",
+    wedge: "cone",
+    corners: "edge",
+    line_load: "point load",
+};
 
 impl From<Plane> for Geometry {
     fn from(plane: Plane) -> Self {

@@ -96,7 +96,7 @@ pub use field::{
     BondExtremes, Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes, MaxShear,
     Point, Side as FaceSide,
 };
-pub use geometry::Geometry;
+pub use geometry::{Geometry, Words};
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
 pub use profile::{ContactProfile, FaceProfile, Profile as FaceProfiles, profile_places};

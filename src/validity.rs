@@ -17,7 +17,7 @@ const PLACES: usize = 32;
 pub(crate) fn warnings(punch: &Punch, kernel: &Kernel, solution: &Solution) -> Vec<Warning> {
     let Some(top) = solution.contacts().first() else { return Vec::new() };
     let shape = match radius(punch) {
-        Some(radius) => long(top.reach() / radius),
+        Some(radius) => long(top.reach() / radius, kernel.geometry()),
         None => steep(punch, top),
     };
     let (contacts, material) = (solution.contacts().iter().enumerate(), punch.material());
@@ -37,11 +37,12 @@ fn radius(punch: &Punch) -> Option<f64> {
     }
 }
 
-fn long(ratio: f64) -> Option<Warning> {
+fn long(ratio: f64, geometry: Geometry) -> Option<Warning> {
     let message = || {
         format!(
-            "the contact under the punch is long: its half-length is {ratio:.2} of the radius, and above {LONG} linear elasticity \
-             is an approximation only"
+            "the contact under the punch is long: its {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
+             elasticity is an approximation only",
+            geometry.words().half_length
         )
     };
     (ratio > LONG).then(|| Warning::new(WarningCode::LongContact, message()))
@@ -69,15 +70,7 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
 
 /// The largest mean pressure of the intervals of a contact, compared with E*.
 fn large(name: &str, contact: &Contact, geometry: Geometry, modulus: f64) -> Option<Warning> {
-    let mean = |interval: &Interval| match geometry {
-        // of a disc, or of half a ring
-        Geometry::Axisymmetric => {
-            let [left, right] =
-                [interval.left, interval.right].map(|end| std::f64::consts::FRAC_PI_2 * end * end.abs());
-            interval.force / (right - left)
-        }
-        _ => interval.force / (interval.right - interval.left),
-    };
+    let mean = |interval: &Interval| interval.force / geometry.size(interval.left, interval.right);
     // a line load has no mean pressure
     let pressures = contact.intervals().iter().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max);
     let ratio = pressures / modulus;

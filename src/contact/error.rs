@@ -77,7 +77,7 @@ impl Controlled {
 impl std::fmt::Display for Controlled {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Self::HalfLength => "half-length of the contact under the punch",
+            Self::HalfLength => "`half_length` of the contact under the punch",
             Self::Approach => "approach of the punch",
         })
     }
@@ -87,11 +87,11 @@ impl std::fmt::Display for Controlled {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoSolution {
     /// The contact would reach past the edge of the punch.
-    #[error("the punch {punch} cannot carry the force: the contact would reach its edge at x = {edge:?}")]
+    #[error("the punch {punch} cannot carry the force: the contact would reach its edge, {edge:?} from its middle")]
     PunchTooSmall {
         /// The punch as it is written in a scene.
         punch: String,
-        /// Half-width of the punch, in length.
+        /// Half-width of the punch, its radius in axisymmetric problems, in length.
         edge: f64,
     },
     /// No force makes the contact as long, or the punch sink as far, as wanted.
@@ -129,13 +129,13 @@ pub enum NoSolution {
         cause: Option<Box<NoSolution>>,
     },
     /// The half-lengths of the contacts did not settle.
-    #[error("the half-lengths of the contacts did not converge; the last were {half_lengths:?}")]
+    #[error("the ends of the contacts did not converge; the last were {half_lengths:?} from the middle")]
     NotConverged {
         /// The last half-lengths tried, from the top down, in length.
         half_lengths: Vec<f64>,
     },
     /// A contact would be in tension.
-    #[error("the contact at {} would be in tension at x = {x:e}: no contact pressure may be negative", place(.interface))]
+    #[error("the contact at {} would be in tension {x:e} from its middle: no contact pressure may be negative", place(.interface))]
     Tension {
         /// The contact.
         interface: Interface,
@@ -145,7 +145,7 @@ pub enum NoSolution {
         half_lengths: Vec<f64>,
     },
     /// Bodies touch in more than one interval, and where exactly was not found.
-    #[error("the contact at {} is not one interval: the bodies touch where {}", place(.interface), intervals(.parts))]
+    #[error("the contact at {} is not one interval: the bodies touch {} from its middle", place(.interface), intervals(.parts))]
     Parts {
         /// The contact.
         interface: Interface,
@@ -153,7 +153,7 @@ pub enum NoSolution {
         parts: Vec<[f64; 2]>,
     },
     /// Two bodies would penetrate each other.
-    #[error("the bodies at {} would penetrate each other at x = {x:e}: no gap outside the contact may be negative", place(.interface))]
+    #[error("the bodies at {} would penetrate each other {x:e} from the middle: no gap outside the contact may be negative", place(.interface))]
     Penetration {
         /// The contact outside which they do.
         interface: Interface,
@@ -172,7 +172,7 @@ fn place(interface: &Interface) -> String {
 /// Which values are reached on either side of one that is not.
 fn reachable(controlled: Controlled, below: Option<f64>, above: Option<f64>) -> String {
     let (one, several) = match controlled {
-        Controlled::HalfLength => ("half-length", "half-lengths"),
+        Controlled::HalfLength => ("value", "values"),
         Controlled::Approach => ("approach", "approaches"),
     };
     match (below, above) {
@@ -190,9 +190,9 @@ fn reachable(controlled: Controlled, below: Option<f64>, above: Option<f64>) -> 
 
 fn intervals(parts: &[[f64; 2]]) -> String {
     let interval = |[from, to]: &[f64; 2]| match *from {
-        0.0 => format!("|x| < {to:.3e}"),
-        _ if to.is_infinite() => format!("|x| > {from:.3e}"),
-        _ => format!("{from:.3e} < |x| < {to:.3e}"),
+        0.0 => format!("up to {to:.3e}"),
+        _ if to.is_infinite() => format!("beyond {from:.3e}"),
+        _ => format!("{from:.3e} to {to:.3e}"),
     };
     parts.iter().map(interval).collect::<Vec<_>>().join(" and ")
 }
@@ -223,7 +223,7 @@ impl NoSolution {
                 "the contact would reach the edge of the punch: prescribe a smaller approach, or make the punch wider"
             }
             Self::Unreachable { controlled: Controlled::HalfLength, .. } => {
-                "a contact is longer than the flat part of its punch, shorter than the punch, and its half-length jumps \
+                "a contact is wider than the flat part of its punch, narrower than the punch, and its `half_length` jumps \
                  where intervals of it meet: prescribe one that is reached, or the force"
             }
             Self::ForceNotFound { .. } => "prescribe the force, or a value next to those that were reached",

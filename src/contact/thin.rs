@@ -141,7 +141,7 @@ impl Thin {
         }
         solution.warnings.extend(self.contacts.iter().map(|(contact, error)| {
             left_out(format!(
-                "a layer next to the contact {} is so thin that it is left out: it changes half-lengths and pressures by \
+                "a layer next to the contact {} is so thin that it is left out: it changes the ends of contacts and pressures by \
                  about {error:.0e}, and the pressure near the ends of the contact over about as long as it is thick",
                 solved[*contact]
             ))
@@ -152,7 +152,7 @@ impl Thin {
             solution.stats.modes.insert(*lower, solution.stats.modes[*lower - 1]);
             solution.warnings.push(left_out(format!(
                 "the layer above the contact {interface} is so thin that it is left out, and both of its faces carry the same \
-                 pressure: that changes half-lengths by about {error:.0e}, and the pressure near the ends of the contact"
+                 pressure: that changes the ends of the contact by about {error:.0e}, and the pressure near the ends of the contact"
             )));
         }
         solution

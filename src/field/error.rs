@@ -16,7 +16,7 @@ pub enum FieldError {
         allowed: String,
     },
     /// The field was requested so far away that it would take too many wavenumbers.
-    #[error("x = {x:?} is too far from the contacts for the field to be computed there")]
+    #[error("a place {x:?} from the middle is too far from the contacts for the field to be computed there")]
     TooFar {
         /// The farthest of the points requested, in length.
         x: f64,

@@ -164,7 +164,7 @@ impl Field {
 
     fn at_point(&self, point: Point) -> Result<FieldPoint, FieldError> {
         let points = self.points(&[point])?;
-        points.into_iter().next().ok_or(FieldError::Outside { place: point.to_string(), allowed: self.allowed() })
+        points.into_iter().next().ok_or_else(|| self.outside(&point))
     }
 
     /// The estimated error of the stresses at a point, in stress: that of the pressures, and the truncation error of the sums over
@@ -321,7 +321,7 @@ impl Field {
     }
 
     fn outside(&self, point: &Point) -> FieldError {
-        FieldError::Outside { place: point.to_string(), allowed: self.allowed() }
+        FieldError::Outside { place: point.written_in(self.geometry), allowed: self.allowed() }
     }
 
     /// The depths at which there are layers.

@@ -21,8 +21,15 @@ pub struct Point {
 
 impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "x = {:?}, depth = {:?}", self.x, self.depth)?;
-        self.layer.map_or(Ok(()), |layer| write!(f, " in layer {layer}"))
+        f.write_str(&self.written_in(Geometry::PlaneStrain))
+    }
+}
+
+impl Point {
+    /// With the name of the coordinate in this geometry.
+    pub(super) fn written_in(&self, geometry: Geometry) -> String {
+        let layer = self.layer.map_or(String::new(), |layer| format!(" in layer {layer}"));
+        format!("{} = {:?}, depth = {:?}{layer}", geometry.words().along, self.x, self.depth)
     }
 }
 

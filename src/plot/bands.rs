@@ -4,7 +4,7 @@ use super::contour::rings;
 use super::letters::width;
 use super::picture::{Anchor, Colour, Picture};
 use super::scale::Scale;
-use super::style::{INK, SMALL, TEXT, hair, heat, signed};
+use super::style::{INK, NEUTRAL, SMALL, TEXT, hair, heat, signed};
 
 /// Fewest bands of colour.
 const BANDS: usize = 10;
@@ -12,16 +12,19 @@ const BANDS: usize = 10;
 pub(super) const BAR: f64 = 12.0;
 /// Parts of a cell of the grid that lie on its border.
 const BORDER: f64 = 1e-6;
-/// Values below this part of the largest are zero.
+/// Values below this part of the largest are zero, however small their error is.
 const ZERO: f64 = 1e-9;
+/// A line of zeros separates both signs within this number of places of the grid: one on each side of those that it lies between, since
+/// it may pass through places where the value is 0.
+const BESIDE: usize = 1;
 
 /// Bands of a quantity and their colours.
 pub(super) struct Bands {
     pub(super) scale: Scale,
     /// Where bands meet.
     edges: Vec<f64>,
-    /// Whether colours tell the sign.
-    signed: bool,
+    /// The value below which no sign is known; `None` if colours do not tell the sign.
+    unknown: Option<f64>,
 }
 
 /// A quantity on a grid: values row by row.
@@ -32,9 +35,10 @@ pub(super) struct Values<'a> {
 }
 
 impl Bands {
-    /// For values between the ends of a scale; a signed quantity has colours on both sides of a neutral zero.
-    pub(super) fn new(scale: Scale, signed: bool) -> Self {
-        let scale = if signed { scale.with(0.0) } else { scale }.rounded();
+    /// For values between the ends of a scale. A quantity that may have both signs, whose values are right to `error`, has colours on both
+    /// sides of a neutral zero.
+    pub(super) fn new(scale: Scale, error: Option<f64>) -> Self {
+        let scale = if error.is_some() { scale.with(0.0) } else { scale }.rounded();
         let (low, high) = scale.ends();
         let ticks: Vec<f64> = scale.ticks().iter().map(|tick| tick.value).collect();
         let step = ticks.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(high - low);
@@ -43,12 +47,14 @@ impl Bands {
         let count = ((high - low) / width).round() as usize;
         let largest = low.abs().max(high.abs());
         let edge = |i: usize| Some(low + i as f64 * width).filter(|edge| edge.abs() > ZERO * largest).unwrap_or(0.0);
-        Self { edges: (1..count).map(edge).collect(), scale, signed }
+        // a band that is as wide as the error has no sign of its own
+        let unknown = error.map(|error| error.clamp(ZERO * largest, width));
+        Self { edges: (1..count).map(edge).collect(), scale, unknown }
     }
 
     /// The colour of a band; 0 is the lowest.
     fn colour(&self, index: usize) -> Colour {
-        if !self.signed {
+        if self.unknown.is_none() {
             return heat(index as f64 / self.edges.len().max(1) as f64);
         }
         let (low, high) = self.scale.ends();
@@ -57,29 +63,35 @@ impl Bands {
         signed(0.5 * (from + to) / low.abs().max(high.abs()))
     }
 
-    /// From the lowest band up, each over all that is higher: so no seams remain. Nothing where the value is not a number. Of a
-    /// signed quantity there is a line where it is zero.
+    /// From the lowest band up, each over all that is higher: so no seams remain. Nothing where the value is not a number. A quantity that
+    /// may have both signs is neutral where it is less than its error, and has a line where it changes its sign by more than that.
     pub(super) fn draw(&self, picture: &mut Picture, grid: &Values, place: impl Fn((f64, f64)) -> (f64, f64)) {
         let Values { xs, ys, values } = grid;
         let (low, high) = self.scale.ends();
-        let smallest = ZERO * low.abs().max(high.abs());
-        let rounded = |value: &f64| if value.abs() < smallest { 0.0 } else { value.clamp(low, high) };
-        let clamped: Vec<f64> = values.iter().map(rounded).collect();
+        let clamped: Vec<f64> = values.iter().map(|value| value.clamp(low, high)).collect();
         let within = |(x, y): (f64, f64)| place((between(xs, x), between(ys, y)));
-        let edges = [f64::NEG_INFINITY].into_iter().chain(self.edges.iter().copied());
-        for (index, edge) in edges.enumerate() {
+        let above = |edge: f64, colour: Colour, picture: &mut Picture| {
             let rings = rings(&clamped, xs.len(), edge).into_iter();
             let rings: Vec<Vec<_>> = rings.map(|ring| ring.into_iter().map(within).collect()).collect();
             if !rings.is_empty() {
-                picture.rings(rings, self.colour(index));
+                picture.rings(rings, colour);
+            }
+        };
+        let edges = [f64::NEG_INFINITY].into_iter().chain(self.edges.iter().copied());
+        for (index, edge) in edges.enumerate() {
+            match self.unknown.filter(|_| edge == 0.0) {
+                Some(unknown) => {
+                    above(-unknown, NEUTRAL, picture);
+                    above(unknown, self.colour(index), picture);
+                }
+                None => above(edge, self.colour(index), picture),
             }
         }
-        if self.signed && low < 0.0 && high > 0.0 {
-            let last = [xs.len() - 1, ys.len() - 1].map(|last| last as f64);
-            for ring in rings(&clamped, xs.len(), 0.0) {
-                for line in inside(&ring, last) {
-                    picture.line(&line.into_iter().map(within).collect::<Vec<_>>(), hair(INK));
-                }
+        if let Some(unknown) = self.unknown.filter(|_| low < 0.0 && high > 0.0) {
+            let known: Vec<f64> =
+                clamped.iter().map(|value| if value.abs() < unknown { 0.0 } else { *value }).collect();
+            for line in rings(&known, xs.len(), 0.0).iter().flat_map(|ring| lines(ring, &known, xs.len())) {
+                picture.line(&line.into_iter().map(within).collect::<Vec<_>>(), hair(INK));
             }
         }
     }
@@ -107,16 +119,27 @@ impl Bands {
     }
 }
 
-/// The pieces of a ring that do not run along the border of the grid, whose last column and row are these.
-fn inside(ring: &[(f64, f64)], [right, bottom]: [f64; 2]) -> Vec<Vec<(f64, f64)>> {
+/// The pieces of a ring around the values that are not negative on a grid with this number of columns: those that do not run along its
+/// border, and have both signs beside them.
+fn lines(ring: &[(f64, f64)], values: &[f64], columns: usize) -> Vec<Vec<(f64, f64)>> {
+    let rows = values.len() / columns;
+    let [right, bottom] = [columns - 1, rows - 1].map(|last| last as f64);
     let on = |a: f64, b: f64, border: f64| (a - border).abs() < BORDER && (b - border).abs() < BORDER;
     let along = |a: (f64, f64), b: (f64, f64)| {
         on(a.0, b.0, 0.0) || on(a.0, b.0, right) || on(a.1, b.1, 0.0) || on(a.1, b.1, bottom)
     };
+    let beside = |at: f64, count: usize| {
+        (at.floor() as usize).saturating_sub(BESIDE)..(at.ceil() as usize + BESIDE + 1).min(count)
+    };
+    let signs = |(x, y): (f64, f64)| {
+        let values =
+            || beside(y, rows).flat_map(|row| beside(x, columns).map(move |column| values[row * columns + column]));
+        values().any(|value| value < 0.0) && values().any(|value| value > 0.0)
+    };
     let mut lines: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
     for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         match lines.last_mut() {
-            Some(line) if !along(*from, *to) => {
+            Some(line) if !along(*from, *to) && signs(*from) && signs(*to) => {
                 if line.is_empty() {
                     line.push(*from);
                 }
@@ -142,11 +165,10 @@ fn between(list: &[f64], at: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::style::NEUTRAL;
 
     #[test]
     fn zero_is_neutral_and_signs_have_colours_of_their_own() {
-        let bands = Bands::new(Scale::around([-1.0, 3.0]), true);
+        let bands = Bands::new(Scale::around([-1.0, 3.0]), Some(0.0));
         assert!(bands.edges.contains(&0.0));
         let zero = bands.edges.iter().position(|edge| *edge == 0.0).unwrap();
         let (below, above) = (bands.colour(zero), bands.colour(zero + 1));
@@ -167,7 +189,7 @@ mod tests {
         let (xs, ys) = ([0.0, 1.0, 2.0], [0.0, 1.0]);
         let values = [-1.0, 1.0, 1.0, -1.0, 1.0, 1.0];
         let mut picture = Picture::new(2.0, 1.0);
-        Bands::new(Scale::around([-1.0, 1.0]), true).draw(
+        Bands::new(Scale::around([-1.0, 1.0]), Some(0.0)).draw(
             &mut picture,
             &Values { xs: &xs, ys: &ys, values: &values },
             |at| at,
@@ -176,5 +198,34 @@ mod tests {
             picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect();
         assert_eq!(lines.len(), 1);
         assert!(lines[0].contains("d=\"M0.5 ") && !lines[0].contains(" 2 "), "{lines:?}");
+    }
+
+    /// Where a quantity has fallen below its error, its sign is rounding: left of the middle it changes its sign at y = 2 by much, right of
+    /// it by less than the error from place to place.
+    #[test]
+    fn the_line_of_zero_ends_where_values_are_below_their_error() {
+        let (xs, ys): (Vec<f64>, Vec<f64>) = ((0..9).map(f64::from).collect(), (0..5).map(f64::from).collect());
+        let value = |i: usize, j: usize| match i {
+            0..4 => j as f64 - 2.0,
+            4 => 1e-3 * (j as f64 - 2.0),
+            _ => {
+                if (i * 7 + j * 3) % 5 < 2 {
+                    -1e-5
+                } else {
+                    1e-5
+                }
+            }
+        };
+        let values: Vec<f64> = (0..5).flat_map(|j| (0..9).map(move |i| value(i, j))).collect();
+        let drawn = |error: f64| {
+            let mut picture = Picture::new(8.0, 4.0);
+            let grid = Values { xs: &xs, ys: &ys, values: &values };
+            Bands::new(Scale::around([-2.0, 2.0]), Some(error)).draw(&mut picture, &grid, |at| at);
+            picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect::<Vec<_>>()
+        };
+        let known = drawn(1e-4);
+        assert!(known.len() == 1 && known[0].contains("d=\"M0 2"), "{known:?}");
+        assert!(!["6 ", "7 ", "8 "].iter().any(|x| known[0].contains(x)), "{known:?}");
+        assert!(drawn(0.0).len() > 1);
     }
 }

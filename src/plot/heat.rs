@@ -45,7 +45,7 @@ pub(super) fn maps(sweep: &Sweep, both: [usize; 2], planes: &[Plane], points: &[
     for plane in planes {
         let [left, top] = [0, 1].map(|k| plane.place[k] as f64 * APART[k]);
         let name = |axis: &Axis| {
-            let (name, dimension) = of_path(axis.path());
+            let (name, dimension) = of_path(sweep.scene(), axis.path());
             (name, unit(sweep.scene(), dimension))
         };
         let ((x_label, x_unit), (y_label, y_unit)) = (name(x), name(y));
@@ -71,7 +71,7 @@ pub(super) fn maps(sweep: &Sweep, both: [usize; 2], planes: &[Plane], points: &[
             let [column, line] = [(both[0], &xs), (both[1], &ys)].map(|(i, list)| at(list, number(point, i)));
             values[line * xs.len() + column] = number(point, plane.column);
         }
-        let bands = Bands::new(Scale::around(values.iter().copied()), false);
+        let bands = Bands::new(Scale::around(values.iter().copied()), None);
         bands.draw(&mut picture, &Values { xs: &xs, ys: &ys, values: &values }, |place| chart.place(place));
         chart.draw(&mut picture);
         let Frame { right, bottom, .. } = chart.frame;

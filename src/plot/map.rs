@@ -10,7 +10,7 @@ use super::picture::{Anchor, Picture, Stroke, WHITE, italic};
 use super::punch::Punch;
 use super::scale::{Scale, short};
 use super::style::{FAINT, INK, SMALL, hair};
-use crate::field::{Field, FieldPoint, FieldQuantity, Grid};
+use crate::field::{Field, FieldPoint, FieldQuantity, Grid, Point};
 use crate::scene::Scene;
 use crate::solution::{Contact, Interface, Interval, Solution};
 
@@ -48,13 +48,19 @@ pub fn map(
     let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick)).ends();
     let (x, depth) = (over(|point| point.x), over(|point| point.depth));
     if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
-        return Err(PlotError::Empty("a map needs two places along x and two depths".into()));
+        return Err(PlotError::Empty(format!(
+            "a map needs two places along {} and two depths",
+            scene.geometry.words().along
+        )));
     }
     let largest = Largest::of(scene, field, grids, quantity);
     let clipped =
         points().any(|point| is_singular(point, quantity)) || depth.0 <= 0.0 && rises(scene, solution, quantity);
     let values = range(points().map(|point| quantity.of_in(point, scene.geometry)), clipped).ok_or_else(|| {
-        PlotError::Empty(format!("{} is infinite or not known at all points of the map", quantity.name()))
+        PlotError::Empty(format!(
+            "{} is infinite or not known at all points of the map",
+            quantity.name_in(scene.geometry)
+        ))
     })?;
     let largest = largest.filter(|largest| !clipped || largest.overall);
     // colours reach what is called the largest value
@@ -80,14 +86,17 @@ pub fn map(
         layers,
         grids,
         quantity,
-        bands: Bands::new(if is_signed(quantity) { values } else { values.with(0.0) }, is_signed(quantity)),
+        bands: match is_signed(quantity) {
+            true => Bands::new(values, Some(error(field, grids, quantity))),
+            false => Bands::new(values.with(0.0), None),
+        },
         clipped,
         largest,
         chart: Chart {
             frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
             x: Scale::around([x.0, x.1]),
             y: Scale::bent(depths.knots(), on_ground).reversed(),
-            x_label: italic("x"),
+            x_label: italic(scene.geometry.words().along),
             x_unit: unit(scene, Dimension::LENGTH),
             y_label: "depth".into(),
             y_unit: unit(scene, Dimension::LENGTH),
@@ -98,6 +107,23 @@ pub fn map(
         along,
     };
     Ok(map.draw())
+}
+
+/// The largest error of a quantity at the sides of the grids, which are far from singular points: where bodies are free of stress it is all
+/// that is left. Displacements are as right as stresses, in parts of their largest.
+fn error(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> f64 {
+    let sides = grids.iter().flat_map(Grid::rows).filter_map(|row| row.last());
+    let at = |side: &FieldPoint| Point { x: side.x, depth: side.depth, layer: Some(side.layer) };
+    let errors = sides.filter_map(|side| field.stress_error(&at(side)).ok()).filter(|error| error.is_finite());
+    let error = errors.fold(0.0, f64::max);
+    let largest = |of: FieldQuantity| {
+        let values = grids.iter().flat_map(|grid| grid.points()).map(|point| of.of(point).abs());
+        values.filter(|value| value.is_finite()).fold(0.0, f64::max)
+    };
+    match quantity {
+        FieldQuantity::U | FieldQuantity::V => error * largest(quantity) / largest(FieldQuantity::MaxShear).max(error),
+        _ => error,
+    }
 }
 
 /// Whether a quantity may have both signs.
@@ -318,6 +344,7 @@ impl Map<'_> {
     fn notes(&self) -> Vec<String> {
         let (_, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
         let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
+        let along = italic(self.scene.geometry.words().along);
         let mut notes = Vec::new();
         if let Some(Largest { point: (x, depth, layer), value, overall }) = &self.largest {
             let what = match (overall, self.shows(*x, *depth)) {
@@ -326,8 +353,7 @@ impl Map<'_> {
                 (false, _) if is_signed(self.quantity) => "ring: largest magnitude on the grid of this map",
                 (false, _) => "ring: largest on the grid of this map",
             };
-            let place =
-                format!("at {} = {}{length}, depth {}{length} in layer {layer}", italic("x"), short(*x), short(*depth));
+            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(*x), short(*depth));
             notes.push(format!("{what}, {}{stress} {place}", short(*value)));
         }
         if self.clipped {

@@ -1,8 +1,8 @@
 //! What quantities are called in pictures, and their units.
 use super::picture::{italic, subscript};
-use super::scale::{label, short};
+use super::scale::short;
 use crate::field::FieldQuantity;
-use crate::geometry::Geometry;
+use crate::geometry::{Geometry, Words};
 pub(super) use crate::scene::Dimension;
 use crate::scene::{Load, Punch, Scene, Units};
 use crate::solution::{Contact, Interface};
@@ -25,48 +25,48 @@ pub(super) fn after(scene: &Scene, dimension: Dimension) -> String {
     unit(scene, dimension).map_or(String::new(), |unit| format!(" {unit}"))
 }
 
+/// The distance from the middle, with its letter in italics.
+fn distance(scene: &Scene) -> String {
+    let Words { along, distance, .. } = scene.geometry.words();
+    distance.replace(along, &italic(along))
+}
+
 /// What presses on the stack, in short lines: its kind, then its sizes.
 pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
     let length = after(scene, Dimension::LENGTH);
-    let radius = |radius: f64| format!("{} = {}{length}", italic("R"), label(radius));
-    // about an axis a cylinder is a sphere
-    let is_round = scene.geometry.is_axisymmetric();
-    let named = |plane: &'static str, round: &'static str| if is_round { round } else { plane };
-    let half_width = |half_width: f64| format!("{} {}{length}", named("half-width", "radius"), label(half_width));
+    let radius = |radius: f64| format!("{} = {}{length}", italic("R"), short(radius));
+    let Words { half_width, cylinder, wedge, corners, line_load, .. } = scene.geometry.words();
+    let distance = distance(scene);
+    let half_width = |width: f64| format!("{half_width} {}{length}", short(width));
     let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
     match &scene.punch {
-        Punch::Cylinder { radius: r } => lines(named("cylinder", "sphere"), &[radius(r.get())]),
+        Punch::Cylinder { radius: r } => lines(cylinder, &[radius(r.get())]),
         Punch::Parabola { radius: r } => lines("parabola", &[radius(r.get())]),
         Punch::Power { exponent, half_width, height } => {
-            let [w, h] = [half_width.get(), height.get()].map(label);
-            let power = format!("height {h}{length} at |{}| = {w}{length}", italic("x"));
-            lines(&format!("power {} of |{}|", label(exponent.get()), italic("x")), &[power])
+            let [w, h] = [half_width.get(), height.get()].map(short);
+            let power = format!("height {h}{length} at {distance} = {w}{length}");
+            lines(&format!("power {} of {distance}", short(exponent.get())), &[power])
         }
         Punch::Polynomial { half_width: w, .. } => lines("polynomial", &[half_width(w.get())]),
-        Punch::Wedge { slope } => lines(named("wedge", "cone"), &[format!("slope {}", label(slope.get()))]),
+        Punch::Wedge { slope } => lines(wedge, &[format!("slope {}", short(slope.get()))]),
         Punch::RoundedFlat { half_width: w, radius: r } => {
-            lines(named("flat, rounded corners", "flat, rounded edge"), &[half_width(w.get()), radius(r.get())])
+            lines(&format!("flat, rounded {corners}"), &[half_width(w.get()), radius(r.get())])
         }
-        Punch::Flat { half_width: w } => {
-            lines(named("flat, sharp corners", "flat, sharp edge"), &[half_width(w.get())])
-        }
+        Punch::Flat { half_width: w } => lines(&format!("flat, sharp {corners}"), &[half_width(w.get())]),
         Punch::Table(_) => lines("profile from a table", &[]),
-        Punch::ElasticCylinder(cylinder) => {
-            let modulus = label(cylinder.material().shear_modulus) + &after(scene, Dimension::STRESS);
-            lines(
-                named("elastic cylinder", "elastic sphere"),
-                &[radius(cylinder.radius()), format!("{} = {modulus}", italic("μ"))],
-            )
+        Punch::ElasticCylinder(elastic) => {
+            let modulus = short(elastic.material().shear_modulus) + &after(scene, Dimension::STRESS);
+            lines(&format!("elastic {cylinder}"), &[radius(elastic.radius()), format!("{} = {modulus}", italic("μ"))])
         }
         Punch::Given(load) => match load {
-            Load::Line => lines("line load", &[]),
+            Load::Line => lines(line_load, &[]),
             Load::Uniform { half_width: w } => lines("uniform load", &[half_width(w.get())]),
             Load::Parabolic { half_width: w } => lines("parabolic load", &[half_width(w.get())]),
             Load::Elliptic { half_width: w } => lines("elliptic load", &[half_width(w.get())]),
-            Load::Several(_) if is_round => {
+            Load::Several(_) if scene.geometry.is_axisymmetric() => {
                 let parts = load.parts();
                 let sizes = |(at, _, part): &(f64, f64, &Load)| {
-                    format!("{} … {}{length}", label((at - part.half_width()).max(0.0)), label(at + part.half_width()))
+                    format!("{} … {}{length}", short((at - part.half_width()).max(0.0)), short(at + part.half_width()))
                 };
                 lines("ring load", &parts.iter().map(sizes).collect::<Vec<_>>())
             }
@@ -93,7 +93,9 @@ pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
     let intervals = contact.intervals();
     match (&intervals[..], contact.half_length()) {
         (_, Some(half_length)) if half_length > 0.0 => format!("{symbol} = {}{length}", short(half_length)),
-        ([one], _) if one.left == one.right => format!("{} = {}{length}", italic("x"), short(one.left + 0.0)),
+        ([one], _) if one.left == one.right => {
+            format!("{} = {}{length}", italic(scene.geometry.words().along), short(one.left + 0.0))
+        }
         ([first, .., last], _) => {
             let count = intervals.len();
             format!("{count} intervals, {} … {}{length}", short(first.left), short(last.right))
@@ -103,7 +105,7 @@ pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
     }
 }
 
-/// The largest pressure and, unless that is at x = 0, where it is; in short lines.
+/// The largest pressure and, unless that is in the middle, where it is; in short lines.
 pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     let peak = contact.peak();
     let value = if peak.pressure.is_finite() {
@@ -111,31 +113,34 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     } else {
         "∞".to_owned()
     };
-    let place = format!("at |{}| = {}{}", italic("x"), short(peak.x), after(scene, Dimension::LENGTH));
+    let place = format!("at {} = {}{}", distance(scene), short(peak.x), after(scene, Dimension::LENGTH));
     let aside = (peak.x > peak.x_error).then_some(place);
     [format!("largest {value}")].into_iter().chain(aside).collect()
 }
 
 /// What a quantity inside the stack is called, and its dimension.
 pub(super) fn of_quantity(quantity: FieldQuantity, geometry: Geometry) -> (String, Dimension) {
-    let axes = match geometry {
-        Geometry::Axisymmetric => ["rr", "zz", "rz", "θθ"],
-        _ => ["xx", "yy", "xy", "zz"],
-    };
-    let stress = |name: &str, indices: &str| format!("{name}{}{}", italic("σ"), subscript(indices));
+    let symbol = written(quantity.name_in(geometry));
     let name = match quantity {
-        FieldQuantity::SigmaXx => stress("stress ", axes[0]),
-        FieldQuantity::SigmaYy => stress("stress ", axes[1]),
-        FieldQuantity::SigmaXy => stress("stress ", axes[2]),
-        FieldQuantity::SigmaZz => stress("stress ", axes[3]),
-        FieldQuantity::Sigma1 => stress("larger principal stress ", "1"),
-        FieldQuantity::Sigma2 => stress("smaller principal stress ", "2"),
+        FieldQuantity::U | FieldQuantity::V => return (format!("displacement {symbol}"), Dimension::LENGTH),
+        FieldQuantity::Sigma1 => format!("larger principal stress {symbol}"),
+        FieldQuantity::Sigma2 => format!("smaller principal stress {symbol}"),
         FieldQuantity::MaxShear => "largest shear stress".to_owned(),
         FieldQuantity::VonMises => "von Mises stress".to_owned(),
-        FieldQuantity::U => return (format!("displacement {}", italic("u")), Dimension::LENGTH),
-        FieldQuantity::V => return (format!("displacement {}", italic("v")), Dimension::LENGTH),
+        _ => format!("stress {symbol}"),
     };
     (name, Dimension::STRESS)
+}
+
+/// The name of a column as a symbol with indices: `sigma_tt` as σ with the index θθ.
+fn written(name: &str) -> String {
+    let (letter, indices) = name.split_once('_').unwrap_or((name, ""));
+    let letter = match letter {
+        "sigma" => "σ",
+        "tau" => "τ",
+        other => other,
+    };
+    italic(letter) + &if indices.is_empty() { String::new() } else { subscript(&indices.replace('t', "θ")) }
 }
 
 /// Symbols of half-length and pressure of each contact from the top down: a, p for the punch; b, q below, with indices
@@ -161,22 +166,26 @@ pub(super) fn index(number: usize) -> String {
 }
 
 /// What stands at a path of a scene: a name with a symbol where there is a usual one, and its dimension.
-pub(super) fn of_path(path: &str) -> (String, Dimension) {
+pub(super) fn of_path(scene: &Scene, path: &str) -> (String, Dimension) {
     let (owner, field) = path.rsplit_once('.').unwrap_or(("", path));
     let (field, number) = match field.split_once('[') {
         Some((field, number)) => (field, format!(" {}", number.trim_end_matches(']'))),
         None => (field, String::new()),
     };
     let symbol = |name: &str, symbol: &str| format!("{name} {}", italic(symbol));
-    let dimension = Dimension::of_field(field).unwrap_or(Dimension::NUMBER);
+    let words = scene.geometry.words();
+    let dimension = match field {
+        "force" => scene.force_dimension(),
+        _ => Dimension::of_field(field).unwrap_or(Dimension::NUMBER),
+    };
     let name = match field {
         "force" => symbol("force", "P"),
-        "half_length" => symbol("half-length", "a"),
+        "half_length" => symbol(words.half_length, "a"),
         "half_width" => "half-width".to_owned(),
         "radius" => symbol("radius", "R"),
         "thickness" => symbol("thickness", "h"),
         "height" | "heights" => "height".to_owned(),
-        "at" => symbol("place", "x"),
+        "at" => symbol("place", words.along),
         "shear_modulus" => symbol("shear modulus", "μ"),
         "young" => symbol("Young’s modulus", "E"),
         "poisson" => symbol("Poisson’s ratio", "ν"),
@@ -199,8 +208,16 @@ pub(super) fn of_path(path: &str) -> (String, Dimension) {
 mod tests {
     use super::*;
 
+    fn scene(geometry: &str, punch: &str) -> Scene {
+        let stack = "stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]";
+        let units = "units: (length: \"mm\", force: \"N\")";
+        Scene::from_ron(&format!("Scene(geometry: {geometry}, {punch}, force: 0.01, {stack}, {units})")).unwrap()
+    }
+
     #[test]
     fn paths_become_symbols() {
+        let plane = scene("PlaneStrain", "load: Line");
+        let of_path = |path| of_path(&plane, path);
         assert_eq!(of_path("layer[12].beta"), (format!("grading exponent {}₁₂", italic("β")), Dimension::PER_LENGTH));
         assert_eq!(of_path("force").1, Dimension::LINE_LOAD);
         assert_eq!(of_path("layer[1].own_number").0, "own number₁");
@@ -208,19 +225,25 @@ mod tests {
     }
 
     #[test]
+    fn an_axis_has_its_own_words() {
+        let round = scene("Axisymmetric", "punch: Cone(slope: 0.1)");
+        assert_eq!(of_path(&round, "force").1, Dimension::FORCE);
+        assert_eq!(of_path(&round, "half_length").0, format!("contact radius {}", italic("a")));
+        assert_eq!(of_punch(&round), ["cone", "slope 0.1"]);
+        let name = |quantity| of_quantity(quantity, Geometry::Axisymmetric).0;
+        assert_eq!(name(FieldQuantity::V), format!("displacement {}{}", italic("u"), subscript("z")));
+        assert_eq!(name(FieldQuantity::SigmaXy), format!("stress {}{}", italic("τ"), subscript("rz")));
+        assert_eq!(name(FieldQuantity::SigmaZz), format!("stress {}{}", italic("σ"), subscript("θθ")));
+    }
+
+    #[test]
     fn punches_have_names_symbols_and_units() {
-        let scene = |punch: &str, force: &str| {
-            let stack = "stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]";
-            let units = "units: (length: \"mm\", force: \"N\")";
-            let text = format!("Scene(geometry: PlaneStrain, {punch}, {force}: 0.01, {stack}, {units})");
-            crate::scene::Scene::from_ron(&text).unwrap()
-        };
-        let name = |punch: &str| of_punch(&scene(punch, "force")).join("|");
+        let name = |punch: &str| of_punch(&scene("PlaneStrain", punch)).join("|");
         assert_eq!(name("punch: Cylinder(radius: 100)"), format!("cylinder|{} = 100 mm", italic("R")));
         let several =
             "load: Several([(at: 0, share: 1, load: Line), (at: 1, share: 1, load: Uniform(half_width: 0.1))])";
         assert_eq!(name(several), "3 loads");
-        assert_eq!(unit(&scene("load: Line", "force"), Dimension::STRESS).unwrap(), "MPa");
+        assert_eq!(unit(&scene("PlaneStrain", "load: Line"), Dimension::STRESS).unwrap(), "MPa");
     }
 
     #[test]

@@ -35,7 +35,8 @@ pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
         let known = |column: usize| points.iter().filter(move |point| number(point, column).is_finite());
         let (half, right) = (column("half_length"), column("right"));
         let whole = known(right).all(|point| number(point, half).is_finite());
-        let reach = if whole { format!("half-length {length}") } else { "outer end of the contact".to_owned() };
+        let half_length = scene.geometry.words().half_length;
+        let reach = if whole { format!("{half_length} {length}") } else { "outer end of the contact".to_owned() };
         let (peak, centre) = (column("peak_pressure"), column("central_pressure"));
         let finite = known(peak).next().is_some();
         let (at, name) =

@@ -16,7 +16,8 @@ const INSIDE: f64 = 1e-9;
 /// where it rises without bound, under a sharp tip and at sharp corners, as far as a multiple of the mean.
 pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>> {
     let rises = contact.interface == Interface::Punch && scene.punch.is_singular();
-    let most = if rises { HIGHEST_DRAWN * 0.5 * contact.resultant / contact.reach() } else { f64::INFINITY };
+    let mean = contact.resultant / scene.geometry.size(-contact.reach(), contact.reach());
+    let most = if rises { HIGHEST_DRAWN * mean } else { f64::INFINITY };
     let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);
     let jumps = jumps(scene, contact);
     let of = |Interval { left, right, .. }: Interval| {

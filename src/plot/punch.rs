@@ -121,7 +121,7 @@ impl Punch<'_> {
     fn force(&self, picture: &mut Picture, all: &str) {
         let unit = after(self.scene, self.scene.force_dimension());
         let given = self.scene.force.given();
-        let number = given.map_or_else(|| short(self.force), label);
+        let number = short(given.unwrap_or(self.force));
         let text = format!("{} = {number}{unit}{all}", italic("P"));
         let y = self.top - HIGHEST - 4.0 - 11.0;
         picture.text((self.middle + 9.0, y), &text, TEXT, INK, Anchor::Left);

@@ -185,23 +185,51 @@ impl Scale {
     }
 }
 
+/// Significant digits that are shown.
+const SHOWN: usize = 4;
+/// Digits that rounding leaves alone: what differs from a round number by rounding only is that number.
+const ROUNDED: usize = 9;
+/// Digits that identify a double.
+const ALL: usize = 17;
+
 /// A number as short as can be, powers of ten with small figures.
 pub fn label(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
-        // what differs from a round number by rounding only is that number
-        let rounded = format!("{value:.8e}").parse::<f64>().unwrap_or(value);
-        return minus(rounded.to_string());
-    }
-    let text = format!("{value:.3e}");
-    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-    let power = ten_to(power.parse().unwrap_or(0));
-    minus(if mantissa == "1" { power } else { format!("{mantissa}·{power}") })
+    digits(value, if is_plain(value) { ROUNDED } else { SHOWN })
 }
 
 /// Four digits.
 pub(super) fn short(value: f64) -> String {
-    label(format!("{value:.3e}").parse().unwrap_or(value))
+    digits(value, SHOWN)
+}
+
+/// Labels of values, with four digits or as many as tell different values apart.
+pub(super) fn distinct(values: &[f64]) -> Vec<String> {
+    let mut ascending = values.to_vec();
+    ascending.sort_by(f64::total_cmp);
+    ascending.dedup();
+    let apart = |count: &usize| {
+        let labels = ascending.iter().map(|value| digits(*value, *count));
+        labels.collect::<std::collections::BTreeSet<_>>().len() == ascending.len()
+    };
+    let count = (SHOWN..ALL).find(apart).unwrap_or(ALL);
+    values.iter().map(|value| digits(*value, count)).collect()
+}
+
+/// Whether a number is written without a power of ten.
+fn is_plain(value: f64) -> bool {
+    value == 0.0 || (1e-3..1e5).contains(&value.abs())
+}
+
+/// A number with at most so many significant digits.
+fn digits(value: f64, count: usize) -> String {
+    let rounded = format!("{value:.0$e}", count - 1).parse().unwrap_or(value);
+    if is_plain(rounded) {
+        return minus(rounded.to_string());
+    }
+    let text = format!("{rounded:e}");
+    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let power = ten_to(power.parse().unwrap_or(0));
+    minus(if mantissa == "1" { power } else { format!("{mantissa}·{power}") })
 }
 
 /// E.g. 10⁻³.
@@ -281,5 +309,16 @@ mod tests {
         assert_eq!(label(0.1 + 0.2), "0.3");
         assert_eq!(label(-2.5e-7), "−2.5·10⁻⁷");
         assert_eq!(label(1e6), "10⁶");
+        assert_eq!(short(95.0 / 7.0), "13.57");
+    }
+
+    #[test]
+    fn different_values_have_different_labels() {
+        assert_eq!(distinct(&[95.0 / 7.0, 1.0, 95.0 / 7.0]), ["13.57", "1", "13.57"]);
+        assert_eq!(distinct(&[1.0, 1.00001, 1.00002]), ["1", "1.00001", "1.00002"]);
+        assert_eq!(distinct(&[-1.23456e-7, -1.23457e-7]), ["−1.23456·10⁻⁷", "−1.23457·10⁻⁷"]);
+        let next = f64::from_bits(1f64.to_bits() + 1);
+        let labels = distinct(&[1.0, next, 1e9]);
+        assert_ne!(labels[0], labels[1]);
     }
 }

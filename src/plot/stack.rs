@@ -230,9 +230,9 @@ impl Drawing<'_> {
         let pressed = || peaks.iter().copied().filter(|peak| *peak > 0.0);
         let (least, most) = (pressed().fold(f64::INFINITY, f64::min), pressed().fold(0.0, f64::max));
         let relative = most > DIFFERENT * least;
-        // where nothing but line loads presses: their mean over the width that is drawn
+        // where nothing but concentrated forces press: their mean over what is drawn
         let force = self.contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
-        let height = if most > 0.0 { most } else { force / (2.0 * half) };
+        let height = if most > 0.0 { most } else { force / scene.geometry.size(-half, half) };
         let y = Scale::around([0.0, if relative { 1.0 } else { height }]).rounded();
         let unit_of = |i: usize| if relative && peaks[i] > 0.0 { peaks[i] } else { 1.0 };
         let lines = lines(scene).into_iter().map(|x| vec![(x, 0.0), (x, y.ends().1)]);
@@ -254,7 +254,7 @@ impl Drawing<'_> {
             frame: Frame { left: 0.0, top, right: WIDTH, bottom: top + PRESSURES[0] },
             x: Scale::around([-half, half]),
             y: y.clone(),
-            x_label: italic("x"),
+            x_label: italic(scene.geometry.words().along),
             x_unit: unit(scene, Dimension::LENGTH),
             y_label: if relative { "pressure / its largest" } else { "contact pressure" }.into(),
             y_unit: unit(scene, Dimension::STRESS).filter(|_| !relative),

@@ -5,7 +5,7 @@ use super::heat;
 use super::names::{of_path, unit};
 use super::picture::{Anchor, Picture, Stroke};
 use super::planes::{CONTACTS, Plane, number, planes, scale_of, step};
-use super::scale::{Scale, label};
+use super::scale::{Scale, distinct};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::axis::Axis;
 use crate::scene::Scene;
@@ -92,7 +92,7 @@ pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError>
         curves.draw(&mut picture, plane, last && !others.is_empty());
     }
     let name = |i: &usize| {
-        let (name, dimension) = of_path(axes[*i].path());
+        let (name, dimension) = of_path(sweep.scene(), axes[*i].path());
         with_unit(&name, unit(sweep.scene(), dimension).as_deref(), 0)
     };
     let right = frame([planes.iter().map(|plane| plane.place[0]).max().unwrap_or(0), 0]).right;
@@ -143,7 +143,7 @@ impl Curves<'_> {
 
     fn draw(&self, picture: &mut Picture, plane: &Plane, named: bool) {
         let frame = frame(plane.place);
-        let (x_label, x_dimension) = of_path(self.axis.path());
+        let (x_label, x_dimension) = of_path(self.scene, self.axis.path());
         let count = self.families.len();
         let mut drawn = Vec::new();
         for (i, family) in self.families.iter().enumerate() {
@@ -222,12 +222,17 @@ fn frame([column, line]: [usize; 2]) -> Frame {
 /// Rows that differ in the value on axis `along` only, in the order of the grid.
 fn families(axes: &[Axis], along: usize, others: &[usize], points: &[SweepPoint]) -> Vec<Family> {
     let mut families: Vec<(Vec<f64>, Family)> = Vec::new();
+    let texts = others.iter().map(|axis| {
+        let values: Vec<f64> = points.iter().map(|row| number(row, *axis)).collect();
+        distinct(&values)
+    });
+    let texts: Vec<Vec<String>> = texts.collect();
     for (i, row) in points.iter().enumerate() {
         let key: Vec<f64> = (0..axes.len()).filter(|axis| *axis != along).map(|axis| number(row, axis)).collect();
         match families.iter_mut().find(|(found, _)| *found == key) {
             Some((_, family)) => family.rows.push(i),
             None => {
-                let label = others.iter().map(|axis| label(number(row, *axis))).collect::<Vec<_>>().join(", ");
+                let label = texts.iter().map(|of_axis| &of_axis[i][..]).collect::<Vec<_>>().join(", ");
                 families.push((key, Family { label, rows: vec![i] }));
             }
         }

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::digits::{Digits, shown};
 use super::ruled::ruled;
 use crate::field::{BondExtremes, Extreme, Extremes, LayerExtremes};
+use crate::geometry::Geometry;
 use crate::scene::{Item, Scene};
 
 /// Columns of a sweep for one stress: where it is largest, and the layer where that is not known from the name.
@@ -69,13 +70,13 @@ fn name(bond: &BondExtremes) -> String {
 }
 
 /// A table with a line for each stress.
-pub(super) fn table(extremes: &Extremes, digits: Digits, [length, stress]: [&str; 2]) -> Table {
+pub(super) fn table(extremes: &Extremes, geometry: Geometry, digits: Digits, [length, stress]: [&str; 2]) -> Table {
     let mut table = ruled();
     let header = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name},{unit}") };
     table.set_header([
         "largest".to_owned(),
         header("stress", stress),
-        header("at |x|", length),
+        header(&format!("at {}", geometry.words().distance), length),
         header("depth", length),
     ]);
     let mut add = |what: String, found: Option<Extreme>, none: &str| {

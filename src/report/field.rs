@@ -114,7 +114,7 @@ fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Ta
         .collect();
     let displacements = [FieldQuantity::U, FieldQuantity::V];
     let named = |quantity: &FieldQuantity| quantity.name_in(geometry);
-    let columns = [("x", length), ("depth", length), ("layer", Dimension::NUMBER)].into_iter();
+    let columns = [(geometry.words().along, length), ("depth", length), ("layer", Dimension::NUMBER)].into_iter();
     let columns = columns.chain(stresses.iter().map(|quantity| (named(quantity), stress)));
     let columns = columns.chain(displacements.iter().map(|quantity| (named(quantity), length)));
     let header = columns.map(|(name, dimension)| match Units::after(units, dimension) {

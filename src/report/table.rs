@@ -8,6 +8,7 @@ use super::ruled::ruled;
 use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
 use crate::field::MaxShear;
+use crate::geometry::Words;
 use crate::scene::Dimension;
 use crate::solution::Interval;
 
@@ -37,11 +38,12 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
         writeln!(
             out,
-            "largest shear stress {value}{stress} at x = {x}{length}, depth {depth}{length} in layer {layer}"
+            "largest shear stress {value}{stress} at {} = {x}{length}, depth {depth}{length} in layer {layer}",
+            scene.geometry.words().along
         )?;
     }
     if let Some(extremes) = report.extremes {
-        writeln!(out, "{}", extremes::table(extremes, digits, [&length, &stress]))?;
+        writeln!(out, "{}", extremes::table(extremes, scene.geometry, digits, [&length, &stress]))?;
     }
     writeln!(
         out,
@@ -55,13 +57,13 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
 
 /// A line for each contact.
 fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
-    let digits = Digits(report.digits);
+    let (digits, words) = (Digits(report.digits), report.scene.geometry.words());
     let header = |name: &str, label: &str| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
     let mut table = ruled();
     table.set_header([
         "contact".to_owned(),
-        header(if report.scene.geometry.is_axisymmetric() { "radius" } else { "half-length" }, length),
-        header("pressure at x = 0", stress),
+        header(words.half_length, length),
+        header(&format!("pressure at {} = 0", words.along), stress),
         header("resultant", line_load),
     ]);
     for contact in report.solution.contacts() {
@@ -93,20 +95,29 @@ fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
 fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let (solution, digits) = (report.solution, Digits(report.digits));
+    let Words { along, distance, line_load: concentrated, .. } = report.scene.geometry.words();
     let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
     for contact in solution.contacts() {
         let name = report.name(contact);
         if contact.half_length().is_none() {
-            // x ≥ 0 only: the rest is the mirror image
+            // x ≥ 0 only: the rest is the mirror image, or the other half of a ring
             for Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = digits.rounded(force) + &line_load;
                 let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + &length);
                 match left + right {
-                    0.0 if right > 0.0 => writeln!(out, "{name}: |x| < {to} carries {share}")?,
-                    0.0 => writeln!(out, "{name}: x = 0 carries {share}")?,
+                    0.0 if right > 0.0 => writeln!(out, "{name}: {distance} < {to} carries {share}")?,
+                    0.0 => writeln!(out, "{name}: {along} = 0 carries {share}")?,
                     middle if middle < 0.0 => {}
-                    _ if left == right => writeln!(out, "{name}: x = {to} and x = -{to} carry {share} each")?,
-                    _ => writeln!(out, "{name}: x from {from} to {to}, and its mirror image, carry {share} each")?,
+                    _ if report.scene.geometry.is_axisymmetric() => {
+                        let ring = digits.rounded(2.0 * force) + &line_load;
+                        writeln!(out, "{name}: {along} from {from} to {to} carries {ring}")?;
+                    }
+                    _ if left == right => {
+                        writeln!(out, "{name}: {along} = {to} and {along} = -{to} carry {share} each")?
+                    }
+                    _ => {
+                        writeln!(out, "{name}: {along} from {from} to {to}, and its mirror image, carry {share} each")?
+                    }
                 }
             }
         }
@@ -117,13 +128,13 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
                 true => digits.with_error(peak.pressure, peak.error) + &stress,
                 false => "infinite".to_owned(),
             };
-            writeln!(out, "{name}: largest pressure {pressure} at |x| = {x}")?;
+            writeln!(out, "{name}: largest pressure {pressure} at {distance} = {x}")?;
         }
     }
     if solution.contacts().iter().any(|contact| contact.central_pressure.is_infinite()) {
         writeln!(
             out,
-            "infinite: under a line load, and next to a sharp tip, where it grows like the logarithm of 1/|x|"
+            "infinite: under a {concentrated}, and next to a sharp tip, where it grows like the logarithm of 1/{distance}"
         )?;
     }
     Ok(())

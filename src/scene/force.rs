@@ -4,6 +4,8 @@ use std::fmt;
 use super::value::ValueError;
 use recede_layers::Positive;
 
+use crate::geometry::Geometry;
+
 /// The line load P that presses: force per unit length out of plane, or what it is to bring about.
 ///
 /// ```
@@ -50,6 +52,21 @@ impl Force {
         }
     }
 
+    /// As it is shown beside a punch: with the word for a half-length in this geometry.
+    ///
+    /// ```
+    /// use recede::{Force, Geometry};
+    /// assert_eq!(Force::ForHalfLength(0.5).label(Geometry::Axisymmetric), "contact radius 0.5");
+    /// ```
+    pub fn label(self, geometry: Geometry) -> String {
+        let name = match self {
+            Self::Given(_) => "force",
+            Self::ForHalfLength(_) => geometry.words().half_length,
+            Self::ForDepth(_) => "depth",
+        };
+        format!("{name} {:?}", self.number())
+    }
+
     /// The number that is written.
     pub(crate) fn number(self) -> f64 {
         match self {
@@ -74,10 +91,6 @@ impl Force {
 
 impl fmt::Display for Force {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Given(force) => write!(f, "force {force:?}"),
-            Self::ForHalfLength(half_length) => write!(f, "half-length {half_length:?}"),
-            Self::ForDepth(depth) => write!(f, "depth {depth:?}"),
-        }
+        f.write_str(&self.label(Geometry::PlaneStrain))
     }
 }

@@ -27,16 +27,16 @@ pub enum HeightsError {
     #[error("all heights are the same; allowed are heights that rise from the tip")]
     Flat,
     /// Powers that fall everywhere.
-    #[error("the punch falls on either side of x = 0 without end; allowed are heights some of which are positive")]
+    #[error("the punch falls on either side of its middle without end; allowed are heights some of which are positive")]
     Falling,
     /// Distances so short, or heights so large, that slopes are not finite.
     #[error("the heights rise too steeply for double precision")]
     Steep,
     /// The first distance is not that of the tip.
-    #[error("the table begins at x = {0:?}; allowed is 0, the tip")]
+    #[error("the table begins at {0:?}; allowed is 0, the tip")]
     Begin(f64),
     /// A distance that is not beyond the one before.
-    #[error("in the table x = {beyond:?} follows {before:?}; allowed are increasing distances from the tip")]
+    #[error("in the table {beyond:?} follows {before:?}; allowed are increasing distances from the tip")]
     Order {
         /// The distance before, in length.
         before: f64,

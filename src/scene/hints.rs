@@ -73,7 +73,7 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
     ),
     (
         &["tilt", "moment", "angle", "offset"],
-        "punches that tilt or lie off the middle are not supported: they are symmetric about x = 0",
+        "punches that tilt or lie off the middle are not supported: they are symmetric about the middle, x = 0",
     ),
     (&["plastic", "yield", "yield_stress", "hardness"], "plasticity is not supported: materials are linear elastic"),
     (&["viscosity", "relaxation", "creep", "damping"], "time is not supported: materials are linear elastic"),

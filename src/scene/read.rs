@@ -321,7 +321,7 @@ fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneErr
         [first, second, ..] => (
             first.field(),
             second.field(),
-            "the force is given, or found for a half-length or a depth: remove one of them",
+            "`force` is given, or found for `half_length` or `depth`: remove one of them",
         ),
     };
     let at = field(&origin.text, name).map_or(whole.name_at, |value| part(&origin.text, value).name_at);

@@ -190,10 +190,7 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
         let mut text = Vec::new();
         write_field(grid.points(), scene.geometry, None, format, &mut text).map_err(|e| context("field file")(&e))?;
     }
-    let mean = match scene.geometry.is_axisymmetric() {
-        true => top.resultant / (std::f64::consts::PI * top.reach().powi(2)),
-        false => 0.5 * top.resultant / top.reach(),
-    };
+    let mean = top.resultant / scene.geometry.size(-top.reach(), top.reach());
     for point in grid.rows().next().unwrap_or_default() {
         let pressure = top.pressure(point.x);
         let missing = point.sigma_yy + pressure;

@@ -87,11 +87,11 @@ fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<Warning> {
     let message = match level.support.decay(i) {
         Some(_) => format!(
             "no end of the contact {interface} was found: the pressure there decays, and nothing depends on what is beyond \
-             x = {:.3e}",
+             {:.3e} from the middle",
             level.support.half_lengths[i] * problem.kernel.length()
         ),
         None => format!(
-            "the half-length of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
+            "the end of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
             100.0 * error
         ),
     };
@@ -100,7 +100,7 @@ fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<Warning> {
 
 fn recontact(problem: &Problem, recontact: &Recontact) -> Warning {
     let message = format!(
-        "the bodies at the contact {} are in contact again about x = {:.3e}; the force there, with {:.0e} of the moment \
+        "the bodies at the contact {} are in contact again about {:.3e} from the middle; the force there, with {:.0e} of the moment \
          of the total force, is left out",
         problem.interfaces[recontact.contact],
         recontact.x * problem.kernel.length(),
