@@ -14,7 +14,7 @@ use recede::{Field as Fields, FieldPoint, FieldQuantity, Geometry, Model, Option
 use super::plot::Title;
 use super::{Failure, SceneFile, tell};
 
-/// Places along x and depths of a grid that is not specified.
+/// Places along the layers and depths of a grid that is not specified.
 const TABLE: [usize; 2] = [5, 7];
 const LIST: [usize; 2] = [201, 101];
 const MAP: [usize; 2] = [301, 181];
@@ -26,7 +26,7 @@ const BELOW: f64 = 3.0;
 /// In a half-plane it reaches this many half-lengths down.
 const GROUND: f64 = 1.5;
 
-/// Stresses and displacements inside the stack, at points, on a grid or as a map
+/// Stresses and displacements inside the stack: points, a grid or a map
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -43,20 +43,20 @@ Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
 pub struct Field {
     #[command(flatten)]
     file: SceneFile,
-    /// A point: x and the depth below the stack's top face, and which layer if that is not clear
+    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear
     #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = point, allow_hyphen_values = true)]
     at: Vec<Point>,
-    /// Places of a grid along x; without it, two half-lengths of the longest contact to either side
+    /// Places of a grid along x, or r; without it, two half-lengths (radii) of the longest contact to either side
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     x: Option<Steps>,
-    /// Depths of a grid; without it, all layers and one and a half half-lengths of the longest contact in a half-plane,
+    /// Depths of a grid; without it, all layers and one and a half half-lengths (radii) of the longest contact in a half-plane,
     /// at most three in all
     #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
     depth: Option<Steps>,
     /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, a short table on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// What a map shows; u, v are displacements, v upwards, and in axisymmetric problems u_r, u_z, u_z downwards
+    /// What a map shows; in plane problems displacements are u and v, upwards, in axisymmetric ones u_r and u_z, downwards
     #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(names()))]
     quantity: String,
     /// How to write to standard output

@@ -18,7 +18,8 @@ Examples:
   recede list Homogeneous
   recede list --schema > scene.schema.json")]
 pub struct List {
-    /// One part only: scene, punches, loads, "axisymmetric punches", "axisymmetric loads", layers, interfaces or bases; or one name, such as Homogeneous
+    /// One part only: scene, punches, loads, "axisymmetric punches", "axisymmetric loads", layers, interfaces or bases; or one name,
+    /// such as Homogeneous
     part: Option<String>,
     /// The JSON Schema of scenes in JSON, for editors and other programs
     #[arg(long, conflicts_with = "part")]

@@ -14,7 +14,7 @@ const LISTED: usize = 5;
 /// Put the files of all parts of a sweep together, in the order of rows
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-The sweep is named as for `recede sweep`: that tells the place of each line, and whether all are there. The files may be in any
+The sweep is named as for `recede sweep`: that tells the place of each line, and whether all are there. The files may be in any \
 order, and the result is the file that the sweep would have written in one go.
 
 Examples:

@@ -35,19 +35,19 @@ pub struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  recede check scene.ron                     draw the stack, solve nothing
-  recede solve scene.ron                     contact half-lengths and pressures
-  recede solve scene.ron --format json       the same for a script
-  recede solve - < scene.ron                 read the scene from standard input
-  recede show scene.ron --latex              the block matrix, ready to be typeset
-  recede field scene.ron --out field.csv     stresses and displacements inside the stack
-  recede field scene.ron --out shear.svg     the same as a map
-  recede profile scene.ron --out profile.csv pressures, gaps and displacements along x
-  recede sweep scene.ron --vary force=1:9:5  contacts for five forces
-  recede plot scene.ron --out scene.svg      stack, contacts and pressures, to scale
-  recede init scene.ron                      a scene to begin with
-  recede convert scene.ron --out scene.json  a scene for other programs
-  recede list                                all that may be written in a scene
+  recede init scene.ron                       a scene to begin with
+  recede check scene.ron                      draw the stack, solve nothing
+  recede solve scene.ron                      extents of contacts, and pressures
+  recede solve scene.ron --format json        the same for a script
+  recede solve - < scene.ron                  a scene from standard input
+  recede plot scene.ron --out scene.svg       stack, contacts and pressures
+  recede field scene.ron --out field.csv      stresses and displacements inside
+  recede field scene.ron --out shear.svg      a map of the largest shear stress
+  recede profile scene.ron --out profile.csv  pressures and gaps along the faces
+  recede sweep scene.ron --vary force=1:9:5   contacts for five forces
+  recede show scene.ron --latex               the block matrix for LaTeX
+  recede convert scene.ron --out scene.json   a scene for other programs
+  recede list                                 all that a scene may contain
 
 Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
 

@@ -7,15 +7,16 @@ use recede::{Model, Options, files, profile_places};
 
 use super::{Failure, SceneFile, tell};
 
-/// Pressures and gaps of all contacts, displacements and slopes of all faces, along x
+/// Pressures, gaps, displacements and slopes along the faces
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   recede profile scene.ron --out profile.csv
   recede profile scene.ron --to 5 --points 1000 --out profile.csv
 
-Columns: x; punch_pressure and punch_gap, contact_1_2_pressure and contact_1_2_gap, ...; layer_1_top_u, layer_1_top_v and
-layer_1_top_slope, layer_1_bottom_u, ... Places are dense next to the ends of the contacts.
+Columns: x; punch_pressure and punch_gap, contact_1_2_pressure and contact_1_2_gap, ...; layer_1_top_u, layer_1_top_v and \
+layer_1_top_slope, layer_1_bottom_u, ... About an axis x is the distance r from it, and u, v are u_r and u_z, downwards. Places are \
+dense next to the ends of the contacts.
 
 Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
 pub struct Profile {
@@ -24,10 +25,10 @@ pub struct Profile {
     /// File to write, as comma-separated values; without it, they go to standard output
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
-    /// How many places along x, about
+    /// How many places, about
     #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(10..=100_000))]
     points: u32,
-    /// How far to go on both sides [default: twice as far as the bodies touch]
+    /// How far to go from the middle [default: twice as far as the bodies touch]
     #[arg(long, value_name = "X", value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Relative error to aim at in the contacts, from 1e-13 to 1e-2

@@ -5,7 +5,7 @@ use recede::BlockSystem;
 
 use super::{Failure, SceneFile};
 
-/// Show the block matrix of a scene's stack: rows named by condition, columns by layer
+/// Show the block matrix of a stack in symbols
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

@@ -1,4 +1,4 @@
-//! `recede solve`: contact half-lengths and pressures.
+//! `recede solve`: extents of contacts, and pressures.
 use std::ffi::OsStr;
 use std::io::Write;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use recede::{Extremes, Field, FieldError, MaxShear, Model, Options, Solution, fi
 
 use super::{Failure, SceneFile, tell};
 
-/// Find the contact half-lengths and pressures of a scene
+/// Find the extents of all contacts of a scene, and the pressures in them
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

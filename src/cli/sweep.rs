@@ -21,7 +21,7 @@ use super::{Failure, tell};
 /// Solve a scene for many values of some of its quantities
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-Several --vary make a grid, in which the last one changes first. PATH is `force`, `punch.radius`, `layer[2].beta` and so
+Several --vary make a grid, in which the last one changes first. PATH is `force`, `punch.radius`, `layer[2].beta` and so \
 on, with layers numbered from the top, starting at 1.
 
 Examples:

@@ -20,20 +20,20 @@ use workers::{Ended, Worker};
 /// Solve random scenes and check the results: a test of the program itself
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-Every scene is solved, reported in all formats, and its fields are computed and checked; one in sixteen is drawn. A scene
+Every scene is solved, reported in all formats, and its fields are computed and checked; one in sixteen is drawn. A scene \
 that takes more than the allowed memory or time is counted as killed.
 
-Layers: none to 6, homogeneous and graded (beta * thickness -8 to 8), bonded and up to 3 receding, thicknesses and moduli up
-to 1 : 1000 and 1 : 10000, Poisson's ratio -0.5 to 0.5; contacts under the punch from 1e-4 to 10 times the thickness. Some
-of the punches, layers, interfaces and bases are then exchanged for others of all kinds. Every third scene is one of the
+Layers: none to 6, homogeneous and graded (beta * thickness -8 to 8), bonded and up to 3 receding, thicknesses and moduli up \
+to 1 : 1000 and 1 : 10000, Poisson's ratio -0.5 to 0.5; contacts under the punch from 1e-4 to 10 times the thickness. Some \
+of the punches, layers, interfaces and bases are then exchanged for others of all kinds. Every third scene is one of the \
 examples that ship with the program, with numbers, layers, interfaces, base and punch changed at random.
 
 Examples:
   recede selftest --count 2000 --seed 1
-  recede selftest --seed 1 --first 17 --count 1 --save hard     the scene with number 17 alone
-  recede selftest --count 2000 --paper-kinds                    circles, parabolas, bonds, half-planes only
-  recede selftest --count 1000 --axisymmetric                   the same about an axis
-  recede selftest --count 1000 --verify                         error estimates against a stricter run
+  recede selftest --seed 1 --first 17 --count 1  the scene with number 17 alone
+  recede selftest --count 2000 --paper-kinds     kinds of the source paper only
+  recede selftest --count 1000 --axisymmetric    the same about an axis
+  recede selftest --count 1000 --verify          against a stricter tolerance
 
 Exit status: 0 unless an answer was wrong, the program panicked, or a scene was killed.")]
 pub struct Selftest {
