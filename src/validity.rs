@@ -40,7 +40,7 @@ fn radius(punch: &Punch) -> Option<f64> {
 fn long(ratio: f64, geometry: Geometry) -> Option<Warning> {
     let message = || {
         format!(
-            "the contact under the punch is long: its {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
+            "the contact under the punch is long: the {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
              elasticity is an approximation only",
             geometry.words().half_length
         )

@@ -25,6 +25,7 @@ mod gallery;
 mod half_length;
 mod half_planes;
 mod hard_scenes;
+mod help;
 mod hostile;
 mod input;
 mod interfaces;

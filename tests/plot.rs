@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use recede::plot::{self, Anchor, Picture, style};
 use recede::report::SweepCsv;
 use recede::{FieldQuantity, Model, Scene, Sweep};
-use support::recede;
+use support::{recede, texts};
 use tiny_skia::Pixmap;
 
 const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
@@ -26,13 +26,6 @@ fn plot(scene: &str, name: &str) -> Vec<u8> {
     let run = recede(&["plot", scene, "--out", file.to_str().unwrap()], b"");
     assert_eq!((run.status, &run.stdout[..], &run.stderr[..]), (Some(0), "", ""), "{scene}");
     fs::read(file).unwrap()
-}
-
-/// All that is written in a picture.
-fn texts(svg: &[u8]) -> String {
-    let svg = String::from_utf8(svg.to_vec()).unwrap();
-    let texts = svg.split("aria-label=\"").skip(1).filter_map(|part| part.split_once('"'));
-    texts.map(|(text, _)| text).collect::<Vec<_>>().join("|")
 }
 
 #[test]

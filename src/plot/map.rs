@@ -47,20 +47,18 @@ pub fn map(
     let points = || grids.iter().flat_map(|grid| grid.points());
     let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick)).ends();
     let (x, depth) = (over(|point| point.x), over(|point| point.depth));
+    let along = scene.geometry.words().along;
     if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
-        return Err(PlotError::Empty(format!(
-            "a map needs two places along {} and two depths",
-            scene.geometry.words().along
-        )));
+        return Err(PlotError::Empty(format!("a map needs two places along {along} and two depths")));
     }
-    let largest = Largest::of(scene, field, grids, quantity);
+    let error = error(field, grids, quantity);
+    let value = |point: &FieldPoint| known(quantity.of_in(point, scene.geometry), error);
+    let largest = Largest::of(scene, field, grids, quantity).filter(|largest| known(largest.value, error) != 0.0);
     let clipped =
         points().any(|point| is_singular(point, quantity)) || depth.0 <= 0.0 && rises(scene, solution, quantity);
-    let values = range(points().map(|point| quantity.of_in(point, scene.geometry)), clipped).ok_or_else(|| {
-        PlotError::Empty(format!(
-            "{} is infinite or not known at all points of the map",
-            quantity.name_in(scene.geometry)
-        ))
+    let values = range(points().map(value), clipped).ok_or_else(|| {
+        let name = quantity.name_in(scene.geometry);
+        PlotError::Empty(format!("{name} is infinite or not known at all points of the map"))
     })?;
     let largest = largest.filter(|largest| !clipped || largest.overall);
     // colours reach what is called the largest value
@@ -75,9 +73,9 @@ pub fn map(
     let layers: Vec<_> = field.layers().collect();
     let on_ground = layers.last().is_some_and(|(_, [_, to])| *to <= depth.1 * (1.0 + 1e-9));
     let faces = layers.iter().map(|(_, [from, _])| *from).filter(|face| *face > depth.0 && *face < depth.1);
-    let along = WIDTH / (x.1 - x.0);
+    let per_length = WIDTH / (x.1 - x.0);
     let faces = [depth.0].into_iter().chain(faces).chain([depth.1]).collect();
-    let depths = Depths::new(faces, along, HEIGHTS);
+    let depths = Depths::new(faces, per_length, HEIGHTS);
     let map = Map {
         scene,
         solution,
@@ -87,7 +85,7 @@ pub fn map(
         grids,
         quantity,
         bands: match is_signed(quantity) {
-            true => Bands::new(values, Some(error(field, grids, quantity))),
+            true => Bands::new(values, Some(error)),
             false => Bands::new(values.with(0.0), None),
         },
         clipped,
@@ -96,7 +94,7 @@ pub fn map(
             frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
             x: Scale::around([x.0, x.1]),
             y: Scale::bent(depths.knots(), on_ground).reversed(),
-            x_label: italic(scene.geometry.words().along),
+            x_label: italic(along),
             x_unit: unit(scene, Dimension::LENGTH),
             y_label: "depth".into(),
             y_unit: unit(scene, Dimension::LENGTH),
@@ -104,9 +102,14 @@ pub fn map(
             labels: Labels::AtEnds,
         },
         depths,
-        along,
+        along: per_length,
     };
     Ok(map.draw())
+}
+
+/// A value, or 0 if it is less than its error: rounding is not drawn.
+fn known(value: f64, error: f64) -> f64 {
+    if value.abs() < error { 0.0 } else { value }
 }
 
 /// The largest error of a quantity at the sides of the grids, which are far from singular points: where bodies are free of stress it is all
@@ -250,7 +253,7 @@ impl Map<'_> {
             return;
         }
         let xs = grid.xs();
-        let values = known(values, xs.len());
+        let values = filled(values, xs.len());
         self.bands.draw(picture, &Values { xs, ys: &ys, values: &values }, |point| self.chart.place(point));
     }
 
@@ -370,7 +373,7 @@ impl Map<'_> {
 }
 
 /// The values of a grid; for those that are not defined, at singular points, the ones next to them.
-fn known(mut values: Vec<f64>, columns: usize) -> Vec<f64> {
+fn filled(mut values: Vec<f64>, columns: usize) -> Vec<f64> {
     for i in 0..values.len() {
         if values[i].is_nan() {
             let beside = [i.checked_sub(1), Some(i + 1), Some(i + columns), i.checked_sub(columns)];

@@ -38,6 +38,13 @@ pub fn recede_in(folder: &Path, arguments: &[&str], stdin: &[u8]) -> Run {
     }
 }
 
+/// All that is written in a picture.
+pub fn texts(svg: &[u8]) -> String {
+    let svg = String::from_utf8(svg.to_vec()).unwrap();
+    let texts = svg.split("aria-label=\"").skip(1).filter_map(|part| part.split_once('"'));
+    texts.map(|(text, _)| text).collect::<Vec<_>>().join("|")
+}
+
 /// The intervals of a contact for x ≥ 0, outwards; the first is that about x = 0 unless the bodies are apart there.
 pub fn outwards(contact: &recede::Contact) -> Vec<recede::Interval> {
     contact.intervals().into_iter().filter(|interval| interval.right >= 0.0).collect()
