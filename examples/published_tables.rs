@@ -1,4 +1,4 @@
-//! Published numbers that can be computed again: what is printed there, what comes out here, and who is off. Writes
+//! Published numbers that can be computed again: printed and computed values, and their differences. Writes
 //! docs/published_tables.md.
 //!
 //! `cargo run --release --example published_tables`
@@ -24,7 +24,7 @@ pub fn written() -> Result<String, Box<dyn Error>> {
     Ok(published::markdown(&tables))
 }
 
-/// Differences are within what is said of them, and it is not the number computed here that is off.
+/// Differences are within the stated bounds, and the computed numbers are accurate enough to assess the published ones.
 fn check(table: &Table) {
     for number in &table.numbers {
         let of = format!("{}, {}, {}", table.title, number.of, number.quantity);

@@ -16,9 +16,15 @@ const CONTACTS: [&str; 2] = ["advancing contact, under the punch", "receding con
 const HEAD: &str = "\
 # The paper's figures, drawn again
 
-Of the [source paper](../references.md#the-source-paper). Made by `cargo run --release --example figures`, which also tests what the paper says of them. Where a figure does not vary
-it, h₁ = h₂, μ₁ = μ₃, μ₁h₁/P = 500, R/h₁ = 500, and ν = 1/4 in plane strain. The figures of the full model are not available as
-numbers, so radii and ranges are those of the paper's text where it gives them, and a choice where it does not.
+Figures of the [source paper](../references.md#the-source-paper), each with the statements that the paper makes about it and whether they hold. Where a figure does not vary
+them, h₁ = h₂, μ₁ = μ₃, μ₁h₁/P = 500, R/h₁ = 500, and ν = 1/4 in plane strain. The figures of the full model are not available as
+numbers, so radii and ranges are taken from the paper's text where it gives them, and are chosen where it does not.
+";
+
+const FOOT: &str = "
+## How this page is made
+
+`cargo run --release --example figures` draws the figures, tests the statements, and writes the page.
 ";
 
 /// Paths of a scene and the values there.
@@ -208,7 +214,7 @@ impl Page {
     /// Writes the page.
     pub fn finish(self) -> Result<(), Box<dyn Error>> {
         let figures: Vec<String> = self.texts.into_values().collect();
-        Ok(fs::write(self.folder.join("README.md"), format!("{HEAD}\n{}", figures.join("\n")))?)
+        Ok(fs::write(self.folder.join("README.md"), format!("{HEAD}\n{}{FOOT}", figures.join("\n")))?)
     }
 }
 

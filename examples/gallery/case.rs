@@ -192,7 +192,8 @@ impl Spot {
 
     fn name(&self, geometry: Geometry) -> String {
         let face = if self.bottom { "bottom" } else { "top" };
-        format!("`{}` at x = {}, {face} of layer {}", self.quantity.name_in(geometry), self.x, self.layer)
+        let along = geometry.words().along;
+        format!("`{}` at {along} = {}, {face} of layer {}", self.quantity.name_in(geometry), self.x, self.layer)
     }
 
     /// `None` if the layer is not there.

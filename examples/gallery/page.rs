@@ -1,24 +1,31 @@
 //! The page of the gallery, made of its cases.
+use recede::Geometry;
+
 use super::case::{Case, Found, Value};
 
 const HEAD: &str = "\
 # Gallery
 
 Real cases with their units, each a scene in `examples/gallery` that can be solved, drawn and varied: `recede solve examples/gallery/rail_pad.ron`, for example.
-This page is made of these scenes by `cargo run --release --example gallery`: texts are their first comments, pictures those of `recede plot`, and numbers what is
-computed. `tests/gallery.rs` does it again and compares.
 
-Values of materials are typical ones, rounded, not those of a product; where a standard gives one, it is named. Everything is linear and without
-friction: what each case leaves out is said under *Idealised*. The last three cases are axisymmetric, the others plane strain: there forces are per unit length out of the plane, and so are
-stiffnesses. The *width* of a contact is from its left end to its right end, twice the half-length, or the diameter. [troubleshooting.md](troubleshooting.md) explains the
+Values of materials are typical and rounded, not measured on a product; where a standard gives one, it is named. Everything is linear and without
+friction; *Idealised* lists what a case leaves out. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length out of
+the plane. The *width* of a contact is the distance from its left end to its right end (twice the half-length), or its diameter. [troubleshooting.md](troubleshooting.md) explains the
 codes of warnings.
+";
+
+const FOOT: &str = "
+## How this page is made
+
+`cargo run --release --example gallery` writes it from the scenes: the texts are their first comments, the pictures are drawn by `recede plot`, and the numbers are
+computed. `tests/gallery.rs` repeats this and compares.
 ";
 /// Paragraphs that begin with one of these words and a colon have it in bold type.
 const KINDS: [&str; 3] = ["Learnt", "Idealised", "Values"];
 
 /// The whole page: every case with what is found for it.
 pub fn markdown(cases: &[(Case, Vec<Found>)]) -> String {
-    HEAD.to_owned() + &cases.iter().map(|(case, columns)| section(case, columns)).collect::<String>()
+    HEAD.to_owned() + &cases.iter().map(|(case, columns)| section(case, columns)).collect::<String>() + FOOT
 }
 
 fn section(case: &Case, columns: &[Found]) -> String {
@@ -27,7 +34,7 @@ fn section(case: &Case, columns: &[Found]) -> String {
     format!(
         "\n## {title}\n\n![{title}](pictures/gallery/{stem}.svg)\n\n{}\n\n{}{}\n[{stem}.ron](../examples/gallery/{stem}.ron)\n",
         text.join("\n\n"),
-        table(columns),
+        table(columns, case.scene.geometry),
         warnings(columns),
     )
 }
@@ -43,7 +50,7 @@ fn emphasised(paragraph: &str) -> String {
 }
 
 /// A row for each number that any of the columns has.
-fn table(columns: &[Found]) -> String {
+fn table(columns: &[Found], geometry: Geometry) -> String {
     let mut names: Vec<&String> = Vec::new();
     for (name, _) in columns.iter().flat_map(|column| &column.numbers) {
         if !names.contains(&name) {
@@ -54,7 +61,7 @@ fn table(columns: &[Found]) -> String {
     let mut text = row("", columns.iter().map(|column| escaped(&column.label)).collect());
     text += &row("---", columns.iter().map(|_| "---".to_owned()).collect());
     for name in names {
-        let cells = columns.iter().map(|column| column.number(name).map_or("–".to_owned(), written)).collect();
+        let cells = columns.iter().map(|column| column.number(name).map_or("–".to_owned(), |value| written(value, geometry))).collect();
         text += &row(&escaped(name), cells);
     }
     text
@@ -66,10 +73,14 @@ fn escaped(text: &str) -> String {
 }
 
 /// Four digits, and where it is if that is not the middle.
-fn written(value: Value) -> String {
+fn written(value: Value, geometry: Geometry) -> String {
     let digits = |x: f64| format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string();
     let number = digits(value.number);
-    if value.at != 0.0 { format!("{number}, at x = ±{}", digits(value.at)) } else { number }
+    let place = match geometry {
+        Geometry::Axisymmetric => format!("r = {}", digits(value.at)),
+        _ => format!("x = ±{}", digits(value.at)),
+    };
+    if value.at != 0.0 { format!("{number}, at {place}") } else { number }
 }
 
 fn warnings(columns: &[Found]) -> String {

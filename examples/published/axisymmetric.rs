@@ -48,9 +48,8 @@ pub fn hayes() -> Result<Table, Error> {
     Ok(Table {
         title: "A flat punch on cartilage: Hayes, Keer, Herrmann and Mockros 1972",
         about: "\
-The factor κ of the stiffness of a layer bonded to a rigid base under a flat-ended cylinder of radius a, F = 2aκ E δ/(1 − ν²), as tables in circulation among those who
-indent cartilage and muscle have it. The wider the punch, the more they are
-off. Here: `geometry: Axisymmetric` and
+The factor κ of the stiffness of a layer bonded to a rigid base under a flat-ended cylinder of radius a, F = 2aκ E δ/(1 − ν²), as in tables that are used for the
+indentation of cartilage and muscle. Their errors grow with the width of the punch. Here: `geometry: Axisymmetric` and
 `punch: Flat`.",
         within: vec![("κ", 3e-2), ("κ (ν = 0.5)", 1e-2)],
         numbers,
@@ -120,8 +119,8 @@ pub fn amadeus() -> Result<Table, Error> {
         about: "\
 The comparison of programs for pavements by a European project: strains in 10⁻⁶, compression positive, under the middle of a wheel of 0.7 MPa on a disc of radius 150.8 mm; 260 mm
 of E = 5000 MPa, 500 mm of 200 MPa on 50 MPa, with ν = 0.35, 0.40, 0.45; all bonded, and with the first interface sliding. Numbers as Skar and Andersen 2020 have
-them. Below the sliding interface the vertical strain nearly vanishes, since what the pressure and the radial stress make of it cancels: there programs are off by
-up to twenty times the number, though by little more than ten millionths. Here: `load: Uniform(radius: 150.8)`, `Sliding`.",
+them. Below the sliding interface the vertical strain nearly vanishes, since the contributions of the pressure and of the radial stress cancel: there the programs differ from it by
+up to twenty times the number, although by little more than 10⁻⁵ in absolute terms. Here: `load: Uniform(radius: 150.8)`, `Sliding`.",
         within: vec![("ε_r, layer 1", 6e-3), ("ε_z, layer 2", 5e-4), ("ε_z, layer 3", 3e-3), ("ε_z, layer 2, sliding", 20.0)],
         numbers,
     })

@@ -8,21 +8,19 @@ const CERTAIN: f64 = 0.05;
 const HEAD: &str = "\
 # Published numbers, computed again
 
-Made by `cargo run --release --example published_tables`; `tests/examples.rs` checks that this is what it writes, and that no difference is
-larger than is said above its table.
+Numbers from the literature next to the same numbers computed with `recede`. The *difference* is the published number minus the computed one, relative to the computed one. The
+*assessment* is
 
-The difference is what is published less what is computed here, in relation to the latter. *Who is off* says:
+* –, if the published number is the computed one rounded to as many digits;
+* last digit, if it differs by one in the last printed digit (often because a number was cut off instead of rounded);
+* source, if it differs by more; the text above the table gives the reason.
 
-* –: nobody. The number computed here, rounded to as many digits, is the one published.
-* last digit: the publication, by one in the last digit that it prints. Often a number was cut off instead of rounded.
-* source: the publication, by more; the text above the table says why.
-
-It is never the number here that is off: the solver's own estimate of its error is less than a twentieth of the last digit printed, which is tested too.
-That these estimates hold, and how the solver compares with references of many digits, is the subject of [accuracy.md](accuracy.md). Publications are
+Every difference is an error of the publication: the estimated error of each computed number is less than a twentieth of the last printed digit.
+[accuracy.md](accuracy.md) shows that these estimates hold, and compares the solver with references of many digits. The publications are
 listed in [references.md](references.md).
 
-Only numbers are here whose source and problem are known for certain. Those of the literature on receding contact that is known to us by its
-title only are not, nor are those read from curves: the figures of the source paper are in [figures](figures/README.md), drawn again.
+The tables contain only numbers whose source and problem are known for certain. Publications on receding contact that were available by title only are left out, and so are
+numbers read from curves; the figures of the source paper are drawn again in [figures](figures/README.md).
 ";
 
 /// A published number, and the same computed here.
@@ -84,7 +82,7 @@ impl Number {
         self.value() / self.computed - 1.0
     }
 
-    /// Who is off.
+    /// How the published number differs from the computed one.
     pub fn verdict(&self) -> Verdict {
         let rounded: f64 = format!("{:.*}", self.decimals(), self.computed).parse().expect("a number just written");
         let digits = ((self.value() - rounded) / self.unit()).abs();
@@ -131,17 +129,24 @@ impl Table {
         let rows: String = self.numbers.iter().map(Number::row).collect();
         format!(
             "\n## {}\n\n{}\n\n{counted} Differences: {within}.\n\n\
-             | of | quantity | there | here | difference | who is off |\n|---|---|---|---|---|---|\n{rows}",
+             | of | quantity | published | computed | difference | assessment |\n|---|---|---|---|---|---|\n{rows}",
             self.title, self.about
         )
     }
 }
 
+const FOOT: &str = "
+## How this page is made
+
+`cargo run --release --example published_tables` writes it. `tests/examples.rs` checks that the page is up to date, that no difference is
+larger than stated above its table, and that the computed numbers are accurate enough for the assessments.
+";
+
 /// How many numbers were printed right.
 fn counted<'a>(numbers: impl Iterator<Item = &'a Number> + Clone) -> String {
     let count = |verdict: Verdict| numbers.clone().filter(|number| number.verdict() == verdict).count();
     format!(
-        "Numbers: {}. Right in all digits: {}; off by one in the last digit: {}; by more: {}; misprinted: {}.",
+        "Numbers: {}. Right in all digits: {}; one off in the last digit: {}; different by more: {}; misprinted: {}.",
         numbers.clone().count(),
         count(Verdict::SameDigits),
         count(Verdict::LastDigit),
@@ -153,5 +158,5 @@ fn counted<'a>(numbers: impl Iterator<Item = &'a Number> + Clone) -> String {
 /// The whole document.
 pub fn markdown(tables: &[Table]) -> String {
     let all = counted(tables.iter().flat_map(|table| &table.numbers));
-    format!("{HEAD}\n{all}\n{}", tables.iter().map(Table::markdown).collect::<String>())
+    format!("{HEAD}\n{all}\n{}{FOOT}", tables.iter().map(Table::markdown).collect::<String>())
 }

@@ -50,7 +50,7 @@ fn table1(rows: &[Row]) -> Table {
         about: "\
 Half-lengths a under a rigid cylinder of radius R and b of the receding contact; strip and half-plane have the same modulus μ, and ν = 1/4, in plane strain
 (`examples/scenes/table1_strip_half_plane.ron`). The paper ends its iteration when the resultants of both pressures are met to 1e-5, which
-hardly constrains b. As the load falls, b has to fall towards 1.3242, that of a line load; the printed b for R/h = 10 goes up and down.",
+hardly constrains b. As the load falls, b has to fall towards 1.3242, the value under a line load; the printed b for R/h = 10 goes up and down.",
         within: vec![("a/h", 1e-3), ("b/h", 8.5e-3)],
         numbers: rows.iter().flat_map(|row| half_lengths(row, row.entry.a, row.entry.b)).collect(),
     }
@@ -62,7 +62,7 @@ fn kahya(rows: &[Row]) -> Table {
         title: "The same by Kahya et al.",
         about: "\
 The column \"Kahya\" of the same table, numbers of an earlier paper that the source paper compares with. For both the paper lists residuals of the resultants of
-1e-4 or less: such a residual does not mean that b is right, nor do two such results that agree with each other.",
+1e-4 or less; neither such a residual nor the agreement of two such results shows that b is right.",
         within: vec![("a/h", 1e-3), ("b/h", 8.5e-3)],
         numbers: numbers.flatten().collect(),
     }
@@ -76,7 +76,7 @@ fn table2(rows: &[Row]) -> Table {
     Table {
         title: "A graded layer on a half-plane: Table 2 of the source paper",
         about: "\
-The shear modulus of the layer is μ₃ exp(βd) at the depth d below its top face, where it is that of the half-plane
+The shear modulus of the layer is μ₃ exp(βd) at the depth d below its top face; at the top face it equals the modulus of the half-plane
 (`examples/scenes/table2_graded_half_plane.ron`). The paper contradicts itself where P R is the same: these cylinders are parabolas to seven digits,
 and under a parabola only the product of force and radius matters. So the entries R/h = 250, μh/P = 500 and R/h = 500, μh/P = 1000 have to agree; with βh = 0.001 they are
 printed as b/h = 1.4198 and 1.3978. With βh = 1 the first is 1.6402, and 1.3554 for the second is a misprint.",
