@@ -61,7 +61,10 @@ fn table(columns: &[Found], geometry: Geometry) -> String {
     let mut text = row("", columns.iter().map(|column| escaped(&column.label)).collect());
     text += &row("---", columns.iter().map(|_| "---".to_owned()).collect());
     for name in names {
-        let cells = columns.iter().map(|column| column.number(name).map_or("–".to_owned(), |value| written(value, geometry))).collect();
+        let cells = columns
+            .iter()
+            .map(|column| column.number(name).map_or("–".to_owned(), |value| written(value, geometry)))
+            .collect();
         text += &row(&escaped(name), cells);
     }
     text

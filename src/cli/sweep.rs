@@ -27,8 +27,8 @@ on, with layers numbered from the top, starting at 1.
 Examples:
   recede sweep scene.ron --vary force=0.001:0.004:4
   recede sweep scene.ron --vary punch.radius=1:1000:31:log --out radii.csv
-  recede sweep scene.ron --vary layer[2].beta=[-1,0,1] --vary force=0.001:0.01:10 --out grid.csv
-  recede sweep scene.ron --vary layer[2].beta=-3:1:41 --out beta.csv --plot beta.svg
+  recede sweep scene.ron --vary layer[2].beta=[-1,0,1] --vary force=1:9:9
+  recede sweep scene.ron --vary layer[2].beta=-3:1:41 --plot beta.svg
   recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
   recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
   recede sweep sweep.ron --out grid.csv --resume
