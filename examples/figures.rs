@@ -31,7 +31,7 @@ pub fn draw(folder: &Path) -> Result<(), Box<dyn Error>> {
     let found = page.pressures([3, 4], "R/h₁ = 1000", ("βh₂", &SOFT_NEUTRAL_HARD), graded)?;
     let ([a, b], [p, q]) = (found.half_lengths(), found.peaks());
     page.says(3, "the longer the contact, the lower its peak", opposite(&a, &p));
-    page.says(3, "the peak under the punch is higher than that of the receding contact", above(&p, &q));
+    page.says(3, "the peak under the punch is higher than the peak of the receding contact", above(&p, &q));
     page.says(4, "the longer the contact, the lower its peak", opposite(&b, &q));
     page.says(4, "the receding contact is longer than the advancing one", above(&b, &a));
 

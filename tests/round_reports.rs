@@ -231,12 +231,16 @@ fn maps_do_not_show_rounding() {
         let marked = texts(svg.as_bytes()).contains("ring: ");
         (marked, bent - usize::from(marked) * RING)
     };
-    let zero = |xs, quantity| drawn(xs, quantity).1;
-    assert!(zero([2200.0, 2600.0], FieldQuantity::SigmaYy) > 0);
-    assert_eq!(drawn([3800.0, 4600.0], FieldQuantity::SigmaYy), (false, 0));
-    assert_eq!(drawn([3800.0, 4600.0], FieldQuantity::SigmaXy), (false, 0));
+    // less the outline of the load, which any map has: a von Mises stress is nowhere negative
+    let zeros = |xs, quantity| {
+        let (marked, lines) = drawn(xs, quantity);
+        (marked, lines - drawn(xs, FieldQuantity::VonMises).1)
+    };
+    assert!(zeros([2200.0, 2600.0], FieldQuantity::SigmaYy).1 > 0);
+    assert_eq!(zeros([3800.0, 4600.0], FieldQuantity::SigmaYy), (false, 0));
+    assert_eq!(zeros([3800.0, 4600.0], FieldQuantity::SigmaXy), (false, 0));
     // bending is left there, which changes its sign across the slab
-    assert_eq!(drawn([3800.0, 4600.0], FieldQuantity::SigmaXx), (true, 1));
+    assert_eq!(zeros([3800.0, 4600.0], FieldQuantity::SigmaXx), (true, 1));
 }
 
 #[test]
