@@ -283,7 +283,7 @@ fn blocks(document: &Path) -> Vec<Block> {
 fn folder(document: &Path, blocks: &[Block]) -> PathBuf {
     let name = document.file_stem().expect("a name");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs").join(name);
-    for examples in ["examples/scenes", "examples/sweeps"] {
+    for examples in ["examples/scenes", "examples/axisymmetric", "examples/sweeps"] {
         fs::create_dir_all(folder.join(examples)).expect("a folder to write to");
         for path in files(&root().join(examples), "ron") {
             fs::copy(&path, folder.join(examples).join(path.file_name().expect("a name"))).expect("a file to copy");
