@@ -73,7 +73,7 @@ pub use material::{ElasticConstants, Isotropic, Material, Plane};
 pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, PoissonRatios, Young};
 pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table};
-pub use quantity::{Carrying, Exponent, Finite, OutOfRange, Poisson, Positive, Stiffening, Thickness};
+pub use quantity::{Carrying, Exponent, Finite, HalfAngle, OutOfRange, Poisson, Positive, Stiffening, Thickness};
 #[cfg(feature = "read")]
 pub use registry::{Body, Entry, ReadBody, ReadError, Registry, read_ron};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};

@@ -105,3 +105,7 @@ quantity!(
 quantity!(
     /// An exponent, such as that of a profile |x|^n.
     Exponent, "a number from 1 to 100", {"minimum": 1, "maximum": 100}, |x| (1.0..=100.0).contains(&x));
+quantity!(
+    /// Half of the angle at the tip of a wedge or a cone, in radians.
+    HalfAngle, "an angle > 0 and < pi/2, in radians or with its unit, such as \"70.3 deg\"",
+    {"exclusiveMinimum": 0, "exclusiveMaximum": 1.570_796_326_794_896_6}, |x| x > 0.0 && x < std::f64::consts::FRAC_PI_2);

@@ -109,7 +109,7 @@ pub use recede_layers::{
 };
 pub use scene::{
     ElasticCylinder, Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError,
-    Spring, Units, ValueError, Vocabulary, scene_schema,
+    Spring, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
 };
 pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
 pub use stack::{

@@ -180,6 +180,38 @@ fn deep_nesting() {
 }
 
 #[test]
+fn deep_nesting_in_json() {
+    // whole, so that it is JSON
+    for (open, close) in [("[", "]"), ("{\"a\":", "}"), ("{\"A\":", "}"), ("{\"A\":[", "]}"), ("{\"$schema\":", "}")] {
+        for depth in [100, 200, 50_000, (MAX_BYTES - 400) / (open.len() + close.len())] {
+            let nested = open.repeat(depth) + "1" + &close.repeat(depth);
+            let whole = around_in_json(&format!("{{\"HalfPlane\":{{\"shear_modulus\":1,\"poisson\":{nested}}}}}"));
+            for text in [format!("{{\"name\":{nested}}}"), format!("{{\"stack\":{nested}}}"), whole] {
+                let error = read(&text.as_bytes()[..text.len().min(MAX_BYTES)]).unwrap_err();
+                assert!(depth < 1000 || error.to_string().ends_with("brackets are nested too deeply"), "{error}");
+            }
+        }
+    }
+    // and not too deep: rows of a table in a list in fields in a scene
+    let table = "{\"HalfPlane\":{\"shear_modulus\":1,\"poisson\":0.25}}";
+    assert!(read(around_in_json(table).as_bytes()).is_ok());
+}
+
+/// A scene in JSON with this stack.
+fn around_in_json(stack: &str) -> String {
+    let punch = "{\"Table\":[[0,0],[0.5,0.01],[1,0.05]]}";
+    format!("{{\"geometry\":\"PlaneStrain\",\"punch\":{punch},\"force\":0.002,\"stack\":[{stack}]}}")
+}
+
+#[test]
+fn many_objects_in_json() {
+    for object in ["{\"a\":1}", "{\"A\":{}}", "{\"$schema\":1}", "{}"] {
+        let many = vec![object; MAX_BYTES / 4 / (object.len() + 1)].join(",");
+        assert!(read(around_in_json(&many).as_bytes()).is_err(), "{object}");
+    }
+}
+
+#[test]
 fn long_texts_and_comments() {
     let long = "a".repeat(MAX_BYTES - 400);
     let stack = format!("{STRIP},Receding,Rigid");

@@ -8,7 +8,9 @@
 use std::f64::consts::PI;
 
 use recede::exact::{Elastic, hertz, punches};
-use recede::{Exponential, HalfPlane, Homogeneous, Interval, Method, Model, Options, Plane, Punch, Solution, Stack};
+use recede::{
+    Exponential, HalfPlane, Homogeneous, Interval, Method, Model, Options, Plane, Punch, Scene, Solution, Stack,
+};
 
 use crate::support::outwards;
 
@@ -112,6 +114,61 @@ fn under_a_wedge_the_pressure_is_a_logarithm() {
             assert_eq!(solution.contacts()[0].pressure(0.0), f64::INFINITY);
         }
     }
+}
+
+/// The faces of a wedge, and the surface of a cone, rise by the cotangent of their angle with the axis.
+#[test]
+fn a_half_angle_is_the_slope_that_is_its_cotangent() {
+    let scene = |geometry: &str, punch: &str| {
+        let text = format!(
+            "Scene(geometry: {geometry}, punch: {punch}, force: 0.01, stack: [
+            Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 2, poisson: 0.3)])"
+        );
+        Scene::from_ron(&text).unwrap()
+    };
+    for (geometry, name) in [("PlaneStrain", "Wedge"), ("Axisymmetric", "Cone")] {
+        for degrees in [45.0f64, 60.0, 70.3, 80.0, 89.9] {
+            let radians = degrees.to_radians();
+            let slope = radians.cos() / radians.sin();
+            let by_slope = scene(geometry, &format!("{name}(slope: {slope:?})"));
+            for angle in [
+                format!("{radians:?}"),
+                format!("\"{degrees} deg\""),
+                format!("\"{degrees}°\""),
+                format!("\"{radians:?} rad\""),
+            ] {
+                let by_angle = scene(geometry, &format!("{name}(half_angle: {angle})"));
+                for x in [0.1, 1.0, 30.0] {
+                    let (found, expected) = (by_angle.punch.profile(x), by_slope.punch.profile(x));
+                    assert!((found / expected - 1.0).abs() < 1e-13, "{angle}: {found} {expected}");
+                }
+                // as it was written, and so again
+                assert!(by_angle.to_ron().contains("(half_angle: "), "{}", by_angle.to_ron());
+                for again in
+                    [Scene::from_ron(&by_angle.to_ron()).unwrap(), Scene::from_json(&by_angle.to_json()).unwrap()]
+                {
+                    assert_eq!((&again.punch, again.to_ron()), (&by_angle.punch, by_angle.to_ron()));
+                }
+                assert!(by_angle.paths().contains(&"punch.half_angle".to_owned()));
+                assert_eq!(by_angle.with("punch.half_angle", 1.0).unwrap().number("punch.half_angle").unwrap(), 1.0);
+            }
+            if degrees > 75.0 {
+                let by_angle = scene(geometry, &format!("{name}(half_angle: {radians:?})"));
+                let [found, expected] = [&by_angle, &by_slope].map(|scene| recede::solve(scene).unwrap());
+                for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
+                    close(found.reach(), expected.reach(), 1e-9, geometry);
+                }
+            }
+        }
+    }
+    let vary = ["sweep", "-", "--vary", "punch.half_angle=[1.4,1.5]"];
+    let text = "(geometry: Axisymmetric, punch: Cone(half_angle: \"70.3 deg\"), force: 1e-3, stack: [HalfPlane(shear_modulus: 1, poisson: 0.3)])";
+    let rows = crate::support::recede(&vary, text.as_bytes());
+    assert!(
+        rows.stdout.starts_with("punch_half_angle,") && rows.stdout.matches(",solved,").count() == 2,
+        "{}",
+        rows.stderr
+    );
 }
 
 #[test]

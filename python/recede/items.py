@@ -313,16 +313,20 @@ class Polynomial(Punch):
 
 
 class Wedge(Punch):
-    """A wedge: height slope · |x|. The pressure is infinite at the tip, like a logarithm.
+    """A wedge: height s |x|, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like
+    a logarithm.
 
     Args:
-        slope: Slope of its faces, dimensionless. Allowed: a finite number > 0.
+        slope: Slope s of its surface, dimensionless: the tangent of its angle with the stack; or in its place
+            `half_angle`. Allowed: a finite number > 0.
+        half_angle: Angle of its surface with the axis x = 0, half of the angle at the tip; or in its place `slope`, its
+            cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 
     __slots__ = ()
 
-    def __init__(self, *, slope: Any) -> None:
-        super().__init__(slope=slope)
+    def __init__(self, *, slope: Any = None, half_angle: Any = None) -> None:
+        super().__init__(slope=slope, half_angle=half_angle)
 
 
 class RoundedFlat(Punch):
@@ -400,17 +404,20 @@ class Sphere(Punch):
 
 
 class Cone(Punch):
-    """A cone: height slope · r. The pressure is infinite at the tip, like a logarithm.
+    """A cone: height s r, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like a
+    logarithm.
 
     Args:
-        slope: Slope of its surface, dimensionless: the tangent of its angle with the stack. Allowed: a finite number >
-            0.
+        slope: Slope s of its surface, dimensionless: the tangent of its angle with the stack; or in its place
+            `half_angle`. Allowed: a finite number > 0.
+        half_angle: Angle of its surface with the axis x = 0, half of the angle at the tip; or in its place `slope`, its
+            cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 
     __slots__ = ()
 
-    def __init__(self, *, slope: Any) -> None:
-        super().__init__(slope=slope)
+    def __init__(self, *, slope: Any = None, half_angle: Any = None) -> None:
+        super().__init__(slope=slope, half_angle=half_angle)
 
 
 class ElasticSphere(Punch):

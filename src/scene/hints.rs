@@ -5,15 +5,27 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["E", "Young", "youngs_modulus", "young_modulus", "elastic_modulus", "modulus", "stiffness"], &["young"]),
     (&["nu", "ν", "v", "poisson_ratio", "poissons_ratio"], &["poisson"]),
     (&["G", "mu", "μ", "shear"], &["shear_modulus"]),
+    (&["Gxy", "G_xy", "G12"], &["shear_modulus"]),
+    (&["Ex", "E_x", "E1", "r"], &["x"]),
+    (&["Ey", "E_y"], &["y"]),
+    (&["Ez", "E_z"], &["z"]),
+    (&["nu_xy", "nuxy", "ν_xy", "yx", "nu_yx"], &["xy"]),
+    (&["nu_xz", "nuxz", "ν_xz", "zx", "nu_zx"], &["xz"]),
+    (&["nu_yz", "nuyz", "ν_yz", "zy", "nu_zy"], &["yz"]),
     (&["h", "t", "d", "height", "depth"], &["thickness"]),
     (&["R", "r", "curvature"], &["radius"]),
     (&["diameter"], &["radius"]),
+    (&["mean_radius", "middle"], &["radius"]),
+    (&["inner_radius", "outer_radius", "inner", "outer", "r_inner", "r_outer", "ri", "ro"], &["radius", "half_width"]),
     (&["P", "F", "Q", "load"], &["force"]),
-    (&["a", "b", "c", "width", "half_length"], &["half_width"]),
+    (&["a", "b", "c", "width", "half_length", "thickness"], &["half_width"]),
     (&["a", "contact_length", "contact_width"], &["half_length"]),
     (&["indentation", "approach", "displacement", "delta"], &["depth"]),
     (&["pressure", "traction"], &["load"]),
-    (&["angle", "tangent"], &["slope"]),
+    (&["tangent"], &["slope"]),
+    (&["angle", "inclination"], &["slope", "half_angle"]),
+    (&["semi_angle", "semi_vertical_angle", "half_apex_angle", "half_opening_angle"], &["half_angle"]),
+    (&["apex_angle", "opening_angle", "included_angle"], &["half_angle"]),
     (&["indenter", "roller", "wheel", "tool"], &["punch"]),
     (&["layers", "items"], &["stack"]),
     (&["k", "kn", "normal_stiffness"], &["stiffness", "normal"]),
@@ -21,7 +33,7 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["m", "n", "power"], &["exponent"]),
     (&["Elastic", "Isotropic", "Layer", "Strip", "Film", "Coating"], &["Homogeneous"]),
     (&["FGM", "FunctionallyGraded", "Gradient"], &["Exponential", "Graded"]),
-    (&["Ply", "Laminate", "Composite", "Anisotropic"], &["Orthotropic"]),
+    (&["Ply", "Laminate", "Composite", "Anisotropic", "TransverselyIsotropic"], &["Orthotropic"]),
     (&["HalfSpace", "Foundation", "Substrate", "Ground", "Soil", "Base"], &["HalfPlane"]),
     (&["Tied", "Glued", "Welded", "Perfect", "Fixed", "Stick", "Continuous"], &["Bonded"]),
     (&["Frictionless", "Contact", "Unilateral", "Loose", "Resting", "Open", "Unbonded"], &["Receding"]),
@@ -34,7 +46,9 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["Wedge", "Cone"], &["Cone", "Wedge"]),
     (&["Line", "Concentrated"], &["Point"]),
     (&["Annulus", "Annular"], &["Ring"]),
-    (&["Ring"], &["Several"]),
+    (&["Ring", "Annulus", "Annular"], &["Several"]),
+    (&["Disc", "Disk", "Circle"], &["Uniform"]),
+    (&["Berkovich", "Vickers", "Pyramid"], &["Cone"]),
     (&["half_width", "halfwidth"], &["radius"]),
     (&["radius"], &["half_width"]),
     (&["Knife", "Vee"], &["Wedge"]),
@@ -61,6 +75,15 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
         &["Ellipsoid", "Torus", "Several"],
         "this is not supported: punches are the same along a line or about an axis, and what presses about an axis is one disc or one ring",
     ),
+    (
+        &["Berkovich", "Vickers", "Pyramid"],
+        "pyramids are not supported: in their place, write `geometry: Axisymmetric` and `Cone(half_angle: \"70.3 deg\")`",
+    ),
+    (
+        &["Ring", "Annulus", "Annular", "Tube"],
+        "punches with a hole are not supported: a pressure on a ring is `load: Ring(...)` with `geometry: Axisymmetric`",
+    ),
+    (&["thickness"], "only layers have a thickness: a half-plane reaches down without end"),
     (&["plane"], "write `geometry: PlaneStrain`, or `geometry: PlaneStress` for `plane: Stress`"),
     (
         &["adhesion", "work_of_adhesion", "surface_energy", "Adhesive"],
@@ -83,8 +106,51 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
 /// Units that are written behind numbers.
 const UNITS: &[&str] = &[
     "m", "cm", "mm", "um", "µm", "μm", "nm", "in", "ft", "Pa", "hPa", "kPa", "MPa", "GPa", "bar", "psi", "ksi", "N",
-    "mN", "kN", "MN", "lbf",
+    "mN", "kN", "MN", "lbf", "rad", "deg", "°",
 ];
+
+/// Numbers of an orthotropic material for one direction each, with the field in which all of them stand.
+const DIRECTIONS: &[(&[&str], &str)] = &[
+    (&["Ex", "Ey", "Ez", "E_x", "E_y", "E_z", "E1", "E2", "E3", "young_x", "young_y", "young_z"], "young"),
+    (
+        &[
+            "nu_xy",
+            "nu_xz",
+            "nu_yz",
+            "nuxy",
+            "nuxz",
+            "nuyz",
+            "ν_xy",
+            "ν_xz",
+            "ν_yz",
+            "nu12",
+            "nu13",
+            "nu23",
+            "poisson_xy",
+            "poisson_xz",
+            "poisson_yz",
+        ],
+        "poisson",
+    ),
+];
+
+/// The field in which a number for one direction belongs.
+pub(super) fn directions(found: &str, allowed: &[&str]) -> Option<&'static str> {
+    let (_, field) = DIRECTIONS.iter().find(|(words, _)| words.contains(&found))?;
+    allowed.contains(field).then_some(*field)
+}
+
+/// What to do about one number where an orthotropic material has several, or the other way round.
+pub(super) fn number_of_material(field: &str, several: bool) -> Option<&'static str> {
+    Some(match (field, several) {
+        ("young" | "poisson", true) => "one number is enough for `Homogeneous` and `HalfPlane`",
+        ("young" | "poisson", false) => {
+            "it is one number here; `Orthotropic` and `OrthotropicHalfPlane` have one for each direction"
+        }
+        ("shear_modulus", false) => "it is one number, of an orthotropic material G_xy",
+        _ => return None,
+    })
+}
 
 /// What to do about a name that is none of those allowed: another name for the same, that it is not supported, or the
 /// nearest of the allowed names.
@@ -98,16 +164,37 @@ pub(super) fn instead_of(found: &str, allowed: &[&str]) -> Option<String> {
         .filter(|name| allowed.contains(name))
         .collect();
     if !names.is_empty() {
-        let how = match &found.to_lowercase()[..] {
-            "diameter" | "width" => ", which is half of it",
-            "angle" => ", which is its tangent",
-            _ => "",
-        };
+        let (between, how) = how(&found.to_lowercase(), &names);
         let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        return Some(format!("write {}{how}", names.join(" or ")));
+        return Some(format!("write {}{how}", names.join(between)));
     }
     let not_supported = NOT_SUPPORTED.iter().find(|(words, _)| words.iter().any(same));
     not_supported.map(|(_, why)| (*why).to_owned()).or_else(|| did_you_mean(found, allowed))
+}
+
+/// What is between several names to be written, and in what the number differs from the one that was found.
+fn how(found: &str, names: &[&str]) -> (&'static str, &'static str) {
+    let how = match (found, names) {
+        ("inner_radius" | "outer_radius" | "inner" | "outer" | "r_inner" | "r_outer" | "ri" | "ro", [_, _]) => {
+            return (" and ", ", half the sum and half the difference of the outer and the inner radius");
+        }
+        ("inner_radius" | "outer_radius" | "inner" | "outer" | "r_inner" | "r_outer" | "ri" | "ro", _) => {
+            ": this is a disc; a pressure on a ring is `Ring(radius: ..., half_width: ...)`"
+        }
+        ("diameter" | "width" | "thickness" | "apex_angle" | "opening_angle" | "included_angle", _) => {
+            ", which is half of it"
+        }
+        ("angle" | "inclination", _) => {
+            ": the tangent of the angle with the stack, or the angle with the axis, such as `\"70.3 deg\"`"
+        }
+        ("yx" | "nu_yx", _) => ", which is yx · young.x / young.y",
+        ("zx" | "nu_zx", _) => ", which is zx · young.x / young.z",
+        ("zy" | "nu_zy", _) => ", which is zy · young.y / young.z",
+        ("ring" | "annulus" | "annular", ["Several"]) => ", with a load on either side, or `geometry: Axisymmetric`",
+        ("berkovich" | "vickers" | "pyramid", _) => ", of the same area at any depth: `half_angle: \"70.3 deg\"`",
+        _ => "",
+    };
+    (" or ", how)
 }
 
 /// The nearest of the allowed names, if it is near.

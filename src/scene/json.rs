@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use super::read::schema_of_scene;
 use super::round::{RoundLoad, RoundPunch};
 use super::text::{fields, members, name_and_rest, without_comments};
-use super::{Item, Scene, Spring};
+use super::{Item, Scene, Spring, visible_json};
 
 impl Scene {
     /// The scene in JSON, with the same names as in RON and with all digits: [`Scene::from_json`] reads the same scene from
@@ -26,7 +26,7 @@ impl Scene {
             Value::Object(mut named) => named.remove("Scene").unwrap_or(Value::Object(named)),
             other => other,
         };
-        format!("{scene:#}\n")
+        visible_json(&format!("{scene:#}\n"))
     }
 }
 

@@ -18,7 +18,9 @@ mod text;
 mod translate;
 mod units;
 mod value;
+mod visible;
 mod vocabulary;
+mod wedge;
 mod write;
 
 use std::sync::Arc;
@@ -34,7 +36,9 @@ pub use punch::Punch;
 pub use spring::Spring;
 pub use units::Units;
 pub use value::{LoadsError, ValueError};
+pub use visible::visible;
 pub use vocabulary::Vocabulary;
+pub use wedge::Wedge;
 
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Change, Owner, Slot};
@@ -44,6 +48,7 @@ pub(crate) use shape::{Piece, Shape};
 #[cfg(feature = "files")]
 pub(crate) use text::first_name;
 pub(crate) use units::Dimension;
+pub(crate) use visible::visible_json;
 
 use origin::Origin;
 
@@ -98,6 +103,11 @@ impl Scene {
     pub fn new(geometry: impl Into<Geometry>, punch: Punch, force: impl Into<Force>, stack: Vec<Item>) -> Self {
         let (geometry, force) = (geometry.into(), force.into());
         Self { name: None, description: None, units: None, geometry, punch, force, stack, origin: None }
+    }
+
+    /// The file from which the scene was read, as it is called in messages; `None` if it was not read from a text.
+    pub fn file(&self) -> Option<&str> {
+        self.origin.as_deref().map(|origin| &origin.file[..])
     }
 
     /// The dimension of its forces: in plane problems they are per unit of length.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use recede_layers::Registry;
 
 use super::translate::{Translation, Untranslatable, from_json, is_json, without_units};
+use super::visible;
 
 /// Widest excerpt of a line that is shown, in characters.
 const EXCERPT: usize = 100;
@@ -84,18 +85,19 @@ impl Origin {
         SceneError {
             file: self.file.clone(),
             place: at.map(|offset| Box::new(Place::new(self.written(), self.place(offset)))),
-            message: abridged(message),
-            hint: hint.map(abridged),
+            message: abridged(&message),
+            hint: hint.as_deref().map(abridged),
             cause: None,
         }
     }
 }
 
-/// A text, without its middle if it is very long.
-fn abridged(text: String) -> String {
+/// A text as it is shown, without its middle if it is very long.
+fn abridged(text: &str) -> String {
+    let text = visible(text);
     let length = text.chars().count();
     if length <= LONGEST {
-        return text;
+        return text.into_owned();
     }
     let [start, end] =
         [LONGEST / 2, length - LONGEST / 2].map(|at| text.char_indices().nth(at).map_or(0, |(at, _)| at));
@@ -119,15 +121,16 @@ impl Place {
         let start = before.rfind('\n').map_or(0, |newline| newline + 1);
         let column = text[start..offset].chars().count();
         let rest = after.find('\n').map_or(after, |end| &after[..end]);
-        let visible = |c: char| if c.is_control() { ' ' } else { c };
         let line = text[start..offset + rest.len()].trim_end();
         // a window of a long line
         let skipped = if line.chars().count() > EXCERPT { column.saturating_sub(EXCERPT / 2) } else { 0 };
+        let window = |end: usize| line.chars().skip(skipped).take(end).collect::<String>();
         Self {
             line: before.matches('\n').count() + 1,
             column: column + 1,
-            excerpt: line.chars().skip(skipped).take(EXCERPT).map(visible).collect(),
-            caret: column - skipped,
+            excerpt: visible(&window(EXCERPT)).into_owned(),
+            // behind what was trimmed the caret stands, too
+            caret: visible(&window(column - skipped)).chars().count() + column.saturating_sub(line.chars().count()),
         }
     }
 }
@@ -192,9 +195,10 @@ impl SceneError {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let file = visible(&self.file);
         match &self.place {
-            Some(place) => write!(f, "{}:{}:{}: {}", self.file, place.line, place.column, self.message),
-            None => write!(f, "{}: {}", self.file, self.message),
+            Some(place) => write!(f, "{file}:{}:{}: {}", place.line, place.column, self.message),
+            None => write!(f, "{file}: {}", self.message),
         }
     }
 }
@@ -211,10 +215,10 @@ mod tests {
 
     #[test]
     fn of_long_messages_both_ends_are_shown() {
-        let message = abridged(format!("no field `{}` here", "µ".repeat(5000)));
+        let message = abridged(&format!("no field `{}` here", "µ".repeat(5000)));
         assert!(message.starts_with("no field `µ") && message.ends_with("µ` here") && message.contains("µ...µ"));
         assert_eq!(message.chars().count(), LONGEST + 3);
-        assert_eq!(abridged("short".into()), "short");
+        assert_eq!(abridged("short"), "short");
     }
 
     #[test]

@@ -14,6 +14,7 @@ use super::heights::{Heights, PolynomialHeights};
 use super::load::Load;
 use super::shape::{Piece, Shape};
 use super::value::ValueError;
+use super::wedge::Wedge;
 use super::write::written;
 
 /// A frictionless punch with its tip at x = 0, rigid unless it says otherwise.
@@ -58,11 +59,8 @@ pub enum Punch {
         /// h₁, h₂, h₃ and so on, in length.
         heights: PolynomialHeights,
     },
-    /// A wedge: height slope · |x|. The pressure is infinite at the tip, like a logarithm.
-    Wedge {
-        /// Slope of its faces, dimensionless.
-        slope: Positive,
-    },
+    /// A wedge: height s |x|, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like a logarithm.
+    Wedge(Wedge),
     /// A flat punch with rounded corners: height 0 up to half_width, from there on (|x| − half_width)²/(2R).
     RoundedFlat {
         /// Half-width of the flat part, in length.
@@ -133,7 +131,22 @@ impl Punch {
     /// # Errors
     /// [`ValueError::OutOfRange`] if the slope is not positive and finite.
     pub fn wedge(slope: f64) -> Result<Self, ValueError> {
-        Ok(Self::Wedge { slope: ValueError::checked("slope", slope)? })
+        Wedge::of_slope(slope).map(Self::Wedge)
+    }
+
+    /// A wedge with faces at this angle to the axis, 0 < angle < π/2, in radians: half of the angle at its tip.
+    ///
+    /// ```
+    /// use recede::Punch;
+    /// let wedge = Punch::wedge_of_half_angle(70.3f64.to_radians())?;
+    /// assert!((wedge.slope(2.0) - 19.7f64.to_radians().tan()).abs() < 1e-15);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if the angle is not legal.
+    pub fn wedge_of_half_angle(angle: f64) -> Result<Self, ValueError> {
+        Wedge::of_half_angle(angle).map(Self::Wedge)
     }
 
     /// A flat punch of half-width ≥ 0 with corners of radius > 0, in length.
@@ -197,7 +210,7 @@ impl Punch {
                 let end = heights.end().map(|end| half_width.get() * end);
                 Shape::Powers { length: half_width.get(), terms: heights.terms(), end }
             }
-            Self::Wedge { slope } => Shape::Powers { length: 1.0, terms: vec![(1.0, slope.get())], end: None },
+            Self::Wedge(wedge) => Shape::Powers { length: 1.0, terms: vec![(1.0, wedge.slope())], end: None },
             Self::RoundedFlat { half_width, radius } => {
                 let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
                 let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
@@ -283,6 +296,7 @@ mod tests {
             Punch::power(2.5, 1.5, 0.2).unwrap(),
             Punch::polynomial(1.5, &[0.3, 0.0, 0.1]).unwrap(),
             Punch::wedge(0.1).unwrap(),
+            Punch::wedge_of_half_angle(1.2).unwrap(),
             Punch::rounded_flat(0.7, 3.0).unwrap(),
             Punch::flat(1.5).unwrap(),
             Punch::table(&[(0.0, 0.0), (0.5, 0.1), (1.0, 0.5), (1.5, 1.0)]).unwrap(),

@@ -23,7 +23,7 @@ use super::item::SPRING;
 use super::origin::{Origin, Places, SceneError};
 use super::round::{RoundLoad, RoundPunch};
 use super::text::{Part, field, name_and_rest, part, without_comments};
-use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Units, quoted_list};
+use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Spring, Units, quoted_list};
 use crate::geometry::Geometry;
 
 /// The scene with punch and stack still unread.
@@ -211,7 +211,18 @@ impl Part<'_> {
     }
 
     fn error(&self, origin: &Origin, error: ReadError) -> SceneError {
-        let subject = Subject { owner: &self.owner, field: error.field.as_deref() };
+        self.error_of(None, origin, error)
+    }
+
+    /// The error, with what may be written there.
+    fn error_of(&self, form: Option<&Value>, origin: &Origin, error: ReadError) -> SceneError {
+        let name = name_and_rest(self.text).map_or("", |(name, _)| name);
+        let form = form.and_then(|form| match form {
+            Value::OneOf(forms) => forms.iter().find(|form| form.name == name)?.value.as_ref(),
+            form => Some(form),
+        });
+        let subject =
+            Subject { owner: &self.owner, field: error.field.as_deref(), form: form.map(|form| (name, form)) };
         let span = &error.cause.span;
         let at = match place(&error.cause.code, &subject) {
             At::Token => self.offset + offset_of(self.text, span.start),
@@ -250,7 +261,7 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
         let mut error = syntax.unwrap_or(error);
         // punch and stack are only skipped here: what is wrong within them is wrong with the text
         error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "load" | "stack"));
-        whole.error(origin, error)
+        whole.error_of(Some(&Value::of_schema(&schema_of_scene())), origin, error)
     })?;
     let (owner, top) = what_presses(&draft, &whole, origin)?;
     let force = force(&draft, &whole, origin)?;
@@ -265,7 +276,9 @@ pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
     let places = Places { punch: punch.place(), stack: list.place(), items: items.iter().map(Part::place).collect() };
 
     let given = draft.load.is_some();
-    let punch = read_top(punch.text, given, draft.geometry).map_err(|error| punch.error(origin, error))?;
+    let form = || form_of_top(given, draft.geometry);
+    let read = read_top(punch.text, given, draft.geometry);
+    let punch = read.map_err(|error| punch.error_of(Some(&form()), origin, error))?;
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
     for item in items {
@@ -339,6 +352,16 @@ pub(super) fn read_top(text: &str, given: bool, geometry: Geometry) -> Result<Pu
     }
 }
 
+/// What may be written there.
+fn form_of_top(given: bool, geometry: Geometry) -> Value {
+    match (geometry, given) {
+        (Geometry::Axisymmetric, true) => Value::of::<RoundLoad>(),
+        (Geometry::Axisymmetric, false) => Value::of::<RoundPunch>(),
+        (_, true) => Value::of::<Load>(),
+        (_, false) => Value::of::<Punch>(),
+    }
+}
+
 /// Reads the item that is, or would be, layer `number`.
 pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, SceneError> {
     let names = || Item::names(registry);
@@ -362,7 +385,8 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
     };
     if name == SPRING {
         let fields = fields(format!("the springs below layer {}", number - 1));
-        return read_ron(fields.text).map(Item::Spring).map_err(|error| fields.error(origin, error));
+        let form = || Value::of::<Spring>();
+        return read_ron(fields.text).map(Item::Spring).map_err(|error| fields.error_of(Some(&form()), origin, error));
     }
     let Some(entry) = registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
@@ -371,6 +395,6 @@ pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &R
     let fields = fields(format!("layer {number} ({name})"));
     match (entry.read)(fields.text) {
         Ok(body) => Ok(Item::of(body)),
-        Err(error) => Err(fields.error(origin, error)),
+        Err(error) => Err(fields.error_of(entry.describe().as_ref(), origin, error)),
     }
 }

@@ -8,6 +8,7 @@ use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
 use super::load::Load;
 use super::punch::Punch;
+use super::wedge::Wedge;
 use super::write::Written;
 use crate::geometry::Geometry;
 
@@ -42,11 +43,8 @@ pub(super) enum RoundPunch {
         /// h₁, h₂, h₃ and so on, in length.
         heights: PolynomialHeights,
     },
-    /// A cone: height slope · r. The pressure is infinite at the tip, like a logarithm.
-    Cone {
-        /// Slope of its surface, dimensionless: the tangent of its angle with the stack.
-        slope: Positive,
-    },
+    /// A cone: height s r, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like a logarithm.
+    Cone(Wedge),
     /// A flat punch with a rounded edge: height 0 up to flat_radius, from there on (r − flat_radius)²/(2R).
     RoundedFlat {
         /// Radius of the flat part, in length.
@@ -103,7 +101,7 @@ impl From<RoundPunch> for Punch {
             RoundPunch::Parabola { radius } => Self::Parabola { radius },
             RoundPunch::Power { exponent, radius, height } => Self::Power { exponent, half_width: radius, height },
             RoundPunch::Polynomial { radius, heights } => Self::Polynomial { half_width: radius, heights },
-            RoundPunch::Cone { slope } => Self::Wedge { slope },
+            RoundPunch::Cone(wedge) => Self::Wedge(wedge),
             RoundPunch::RoundedFlat { flat_radius, radius } => Self::RoundedFlat { half_width: flat_radius, radius },
             RoundPunch::Flat { radius } => Self::Flat { half_width: radius },
             RoundPunch::Table(heights) => Self::Table(heights),
@@ -161,7 +159,7 @@ impl RoundPunch {
             Punch::Parabola { radius } => Self::Parabola { radius },
             Punch::Power { exponent, half_width, height } => Self::Power { exponent, radius: half_width, height },
             Punch::Polynomial { half_width, heights } => Self::Polynomial { radius: half_width, heights },
-            Punch::Wedge { slope } => Self::Cone { slope },
+            Punch::Wedge(wedge) => Self::Cone(wedge),
             Punch::RoundedFlat { half_width, radius } => Self::RoundedFlat { flat_radius: half_width, radius },
             Punch::Flat { half_width } => Self::Flat { radius: half_width },
             Punch::Table(heights) => Self::Table(heights),

@@ -5,6 +5,7 @@ use std::ops::Range;
 use recede_layers::read_ron;
 use serde::de::IgnoredAny;
 
+use super::explain::too_deep;
 use super::text::{field, fields, members, part, without_comments};
 use super::units::{Dimension, Units, converted, has_unit};
 
@@ -37,6 +38,12 @@ impl Translation {
     fn add(&mut self, written: &str, old: Range<usize>) {
         self.marks.push(Mark { new: self.text.len(), old: old.start, length: old.len() });
         self.text += written;
+    }
+
+    /// Takes back what was added from a place in the new text on.
+    fn truncate(&mut self, at: usize) {
+        self.text.truncate(at);
+        self.marks.truncate(self.marks.partition_point(|mark| mark.new < at));
     }
 
     /// Where a place in the new text was in the old one.
@@ -129,7 +136,7 @@ pub(super) fn from_json(text: &str) -> Result<Translation, Untranslatable> {
         let hint = Some("the text begins with `{`, and is read as JSON".to_owned());
         return Err(Untranslatable { at, message, hint });
     }
-    let mut reader = Json { text, at: 0, made: Translation::default() };
+    let mut reader = Json { text, at: 0, depth: 0, made: Translation::default() };
     reader.value(&Context::default())?;
     reader.space();
     Ok(reader.made)
@@ -139,8 +146,13 @@ pub(super) fn from_json(text: &str) -> Result<Translation, Untranslatable> {
 struct Json<'a> {
     text: &'a str,
     at: usize,
+    /// In how many lists and objects the next value stands.
+    depth: usize,
     made: Translation,
 }
+
+/// Brackets within brackets that are read, as many as the reader of RON reads.
+const DEEPEST: usize = 128;
 
 /// Where a value stands.
 #[derive(Clone, Copy, Default)]
@@ -186,6 +198,17 @@ impl Json<'_> {
 
     fn value(&mut self, context: &Context) -> Result<(), Untranslatable> {
         self.space();
+        if self.depth > DEEPEST {
+            let (message, hint) = too_deep();
+            return Err(Untranslatable { at: self.at, message, hint: Some(hint) });
+        }
+        self.depth += 1;
+        let read = self.value_at(context);
+        self.depth -= 1;
+        read
+    }
+
+    fn value_at(&mut self, context: &Context) -> Result<(), Untranslatable> {
         match self.next() {
             b'{' => self.object(context),
             b'[' => self.list(context),
@@ -236,8 +259,7 @@ impl Json<'_> {
             self.at = place.start;
         }
         // the fields of a name stand in its own parentheses
-        self.made.text.truncate(before);
-        self.made.marks.retain(|mark| mark.new < before);
+        self.made.truncate(before);
         self.at = start;
         self.fields(context.named)
     }
@@ -277,8 +299,7 @@ impl Json<'_> {
         if self.next() == b',' {
             self.sign(",");
         }
-        self.made.text.truncate(before);
-        self.made.marks.retain(|mark| mark.new < before);
+        self.made.truncate(before);
         self.space();
         Ok(())
     }

@@ -1,6 +1,10 @@
 //! The units of a scene: what quantities are measured in, and numbers that are written with a unit.
+use std::f64::consts::PI;
+
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use super::visible;
 
 /// Labels of the units in which the numbers of a scene are. Numbers without a unit are not converted.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -12,23 +16,29 @@ pub struct Units {
     pub force: String,
 }
 
-/// What a quantity is measured in: powers of length and force.
+/// What a quantity is measured in: powers of length, force and angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     length: i32,
     force: i32,
+    angle: i32,
+}
+
+const fn powers(length: i32, force: i32) -> Dimension {
+    Dimension { length, force, angle: 0 }
 }
 
 impl Dimension {
-    pub(crate) const NUMBER: Self = Self { length: 0, force: 0 };
-    pub(crate) const LENGTH: Self = Self { length: 1, force: 0 };
-    pub(crate) const PER_LENGTH: Self = Self { length: -1, force: 0 };
-    pub(crate) const STRESS: Self = Self { length: -2, force: 1 };
+    pub(crate) const NUMBER: Self = powers(0, 0);
+    pub(crate) const LENGTH: Self = powers(1, 0);
+    pub(crate) const PER_LENGTH: Self = powers(-1, 0);
+    pub(crate) const STRESS: Self = powers(-2, 1);
     pub(crate) const FORCE: Self = FORCE;
     /// Of a stiffness in axisymmetric problems.
     pub(crate) const FORCE_PER_LENGTH: Self = Self::LINE_LOAD;
-    pub(crate) const LINE_LOAD: Self = Self { length: -1, force: 1 };
-    pub(crate) const STRESS_PER_LENGTH: Self = Self { length: -3, force: 1 };
+    pub(crate) const LINE_LOAD: Self = powers(-1, 1);
+    pub(crate) const STRESS_PER_LENGTH: Self = powers(-3, 1);
+    pub(crate) const ANGLE: Self = Self { length: 0, force: 0, angle: 1 };
 
     /// That of a field of a scene; `None` for those that say nothing of it, such as the `top` of a profile.
     pub(crate) fn of_field(name: &str) -> Option<Self> {
@@ -39,6 +49,7 @@ impl Dimension {
             "force" => Self::LINE_LOAD,
             "beta" => Self::PER_LENGTH,
             "stiffness" | "shear_stiffness" | "normal" | "tangential" => Self::STRESS_PER_LENGTH,
+            "half_angle" => Self::ANGLE,
             "poisson" | "poisson_profile" | "exponent" | "slope" | "share" => Self::NUMBER,
             _ => return None,
         })
@@ -53,13 +64,14 @@ impl Dimension {
             Self::STRESS => ("a stress", "\"26 GPa\""),
             Self::FORCE => ("a force", "\"13 N\""),
             Self::LINE_LOAD => ("a force per length", "\"13 N/mm\""),
+            Self::ANGLE => ("an angle", "\"70.3 deg\""),
             Self::STRESS_PER_LENGTH => ("a stress per length", "\"2 MPa/mm\""),
             _ => ("something else", "\"1 mm\""),
         }
     }
 }
 
-/// A unit as a multiple of powers of metre and newton: factor · 10^exponent.
+/// A unit as a multiple of powers of metre, newton and radian: factor · 10^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Unit {
     dimension: Dimension,
@@ -71,7 +83,7 @@ const fn unit(dimension: Dimension, factor: f64, exponent: i32) -> Unit {
     Unit { dimension, factor, exponent }
 }
 
-const FORCE: Dimension = Dimension { length: 0, force: 1 };
+const FORCE: Dimension = powers(0, 1);
 
 /// Units by name. Of those that are equal the first is written.
 const KNOWN: &[(&str, Unit)] = &[
@@ -106,6 +118,9 @@ const KNOWN: &[(&str, Unit)] = &[
     ("bar", unit(Dimension::STRESS, 1.0, 5)),
     ("psi", unit(Dimension::STRESS, 6_894.757_293_168_361, 0)),
     ("ksi", unit(Dimension::STRESS, 6_894.757_293_168_361, 3)),
+    ("rad", unit(Dimension::ANGLE, 1.0, 0)),
+    ("deg", unit(Dimension::ANGLE, PI / 180.0, 0)),
+    ("°", unit(Dimension::ANGLE, PI / 180.0, 0)),
 ];
 
 /// Factors that differ by no more than this, relative, are equal but for rounding.
@@ -121,6 +136,7 @@ impl Unit {
             dimension: Dimension {
                 length: self.dimension.length + power * other.dimension.length,
                 force: self.dimension.force + power * other.dimension.force,
+                angle: self.dimension.angle + power * other.dimension.angle,
             },
             factor: self.factor * other.factor.powi(power),
             exponent: self.exponent + power * other.exponent,
@@ -199,19 +215,21 @@ impl Units {
         if let Some(name) = named {
             return name;
         }
-        let Dimension { length: power, force } = dimension;
+        let Dimension { length: power, force, .. } = dimension;
+        let [own_length, own_force] = [&self.length, &self.force].map(|label| visible(label));
         let superscript = |power: i32| match power.abs() {
             2 => "²",
             3 => "³",
             _ => "",
         };
-        let length = format!("{}{}", self.length, superscript(power));
+        let length = format!("{own_length}{}", superscript(power));
         match (force, power) {
+            _ if dimension == Dimension::ANGLE => "rad".to_owned(),
             (0, 0) => String::new(),
             (0, 1..) => length,
             (0, _) => format!("1/{length}"),
-            (_, 0) => self.force.clone(),
-            (_, _) => format!("{}/{length}", self.force),
+            (_, 0) => own_force.into_owned(),
+            (_, _) => format!("{own_force}/{length}"),
         }
     }
 
@@ -258,7 +276,16 @@ pub(super) fn converted(
             (found, _) => found.to_owned(),
         };
         let message = format!("`\"{text}\"` is {found}; allowed is {allowed}, such as {example}");
-        return Err((message, "a number without quotes is in the units of the scene".to_owned()));
+        let hint = match expected {
+            Some(Dimension::NUMBER) => "it has no unit: write the number alone, without quotes",
+            Some(Dimension::ANGLE) => "a number without quotes is in radians",
+            _ => "a number without quotes is in the units of the scene",
+        };
+        return Err((message, hint.to_owned()));
+    }
+    // angles are in radians whatever lengths and forces are in
+    if unit.dimension == Dimension::ANGLE {
+        return Ok(scaled(number, unit.factor, unit.exponent));
     }
     let Some(units) = units else {
         let message = format!("`\"{text}\"` has a unit, and the scene does not say in which units it is");
@@ -343,6 +370,8 @@ mod tests {
             ("5 MPa/mm", Dimension::STRESS_PER_LENGTH, 5.0),
             ("7 N mm⁻³", Dimension::STRESS_PER_LENGTH, 7.0),
             ("1 in", Dimension::LENGTH, 25.4),
+            ("45 deg", Dimension::ANGLE, std::f64::consts::FRAC_PI_4),
+            ("0.5rad", Dimension::ANGLE, 0.5),
         ] {
             let converted = converted(text, Some(dimension), Some(&metric)).unwrap();
             assert_eq!(converted.parse::<f64>().unwrap(), expected, "{text}: {converted}");

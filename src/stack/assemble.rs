@@ -223,14 +223,20 @@ fn called(item: &Item, number: usize) -> String {
 /// form about an axis.
 fn check_all_around(stack: &Stack) -> Result<(), (Place, StackProblem)> {
     let plane = stack.plane();
-    let is_legal = |placed: &&Placed| {
-        let [first, _] = placed.layer.material(0.0, plane).squared_roots();
-        placed.layer.is_same_all_around() && (placed.layer.material(0.0, plane).is_isotropic() || first.im == 0.0)
-    };
-    match stack.groups().flat_map(|group| group.layers()).find(|placed| !is_legal(placed)) {
-        Some(placed) => Err((Place::Layer(placed.number), StackProblem::NotAxisymmetric { layer: placed.name() })),
-        None => Ok(()),
+    for placed in stack.groups().flat_map(|group| group.layers()) {
+        let material = placed.layer.material(0.0, plane);
+        let [first, _] = material.squared_roots();
+        let layer = placed.name();
+        let problem = if !placed.layer.is_same_all_around() {
+            StackProblem::NotAxisymmetric { layer }
+        } else if !material.is_isotropic() && first.im != 0.0 {
+            StackProblem::ComplexRoots { layer }
+        } else {
+            continue;
+        };
+        return Err((Place::Layer(placed.number), problem));
     }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -74,11 +74,15 @@ pub enum StackProblem {
         /// The base.
         base: String,
     },
-    /// A layer in an axisymmetric problem that is stiffer along x than along z, or as much as stiff against shear that its roots are complex.
-    #[error(
-        "{layer} is not the same in all directions about the axis, or has complex roots, and cannot be part of an axisymmetric stack"
-    )]
+    /// A layer in an axisymmetric problem that is not as stiff along x as along z.
+    #[error("{layer} is not the same in all directions about the axis, and cannot be part of an axisymmetric stack")]
     NotAxisymmetric {
+        /// The layer.
+        layer: String,
+    },
+    /// A layer in an axisymmetric problem that is so stiff against shear that its roots are complex.
+    #[error("{layer} has complex roots, and cannot be part of an axisymmetric stack")]
+    ComplexRoots {
         /// The layer.
         layer: String,
     },
@@ -149,7 +153,12 @@ impl StackProblem {
     fn hint(&self) -> Option<&'static str> {
         Some(match self {
             Self::NotAxisymmetric { .. } => {
-                "take an isotropic layer, or one with young.x = young.z, poisson.xy/young.x = poisson.yz/young.y and a low shear modulus; or a plane problem: `geometry: PlaneStrain`"
+                "here x is outwards and z around the axis: let young.x = young.z and poisson.xy/young.x = poisson.yz/young.y, or take an isotropic \
+                 layer, or a plane problem: `geometry: PlaneStrain`"
+            }
+            Self::ComplexRoots { .. } => {
+                "its shear modulus is too high beside its other moduli: take a lower one, an isotropic layer, or a plane problem: \
+                 `geometry: PlaneStrain`"
             }
             Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
             Self::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
