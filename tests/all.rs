@@ -38,6 +38,8 @@ mod list;
 mod loads;
 mod many_loads;
 mod merge;
+#[cfg(unix)]
+mod outputs;
 mod paper;
 mod parquet;
 mod parts;

@@ -174,6 +174,82 @@ fn an_interrupted_file_is_continued_to_the_same_bytes() {
     }
 }
 
+/// What may become of a line, and of the lines around it, but for digits that are others.
+fn damages(lines: &[&str], at: usize) -> Vec<Vec<u8>> {
+    let line = lines[at];
+    let fields: Vec<&str> = line.split(',').collect();
+    let comma = line.rfind(',').unwrap();
+    let damaged = [
+        line.replacen(',', "", 1),
+        line.replacen(',', ",,", 1),
+        line.replacen('.', "x", 1),
+        line.replacen('.', "..", 1),
+        line.replacen("solved", "solvd", 1),
+        line.replacen("solved", "no_solution", 1),
+        line.replacen("solved", "solved,\"", 1),
+        format!("{}\n", &line[..line.len() / 2]),
+        format!("{}{}", &line[..line.len() / 2], &lines[at - 1]),
+        format!("{}{}", &line[..comma], &line[comma + 1..]),
+        format!("{},{},{}", fields[0], fields[1], fields[fields.len() - 4..].join(",")),
+        format!("# {line}"),
+        "a note\n".to_owned(),
+        "\n".to_owned(),
+        format!("{line}{line}"),
+        String::new(),
+    ];
+    let mut all: Vec<Vec<u8>> = Vec::new();
+    for damaged in damaged {
+        assert_ne!(damaged, line);
+        let (before, after) = (lines[..at].concat(), lines[at + 1..].concat());
+        all.push([before, damaged, after].concat().into_bytes());
+    }
+    all.push([lines[..at].concat().into_bytes(), vec![0; line.len()], lines[at..].concat().into_bytes()].concat());
+    all
+}
+
+#[test]
+fn rows_that_are_damaged_are_told_and_not_taken() {
+    let vary = ["--vary", "force=[0.001,0.002,0.003]", "--vary", "punch.radius=[250,500]"];
+    let whole = written("sound.csv", &vary);
+    let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+    let path = file("damaged.csv");
+    let ways: [&[&str]; 2] = [&["sweep", SCENE, "--resume"], &["merge", SCENE, path.to_str().unwrap()]];
+    for at in [1, 2, 3, 6] {
+        for damaged in damages(&lines, at) {
+            for way in ways {
+                if way[0] == "sweep" && whole.as_bytes().starts_with(&damaged) {
+                    // a row that is missing at the end is what one resumes for
+                    continue;
+                }
+                fs::write(&path, &damaged).unwrap();
+                let out = if way[0] == "merge" { file("merged.csv") } else { path.clone() };
+                let run = recede(&[way, &vary, &["--out", out.to_str().unwrap()]].concat(), b"");
+                let shown = String::from_utf8_lossy(&damaged);
+                assert_eq!(run.status, Some(2), "{way:?}: {}\n{shown}", run.stderr);
+                // a line that follows twice is wrong where it comes again; a merge looks at both ends of a part first
+                let is_end = way[0] == "merge" && [1, 6].contains(&at) && run.stderr.contains("damaged.csv");
+                let is_line = |line: usize| run.stderr.contains(&format!("damaged.csv, line {line}"));
+                assert!(is_end || is_line(at + 1) || is_line(at + 2), "{}\n{shown}", run.stderr);
+                assert_eq!(fs::read(&path).unwrap(), damaged, "nothing is lost");
+            }
+        }
+    }
+    // half a line at the end is made again if it is half of a row, and nothing else is taken for one
+    for (end, sound) in
+        [(lines[5][..20].to_owned(), true), ("my notes".to_owned(), false), (lines[4][..20].to_owned(), false)]
+    {
+        let text = lines[..5].concat() + &end;
+        fs::write(&path, &text).unwrap();
+        let run = recede(&[ways[0], &vary, &["--out", path.to_str().unwrap()]].concat(), b"");
+        assert_eq!(run.status, Some(if sound { 0 } else { 2 }), "{end}: {}", run.stderr);
+        assert_eq!(fs::read_to_string(&path).unwrap(), if sound { &whole } else { &text }.as_str());
+    }
+    // nor is anything behind the last row
+    fs::write(&path, whole.clone() + "my").unwrap();
+    let run = recede(&[ways[0], &vary, &["--out", path.to_str().unwrap()]].concat(), b"");
+    assert!(run.status == Some(2) && run.stderr.contains("damaged.csv, line 8, "), "{}", run.stderr);
+}
+
 #[test]
 fn a_killed_sweep_leaves_whole_rows() {
     let vary = ["--vary", "force=0.001:0.004:150"];

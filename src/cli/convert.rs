@@ -1,11 +1,11 @@
 //! `recede convert`: a scene in RON as JSON, and the other way round.
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use recede::files;
 
-use super::{Failure, SceneFile};
+use super::{Failure, SceneFile, outputs};
 
 /// Write a scene in JSON or in RON, with the same names
 #[derive(Debug, clap::Args)]
@@ -29,7 +29,7 @@ pub struct Convert {
     to: Option<Language>,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Language {
     /// JavaScript Object Notation, which other programs write
     Json,
@@ -39,19 +39,10 @@ enum Language {
 
 impl Convert {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let language = match (self.to, self.out.as_deref().and_then(Path::extension)) {
-            (Some(language), _) => language,
-            (None, Some(ending)) if ending == "ron" => Language::Ron,
-            (None, Some(ending)) if ending == "json" => Language::Json,
-            (None, None) if self.out.is_none() => Language::Json,
-            (None, _) => {
-                return Err(Failure::usage(
-                    "the name of the file does not say what to write",
-                    "let it end in .json or .ron, or say --to json or --to ron",
-                ));
-            }
-        };
-        let scene = self.file.read()?;
+        let kinds = [("json", Language::Json), ("ron", Language::Ron)];
+        let hint = "let it end in .json or .ron, or say --to json or --to ron";
+        let language = outputs::kind(self.out.as_deref(), self.to, &kinds, Language::Json, hint)?;
+        let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let text = match language {
             Language::Json => scene.to_json(),
             Language::Ron => scene.to_ron(),

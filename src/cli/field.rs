@@ -1,18 +1,17 @@
 //! `recede field`: stresses and displacements inside the stack.
-use std::ffi::OsStr;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 use recede::files;
-use recede::plot::{self, Kind};
+use recede::plot;
 use recede::report::{FieldFormat, write_field};
 use recede::{Field as Fields, FieldPoint, FieldQuantity, Geometry, Model, Options, Point, Solution};
 
 use super::plot::Title;
-use super::{Failure, SceneFile, tell};
+use super::{Failure, SceneFile, outputs, tell};
 
 /// Places along the layers and depths of a grid that is not specified.
 const TABLE: [usize; 2] = [5, 7];
@@ -126,21 +125,14 @@ fn point(text: &str) -> Result<Point, String> {
 
 impl Field {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let format = match &self.out {
-            None => Output::Points(match self.format {
-                Format::Table => FieldFormat::Table,
-                Format::Csv => FieldFormat::Csv,
-                Format::Json => FieldFormat::Json,
-            }),
-            Some(path) => format(path)?,
-        };
+        let format = self.output()?;
         if let (Output::Map, false) = (format, self.at.is_empty()) {
             return Err(Failure::usage(
                 "a map is drawn of a grid, not of points",
                 "leave out --at, or let the file end in .csv or .json",
             ));
         }
-        let scene = self.file.read()?;
+        let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
         let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
@@ -178,6 +170,24 @@ impl Field {
         }
     }
 
+    /// What the name of the file asks for, or, to standard output, the format.
+    fn output(&self) -> Result<Output, Failure> {
+        let usual = match self.format {
+            Format::Table => FieldFormat::Table,
+            Format::Csv => FieldFormat::Csv,
+            Format::Json => FieldFormat::Json,
+        };
+        let kinds = [
+            ("csv", Output::Points(FieldFormat::Csv)),
+            ("json", Output::Points(FieldFormat::Json)),
+            ("svg", Output::Map),
+            ("pdf", Output::Map),
+            ("png", Output::Map),
+        ];
+        let hint = "let it end in .csv or .json for numbers, in .svg, .pdf or .png for a map";
+        outputs::kind(self.out.as_deref(), None, &kinds, Output::Points(usual), hint)
+    }
+
     /// The quantity that is asked for by its name in this geometry.
     fn quantity(&self, geometry: Geometry) -> Result<FieldQuantity, Failure> {
         let found = FieldQuantity::ALL.into_iter().find(|quantity| quantity.name_in(geometry) == self.quantity);
@@ -210,23 +220,10 @@ impl Field {
 }
 
 /// What is written.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Output {
     Points(FieldFormat),
     Map,
-}
-
-/// What a file's name asks for.
-fn format(path: &Path) -> Result<Output, Failure> {
-    match path.extension().and_then(OsStr::to_str) {
-        Some("csv") => Ok(Output::Points(FieldFormat::Csv)),
-        Some("json") => Ok(Output::Points(FieldFormat::Json)),
-        _ if Kind::of(path).is_ok() => Ok(Output::Map),
-        _ => Err(Failure::usage(
-            format!("{}: the name of the file does not say what to write", path.display()),
-            "let it end in .csv or .json for numbers, in .svg, .pdf or .png for a map",
-        )),
-    }
 }
 
 /// The names of quantities in all geometries.

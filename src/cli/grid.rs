@@ -61,6 +61,11 @@ impl Grid {
         &self.file
     }
 
+    /// The files that are read: the one that was named, and the scene of a sweep in a file of its own.
+    pub(super) fn files<'a>(&'a self, sweep: &'a Sweep) -> Vec<&'a Path> {
+        [self.file()].into_iter().chain(sweep.scene().file().map(Path::new)).collect()
+    }
+
     /// What is in the file; no more than a scene may have.
     fn text(&self) -> io::Result<Vec<u8>> {
         let mut text = Vec::new();

@@ -1,9 +1,10 @@
 //! `recede init`: a scene to begin with.
-use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use super::{Failure, tell};
+use recede::files;
+
+use super::{Failure, outputs, tell};
 
 /// What is written.
 const SCENE: &str = include_str!("init.ron");
@@ -13,25 +14,31 @@ const SCENE: &str = include_str!("init.ron");
 #[command(after_help = "\
 Examples:
   recede init                                writes scene.ron
-  recede init plate.ron")]
+  recede init plate.ron
+  recede init -                              prints it")]
 pub struct Init {
-    /// The new file; one that exists is left alone
+    /// The new file, one that exists is left alone; `-` is standard output
     #[arg(value_name = "FILE.ron", default_value = "scene.ron")]
     file: PathBuf,
 }
 
 impl Init {
-    pub fn run(&self) -> Result<(), Failure> {
-        let mut file = match OpenOptions::new().write(true).create_new(true).open(&self.file) {
+    pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        if self.file == Path::new("-") {
+            return Ok(out.write_all(SCENE.as_bytes())?);
+        }
+        outputs::fits(&self.file, &["ron"])?;
+        let name = self.file.display();
+        match files::create(&self.file, SCENE.as_bytes()) {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-                let message = format!("{} exists and is left as it is", self.file.display());
+                let message = format!("{name} exists and is left as it is");
                 return Err(Failure::usage(message, "name another file: recede init FILE.ron"));
             }
             other => other.map_err(|cause| Failure::file(&self.file, cause))?,
-        };
-        file.write_all(SCENE.as_bytes()).map_err(|cause| Failure::file(&self.file, cause))?;
-        let name = self.file.display();
-        tell(&format!("{name} is written; next: recede check {name}, recede solve {name}\n"));
+        }
+        if !files::is_stream(&self.file) {
+            tell(&format!("{name} is written; next: recede check {name}, recede solve {name}\n"));
+        }
         Ok(())
     }
 }

@@ -1,12 +1,12 @@
 //! `recede merge`: the files of the parts of a sweep put together.
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use recede::report::SweepCsv;
 
-use super::Failure;
 use super::grid::Grid;
 use super::part_file::PartFile;
 use super::whole_file::{self, RowsKind};
+use super::{Failure, outputs};
 
 /// Gaps that are listed; those of many lost parts would fill the screen.
 const LISTED: usize = 5;
@@ -45,6 +45,9 @@ impl Merge {
         }
         RowsKind::of(&self.out)?;
         let sweep = self.grid.sweep()?;
+        let read: Vec<&Path> =
+            self.grid.files(&sweep).into_iter().chain(self.parts.iter().map(PathBuf::as_path)).collect();
+        outputs::check(&read, &[&self.out])?;
         let csv = SweepCsv::new(&sweep);
         let mut parts = Vec::new();
         for path in &self.parts {

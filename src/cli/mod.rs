@@ -7,6 +7,7 @@ mod grid;
 mod init;
 mod list;
 mod merge;
+mod outputs;
 mod part_file;
 mod plot;
 mod profile;
@@ -23,7 +24,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use recede::plot::PlotError;
-use recede::{Error, FieldError, Registry, Scene, SceneError};
+use recede::{Error, FieldError, Registry, Scene, SceneError, visible};
 
 /// Receding and advancing contact of layered elastic stacks.
 #[derive(Debug, Parser)]
@@ -150,13 +151,15 @@ impl Arguments {
             Command::Sweep(command) => command.run(&mut out),
             Command::Merge(command) => command.run(),
             Command::Plot(command) => command.run(),
-            Command::Init(command) => command.run(),
+            Command::Init(command) => command.run(&mut out),
             Command::Completions(command) => command.run(&mut out),
             Command::Man(command) => command.run(&mut out),
         };
         match done.and_then(|()| Ok(out.flush()?)) {
             // the reader has closed the pipe
-            Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            Err(
+                Failure::Output(cause) | Failure::File { cause, .. } | Failure::Picture(PlotError::File { cause, .. }),
+            ) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
             other => other,
         }
     }
@@ -171,6 +174,12 @@ struct SceneFile {
 }
 
 impl SceneFile {
+    /// The scene, from which the command writes these files.
+    fn read_for(&self, written: &[&Path]) -> Result<Scene, Failure> {
+        outputs::check(&[&self.scene], written)?;
+        Ok(self.read()?)
+    }
+
     fn read(&self) -> Result<Scene, SceneError> {
         if self.scene == Path::new("-") {
             Scene::from_reader("stdin", io::stdin().lock(), &Registry::default())
@@ -184,19 +193,24 @@ impl SceneFile {
 pub fn explain(failure: &Failure) {
     const ERROR: anstyle::Style = anstyle::AnsiColor::Red.on_default().bold();
     const HINT: anstyle::Style = anstyle::AnsiColor::Cyan.on_default().bold();
-    let mut text = format!("{ERROR}error{ERROR:#}: {failure}\n");
+    let mut text = format!("{ERROR}error{ERROR:#}: {}\n", visible(&failure.to_string()));
     if let Failure::Scene(Error::Scene(error)) = failure {
         for line in error.excerpt().iter().flat_map(|excerpt| excerpt.lines()) {
             text += &format!("  {line}\n");
         }
     }
     if let Some(hint) = failure.hint() {
-        text += &format!("{HINT}hint{HINT:#}: {hint}\n");
+        text += &format!("{HINT}hint{HINT:#}: {}\n", visible(&hint));
     }
-    tell(&text);
+    to_stderr(&text);
+}
+
+/// Tells something in whole lines on standard error.
+fn tell(lines: &str) {
+    to_stderr(&lines.lines().map(|line| visible(line) + "\n").collect::<String>());
 }
 
 /// Writes to standard error, in colour on a terminal only. A failure to write is ignored.
-fn tell(text: &str) {
+fn to_stderr(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }

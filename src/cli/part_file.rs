@@ -35,7 +35,7 @@ impl PartFile {
         if !last.ends_with('\n') {
             return Err(cut_off(path));
         }
-        let [first, last] = [row(path, csv, &first)?, row(path, csv, &last)?];
+        let [first, last] = [row(path, "line 2", csv, &first)?, row(path, "the last line", csv, &last)?];
         Ok(Some(Self { path: path.to_owned(), rows: first..last + 1 }))
     }
 
@@ -62,11 +62,12 @@ impl PartFile {
     }
 }
 
-/// The number of the row of a line.
-fn row(path: &Path, csv: &SweepCsv, line: &str) -> Result<usize, Failure> {
+/// The number of the row of a line, which is called so.
+fn row(path: &Path, which: &str, csv: &SweepCsv, line: &str) -> Result<usize, Failure> {
     let name = path.display();
     let found = line.trim_end().rsplit(',').next().unwrap_or_default();
-    if found != csv.fingerprint() {
+    let is_fingerprint = found.len() == csv.fingerprint().len() && found.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if is_fingerprint && found != csv.fingerprint() {
         return Err(Failure::usage(
             format!(
                 "{name} is of another sweep: its lines end with `{found}`, those of this sweep with `{}`",
@@ -78,7 +79,7 @@ fn row(path: &Path, csv: &SweepCsv, line: &str) -> Result<usize, Failure> {
     let row = csv.row_of(line).filter(|row| csv.is_line_of(line, *row));
     row.ok_or_else(|| {
         Failure::usage(
-            format!("{name}: it cannot be told which row of the sweep begins with the values in `{}`", start(line)),
+            format!("{name}, {which}: it cannot be told which row of the sweep this is, `{}`", start(line)),
             "where an axis has a value twice, rows cannot be told apart; otherwise the file was changed: compute this part again",
         )
     })

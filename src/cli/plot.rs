@@ -50,7 +50,7 @@ pub struct Plot {
 impl Plot {
     pub fn run(&self) -> Result<(), Failure> {
         Kind::of(&self.out)?;
-        let scene = self.file.read()?;
+        let scene = self.file.read_for(&[&self.out])?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
         let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;

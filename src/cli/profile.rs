@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use recede::report::write_profile;
 use recede::{Model, Options, files, profile_places};
 
-use super::{Failure, SceneFile, tell};
+use super::{Failure, SceneFile, outputs, tell};
 
 /// Pressures, gaps, displacements and slopes along the faces
 #[derive(Debug, clap::Args)]
@@ -43,7 +43,8 @@ fn length(text: &str) -> Result<f64, String> {
 
 impl Profile {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let scene = self.file.read()?;
+        self.out.as_deref().map_or(Ok(()), |out| outputs::fits(out, &["csv"]))?;
+        let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
         let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;

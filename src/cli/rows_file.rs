@@ -1,27 +1,36 @@
 //! A file of rows that grows by whole lines, so that a sweep can be interrupted at any time.
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
+use recede::files;
 use recede::report::SweepCsv;
 
 use super::Failure;
 
 /// Where rows go.
 pub(super) enum RowsFile<'a> {
-    /// A file of its own, to which each line is handed over in one piece.
+    /// A file of its own, to which each line is handed over in one piece, and to which nobody else writes.
     File(File),
-    /// Standard output.
-    Stream(&'a mut dyn Write),
+    /// Standard output, a pipe or a device.
+    Stream(Box<dyn Write + 'a>),
 }
 
 impl RowsFile<'_> {
-    /// A new file, with a header.
+    /// Begins a file, or what is written in its place, with a header.
     pub(super) fn create(path: &Path, csv: &SweepCsv) -> Result<Self, Failure> {
-        let mut file = File::create(path).map_err(|cause| Failure::file(path, cause))?;
-        file.write_all(csv.header()?.as_bytes()).map_err(|cause| Failure::file(path, cause))?;
-        Ok(Self::File(file))
+        let failed = |cause| Failure::file(path, cause);
+        let mut rows = match files::stream(path).map_err(failed)? {
+            Some(stream) => Self::Stream(stream),
+            None => {
+                let file = open(path)?;
+                file.set_len(0).map_err(failed)?;
+                Self::File(file)
+            }
+        };
+        rows.write(&csv.header()?).map_err(failed)?;
+        Ok(rows)
     }
 
     /// A file that was begun with the first of these rows, and how many it has, each of which is shown to `see` with its number; a new one
@@ -32,24 +41,24 @@ impl RowsFile<'_> {
         rows: Range<usize>,
         see: impl FnMut(usize, &str),
     ) -> Result<(Self, usize), Failure> {
-        let mut file = match OpenOptions::new().read(true).write(true).open(path) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((Self::create(path, csv)?, 0)),
-            other => other.map_err(|cause| Failure::file(path, cause))?,
-        };
-        let Begun { lines, bytes } = begun(&file, csv, &rows, see).map_err(|cause| Failure::file(path, cause))?;
-        let Some(done) = lines else {
-            return Err(Failure::usage(
-                format!("{} holds something else than rows of this sweep, or of this part of it", path.display()),
-                "without --resume it is begun anew, and what it holds is lost",
-            ));
-        };
-        if bytes == 0 {
-            return Ok((Self::create(path, csv)?, 0));
+        let failed = |cause| Failure::file(path, cause);
+        if files::is_stream(path) {
+            let message =
+                format!("{} is no regular file: what was written to it is not there to go on with", path.display());
+            return Err(Failure::usage(message, "leave out --resume, or name a file"));
+        }
+        let mut file = open(path)?;
+        let begun = begun(&file, csv, &rows, see).map_err(failed)?;
+        if let Some(line) = begun.wrong {
+            return Err(wrong(path, line));
         }
         // half a line, if there is one, is made again
-        let ready = file.set_len(bytes).and_then(|()| file.seek(SeekFrom::Start(bytes)));
-        ready.map_err(|cause| Failure::file(path, cause))?;
-        Ok((Self::File(file), done))
+        file.set_len(begun.bytes).and_then(|()| file.seek(SeekFrom::Start(begun.bytes))).map_err(failed)?;
+        let mut file = Self::File(file);
+        if begun.bytes == 0 {
+            file.write(&csv.header()?).map_err(failed)?;
+        }
+        Ok((file, begun.rows))
     }
 
     /// Adds a line.
@@ -61,36 +70,70 @@ impl RowsFile<'_> {
     }
 }
 
+/// Opens a file of lines, there or not, for one sweep at a time: lines of two would be mixed.
+fn open(path: &Path) -> Result<File, Failure> {
+    let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
+    let file = file.map_err(|cause| Failure::file(path, cause))?;
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(Failure::usage(
+            format!("{} is being written by another sweep", path.display()),
+            "wait until that has ended, or name another file",
+        )),
+        // some file systems have no locks
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
+    }
+}
+
+fn wrong(path: &Path, line: usize) -> Failure {
+    let name = path.display();
+    let of_other = "holds something else than rows of this sweep, or of this part of it";
+    if line == 1 {
+        let hint = "without --resume it is begun anew, and what it holds is lost";
+        return Failure::usage(format!("{name} {of_other}"), hint);
+    }
+    Failure::usage(
+        format!("{name}, line {line}, {of_other}"),
+        "if lines were damaged, remove this one and all below it: --resume computes them again",
+    )
+}
+
 /// What an interrupted sweep has left.
+#[derive(Default)]
 struct Begun {
-    /// Whole lines below the header; `None` if some line is not that of the row that is to stand there.
-    lines: Option<usize>,
+    /// Whole lines below the header.
+    rows: usize,
     /// Bytes of all whole lines.
     bytes: u64,
+    /// The first line, from 1, that is not the line of the row that is to stand there.
+    wrong: Option<usize>,
 }
 
 fn begun(file: &File, csv: &SweepCsv, rows: &Range<usize>, mut see: impl FnMut(usize, &str)) -> io::Result<Begun> {
     let header = csv.header()?;
     let mut reader = BufReader::new(file);
     let mut line = Vec::new();
-    let mut begun = Begun { lines: Some(0), bytes: 0 };
+    let mut begun = Begun::default();
     while reader.read_until(b'\n', &mut line)? > 0 {
-        if line.last() != Some(&b'\n') {
-            // a header that was cut is no header of another sweep
-            begun.lines = begun.lines.filter(|_| begun.bytes > 0 || header.as_bytes().starts_with(&line));
-            break;
-        }
-        let row = rows.start + begun.lines.unwrap_or(0);
+        let row = rows.start + begun.rows;
         let text = String::from_utf8_lossy(&line);
-        let expected =
-            if begun.bytes == 0 { text == header } else { rows.contains(&row) && csv.is_line_of(&text, row) };
+        let is_header = begun.bytes == 0;
+        let is_cut = !line.ends_with(b"\n");
+        let expected = match (is_header, is_cut) {
+            (true, true) => header.starts_with(&*text),
+            (true, false) => text == header,
+            // the beginning of a row of this sweep, and of no other text
+            (false, true) => rows.contains(&row) && csv.is_begun(&text, row),
+            (false, false) => rows.contains(&row) && csv.is_line_of(&text, row),
+        };
         if !expected {
-            begun.lines = None;
+            begun.wrong = Some(if is_header { 1 } else { begun.rows + 2 });
+        }
+        if is_cut || !expected {
             break;
         }
-        if begun.bytes > 0 {
+        if !is_header {
             see(row, &text);
-            begun.lines = begun.lines.map(|lines| lines + 1);
+            begun.rows += 1;
         }
         begun.bytes += line.len() as u64;
         line.clear();

@@ -1,5 +1,4 @@
 //! `recede solve`: extents of contacts, and pressures.
-use std::ffi::OsStr;
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -8,7 +7,7 @@ use clap::ValueEnum;
 use recede::report::{self, Report};
 use recede::{Extremes, Field, FieldError, MaxShear, Model, Options, Solution, files};
 
-use super::{Failure, SceneFile, tell};
+use super::{Failure, SceneFile, outputs, tell};
 
 /// Find the extents of all contacts of a scene, and the pressures in them
 #[derive(Debug, clap::Args)]
@@ -55,7 +54,7 @@ pub struct Solve {
     extremes: bool,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Format {
     /// A table to be read
     Table,
@@ -76,7 +75,7 @@ enum Method {
 impl Solve {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = self.format()?;
-        let scene = self.file.read()?;
+        let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let method = match self.method {
             Method::Galerkin => recede::Method::Galerkin,
             Method::Collocation => recede::Method::Collocation,
@@ -115,16 +114,9 @@ impl Solve {
 
     /// The format that is asked for by name, or by the name of the file.
     fn format(&self) -> Result<Format, Failure> {
-        match (self.format, self.out.as_deref().map(|path| path.extension().and_then(OsStr::to_str))) {
-            (Some(format), _) => Ok(format),
-            (None, None | Some(Some("txt"))) => Ok(Format::Table),
-            (None, Some(Some("json"))) => Ok(Format::Json),
-            (None, Some(Some("csv"))) => Ok(Format::Csv),
-            (None, Some(_)) => Err(Failure::usage(
-                "the name of the file does not say what to write",
-                "let it end in .json, .csv or .txt, or say --format json, csv or table",
-            )),
-        }
+        let kinds = [("json", Format::Json), ("csv", Format::Csv), ("txt", Format::Table)];
+        let hint = "let it end in .json, .csv or .txt, or say --format json, csv or table";
+        outputs::kind(self.out.as_deref(), self.format, &kinds, Format::Table, hint)
     }
 
     /// Whether the largest shear stress is printed: CSV has no column for it.

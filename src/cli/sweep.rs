@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
-use recede::Part;
 use recede::plot::{self, Kind};
 use recede::report::SweepCsv;
+use recede::{Part, Sweep};
 
 use super::grid::Grid;
 use super::part_file::PartFile;
@@ -16,7 +16,7 @@ use super::plot::Title;
 use super::progress::Progress;
 use super::rows_file::RowsFile;
 use super::whole_file::{self, RowsKind};
-use super::{Failure, tell};
+use super::{Failure, outputs, tell};
 
 /// Solve a scene for many values of some of its quantities
 #[derive(Debug, clap::Args)]
@@ -73,6 +73,7 @@ impl Command {
         // a Parquet file is none before it is complete: rows are kept as lines until then
         let lines = self.out.as_ref().map(|out| if kind == RowsKind::Parquet { lines_of(out) } else { out.clone() });
         let sweep = Arc::new(self.grid.sweep()?);
+        self.check_files(&sweep, lines.as_deref().filter(|_| kind == RowsKind::Parquet))?;
         let csv = SweepCsv::new(&sweep);
         let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
@@ -87,7 +88,7 @@ impl Command {
             Some(path) => (RowsFile::create(path, &csv)?, 0),
             None => {
                 out.write_all(csv.header()?.as_bytes())?;
-                (RowsFile::Stream(out), 0)
+                (RowsFile::Stream(Box::new(out)), 0)
             }
         };
         let bar = progress(wanted.len(), done, self.out.is_some());
@@ -116,6 +117,14 @@ impl Command {
             plot::save(file, &self.title.above(picture, sweep.scene()))?;
         }
         Ok(())
+    }
+
+    /// Whether the rows, the picture, and the lines from which a file of another kind is made, are files of their own.
+    fn check_files(&self, sweep: &Sweep, lines: Option<&Path>) -> Result<(), Failure> {
+        let stdout = Some(Path::new(outputs::OUTPUT)).filter(|stdout| stdout.exists());
+        let rows = self.out.as_deref().or(stdout);
+        let written: Vec<&Path> = [rows, lines, self.plot.as_deref()].into_iter().flatten().collect();
+        outputs::check(&self.grid.files(sweep), &written)
     }
 }
 

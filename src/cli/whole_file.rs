@@ -5,8 +5,8 @@ use std::path::Path;
 use recede::files;
 use recede::report::SweepCsv;
 
-use super::Failure;
 use super::part_file::PartFile;
+use super::{Failure, outputs};
 
 /// What a file of rows holds, by its ending.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,8 @@ pub(super) enum RowsKind {
 impl RowsKind {
     /// Of a file with this name; comma-separated values unless it ends with `.parquet`, which not every program can write.
     pub(super) fn of(path: &Path) -> Result<Self, Failure> {
-        if path.extension().is_none_or(|ending| ending != "parquet") {
+        outputs::fits(path, &["csv", "parquet"])?;
+        if outputs::ending(path) != "parquet" {
             return Ok(Self::Csv);
         }
         if cfg!(feature = "parquet") {

@@ -42,7 +42,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The kind that a file's name asks for.
+    /// The kind that a file's name asks for; SVG if that says nothing, and leads to a pipe or a device.
     ///
     /// ```
     /// use recede::plot::Kind;
@@ -59,6 +59,7 @@ impl Kind {
             Some("svg") => Ok(Self::Svg),
             Some("pdf") => Ok(Self::Pdf),
             Some("png") => Ok(Self::Png),
+            None if files::is_stream(file) => Ok(Self::Svg),
             _ => Err(PlotError::Ending { file: file.to_owned() }),
         }
     }

@@ -4,7 +4,7 @@ use std::io;
 use super::extremes;
 use crate::approach::Approach;
 use crate::errors::Error;
-use crate::scene::Force;
+use crate::scene::{Force, visible};
 use crate::solution::{Contact, Interface};
 use crate::sweep::{Row, Sweep, SweepPoint};
 
@@ -18,6 +18,8 @@ pub(super) const TEXTS: [&str; 4] = ["status", "warnings", "message", "sweep"];
 
 /// Status of a row with a solution.
 const SOLVED: &str = "solved";
+/// Status of a row without, because of what was asked, or because there is none.
+const UNSOLVED: [&str; 2] = ["bad_input", "no_solution"];
 
 /// Lines of comma-separated values for the rows of a sweep, the same columns for all.
 ///
@@ -88,10 +90,11 @@ impl<'a> SweepCsv<'a> {
             }
             Err(error) => (status(error), String::new(), error.to_string()),
         };
-        [status.to_owned(), warnings, message.replace(|c: char| c.is_control(), " ")]
+        [status.to_owned(), warnings, visible(&message).into_owned()]
     }
 
-    /// Whether this is the whole line of the row with this number, as far as its values and the fingerprint tell.
+    /// Whether this is a whole line of the row with this number: its values, a number or nothing in all other columns of numbers,
+    /// as many texts as there are, and the fingerprint, all as [`Self::line`] writes them. A row has numbers if it is solved.
     ///
     /// ```
     /// use recede::{Scene, Sweep, report::SweepCsv};
@@ -103,12 +106,41 @@ impl<'a> SweepCsv<'a> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn is_line_of(&self, line: &str, row: usize) -> bool {
-        let mut rest = Some(line);
-        for value in self.sweep.values(row) {
-            rest = rest.and_then(|rest| rest.strip_prefix(&number(value))?.strip_prefix(','));
+        let Some(rest) = line.strip_prefix(&self.start(row)) else { return false };
+        let Some(rest) = rest.strip_suffix('\n').and_then(|rest| rest.strip_suffix(self.fingerprint())) else {
+            return false;
+        };
+        let found = self.columns() - self.sweep.axes().len();
+        let mut fields = rest.splitn(found + TEXTS.len() - 1, ',');
+        let mut has_numbers = false;
+        for field in fields.by_ref().take(found) {
+            has_numbers |= !field.is_empty();
+            if !field.is_empty() && field.parse().map(number).as_deref() != Ok(field) {
+                return false;
+            }
         }
-        let end = rest.and_then(|rest| rest.strip_suffix('\n')?.strip_suffix(self.fingerprint()));
-        end.is_some_and(|rest| rest.ends_with(','))
+        let [Some(status), Some(warnings), Some(message)] = [fields.next(), fields.next(), fields.next()] else {
+            return false;
+        };
+        let is_status = if has_numbers { status == SOLVED } else { UNSOLVED.contains(&status) };
+        is_status && !warnings.contains('"') && message.strip_suffix(',').is_some_and(is_field)
+    }
+
+    /// Whether a text is the beginning of a line of the row with this number, as far as its values tell.
+    pub fn is_begun(&self, text: &str, row: usize) -> bool {
+        let start = self.start(row);
+        start.starts_with(text) || text.starts_with(&start)
+    }
+
+    /// How the line of a row begins: its values.
+    fn start(&self, row: usize) -> String {
+        self.sweep.values(row).into_iter().map(|value| number(value) + ",").collect()
+    }
+
+    /// How many columns are numbers.
+    fn columns(&self) -> usize {
+        let of_contacts = Contact::COLUMNS.len() * self.sweep.interfaces().len();
+        self.sweep.axes().len() + of_contacts + self.of_all().count()
     }
 
     /// The number of the row of which this is a line, by its values; `None` if these are not those of one row of the sweep.
@@ -181,10 +213,8 @@ impl<'a> SweepCsv<'a> {
 
     /// A row for a picture, from its line.
     pub fn point_of(&self, line: &str) -> SweepPoint {
-        let of_contacts = Contact::COLUMNS.len() * self.sweep.interfaces().len();
-        let numbers = self.sweep.axes().len() + of_contacts + self.of_all().count();
         let mut fields = line.split(',');
-        let numbers = fields.by_ref().take(numbers).map(|field| field.parse().unwrap_or(f64::NAN)).collect();
+        let numbers = fields.by_ref().take(self.columns()).map(|field| field.parse().unwrap_or(f64::NAN)).collect();
         let solved = fields.next() == Some(SOLVED);
         SweepPoint { numbers, solved, warned: solved && fields.next().is_some_and(|warnings| !warnings.is_empty()) }
     }
@@ -208,7 +238,15 @@ fn joined<'a>(texts: impl Iterator<Item = &'a str>, between: &str) -> String {
 }
 
 fn status(error: &Error) -> &'static str {
-    if error.is_input() { "bad_input" } else { "no_solution" }
+    UNSOLVED[usize::from(!error.is_input())]
+}
+
+/// Whether a text is one field as it is written: within quotes they are doubled, without them there is nothing to quote.
+fn is_field(text: &str) -> bool {
+    match text.strip_prefix('"') {
+        Some(quoted) => quoted.strip_suffix('"').is_some_and(|inner| !inner.replace("\"\"", "").contains('"')),
+        None => !text.contains([',', '"']),
+    }
 }
 
 /// With as many digits as identify the number; empty if there is none, or if it is infinite.

@@ -9,8 +9,8 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-use recede::Scene;
 use recede::selftest::{Ranges, about_axis, scene, scene_of_any_kind, variant};
+use recede::{Scene, files};
 
 use super::Failure;
 use super::progress::Progress;
@@ -104,7 +104,8 @@ impl Selftest {
             for ended in unsolved.chain(slowest) {
                 let file = folder.join(format!("selftest_{}_{}.ron", self.seed, ended.number));
                 let first = format!("// {} {}", ended.status, ended.reason);
-                std::fs::write(file, format!("{}\n{}", first.trim_end(), self.scene(ended.number)?.to_ron()))?;
+                let text = format!("{}\n{}", first.trim_end(), self.scene(ended.number)?.to_ron());
+                files::replace(&file, |out| out.write_all(text.as_bytes()))?;
             }
         }
         let wrong = ended.iter().filter(|ended| ended.is_wrong).count();

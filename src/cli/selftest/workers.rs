@@ -85,8 +85,18 @@ impl Selftest {
     /// Solves the scenes whose numbers are read from standard input, one per line; writes the result of each as a line of JSON.
     pub(super) fn work(&self, out: &mut dyn Write) -> Result<(), Failure> {
         limit_memory(self.memory)?;
-        for line in io::stdin().lock().lines() {
-            let Ok(number) = line?.trim().parse() else { break };
+        let (asked, numbers) = channel();
+        thread::Builder::new().spawn(move || {
+            let lines = io::stdin().lines().map_while(Result::ok);
+            for number in lines.map_while(|line| line.trim().parse().ok()) {
+                if asked.send(number).is_err() {
+                    return;
+                }
+            }
+            // whoever has asked is gone, and nobody waits for the scene that is being solved
+            leave();
+        })?;
+        for number in numbers {
             serde_json::to_writer(&mut *out, &self.one(number)?).map_err(io::Error::from)?;
             writeln!(out)?;
             out.flush()?;
@@ -211,6 +221,12 @@ impl Running {
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
+}
+
+/// Ends this process at once, whatever its other threads do.
+#[expect(clippy::disallowed_methods, reason = "nobody is left who could be told an exit status")]
+fn leave() -> ! {
+    std::process::exit(0)
 }
 
 /// Limits the memory of this process; a request for more ends it.
