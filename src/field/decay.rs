@@ -9,8 +9,6 @@ use super::waves::{self, Precision};
 
 /// Bisections of the logarithm of a cut-off: 14 take the whole range of doubles to five per cent, more gain nothing.
 const HALVINGS: usize = 20;
-/// Points count as near if this part of the most wavenumbers suffices for them.
-const SAFE: f64 = 0.9;
 
 /// How the fields due to a loaded face decay with the wavenumber, at a distance d from it.
 struct Decay<'a> {
@@ -34,16 +32,28 @@ impl Decay<'_> {
 
     /// A bound on the contribution of all waves beyond a wavenumber, in parts of the mean pressure.
     fn truncation(&self, from: f64) -> f64 {
-        let t = from * self.distance;
-        let Some(Remainder { size, power }) = self.remainder else { return (-t).exp() };
-        if size == 0.0 {
+        let reflected = if self.remainder.is_some() { self.reflected } else { self.distance };
+        let t = from * reflected;
+        // states of layers are like (1 + t)² e^(−t)
+        let reflections = (2.0 + t) * (2.0 + t) * (-t).exp() / reflected.max(from.recip());
+        self.direct(from) + if reflections > 0.0 { reflections * self.amplitude(from) } else { 0.0 }
+    }
+
+    /// The part of it that comes from the face directly: the remainder that its closed form leaves.
+    fn direct(&self, from: f64) -> f64 {
+        let Some(Remainder { size, power }) = self.remainder.filter(|remainder| remainder.size > 0.0) else {
             return 0.0;
-        }
-        // the integral of an integrand that falls at least like 1/λ, over π
+        };
+        let t = from * self.distance;
+        // the integral of an integrand that falls at least like 1/λ
+        size * from.powf(1.0 - power) * self.amplitude(from) * (1.0 + t) * (1.0 + t) * (-t).exp()
+    }
+
+    /// An amplitude of p̂ at a wavenumber in parts of the mean pressure, times what an integral over the wavenumber takes.
+    fn amplitude(&self, from: f64) -> f64 {
         // about an axis J₀(λr) falls like a root or, next to r = 0, the transform oscillates
         let measure = if self.pressure.is_round() { from / (1.0 + from * self.length).sqrt() } else { PI.recip() };
-        let amplitude = size * from.powf(1.0 - power) * self.pressure.envelope(from) * measure / self.mean();
-        amplitude * (1.0 + t) * (1.0 + t) * (-t).exp()
+        self.pressure.envelope(from) * measure / self.mean()
     }
 
     /// The wavenumber beyond which fields are negligible; `most` if there is none below.
@@ -55,10 +65,10 @@ impl Decay<'_> {
         let tolerance = if self.distance > 0.0 { precision.inside } else { precision.on_face };
         let (mut lo, mut hi) =
             ((precision.exponent / self.reflected).min(exponential).min(most), exponential.min(most));
-        if self.truncation(lo) <= tolerance {
+        if self.direct(lo) <= tolerance {
             return lo;
         }
-        if self.truncation(hi) > tolerance {
+        if self.direct(hi) > tolerance {
             return hi;
         }
         for _ in 0..HALVINGS {
@@ -66,7 +76,7 @@ impl Decay<'_> {
                 break;
             }
             let middle = (lo * hi).sqrt();
-            if self.truncation(middle) > tolerance { lo = middle } else { hi = middle }
+            if self.direct(middle) > tolerance { lo = middle } else { hi = middle }
         }
         hi
     }
@@ -103,25 +113,25 @@ impl Field {
         })
     }
 
-    /// The cut-off wavenumbers of the sums at a depth, for the contacts next to its body; no larger than `most` of each contact.
-    pub(super) fn ends(
-        &self,
-        row: &Row,
-        precision: &Precision,
-        most: impl Fn(usize) -> f64,
-    ) -> impl Iterator<Item = (usize, f64)> {
+    /// The cut-off wavenumbers of the sums at a depth, for the contacts next to its body, with places as far out as `farthest`.
+    pub(super) fn ends(&self, row: &Row, precision: &Precision, farthest: f64) -> impl Iterator<Item = (usize, f64)> {
         let end = move |(contact, decay): (usize, Option<Decay>)| {
-            (contact, decay.map_or(0.0, |decay| decay.end(precision, most(contact))))
+            (contact, decay.map_or(0.0, |decay| decay.end(precision, self.most(contact, precision, farthest))))
         };
         self.decays(row).map(end)
     }
 
+    /// The largest wavenumber at which a pressure is summed; a force that has no length is cut off at the places.
+    fn most(&self, contact: usize, precision: &Precision, farthest: f64) -> f64 {
+        let length = Some(self.length(contact)).filter(|length| *length > 0.0).unwrap_or(farthest);
+        waves::most(length, precision, self.layers.len())
+    }
+
     /// A bound on the truncation error of the sums over wavenumbers in the stresses at a point of a row.
-    pub(super) fn truncation(&self, row: &Row, x: f64) -> f64 {
+    pub(super) fn truncation(&self, row: &Row, x: f64, precision: &Precision) -> f64 {
         let of = |(contact, decay): (usize, Option<Decay>)| {
             let Some(decay) = decay else { return 0.0 };
-            let length = self.length(contact);
-            let end = decay.end(&waves::FULL, waves::most(x.abs() + length));
+            let end = decay.end(precision, self.most(contact, precision, x.abs()));
             // waves shorter than the distance from where the pressure is not smooth cancel
             let cancelled = (end * self.pressures[contact].distance(x)).recip().min(1.0);
             decay.truncation(end) * decay.mean() * cancelled
@@ -139,22 +149,18 @@ impl Field {
         between.sum::<f64>() + placed.slowest * within
     }
 
-    /// Half-length of a contact, or of the longest one in the place of a line load, which has none.
+    /// Half-length of a contact. A line load has none: in its place that of the longest contact or, under line loads alone, the thickness of
+    /// what lies on the base; 0 on a half-plane, where no length occurs.
     pub(super) fn length(&self, contact: usize) -> f64 {
-        let all = || self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        Some(self.pressures[contact].half_length).filter(|length| *length > 0.0).unwrap_or_else(all)
+        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        let thickness = self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h);
+        let lengths = [self.pressures[contact].half_length, longest, thickness];
+        lengths.into_iter().find(|length| *length > 0.0).unwrap_or(0.0)
     }
 
-    /// The largest x up to which all wavenumbers of a contact below the cut-offs of the rows can be summed; `None` if there are too
-    /// many even at x = 0.
-    pub(super) fn nearest(&self, rows: &[Row], precision: &Precision, contact: usize) -> Option<f64> {
-        // without a length no wave is too short
-        let length = Some(self.length(contact)).filter(|length| *length > 0.0)?;
-        let most = waves::most(length);
-        let ends =
-            rows.iter().flat_map(|row| self.ends(row, precision, |_| most)).filter(|(other, _)| *other == contact);
-        let end = ends.map(|(_, end)| end).fold(0.0, f64::max);
-        // cut-offs are known to some per cent
-        (end < most).then(|| SAFE * waves::most(end) - length).filter(|near| *near > 0.0)
+    /// Half-length of the narrowest strip of a contact that is one.
+    pub(super) fn narrowest(&self, contact: usize) -> f64 {
+        let strips = self.pressures[contact].strips().map(|(_, a)| a);
+        strips.filter(|a| *a > 0.0).fold(self.length(contact), f64::min)
     }
 }

@@ -21,17 +21,6 @@ pub enum FieldError {
         /// The farthest of the points requested, in length.
         x: f64,
     },
-    /// The search for the largest shear stress would take too long.
-    #[error(
-        "the search for the largest shear stress would evaluate layers {evaluations:.1e} times at a step; allowed are \
-         {allowed:.1e}"
-    )]
-    TooLong {
-        /// Evaluations of layers in one step, all wavenumbers together.
-        evaluations: f64,
-        /// The most that are allowed.
-        allowed: f64,
-    },
     /// The field was requested for the solution of another stack.
     #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
     OtherStack,
@@ -47,7 +36,6 @@ impl FieldError {
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::Unresolved(cause) => Some(cause.hint()),
-            Self::TooLong { .. } => Some("`recede field` gives the stress at points and on grids".to_owned()),
             Self::OtherStack => {
                 Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned())
             }

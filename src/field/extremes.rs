@@ -4,9 +4,10 @@ use super::error::FieldError;
 use super::measure::{Measure, Peak, Search};
 use super::peak::infinite;
 use super::search::{Extent, highest};
-use super::{Field, PlacedLayer, Point};
+use super::{Field, PlacedLayer, Point, waves};
 
-/// Stresses below this part of the mean pressure are those of rounding.
+/// Stresses below this part of the mean pressure are those of rounding, and below [`Precision::on_face`] of it what sums over wavenumbers
+/// leave out.
 const NOTHING: f64 = 1e-12;
 
 /// The largest value of a stress, and where it is.
@@ -75,10 +76,11 @@ impl Field {
     ///
     /// A value is that of the field at the place named, right to the error given with it. Places are found to some 1e-4 of the shortest
     /// half-length, and a half-plane is searched to three half-lengths of the longest contact; so a value is the largest to some
-    /// 1e-6 of itself.
+    /// 1e-6 of itself. Where a pressure jumps, stresses are limits from one side, and the place is next to the end of the load. Where contacts
+    /// are so long, or layers so thin, that not all short waves are summed, the error has what the search does not see of them.
     ///
     /// # Errors
-    /// [`FieldError::TooLong`] if it would take too many evaluations of layers; others if the fields cannot be computed.
+    /// If the fields cannot be computed.
     pub fn extremes(&self) -> Result<Extremes, FieldError> {
         let (layers, bonds) = (0..self.layers.len(), self.bonds());
         let mut searches = vec![Search { measure: Measure::Tension, layer: None }];
@@ -90,12 +92,16 @@ impl Field {
         let found = highest(self, &searches, Extent::Everywhere)?;
         let mut extremes = self.exact(&found)?.into_iter();
         let mut next = || extremes.next().flatten();
-        let tension = next();
+        let singular = |measure: Measure| {
+            let layer = self.layers.first()?.number;
+            infinite(self, measure).map(|x| Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer })
+        };
+        let found = next();
+        let tension = singular(Measure::Tension).or(found);
         let layers = layers.map(|layer| {
             let (number, found) = (self.layers[layer].number, next());
-            let at = infinite(self, Measure::VonMises).filter(|_| layer == 0);
-            let singular = |x| Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer: number };
-            LayerExtremes { layer: number, von_mises: at.map(singular).or(found) }
+            let von_mises = if layer == 0 { singular(Measure::VonMises).or(found) } else { found };
+            LayerExtremes { layer: number, von_mises }
         });
         let layers = layers.collect();
         let bonds = bonds.into_iter().map(|(layer, below)| BondExtremes {
@@ -120,8 +126,12 @@ impl Field {
                 return Ok(None);
             };
             let value = peak.measure.of(&there);
-            let missed = self.truncation(&self.row(point, 0)?, point.x) + NOTHING * self.mean_pressure();
-            let (error, depth, layer) = (self.stress_error(point)?, point.depth, there.layer);
+            let (row, mean) = (self.row(point, 0)?, self.mean_pressure());
+            // what a sum leaves out that ends at its cut-off, and what one leaves out that ends before
+            let allowed = waves::STRESSES.on_face * mean;
+            let unseen = (self.truncation(&row, point.x, &waves::STRESSES) - allowed).max(0.0);
+            let missed = self.truncation(&row, point.x, &waves::FULL).min(allowed) + NOTHING * mean;
+            let (error, depth, layer) = (self.stress_error(point)? + unseen, point.depth, there.layer);
             Ok(Some(Extreme { value, error, x: point.x, depth, layer }).filter(|found| found.value > missed))
         });
         each.collect()

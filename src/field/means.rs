@@ -108,7 +108,8 @@ impl Field {
     fn mean_panels(&self, windows: &[Window]) -> Result<(Vec<CutOff>, Vec<Panel>), FieldError> {
         let own = |i: usize| LAST / windows[i].half;
         let extent = |i: usize, k: usize| windows[i].middle + windows[i].half + self.length(k);
-        let mut ends: Vec<CutOff> = (0..windows.len()).map(|i| CutOff { end: own(i), extent: extent(i, i) }).collect();
+        let cut_off = |end: f64, extent: f64| CutOff { end, extent, own: extent };
+        let mut ends: Vec<CutOff> = (0..windows.len()).map(|i| cut_off(own(i), extent(i, i))).collect();
         let mut cut_offs = ends.clone();
         for body in self.bodies.iter().filter(|body| body.bottom.is_some()) {
             let (i, k) = (body.contact, body.contact + 1);
@@ -117,11 +118,11 @@ impl Field {
             for (pressed, seen) in [(i, k), (k, i)] {
                 let end = own(seen).min(waves::FULL.exponent / through);
                 ends[pressed].end = ends[pressed].end.max(end);
-                cut_offs.push(CutOff { end, extent: extent(seen, pressed) });
+                cut_offs.push(cut_off(end, extent(seen, pressed)));
             }
         }
         let farthest = cut_offs.iter().fold(0.0, |farthest: f64, cut_off| farthest.max(cut_off.extent));
-        let panels = waves::panels(&cut_offs, self.origin(), &waves::FULL);
+        let panels = waves::panels(&cut_offs, self.origin(0.0), &waves::FULL);
         Ok((ends, panels.ok_or(FieldError::TooFar { x: farthest })?))
     }
 

@@ -12,6 +12,7 @@ mod faces;
 mod joints;
 mod means;
 mod measure;
+mod mesh;
 mod parabola;
 mod peak;
 mod point;
@@ -53,6 +54,8 @@ const ROUNDING: f64 = 1e-12;
 const ON_INTERFACE: f64 = 1e-12;
 /// Long waves are negligible below this part of 1/(thickness · ratio of the stiffnesses).
 const LONG: f64 = 0.25;
+/// At a depth d in a half-plane, waves of λd up to this are smooth to rounding on one panel.
+const DEEP: f64 = 8.0;
 
 /// For wavelengths this much longer than any length, the response of a graded half-plane is a power of λ and three terms more of a
 /// series.
@@ -120,13 +123,12 @@ impl Field {
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let bodies = Body::all(stack, &layers, &pressures, modulus);
         let joints = solution.contacts().iter().map(Contact::inside).collect();
-        let pressure_error = solution.contacts().iter().map(pressure_error).sum();
         let below = stack.base();
         let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
         let base = is_joined.then(|| below.foundation().number());
         let contrast = largest / smallest;
         let over_support = largest / support_stiffness(stack, modulus);
-        Self {
+        let mut field = Self {
             geometry,
             plane,
             layers,
@@ -137,8 +139,11 @@ impl Field {
             contrast,
             over_support,
             base,
-            pressure_error,
-        }
+            pressure_error: 0.0,
+        };
+        let error = |(i, contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
+        field.pressure_error = solution.contacts().iter().enumerate().map(error).sum();
+        field
     }
 
     /// The same with other pressures on the same contacts.
@@ -170,7 +175,8 @@ impl Field {
     /// The estimated error of the stresses at a point, in stress: that of the pressures, and the truncation error of the sums over
     /// wavenumbers. Infinite where stresses are.
     ///
-    /// Next to the ends of contacts the pressure itself is less accurate, by the square root of the error of the half-length.
+    /// Next to the ends of contacts the pressure itself is less accurate, by the square root of the error of the half-length. Next to a contact
+    /// thousands of times longer than a layer not all short waves are summed, and the estimate is larger by what is left out.
     ///
     /// ```
     /// # use recede::{HalfPlane, Model, Plane, Punch, Point, Stack};
@@ -187,7 +193,7 @@ impl Field {
         let row = self.row(point, 0)?;
         let face = (row.depth == 0.0).then(|| self.bodies[self.layers[row.layer].body].contact);
         let singular = face.is_some_and(|contact| self.pressures[contact].singularity(point.x).is_some());
-        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.truncation(&row, point.x) })
+        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.truncation(&row, point.x, &waves::FULL) })
     }
 
     /// Stresses and displacements at any points; cheaper than one by one.
@@ -334,12 +340,12 @@ impl Field {
     }
 
     /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; those of a graded
-    /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs.
-    fn origin(&self) -> Origin {
+    /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs but the depth down to which it is asked for.
+    fn origin(&self, deepest: f64) -> Origin {
         // an empty sum would be -0
         let thickness = self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h);
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        let smooth = LONG / (self.contrast * thickness);
+        let smooth = (LONG / (self.contrast * thickness)).min(DEEP / deepest);
         let power = self.layers.last().is_some_and(|base| {
             let at = |depth: f64| base.layer.material(depth, self.plane);
             base.thickness.is_none() && at(0.0) != at(longest + thickness)
@@ -358,9 +364,8 @@ fn support_stiffness(stack: &Stack, modulus: f64) -> f64 {
     modulus * stiffness.fold(0.0, f64::max)
 }
 
-/// The error estimate of the pressure of a contact inside it, in stress; rounding at least.
-fn pressure_error(contact: &Contact) -> f64 {
-    let mean = 0.5 * contact.resultant.abs() / contact.reach();
+/// The error estimate of the pressure of a contact inside it, in stress; rounding of the mean pressure at least.
+fn pressure_error(contact: &Contact, mean: f64) -> f64 {
     // the pressure at x = 0 is extrapolated from the series, the field is that of the series itself
     let error = |peak: f64| contact.central_pressure_error + (contact.pressure(0.0) - peak).abs();
     let peak = if contact.central_pressure.is_finite() { error(contact.central_pressure) } else { 0.0 };

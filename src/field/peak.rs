@@ -1,10 +1,20 @@
-//! The largest shear stress.
+//! The largest shear stress, and where stresses are infinite.
+use std::f64::consts::PI;
+
 use super::Field;
 use super::error::FieldError;
 use super::measure::{Measure, Peak, Search};
 use super::search::{Extent, highest};
-use super::strip::Singularity;
+use super::sum::Row;
 use crate::system::Unresolved;
+
+/// Distances from a singular point, in parts of the narrowest load, at which stresses are compared.
+const CLOSE: [f64; 2] = [1e-7, 1e-8];
+/// Directions from the face on one side to the face on the other; twice as many change nothing.
+const DIRECTIONS: u8 = 16;
+/// A stress is infinite if it grows by more than this part between the two: a logarithm grows by a tenth, what is finite by a
+/// millionth; and if it is above this part of the largest component, since the others leave rounding.
+const GROWS: f64 = 1e-3;
 
 /// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,22 +43,27 @@ pub(super) fn max_shear(field: &Field) -> Result<MaxShear, FieldError> {
     Ok(MaxShear { value, x, depth: placed.top + depth, layer: placed.number })
 }
 
-/// Where on the top face a stress is infinite: under a line load and at sharp corners, where no tension is; and under a sharp tip the
-/// shear stress where stresses on the face are not the same along it and across, as they are where its material is isotropic, and
-/// von Mises' stress where that out of the plane is another.
+/// Where on the top face a stress is infinite: at a singular point next to which it grows in some direction. The closed forms tell: the rest of
+/// the field is finite.
 pub(super) fn infinite(field: &Field, measure: Measure) -> Option<f64> {
-    let placed = field.layers.first()?;
-    let face = field.bodies.first()?.faces[0].as_ref();
-    let isotropic = face.is_some_and(|face| face.surface.is_isotropic());
-    let hydrostatic = || {
-        let shares = placed.layer.material(0.0, field.plane).out_of_plane;
-        field.plane == recede_layers::Plane::Strain && shares.is_some_and(|[along, across]| along + across == 1.0)
+    let scale = [field.narrowest(0), 1.0].into_iter().find(|length| *length > 0.0)?;
+    let grows = |x: f64| {
+        let [far, near] = CLOSE.map(|part| next_to(field, measure, x, part * scale));
+        near.0 > far.0 * (1.0 + GROWS) && near.0 > GROWS * near.1
     };
-    let at_tip = match measure {
-        Measure::MaxShear => !isotropic,
-        Measure::VonMises => !isotropic || !hydrostatic(),
-        _ => return None,
+    field.pressures.first()?.singular_points().map(|(x, _)| x).filter(|x| grows(*x)).min_by(f64::total_cmp)
+}
+
+/// The largest value of a stress at a distance from a place on the top face, and the largest component there.
+fn next_to(field: &Field, measure: Measure, x: f64, distance: f64) -> (f64, f64) {
+    let of = |k: u8| {
+        let (sin, cos) = (PI * f64::from(k) / f64::from(DIRECTIONS)).sin_cos();
+        let row = Row { layer: 0, depth: distance * sin, set: 0 };
+        let x = (x + distance * cos).abs();
+        let point = field.point(x, &row, *field.closed(&row, &[x], false).first()?);
+        let size = [point.sigma_xx, point.sigma_yy, point.sigma_xy].into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        Some((measure.of(&point), size))
     };
-    let points = field.pressures.first()?.singular_points().filter(|(_, kind)| *kind != Singularity::Tip || at_tip);
-    points.map(|(x, _)| x).min_by(f64::total_cmp)
+    let all = (0..=DIRECTIONS).filter_map(of);
+    all.fold((0.0, 0.0), |(value, size): (f64, f64), found| (value.max(found.0), size.max(found.1)))
 }

@@ -3,7 +3,7 @@ use num_complex::Complex64;
 
 use super::potentials::{Closed, Potentials};
 use super::strip::{Singularity, StripPressure};
-use crate::solution::{Contact, Strip};
+use crate::solution::{Contact, Form, Strip};
 
 /// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
@@ -44,9 +44,21 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| (*at, strip.half_length))
     }
 
-    /// Half-length of the narrowest strip.
-    pub(super) fn narrowest(&self) -> f64 {
-        self.strips().fold(self.half_length, |narrowest, (_, a)| narrowest.min(a))
+    /// The places x ≥ 0 at which the pressure ends; where it ends abruptly, next to them on both sides, at which stresses are the limits from
+    /// there.
+    pub(super) fn ends(&self) -> Vec<f64> {
+        let of = |(at, strip): &(f64, StripPressure)| {
+            let ends = [at - strip.half_length, at + strip.half_length];
+            let beside = |end: f64| [end * (1.0 - 2.0 * AT), end * (1.0 + 2.0 * AT)];
+            if strip.is_abrupt() { ends.map(beside).concat() } else { ends.to_vec() }
+        };
+        self.strips.iter().flat_map(of).filter(|end| *end >= 0.0).collect()
+    }
+
+    /// The places x > 0 at which the pressure jumps from one finite value to another.
+    pub(super) fn jumps(&self) -> impl Iterator<Item = f64> {
+        let uniform = self.strips.iter().filter(|(_, strip)| strip.form == Form::Uniform);
+        uniform.flat_map(|(at, strip)| [at - strip.half_length, at + strip.half_length]).filter(|end| *end > 0.0)
     }
 
     /// The places x ≥ 0 at which stresses on the face are infinite, and the kind of the singularity.

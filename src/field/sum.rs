@@ -103,7 +103,7 @@ impl Field {
     }
 
     /// The closed forms of the loaded faces, with v counted from the reference point of the body, if displacements are wanted.
-    fn closed(&self, row: &Row, set: &[f64], displacements: bool) -> Vec<Components> {
+    pub(super) fn closed(&self, row: &Row, set: &[f64], displacements: bool) -> Vec<Components> {
         let placed = &self.layers[row.layer];
         let body = &self.bodies[placed.body];
         let at = |placed: &PlacedLayer, depth: f64, x: f64| {
@@ -146,17 +146,10 @@ impl Field {
         if active.is_empty() {
             return Ok(());
         }
-        let is_cut = |contact: usize| cut_offs[contact].end >= waves::most(cut_offs[contact].extent);
-        let near = (0..cut_offs.len()).filter(|i| is_cut(*i)).filter_map(|i| self.nearest(rows, precision, i));
-        let near = near.fold(f64::INFINITY, f64::min);
-        if farthest > near && sets.iter().flatten().any(|x| *x <= near) {
-            return self.integrate_apart(near, rows, sets, precision, values);
-        }
-        let panels = waves::panels(&cut_offs, self.origin(), precision).ok_or(FieldError::TooFar { x: farthest })?;
-        let evaluations = (panels.iter().map(Panel::count).sum::<usize>() * self.layers.len()) as f64;
-        if evaluations > precision.evaluations {
-            return Err(FieldError::TooLong { evaluations, allowed: precision.evaluations });
-        }
+        let in_half_plane = active.iter().filter(|active| self.layers[active.row.layer].thickness.is_none());
+        let deepest = in_half_plane.fold(0.0, |deepest: f64, active| deepest.max(active.row.depth));
+        let panels =
+            waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar { x: farthest })?;
         let mut sums: Vec<Sums> =
             sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
         // ∫ V at the reference points, panel by panel
@@ -168,7 +161,7 @@ impl Field {
                 references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
             }
             for sum in &mut sums {
-                sum.add(self.geometry, &waves, &block, &active);
+                sum.add(self.geometry, panel, &waves, &block, &active);
             }
         }
         for sum in &sums {
@@ -185,12 +178,14 @@ impl Field {
 
     /// The cut-offs for these rows, with places as far out as `farthest`.
     fn cut_offs(&self, rows: &[Row], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
-        let cut_off = |contact: usize| CutOff { end: 0.0, extent: farthest + self.length(contact) };
+        let cut_off = |contact: usize| {
+            let own = self.length(contact);
+            CutOff { end: 0.0, extent: farthest + own, own }
+        };
         let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
-        let most: Vec<f64> = pressures.iter().map(|cut_off| waves::most(cut_off.extent)).collect();
         // the last wavenumber of a row
         let mut end_of = |row: &Row| {
-            self.ends(row, precision, |contact| most[contact]).fold(0.0, |last: f64, (contact, end)| {
+            self.ends(row, precision, farthest).fold(0.0, |last: f64, (contact, end)| {
                 pressures[contact].end = pressures[contact].end.max(end);
                 last.max(end)
             })
@@ -204,32 +199,6 @@ impl Field {
         let mut origin = |body: &Body| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row));
         let origins = if active.is_empty() { Vec::new() } else { self.bodies.iter().map(&mut origin).collect() };
         CutOffs { pressures, origins, active }
-    }
-
-    /// The same for the places up to `near` and for those beyond separately: far from a short contact, the short waves that matter next
-    /// to it would need too many wavenumbers, and cancel.
-    fn integrate_apart(
-        &self,
-        near: f64,
-        rows: &[Row],
-        sets: &[Vec<f64>],
-        precision: &Precision,
-        values: &mut [Vec<Components>],
-    ) -> Result<(), FieldError> {
-        for is_near in [true, false] {
-            let chosen = |set: &Vec<f64>| set.iter().copied().filter(|x| (*x <= near) == is_near).collect::<Vec<_>>();
-            let chosen_sets: Vec<Vec<f64>> = sets.iter().map(chosen).collect();
-            let mut sums: Vec<Vec<Components>> =
-                rows.iter().map(|row| vec![Components::default(); chosen_sets[row.set].len()]).collect();
-            self.integrate(rows, &chosen_sets, precision, &mut sums)?;
-            for ((row, values), sums) in rows.iter().zip(values.iter_mut()).zip(sums) {
-                let chosen = values.iter_mut().zip(&sets[row.set]).filter(|(_, x)| (**x <= near) == is_near);
-                for ((value, _), sum) in chosen.zip(sums) {
-                    value.iter_mut().zip(sum).for_each(|(value, sum)| *value += sum);
-                }
-            }
-        }
-        Ok(())
     }
 
     /// The reference point of a body, if displacements are wanted.
@@ -386,13 +355,13 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds a panel.
-    fn add(&mut self, geometry: Geometry, waves: &Waves, block: &Block, active: &[Active]) {
+    fn add(&mut self, geometry: Geometry, panel: &Panel, waves: &Waves, block: &Block, active: &[Active]) {
         let (n, m) = (waves.count(), self.places.len());
         let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
         if count == 0 || m == 0 {
             return;
         }
-        let tables = tables(geometry, self.places, &waves.wavenumbers);
+        let tables = tables(geometry, self.places, panel, &waves.wavenumbers);
         // the stress about the axis takes the displacement from it
         let wanted = match (self.displacements, geometry) {
             (true, _) => COMPONENTS,

@@ -120,11 +120,6 @@ impl Surface {
         })
     }
 
-    /// Whether the material at the face is isotropic: stresses along the face then equal those across it.
-    pub(super) fn is_isotropic(&self) -> bool {
-        matches!(self.fields, Fields::Double(_))
-    }
-
     /// The same for the bottom face of a body.
     pub(super) fn upside_down(self) -> Self {
         Self { up: -self.up, ..self }

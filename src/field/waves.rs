@@ -1,4 +1,11 @@
 //! The wavenumbers over which a field is summed: panels of Gauss points, up to the cut-offs of the pressures.
+//!
+//! Far from the contacts the waves oscillate much faster than all they are multiplied with. There the states are polynomials through the
+//! points of a panel, and the integrals of these times the waves are exact, with ∫ P_k(t) e^(iωt) dt = 2 i^k j_k(ω) over |t| < 1:
+//! Filon's quadrature. Source: Abramowitz and Stegun 1964, 10.1.47; Iserles and Nørsett 2005.
+use num_complex::Complex64;
+
+use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::numeric::quadrature::{self, Rule};
 
 /// The accuracy to which a field is summed.
@@ -15,7 +22,7 @@ pub(super) struct Precision {
     pub(super) growth: f64,
     /// Whether displacements are wanted, too.
     pub(super) displacements: bool,
-    /// Most evaluations of layers, all wavenumbers together: a sum that needs more is rejected.
+    /// Most evaluations of layers, all wavenumbers together: a sum that needs more ends at a smaller wavenumber.
     pub(super) evaluations: f64,
 }
 
@@ -70,8 +77,14 @@ const PHASE: f64 = 56.0;
 const SHORT_PHASE: f64 = 16.0;
 /// The first panel spans this phase.
 const FIRST: f64 = 0.25;
-/// Largest product of a wavenumber and the distance over which it oscillates; larger ones are rejected.
-const MOST: f64 = 4e5;
+/// Phases λx beyond this are integrated exactly: rounding of a larger one would be more than 1e-12. Twice as large, sums far away
+/// take twice as long.
+const FAR: f64 = 1e4;
+/// Largest product of a wavenumber and a half-length: a pressure is left out beyond it, which the error estimate takes account of. Twice
+/// as large, stresses next to a contact 1e4 times longer than a layer take twice as long.
+const MOST: f64 = 2e5;
+/// Wavenumbers that a pressure takes per unit of that product.
+const PER_PHASE: f64 = 2.0;
 /// The first panel is no shorter than this part of the whole axis: some hundred panels grow from there, and the integral
 /// over less than that is below rounding.
 const LEAST: f64 = 1e-40;
@@ -97,14 +110,11 @@ pub(super) struct Panel {
     rule: &'static Rule,
     /// Whether it begins at 0 with a power of λ.
     power: bool,
+    /// Whether waves at the farthest places oscillate between its points.
+    far: bool,
 }
 
 impl Panel {
-    /// Number of its wavenumbers.
-    pub(super) fn count(&self) -> usize {
-        self.rule.on(self.lo, self.hi).count()
-    }
-
     /// Wavenumbers and weights.
     pub(super) fn points(&self) -> (Vec<f64>, Vec<f64>) {
         if !self.power {
@@ -116,6 +126,31 @@ impl Panel {
         };
         self.rule.on(0.0, 1.0).map(stretched).unzip()
     }
+
+    /// Factors at its points, times the weights of which the values of a polynomial at these sum to its integral times e^(iλx); `None`
+    /// where e^(iλx) itself does.
+    pub(super) fn wave(&self, x: f64) -> Option<Vec<Complex64>> {
+        let (middle, half) = (0.5 * (self.lo + self.hi), 0.5 * (self.hi - self.lo));
+        if !self.far || 2.0 * half * x <= PHASE {
+            return None;
+        }
+        let count = self.rule.nodes.len();
+        let mut moments = vec![0.0; count];
+        bessel::scaled_orders(count, Wanted::ALL.of_kind(Kind::Spherical), &[half * x], 1.0, 1, &mut moments);
+        let there = Complex64::cis(middle * x);
+        let at = |t: &f64| {
+            // Σ (2k + 1) i^k j_k P_k(t)
+            let (mut before, mut legendre, mut turn, mut sum) = (0.0, 1.0, Complex64::ONE, Complex64::ZERO);
+            for (k, moment) in moments.iter().enumerate() {
+                let k = k as f64;
+                sum += turn * ((2.0 * k + 1.0) * moment * legendre);
+                turn *= Complex64::I;
+                (before, legendre) = (legendre, ((2.0 * k + 1.0) * t * legendre - k * before) / (k + 1.0));
+            }
+            there * sum
+        };
+        Some(self.rule.nodes.iter().map(at).collect())
+    }
 }
 
 /// The cut-off of a pressure.
@@ -125,26 +160,32 @@ pub(super) struct CutOff {
     pub(super) end: f64,
     /// The largest x at which a field is requested plus the half-length of the pressure: over it the integrand oscillates.
     pub(super) extent: f64,
+    /// The length over which all but the waves oscillates: the half-length of the pressure.
+    pub(super) own: f64,
 }
 
 /// Panels from 0 to the largest cut-off of all pressures. Their width grows as far as the oscillation of cos λx and of the transforms of
-/// pressures below their cut-off allows; `None` if there would be too many.
+/// pressures below their cut-off allows, and that of the latter alone where λx is large; `None` if there would be too many.
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
 pub(super) fn panels(cut_offs: &[CutOff], origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
-    let product = |cut: &CutOff| cut.end * cut.extent;
-    if cut_offs.iter().any(|cut| cut.end.is_infinite() || product(cut).is_nan() || product(cut) > MOST) {
+    let product = |cut: &CutOff| cut.end * cut.own;
+    if cut_offs.iter().any(|cut| cut.end.is_infinite() || product(cut).is_nan() || product(cut) > 2.0 * MOST) {
         return None;
     }
     let end = cut_offs.iter().fold(0.0, |end: f64, cut| end.max(cut.end));
-    let extent_at =
-        |lo: f64| cut_offs.iter().filter(|cut| cut.end > lo).fold(0.0, |extent: f64, cut| extent.max(cut.extent));
-    let shortest = origin.first.min(FIRST / extent_at(0.0)).max(LEAST * end);
+    let largest = |lo: f64, of: fn(&CutOff) -> f64| {
+        cut_offs.iter().filter(|cut| cut.end > lo).fold(0.0, |largest: f64, cut| largest.max(of(cut)))
+    };
+    let shortest = origin.first.min(FIRST / largest(0.0, |cut| cut.extent)).max(LEAST * end);
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
-        let extent = extent_at(lo);
-        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(PHASE / extent) };
+        let [extent, own] = [largest(lo, |cut| cut.extent), largest(lo, |cut| cut.own)];
+        let [whole, alone] = [PHASE / extent, SHORT_PHASE / own];
+        let far = lo * extent > FAR && alone > whole;
+        let allowed = if far { alone } else { whole };
+        let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(allowed) };
         let width = width.min(end - lo);
         let power = origin.power && lo == 0.0;
         let points = if power {
@@ -154,13 +195,41 @@ pub(super) fn panels(cut_offs: &[CutOff], origin: Origin, precision: &Precision)
         } else {
             32
         };
-        panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points), power });
+        panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points), power, far });
         lo += width;
     }
     Some(panels)
 }
 
-/// The largest wavenumber for an extent, and the largest extent for a wavenumber.
-pub(super) fn most(extent: f64) -> f64 {
-    0.5 * MOST / extent
+/// The largest wavenumber at which a pressure of this half-length is summed, with so many layers.
+pub(super) fn most(half_length: f64, precision: &Precision, layers: usize) -> f64 {
+    MOST.min(precision.evaluations / (PER_PHASE * layers as f64)) / half_length
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_integrate_waves_of_any_length_exactly() {
+        let cut = CutOff { end: 40.0, extent: 1e9, own: 1.0 };
+        let all = panels(&[cut], Origin { first: 0.3, power: false }, &FULL).unwrap();
+        // ∫ e^(−λ) e^(iλx) dλ = 1/(1 − ix), and what was left out
+        for x in [0.0, 0.3, 20.0, 3e3, 1e5, 1e7, 1e9] {
+            let mut sum = Complex64::ZERO;
+            for panel in &all {
+                let (wavenumbers, weights) = panel.points();
+                let plain = || wavenumbers.iter().map(|l| Complex64::cis(l * x)).collect();
+                let waves: Vec<Complex64> = panel.wave(x).unwrap_or_else(plain);
+                sum += wavenumbers
+                    .iter()
+                    .zip(weights)
+                    .zip(waves)
+                    .map(|((l, w), e)| e * (w * (-l).exp()))
+                    .sum::<Complex64>();
+            }
+            let expected = Complex64::new(1.0, -x).inv();
+            assert!((sum - expected).norm() < 1e-12 * expected.norm(), "{x}: {sum} {expected}");
+        }
+    }
 }
