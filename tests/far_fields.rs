@@ -40,8 +40,8 @@ fn a_cut_changes_nothing_by_more_than_the_estimate() {
         for h in [thinnest, 1e-2, 1.0, 1e5] {
             let stack = Stack::builder(geometry).layer(strip(h, 2.0)).bonded().layer(ground(2.0));
             let cut = loaded(stack.build().unwrap(), load.clone());
-            let depths = [(0.3 * h, 1), (h, 1), (h, 2), (1.2 * h + 0.7, 2), (h + 3e4, 2)];
-            let places = [0.4, 0.99, 1.37, 137.0, 1.37e4, 1.37e6, 1.37e8];
+            let depths = [(0.0, 1), (0.3 * h, 1), (h, 1), (h, 2), (1.2 * h + 0.7, 2), (h + 3e4, 2)];
+            let places = [0.4, 0.99, 0.9999, 1.37, 137.0, 1.37e4, 1.37e6, 1.37e8];
             let point = |x: f64| depths.map(|(depth, layer)| Point { x, depth, layer: Some(layer) });
             let points: Vec<Point> = places.into_iter().flat_map(point).collect();
             for (point, found) in points.iter().zip(cut.points(&points).unwrap()) {

@@ -47,7 +47,7 @@ fn beside_a_load_the_tension_is_that_of_its_force() {
     }
     // Hertz: (1 − 2ν) p₀/3 at the end of the contact
     let (solution, field) =
-        solved(&Scene::from_ron(&on_half_space("Axisymmetric", "punch: Sphere(radius: 20)", 0.3)).unwrap());
+        solved(&Scene::from_ron(&on_half_space("Axisymmetric", "punch: Parabola(radius: 20)", 0.3)).unwrap());
     let expected = 0.4 / 3.0 * solution.contacts()[0].central_pressure;
     close(field.extremes().unwrap().tension.unwrap(), expected, 1e-9, "Hertz");
 }

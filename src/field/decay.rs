@@ -107,7 +107,7 @@ impl Field {
                 reflected: (distance + shift).min(2.0 * thickness - distance),
                 remainder: face.map(|face| face.remainder),
                 pressure,
-                length: pressure.half_length.max(shift),
+                length: Some(pressure.half_length.max(shift)).filter(|a| *a > 0.0).unwrap_or(self.length(contact)),
             };
             Some((contact, Some(decay)))
         })

@@ -141,7 +141,7 @@ impl Field {
             base,
             pressure_error: 0.0,
         };
-        let error = |(i, contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
+        let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
         field.pressure_error = solution.contacts().iter().enumerate().map(error).sum();
         field
     }

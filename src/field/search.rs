@@ -17,8 +17,9 @@ const OF_LAYER: usize = 4;
 const FOLLOWED: usize = 12;
 /// The distance of the points of the parabolas, in parts of the shortest length.
 const STEPS: [f64; 3] = [0.2, 0.05, 0.012];
-/// The same with all terms of the pressures, finer where a parabola was wrong at its peak, and where the peak has moved far by these.
-const LAST: [f64; 3] = [0.004, 5e-4, 6e-5];
+/// The same with all terms of the pressures, where a parabola was wrong at its peak, and where the peak has moved far by these.
+const LAST: f64 = 0.004;
+const FINER: f64 = 5e-4;
 const AGAIN_FROM: [f64; 2] = [0.05, 0.012];
 /// Most parabolas one after the other, where the highest point of one is on its edge.
 const AGAIN: usize = 4;
@@ -91,7 +92,7 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
             let enough = |peak: &Peak| peak.seen.value >= highest - UNSURE * highest.abs() - noise;
             if let Some(peak) = candidates.pop().filter(enough) {
                 next.push(peak);
-                of.push(i);
+                of.push((i, highest));
             } else {
                 candidates.clear();
             }
@@ -99,8 +100,8 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
         if next.is_empty() {
             break;
         }
-        exactly(field, &mut next, extent)?;
-        next.into_iter().zip(of).for_each(|(peak, i)| found[i].push(peak));
+        exactly(field, &mut next, &of, extent)?;
+        next.into_iter().zip(of).for_each(|(peak, (i, _))| found[i].push(peak));
     }
     Ok(found.into_iter().map(uppermost).collect())
 }
@@ -143,13 +144,13 @@ fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
 }
 
 /// The peaks next to those of low accuracy, with all terms of the pressures: values are those of the field, since a parabola next to
-/// the end of a contact may be too high.
-fn exactly(field: &Field, peaks: &mut [Peak], extent: Extent) -> Result<(), FieldError> {
+/// the end of a contact may be too high. Finer parabolas are for those that may be higher than what is known, of each search its number and value.
+fn exactly(field: &Field, peaks: &mut [Peak], known: &[(usize, f64)], extent: Extent) -> Result<(), FieldError> {
     // values that were computed to fewer digits are not compared
     peaks.iter_mut().for_each(|peak| peak.seen.value = f64::NEG_INFINITY);
-    let unfinished = climb(field, peaks, LAST[0], &waves::STRESSES)?;
+    let unfinished = climb(field, peaks, LAST, &waves::STRESSES)?;
     let mut moved: Vec<Peak> = unfinished.iter().map(|k| peaks[*k]).collect();
-    for step in AGAIN_FROM.into_iter().chain([LAST[0]]) {
+    for step in AGAIN_FROM.into_iter().chain([LAST]) {
         climb(field, &mut moved, step, &waves::STRESSES)?;
     }
     unfinished.into_iter().zip(moved).for_each(|(k, peak)| peaks[k] = peak);
@@ -158,34 +159,32 @@ fn exactly(field: &Field, peaks: &mut [Peak], extent: Extent) -> Result<(), Fiel
         peaks.iter_mut().for_each(Peak::take_seen);
         return Ok(());
     }
-    let mut wrong: Vec<usize> = (0..peaks.len()).collect();
-    for step in LAST.into_iter().skip(1).map(Some).chain([None]) {
-        let mut there: Vec<Peak> = wrong.iter().map(|k| peaks[*k]).collect();
-        let off = compute(field, &mut there)?;
-        wrong.iter().zip(&there).for_each(|(k, peak)| peaks[*k] = *peak);
-        let Some(step) = step else { break };
-        wrong = wrong.into_iter().zip(off).filter(|(_, is_off)| *is_off).map(|(k, _)| k).collect();
-        let mut finer: Vec<Peak> = wrong.iter().map(|k| peaks[*k]).collect();
-        climb(field, &mut finer, step, &waves::STRESSES)?;
-        wrong.iter().zip(finer).for_each(|(k, peak)| peaks[*k] = peak);
-    }
+    let expected: Vec<f64> = peaks.iter().map(|peak| peak.value).collect();
+    compute(field, peaks)?;
+    let noise = RISE_OVER_ERROR * waves::STRESSES.on_face * field.mean_pressure();
+    let is_wrong = |k: &usize| {
+        let (expected, found) = (expected[*k], peaks[*k].value);
+        expected.max(found) > known[*k].1 && (found - expected).abs() > OFF * expected.abs() + noise
+    };
+    let wrong: Vec<usize> = (0..peaks.len()).filter(is_wrong).collect();
+    let mut finer: Vec<Peak> = wrong.iter().map(|k| peaks[*k]).collect();
+    climb(field, &mut finer, FINER, &waves::STRESSES)?;
+    compute(field, &mut finer)?;
+    wrong.into_iter().zip(finer).for_each(|(k, peak)| peaks[k] = peak);
     Ok(())
 }
 
-/// Computes the values at peaks, and tells which of them are other than expected. The highest value that was computed remains.
-fn compute(field: &Field, peaks: &mut [Peak]) -> Result<Vec<bool>, FieldError> {
+/// Computes the values at peaks; those that were computed before and are higher remain.
+fn compute(field: &Field, peaks: &mut [Peak]) -> Result<(), FieldError> {
     let sets: Vec<Vec<f64>> = peaks.iter().map(|peak| vec![peak.x]).collect();
     let row = |(set, peak): (usize, &Peak)| Row { layer: peak.layer, depth: peak.depth, set };
     let rows: Vec<Row> = peaks.iter().enumerate().map(row).collect();
     let there = points(field, &rows, &sets, &waves::STRESSES)?;
-    let noise = RISE_OVER_ERROR * waves::STRESSES.on_face * field.mean_pressure();
-    let of = |(peak, point): (&mut Peak, &FieldPoint)| {
-        let expected = peak.value;
+    for (peak, point) in peaks.iter_mut().zip(there.iter().flatten()) {
         peak.value = peak.measure.of(point);
         peak.take_seen();
-        (peak.value - expected).abs() > OFF * expected.abs() + noise
-    };
-    Ok(peaks.iter_mut().zip(there.iter().flatten()).map(of).collect())
+    }
+    Ok(())
 }
 
 /// Moves points to the peaks next to them in their layers, by parabolas through points at a distance `step`, and returns which of
