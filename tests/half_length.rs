@@ -123,7 +123,7 @@ fn a_force_that_is_not_solved_for_does_not_end_the_search() {
 
 #[test]
 fn a_solver_that_fails_is_no_bad_input() {
-    let cause = Some(Box::new(NoSolution::NotConverged { half_lengths: vec![1.0] }));
+    let cause = Some(Box::new(NoSolution::NotConverged));
     let punch = "Parabola(radius: 1.0)".to_owned();
     let error = NoSolution::ForceNotFound {
         controlled: Controlled::HalfLength,

@@ -128,12 +128,9 @@ pub enum NoSolution {
         /// Why the solver failed at the force tried last; `None` if the search did not end.
         cause: Option<Box<NoSolution>>,
     },
-    /// The half-lengths of the contacts did not settle.
-    #[error("the ends of the contacts did not converge; the last were {half_lengths:?} from the middle")]
-    NotConverged {
-        /// The last half-lengths tried, from the top down, in length.
-        half_lengths: Vec<f64>,
-    },
+    /// The ends of the contacts did not converge: what was tried last tells nothing of them.
+    #[error("the ends of the contacts did not converge")]
+    NotConverged,
     /// A contact would be in tension.
     #[error("the contact at {} would be in tension {x:e} from its middle: no contact pressure may be negative", place(.interface))]
     Tension {
@@ -207,7 +204,7 @@ impl NoSolution {
     pub fn hint(&self) -> Option<String> {
         let hint = match self {
             Self::PunchTooSmall { .. } => return None,
-            Self::NotConverged { .. } => {
+            Self::NotConverged => {
                 "contacts hundreds of times longer than a layer next to them is thick need more modes than there are: \
                  try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"
             }

@@ -153,10 +153,7 @@ impl<'a> Problem<'a> {
 
     /// The error where Newton's method has not converged: at the edge of a punch, that the punch is too small.
     pub(crate) fn not_converged(&self, half_lengths: &[f64]) -> ContactError {
-        self.too_small(half_lengths).unwrap_or_else(|| {
-            let half_lengths = half_lengths.iter().map(|a| a * self.kernel.length()).collect();
-            NoSolution::NotConverged { half_lengths }.into()
-        })
+        self.too_small(half_lengths).unwrap_or_else(|| NoSolution::NotConverged.into())
     }
 
     /// The error to report if a contact has grown to the edge of its punch.

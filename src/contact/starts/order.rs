@@ -155,11 +155,10 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         if knows_all && knows_most && (attempt.solution.warnings.is_empty() || worst <= COARSE) {
             return Ok(Outcome::Solved(Box::new(attempt.solution)));
         }
-        let half_lengths = contacts.iter().map(|contact| contact.innermost().to).collect();
         if knows_all && self.doubtful.as_ref().is_none_or(|(least, _)| (endless, worst) < *least) {
             self.doubtful = Some(((endless, worst), attempt));
         }
-        Ok(Outcome::Failed(Box::new(NoSolution::NotConverged { half_lengths }.into())))
+        Ok(Outcome::Failed(Box::new(NoSolution::NotConverged.into())))
     }
 
     /// Whether a solution misses no re-contact interval that the quadratic programme has found.
