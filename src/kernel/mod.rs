@@ -4,6 +4,7 @@
 //! a half-plane without layers is graded, flexibilities λμ₀C with μ₀ the shear modulus at the top face. Nothing depends on
 //! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in the length of its contact.
 mod asymptote;
+mod closed;
 mod cut_off;
 mod length;
 mod panel;
@@ -388,35 +389,6 @@ impl Kernel {
         }
     }
 
-    /// For each contact the compliance λμ₀C of all bodies below it and of the laminate above it, at one wavenumber, as
-    /// if the interfaces further down slid without opening: the equal-pressure responses of two neighbouring contacts, the response of the lower one
-    /// in series with the bending of the laminate between them.
-    pub(crate) fn compliances(&self, zeta: f64) -> Vec<f64> {
-        let at = self.at(zeta);
-        let mut compliances: Vec<f64> =
-            (0..self.contacts()).map(|i| self.asymptotes[i].limit + self.remainder_at(i, zeta, at.as_ref())).collect();
-        for i in (0..self.contacts() - 1).rev() {
-            let bending = -at.as_ref().map_or(0.0, |at| at.coupling(i));
-            let below = compliances[i + 1];
-            // springs in series; below a laminate that bends when it is compressed the compliance may be negative, as long as the laminate
-            // bends more easily
-            compliances[i] +=
-                if bending > 0.0 && bending + below > 0.0 { bending / (bending + below) * below } else { 0.0 };
-        }
-        compliances
-    }
-
-    /// Compliance λμ₀C of the lower face of a laminate under equal pressures on both faces, at one wavenumber.
-    pub(crate) fn equal_pressure_bottom(&self, laminate: usize, zeta: f64) -> f64 {
-        self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta)).map_or(0.0, |c| -c.equal_bottom)
-    }
-
-    /// Compliance λμ₀C of the thickness of a laminate under equal pressures on both faces, at one wavenumber.
-    pub(crate) fn compression(&self, laminate: usize, zeta: f64) -> f64 {
-        let flexibility = self.chains.laminates[laminate].flexibility(&self.chains.wave(zeta));
-        flexibility.map_or(0.0, |c| (c.equal_top - c.equal_bottom).abs())
-    }
-
     /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.
     pub(crate) fn flexibilities(&self, zeta: f64) -> Result<(Vec<Flexibility>, f64), Unresolved> {
         let wave = self.chains.wave(zeta);
@@ -424,17 +396,5 @@ impl Kernel {
         let laminates: Option<Vec<Flexibility>> =
             self.chains.laminates.iter().map(|laminate| laminate.flexibility(&wave)).collect();
         Ok((laminates.ok_or_else(failed)?, self.chains.base.flexibility(&wave).ok_or_else(failed)?))
-    }
-
-    /// Thickness in units of L and bending stiffness in units of μ₀L³ of the laminates, top down.
-    pub(crate) fn laminates(&self) -> Vec<(f64, f64)> {
-        // long waves see a beam: λμ₀C = μ₀L³/(D ζ³)
-        const LONG: f64 = 1e-4;
-        let at = self.at(LONG);
-        let thickness = |chain: &FreeChain| {
-            chain.layers().iter().map(|layer| layer.thickness().unwrap_or(0.0)).sum::<f64>() / self.chains.length
-        };
-        let bending = |i: usize| -(at.as_ref().map_or(0.0, |at| at.coupling(i)) * LONG.powi(3)).recip();
-        self.chains.laminates.iter().enumerate().map(|(i, chain)| (thickness(chain), bending(i))).collect()
     }
 }

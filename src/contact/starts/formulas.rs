@@ -22,8 +22,13 @@ pub(crate) const TYPICAL: f64 = 1.2;
 /// The force P' at which the contact under a punch, the uppermost one, is expected to have a half-length (in units of L), for
 /// an indentation by P' = 1.
 pub(crate) fn force(kernel: &Kernel, profile: &Profile, half_length: f64) -> f64 {
+    force_on(kernel, profile, half_length, Kernel::closed)
+}
+
+/// The same on a stack with another compliance at a wavenumber.
+fn force_on(kernel: &Kernel, profile: &Profile, half_length: f64, compliance: fn(&Kernel, f64) -> f64) -> f64 {
     let twin = Twin::of(kernel.geometry());
-    twin.force_under(profile.first_row(half_length), half_length, kernel.compliances(TYPICAL / half_length)[0])
+    twin.force_under(profile.first_row(half_length), half_length, compliance(kernel, TYPICAL / half_length))
 }
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
@@ -41,12 +46,24 @@ pub(crate) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Result<Optio
 
 /// Half-lengths in units of L, from the top down.
 pub(crate) fn half_lengths(problem: &Problem) -> Result<Vec<f64>, ContactError> {
+    half_lengths_on(problem, Kernel::closed)
+}
+
+/// Half-lengths if the contact under the punch is as short as on the stiffest that the waves in it meet: no contact is shorter. Newton's method
+/// that leaves for longer and longer contacts from where formulas expect the ends converges from shorter ones.
+pub(crate) fn shortest(problem: &Problem) -> Result<Vec<f64>, ContactError> {
+    half_lengths_on(problem, Kernel::stiffest)
+}
+
+fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Result<Vec<f64>, ContactError> {
     let mut half_lengths: Vec<f64> = Vec::with_capacity(problem.contacts());
     for (i, side) in problem.sides.iter().enumerate() {
         half_lengths.push(match side {
             Side::Known(given) => given.half_length,
             Side::Joined(half_length) => *half_length,
-            Side::Profile(profile) => profile.flat().map_or_else(|| under_punch(problem.kernel, profile), Ok)?,
+            Side::Profile(profile) => {
+                profile.flat().map_or_else(|| under_punch(problem.kernel, profile, compliance), Ok)?
+            }
             Side::Closed => half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)),
         });
     }
@@ -70,8 +87,8 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
     local
 }
 
-/// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force`] is 1.
-fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> {
+/// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force_on`] is 1.
+fn under_punch(kernel: &Kernel, profile: &Profile, compliance: fn(&Kernel, f64) -> f64) -> Result<f64, ContactError> {
     // as far as doubles reach
     let longest = 300.0 * std::f64::consts::LN_10;
     let (mut low, mut high) = (-longest, profile.edge().map_or(longest, f64::ln));
@@ -79,7 +96,7 @@ fn under_punch(kernel: &Kernel, profile: &Profile) -> Result<f64, ContactError> 
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
     while high - low > COARSE {
-        let missing = match force(kernel, profile, x.exp()) {
+        let missing = match force_on(kernel, profile, x.exp(), compliance) {
             // where a profile falls, the force on a contact may be negative: far too little
             force if force <= 0.0 => f64::INFINITY,
             force => -force.ln(),
