@@ -32,34 +32,42 @@ struct Thin {
     joined: Vec<(usize, f64)>,
 }
 
+/// Layers are judged again next to contacts that are longer or shorter than they were taken to be by more than an octave: so far the
+/// margin of the error of what is left out reaches.
+const AS_LONG: f64 = std::f64::consts::LN_2;
+/// How often layers are judged thin: by the contacts that formulas expect, and by those found without them.
+const JUDGED: usize = 2;
+
 /// Solves with `solve`, without what only layers much thinner than a contact change in the kernels if that makes the smaller
 /// error.
+///
+/// Which layers these are is judged by the contacts that were found: those that formulas expect may be wrong by any factor.
 pub(super) fn solve(
     problem: &Problem,
     solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
 ) -> Result<Solution, ContactError> {
-    let Some(thin) = Thin::new(problem)? else { return solve(problem) };
-    let without = |operations: f64| {
-        let interfaces = thin.interfaces(problem.interfaces);
-        // no more digits are of use than are left
-        let tolerance = problem.tolerance.max(0.1 * thin.error);
-        let mut simpler = problem.on(&thin.kernel, &interfaces, tolerance);
-        simpler.operations = operations;
-        Ok(thin.admit(solve(&simpler)?, problem.interfaces))
-    };
-    if thin.error <= problem.tolerance || thin.is_unresolved() {
-        return without(problem.operations).or_else(|_: ContactError| solve(problem));
+    let mut half_lengths = formulas::half_lengths(problem)?;
+    for _ in 0..JUDGED {
+        let Some(thin) = Thin::new(problem, half_lengths.clone())? else { break };
+        match thin.solve(problem, &solve)? {
+            Found::Whole(solution) => return Ok(solution),
+            Found::Without(solution) => {
+                let length = problem.kernel.length();
+                let found: Vec<f64> = solution.contacts.iter().map(|contact| contact.innermost().to / length).collect();
+                if problem.unknown().all(|i| (found[i] / half_lengths[i]).ln().abs() <= AS_LONG) {
+                    return Ok(solution);
+                }
+                half_lengths = found;
+            }
+        }
     }
-    let found = solve(problem);
-    if found.as_ref().is_ok_and(|all| worst(all) <= thin.error) {
-        return found;
-    }
-    // both together take half as long again as one at most
-    match (&found, without(0.5 * problem.operations)) {
-        (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found,
-        (_, Ok(without)) => Ok(without),
-        (_, Err(_)) => found,
-    }
+    solve(problem)
+}
+
+/// A solution for the whole stack, or without what is thin.
+enum Found {
+    Whole(Solution),
+    Without(Solution),
 }
 
 /// The largest relative error of a solution.
@@ -74,9 +82,8 @@ fn worst(solution: &Solution) -> f64 {
 }
 
 impl Thin {
-    /// `None` if modes resolve all that matters.
-    fn new(problem: &Problem) -> Result<Option<Self>, ContactError> {
-        let mut half_lengths = formulas::half_lengths(problem)?;
+    /// What is thin next to contacts of these half-lengths; `None` if modes resolve all that matters.
+    fn new(problem: &Problem, mut half_lengths: Vec<f64>) -> Result<Option<Self>, ContactError> {
         let (contacts, joined) = (Vec::new(), Vec::new());
         let mut thin = Self { kernel: problem.kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
         if !problem.sides.iter().any(Side::is_sharp) {
@@ -94,6 +101,36 @@ impl Thin {
             thin.contacts.push((contact, error));
         }
         Ok((!thin.contacts.is_empty() || !thin.joined.is_empty()).then_some(thin))
+    }
+
+    /// Solves without what is thin, or the whole problem where that makes the smaller error.
+    fn solve(
+        &self,
+        problem: &Problem,
+        solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
+    ) -> Result<Found, ContactError> {
+        let without = |operations: f64| {
+            let interfaces = self.interfaces(problem.interfaces);
+            // no more digits are of use than are left
+            let tolerance = problem.tolerance.max(0.1 * self.error);
+            let mut simpler = problem.on(&self.kernel, &interfaces, tolerance);
+            simpler.operations = operations;
+            Ok(self.admit(solve(&simpler)?, problem.interfaces))
+        };
+        if self.error <= problem.tolerance || self.is_unresolved() {
+            let found = without(problem.operations);
+            return found.map(Found::Without).or_else(|_: ContactError| solve(problem).map(Found::Whole));
+        }
+        let found = solve(problem);
+        if found.as_ref().is_ok_and(|all| worst(all) <= self.error) {
+            return found.map(Found::Whole);
+        }
+        // both together take half as long again as one at most
+        match (&found, without(0.5 * problem.operations)) {
+            (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found.map(Found::Whole),
+            (_, Ok(without)) => Ok(Found::Without(without)),
+            (_, Err(_)) => found.map(Found::Whole),
+        }
     }
 
     /// Leaves out the laminate below a contact, which is one with the next contact then, if modes do not resolve how far the
