@@ -232,11 +232,10 @@ impl<'a> Sweeps<'a> {
                 self.corrections[i] += found.step[i];
             }
             let mut left = |now: f64, before: f64, earlier: f64| {
-                // a geometric series goes on with the ratio of its last terms
-                let ratio = if now == 0.0 { 0.0 } else { now / before };
+                let ratio = ratio(now, before);
                 let twice = SLOW * SLOW * earlier;
                 is_slow |= sweep > 1 && ratio > SLOW && now > twice.max(ROUNDING);
-                now * (ratio / (1.0 - ratio.min(0.9))).max(0.1)
+                now * rest(ratio)
             };
             self.residuals[i] = Estimate {
                 length: left(now.length, before.length, earlier.length),
@@ -290,7 +289,20 @@ impl<'a> Sweeps<'a> {
             length: self.truncation.length.max(self.tolerance),
             pressure: self.truncation.pressure.max(self.tolerance),
         };
-        stopped != Stopped::Diverged && self.residuals.iter().all(|left| left.is_within(enough))
+        let converged = stopped != Stopped::Diverged && self.residuals.iter().all(|left| left.is_within(enough));
+        for i in 0..self.residuals.len() {
+            let left = Estimate::new(self.led(i, |change| change.length), self.led(i, |change| change.pressure));
+            let own = &mut self.residuals[i];
+            *own = Estimate::new(own.length.max(left.length), own.pressure.max(left.pressure));
+        }
+        converged
+    }
+
+    /// What sweeps have left of contact i if it goes on as slowly as a neighbour that still changes more.
+    fn led(&self, i: usize, of: impl Fn(&Estimate) -> f64) -> f64 {
+        let [now, before] = self.changes.each_ref().map(|changes| changes.iter().map(&of).collect::<Vec<f64>>());
+        let leading = (i.saturating_sub(1)..(i + 2).min(now.len())).filter(|k| now[*k] > now[i]);
+        leading.map(|k| now[i] * rest(ratio(now[k], before[k]))).fold(0.0, f64::max)
     }
 
     /// Goes back to the modes that were solved for where sweeps have diverged.
@@ -310,4 +322,14 @@ impl<'a> Sweeps<'a> {
             left.pressure = COARSE;
         }
     }
+}
+
+/// The ratio of the last two terms of a series.
+fn ratio(now: f64, before: f64) -> f64 {
+    if now == 0.0 { 0.0 } else { now / before }
+}
+
+/// The sum of the terms of a geometric series behind one of them, over that; a tenth at least.
+fn rest(ratio: f64) -> f64 {
+    (ratio / (1.0 - ratio.min(0.9))).max(0.1)
 }

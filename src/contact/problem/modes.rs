@@ -36,6 +36,14 @@ pub(crate) fn beyond(modes: &[f64]) -> (f64, f64) {
     (SAFETY * fourth * fall / (1.0 - fall), fall)
 }
 
+/// The same as the last quarter falls from half to half: behind a change of sign modes may fall more slowly than before.
+pub(crate) fn beyond_late(modes: &[f64]) -> f64 {
+    let eighth = |k: usize| (modes.len() * k) / 8;
+    let (early, late) = (weight(modes, eighth(6)..eighth(7)), weight(modes, eighth(7)..modes.len()));
+    let fall = ratio(early, late);
+    late * fall / (1.0 - fall)
+}
+
 /// last/before, not quite 1 at most.
 fn ratio(before: f64, last: f64) -> f64 {
     const MOST: f64 = 0.9;

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use crate::contact::ends::Converged;
 use crate::contact::problem::Problem;
 use crate::contact::problem::estimate::Estimate;
-use crate::contact::problem::modes::{FINEST, Modes, beyond, order, weight};
+use crate::contact::problem::modes::{FINEST, Modes, beyond, beyond_late, order, weight};
 use crate::contact::problem::profile::{Local, continued};
 use crate::contact::problem::support::Support;
 use crate::numeric;
@@ -147,6 +147,7 @@ impl Truncation {
         let edge = problem.twin().edge() * (problem.twin().edge_unit() - 1.0);
         let swept = weight(&own, found.solved[i]..own.len());
         let (beyond, fall) = beyond(&own);
+        let beyond = beyond.max(beyond_late(&own));
         let peak =
             peak(&own, averaged) + local.map_or(0.0, |local| local.peak) - intensity.map_or(0.0, |q| edge * q / PI);
         // an infinite pressure is known, and others are compared with a mean pressure
@@ -162,9 +163,10 @@ impl Truncation {
         let (further, most) = ((beyond / swept.max(f64::MIN_POSITIVE)).powi(power), beyond / (PI * size));
         let beyond_length = (found.corrections[i].abs() * further).min(most);
         let missing = if averaged {
-            // an averaged sum is as good as the next one differs from it
-            let change = (self::peak(&own[..own.len() * 3 / 4], true) - self::peak(&own, true)).abs();
-            (change * SAFETY * fall).min(beyond / PI)
+            // an averaged sum is as good as the next one differs from it, and no worse than it differs from the plain one
+            let [average, plain] = [true, false].map(|averaged| self::peak(&own, averaged));
+            let change = (self::peak(&own[..own.len() * 3 / 4], true) - average).abs();
+            (change * SAFETY * fall).min(beyond / PI + (average - plain).abs())
         } else {
             beyond / PI
         };
