@@ -23,7 +23,7 @@ use crate::solution::{Contact, Interface, Solution};
 
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
-pub use profile::write_profile;
+pub use profile::{profile_columns, write_profile};
 pub use sweep::SweepCsv;
 
 /// How a report is written.

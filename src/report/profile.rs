@@ -2,11 +2,35 @@
 use std::io;
 
 use super::sweep::{number, owner};
-use crate::field::{FieldQuantity, Side};
+use crate::field::{FieldPoint, FieldQuantity, Side};
 use crate::profile::{ContactProfile, FaceProfile, Profile};
 
 /// The displacements of a face, in the order of the columns.
 const DISPLACEMENTS: [FieldQuantity; 2] = [FieldQuantity::U, FieldQuantity::V];
+
+/// The columns of a profile by name: x, then pressure and gap of each contact, displacements and slope of each face.
+pub fn profile_columns(profile: &Profile) -> Vec<(String, Vec<f64>)> {
+    let mut columns = vec![("x".to_owned(), profile.x.clone())];
+    for ContactProfile { interface, pressure, gap } in &profile.contacts {
+        let owner = owner(interface);
+        columns.push((format!("{owner}_pressure"), pressure.clone()));
+        columns.extend(gap.clone().map(|gap| (format!("{owner}_gap"), gap)));
+    }
+    for FaceProfile { layer, side, points } in &profile.faces {
+        let side = match side {
+            Side::Top => "top",
+            Side::Bottom => "bottom",
+        };
+        let mut add = |what: &str, of: &dyn Fn(&FieldPoint) -> f64| {
+            columns.push((format!("layer_{layer}_{side}_{what}"), points.iter().map(of).collect()));
+        };
+        for quantity in DISPLACEMENTS {
+            add(quantity.name_in(profile.geometry), &|point| quantity.of_in(point, profile.geometry));
+        }
+        add("slope", &|point| point.slope);
+    }
+    columns
+}
 
 /// Writes a profile: a header, then one line for each place, with all digits. What is infinite, or is not there, is empty.
 ///
@@ -25,37 +49,11 @@ const DISPLACEMENTS: [FieldQuantity; 2] = [FieldQuantity::U, FieldQuantity::V];
 /// # Errors
 /// Those of the writer.
 pub fn write_profile(profile: &Profile, out: &mut dyn io::Write) -> io::Result<()> {
-    let of_contact = |contact: &ContactProfile| {
-        let gap = contact.gap.as_ref().map(|_| "gap");
-        ["pressure"]
-            .into_iter()
-            .chain(gap)
-            .map(|what| format!("{}_{what}", owner(&contact.interface)))
-            .collect::<Vec<_>>()
-    };
-    let of_face = |face: &FaceProfile| {
-        let side = match face.side {
-            Side::Top => "top",
-            Side::Bottom => "bottom",
-        };
-        let [u, v] = DISPLACEMENTS.map(|quantity| quantity.name_in(profile.geometry));
-        [u, v, "slope"].map(|what| format!("layer_{}_{side}_{what}", face.layer))
-    };
-    let contacts = profile.contacts.iter().flat_map(of_contact);
-    let header: Vec<String> =
-        ["x".to_owned()].into_iter().chain(contacts).chain(profile.faces.iter().flat_map(of_face)).collect();
-    writeln!(out, "{}", header.join(","))?;
-    for (k, x) in profile.x.iter().enumerate() {
-        let contacts = profile
-            .contacts
-            .iter()
-            .flat_map(|contact| [contact.pressure[k]].into_iter().chain(contact.gap.as_ref().map(|gap| gap[k])));
-        let faces = profile.faces.iter().flat_map(|face| {
-            let point = &face.points[k];
-            let values = DISPLACEMENTS.map(|quantity| quantity.of_in(point, profile.geometry));
-            values.into_iter().chain([point.slope])
-        });
-        let numbers: Vec<String> = [*x].into_iter().chain(contacts).chain(faces).map(number).collect();
+    let columns = profile_columns(profile);
+    let names: Vec<&str> = columns.iter().map(|(name, _)| &name[..]).collect();
+    writeln!(out, "{}", names.join(","))?;
+    for k in 0..profile.x.len() {
+        let numbers: Vec<String> = columns.iter().map(|(_, values)| number(values[k])).collect();
         writeln!(out, "{}", numbers.join(","))?;
     }
     Ok(())
