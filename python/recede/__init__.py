@@ -23,6 +23,7 @@ from ._errors import InputError as InputError
 from ._errors import Interrupted as Interrupted
 from ._errors import NoSolutionError as NoSolutionError
 from ._errors import SolutionWarning as SolutionWarning
+from ._items import Item as Item
 from ._recede import Contact as Contact
 from ._recede import Field as Field
 from ._recede import Model as Model
@@ -30,13 +31,14 @@ from ._recede import Scene as Scene
 from ._recede import Solution as Solution
 from ._recede import __version__ as __version__
 from ._recede import examine as _examine
+from ._solutions import Contacts as Contacts
 from ._solutions import Interval as Interval
 from ._solutions import Solutions as Solutions
 from ._sweep import sweep as sweep
 from ._table import Columns as Columns
 from ._text import FunctionLayer as FunctionLayer
-from ._text import Item as Item
 from ._text import Stack as Stack
+from ._values import Units as Units
 from .items import *  # noqa: F403
 
 

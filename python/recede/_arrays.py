@@ -47,7 +47,8 @@ def line(values: Any, name: str) -> NDArray[np.float64]:
 
 
 class Fields(Mapping[str, Any]):
-    """Stresses and displacements by name: `fields["sigma_xx"]` or `fields.sigma_xx`, arrays of the shape that was asked for."""
+    """Stresses and displacements by name: `fields["sigma_xx"]` or `fields.sigma_xx`, arrays of the shape that was asked for, and with them
+    the places `x`, `depth` and `layer`."""
 
     def __init__(self, columns: Mapping[str, Any]) -> None:
         self._columns = dict(columns)
@@ -78,5 +79,6 @@ class Fields(Mapping[str, Any]):
 
 def fields(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> Fields:
     """Columns in the shape that was asked for; numbers where that has no dimension."""
+    columns = {**columns, "layer": columns["layer"].astype(np.int64)}
     shaped = {name: column.reshape(shape) for name, column in columns.items()}
     return Fields({name: value.item() if shape == () else value for name, value in shaped.items()})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from html import escape
 from typing import Any
 
@@ -20,7 +21,7 @@ def _text(cell: Any) -> str:
 
 
 def solution(found: Any) -> str:
-    """Contacts of a solution, with errors, and the approach."""
+    """Contacts of a solution with errors, the approach, warnings, and the picture."""
     rows = [
         [c.interface, c.reach, c.half_length_error, c.central_pressure, c.central_pressure_error, c.resultant]
         for c in found.contacts
@@ -31,4 +32,7 @@ def solution(found: Any) -> str:
         stiffness = "" if found.stiffness is None else f", stiffness {found.stiffness:.8g}"
         text += f"<p>force {found.force:.8g}, approach {found.approach:.8g}{stiffness}</p>"
     notes = "".join(f"<li>{escape(message)}</li>" for _, message in found.warnings)
-    return text + (f"<ul>{notes}</ul>" if notes else "")
+    text += f"<ul>{notes}</ul>" if notes else ""
+    # as an image, so that names within one picture are not those of another
+    picture = b64encode(found.svg().encode()).decode()
+    return text + f'<img alt="{escape(repr(found))}" src="data:image/svg+xml;base64,{picture}">'

@@ -1,15 +1,18 @@
 """Compiled part of `recede`."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Fields
-from ._solutions import Interval, Solutions
-from ._text import Item, Stack
+from ._items import Item, Load, Punch
+from ._solutions import Contacts, Interval, Solutions
+from ._table import Columns
+from ._text import Stack
+from ._values import Units
 
 __all__ = [
     "CompiledPunch",
@@ -20,7 +23,6 @@ __all__ = [
     "Scene",
     "Solution",
     "__version__",
-    "arrow_stream",
     "examine",
     "schema",
 ]
@@ -41,18 +43,26 @@ class Scene:
         geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; that of the stack if it is a `Stack`.
         name: a name for reports.
         description: what the scene shows.
-        units: labels of the units of length and force, such as `("mm", "N")`; numbers may then be texts, such as "26 GPa".
+        units: labels of the units of length and force, such as `Units("mm", "N")`, `("mm", "N")` or
+            `{"length": "mm", "force": "N"}`; numbers may then be texts, such as "26 GPa".
 
     Raises:
-        InputError: with the line and a hint, if something is not legal.
+        InputError: with the object in question and a hint, if something is not legal.
     """
 
     def __new__(
         cls,
-        stack: Stack | list[Item] | tuple[Item, ...],
-        punch: Item | None = None,
+        stack: Stack | Iterable[Item],
+        punch: Punch | None = None,
         force: float | str | None = None,
-        **fields: Any,
+        *,
+        load: Load | None = None,
+        half_length: float | str | None = None,
+        depth: float | str | None = None,
+        geometry: str | None = None,
+        name: str | None = None,
+        description: str | None = None,
+        units: Units | tuple[str, str] | Mapping[str, str] | None = None,
     ) -> Scene: ...
     @staticmethod
     def from_ron(text: str) -> Scene:
@@ -64,7 +74,12 @@ class Scene:
 
     @staticmethod
     def read(path: str | os.PathLike[str]) -> Scene:
-        """A scene from a file in RON or JSON."""
+        """A scene from a file in RON or JSON.
+
+        Raises:
+            OSError: such as `FileNotFoundError`, if the file cannot be read.
+            InputError: with file, line and a hint, if something in it is not legal.
+        """
 
     def to_ron(self) -> str:
         """The scene as a text in RON."""
@@ -77,9 +92,27 @@ class Scene:
         """What the scene is called in reports."""
 
     @property
+    def description(self) -> str | None:
+        """What the scene shows, or None."""
+    @property
+    def units(self) -> Units | None:
+        """Labels of the units, or None."""
+    @property
     def geometry(self) -> str:
         """"PlaneStrain", "PlaneStress" or "Axisymmetric"."""
 
+    @property
+    def stack(self) -> Stack:
+        """The stack."""
+    @property
+    def punch(self) -> Punch | None:
+        """The punch; None where a load takes its place."""
+    @property
+    def load(self) -> Load | None:
+        """The load in place of a punch, or None."""
+    @property
+    def force(self) -> float | None:
+        """The force; None where a half-length or a depth is given."""
     @property
     def paths(self) -> list[str]:
         """The paths of all numbers that may vary, such as "force" and "layer[2].beta"."""
@@ -117,13 +150,13 @@ class Model:
 
     def __new__(cls, stack: Stack | Scene, *, many_loads: bool = False) -> Model: ...
     @overload
-    def press(self, punch: Item, force: float, *, tolerance: float = 1e-10) -> Solution: ...
+    def press(self, punch: Punch | Load, force: float, *, tolerance: float = 1e-10) -> Solution: ...
     @overload
-    def press(self, punch: Item, force: ArrayLike, *, tolerance: float = 1e-10) -> Solutions: ...
+    def press(self, punch: Punch | Load, force: ArrayLike, *, tolerance: float = 1e-10) -> Solutions: ...
     @overload
     def press(
         self,
-        punch: Item,
+        punch: Punch | Load,
         force: None = None,
         *,
         half_length: float | None = None,
@@ -133,7 +166,7 @@ class Model:
     @overload
     def press(
         self,
-        punch: Item,
+        punch: Punch | Load,
         force: None = None,
         *,
         half_length: ArrayLike | None = None,
@@ -168,11 +201,20 @@ class Model:
 
 @final
 class Solution:
-    """A solved scene. In a notebook it shows a table and, with `_repr_svg_`, the picture."""
+    """A solved scene. In a notebook it shows a table and the picture."""
 
     @property
-    def contacts(self) -> tuple[Contact, ...]:
-        """The contacts from the top down, the punch first."""
+    def scene(self) -> Scene:
+        """The scene that was solved."""
+    @property
+    def punch(self) -> Punch | None:
+        """The punch that presses; None where a load takes its place."""
+    @property
+    def load(self) -> Load | None:
+        """The load in place of a punch, or None."""
+    @property
+    def contacts(self) -> Contacts:
+        """The contacts from the top down, the punch first; `contacts["2|3"]` is the one between the layers 2 and 3."""
 
     @property
     def force(self) -> float:
@@ -233,8 +275,21 @@ class Solution:
     def field(self) -> Field:
         """Stresses and displacements."""
 
-    def to_json(self) -> str:
-        """All numbers as JSON, as `recede solve --format json` writes them."""
+    def profile(self, to: float | None = None, *, points: int = 400) -> Columns:
+        """Pressures and gaps of all contacts, displacements and slopes of all faces, along x: a table with the columns of `recede profile`,
+        at places that are dense next to the ends of the contacts. Infinite beyond the edge of a punch.
+
+        Args:
+            to: how far to go on both sides, in length; twice as far as the bodies touch if not given.
+            points: how many places, about.
+        """
+    def to_json(self, *, max_shear: bool = False, extremes: bool = False) -> str:
+        """All numbers as JSON, as `recede solve --format json` writes them.
+
+        Args:
+            max_shear: with the largest shear stress, see `Field.max_shear`.
+            extremes: with the stresses by which layers and bonds break, see `Field.extremes`.
+        """
 
     def svg(self) -> str:
         """The stack to scale with its contacts, and the pressures below it, as SVG."""
@@ -256,7 +311,7 @@ class Contact:
 
     @property
     def interface(self) -> str:
-        """Which contact: "punch", or "2|3" between the layers 2 and 3."""
+        """Which contact: "punch" (or "load"), or "2|3" between the layers 2 and 3."""
 
     @property
     def half_length(self) -> float | None:
@@ -302,13 +357,13 @@ class Contact:
     def pressure(self, x: float) -> float: ...
     @overload
     def pressure(self, x: ArrayLike) -> NDArray[np.float64]:
-        """Pressure at places x, in stress; 0 outside the contact."""
+        """Pressure at places x, in stress; 0 outside the contact, NaN where x is NaN."""
 
     @overload
     def gap(self, x: float) -> float: ...
     @overload
     def gap(self, x: ArrayLike) -> NDArray[np.float64]:
-        """How far the bodies are apart at places x, in length; 0 where they touch."""
+        """How far the bodies are apart at places x, in length; 0 where they touch, NaN where x is NaN."""
 
     def __eq__(self, other: object, /) -> bool: ...
     __hash__: None  # type: ignore[assignment]
@@ -333,14 +388,18 @@ class Field:
         """Estimate of the error of the stresses at a point, in stress."""
 
     def max_shear(self) -> dict[str, Any]:
-        """The largest shear stress in the plane anywhere, with x, depth and layer."""
+        """The largest shear stress in the plane anywhere, `value`, with `x`, `depth` and `layer`."""
 
     def extremes(self) -> dict[str, Any]:
-        """The stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, shear stress and
-        tension across each interface that does not open."""
+        """The stresses by which layers and bonds break, as `recede solve --extremes --format json` has them: the largest `tension`; of each
+        of the `layers` the largest von Mises stress; of each of the `interfaces` that do not open the shear stress and the tension across
+        it. None for what is not there, or not known.
+        """
 
 @final
 class Rows:
+    """The rows of a sweep."""
+
     def __new__(
         cls, scene: Scene, axes: list[tuple[str, list[float]]], tolerance: float, approach: bool, extremes: bool
     ) -> Rows: ...
@@ -350,19 +409,19 @@ class Rows:
         """The names of the columns: numbers, then texts."""
 
     @property
-    def fingerprint(self) -> str: ...
+    def fingerprint(self) -> str:
+        """What tells the sweep from others."""
     def run(self, first: int, last: int, threads: int) -> tuple[list[NDArray[np.float64]], list[list[str]], bool]:
         """Some rows, by this many threads. When interrupted it returns those that are complete."""
 
 @final
 class CompiledPunch:
-    """A punch or load as the library knows it."""
+    """A punch or load as the library knows it; kept by the object of Python for the geometry in which it was used."""
 
 def examine(thickness: float, function: Callable[[float], tuple[float, float]]) -> None:
-    """Examines a function of the depth as the material of a layer of this thickness."""
+    """Examines a function of the depth as the material of a layer of this thickness: raises ``ValueError`` that names the first law of
+    elasticity that is not obeyed, see docs/adding_a_layer.md.
+    """
 
 def schema() -> str:
-    """The JSON Schema of scenes."""
-
-def arrow_stream(names: list[str], columns: list[Any], metadata: dict[str, str]) -> object:
-    """A stream of one batch, by the Arrow PyCapsule interface."""
+    """The JSON Schema of scenes, with all layers, interfaces, bases, punches and loads."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple, SupportsIndex, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,24 @@ class Interval(NamedTuple):
     right_error: float
     force: float
     centroid: float
+
+
+class Contacts(tuple[Contact, ...]):
+    """Contacts from the top down, by number from 0, or by name: `contacts["punch"]`, `contacts["2|3"]`."""
+
+    __slots__ = ()
+
+    @overload
+    def __getitem__(self, which: SupportsIndex | str) -> Contact: ...
+    @overload
+    def __getitem__(self, which: slice) -> tuple[Contact, ...]: ...
+    def __getitem__(self, which: Any) -> Any:
+        if not isinstance(which, str):
+            return super().__getitem__(which)
+        for contact in self:
+            if contact.interface == which:
+                return contact
+        raise KeyError(f"there is no contact {which!r}; there are {', '.join(contact.interface for contact in self)}")
 
 
 class Solutions:
@@ -52,7 +70,7 @@ class Solutions:
         values = [np.nan if isinstance(one, BaseException) else of(one) for one in self._found]
         return np.array([np.nan if value is None else value for value in values], dtype=float).reshape(self._shape)
 
-    def _of_contact(self, contact: int, of: Callable[[Contact], float | None]) -> NDArray[np.float64]:
+    def _of_contact(self, contact: int | str, of: Callable[[Contact], float | None]) -> NDArray[np.float64]:
         return self._array(lambda one: of(one.contacts[contact]))
 
     @property
@@ -70,15 +88,16 @@ class Solutions:
         """The derivative of the force with respect to the approach; NaN where it is not known."""
         return self._array(lambda one: one.stiffness)
 
-    def half_length(self, contact: int = 0) -> NDArray[np.float64]:
-        """Half-lengths of a contact, counted from 0 at the punch, in length; NaN for several intervals."""
+    def half_length(self, contact: int | str = 0) -> NDArray[np.float64]:
+        """Half-lengths of a contact, in length; NaN for several intervals. Contacts are counted from 0 at the punch, or named, as in
+        `half_length("1|2")`."""
         return self._of_contact(contact, lambda one: one.half_length)
 
-    def central_pressure(self, contact: int = 0) -> NDArray[np.float64]:
+    def central_pressure(self, contact: int | str = 0) -> NDArray[np.float64]:
         """Pressures at x = 0, in stress."""
         return self._of_contact(contact, lambda one: one.central_pressure)
 
-    def peak_pressure(self, contact: int = 0) -> NDArray[np.float64]:
+    def peak_pressure(self, contact: int | str = 0) -> NDArray[np.float64]:
         """Largest pressures, in stress."""
         return self._of_contact(contact, lambda one: one.peak_pressure)
 

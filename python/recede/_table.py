@@ -6,25 +6,24 @@ import csv
 import os
 import pathlib
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _html
-from ._recede import arrow_stream
 
 #: Rows that are shown in a notebook.
 SHOWN = 20
 
 
-class Columns(Mapping[str, Any]):
-    """Rows of a sweep as columns: `table["force"]` is an array of doubles, `table["status"]` a list of texts.
+class Columns(dict[str, Any]):
+    """Columns by name: `table["force"]` is an array of doubles, `table["status"]` a list of texts. What a row does not have is NaN.
 
-    What a row does not have is NaN. Programs that know the Arrow PyCapsule interface take it as it is, without copies of numbers:
-    `pyarrow.table(table)`, `polars.DataFrame(table)`, `pandas.DataFrame.from_arrow(table)` or
-    `pyarrow.table(table).to_pandas()`.
+    It is a dictionary, which other programs make tables of: `pandas.DataFrame(table)`, `polars.DataFrame(table)`, and
+    `pyarrow.table(table, metadata=table.metadata)`, which shares the memory of the numbers. Where `pyarrow` is installed, it has the Arrow
+    PyCapsule interface, too.
     """
 
     #: The scene as a text, the version of the package and the tolerance, which files and other programs get, too.
@@ -33,31 +32,27 @@ class Columns(Mapping[str, Any]):
     def __init__(
         self, columns: Mapping[str, NDArray[np.float64] | list[str]], metadata: Mapping[str, str] | None = None
     ) -> None:
-        self.columns = dict(columns)
+        super().__init__(columns)
         self.metadata = dict(metadata or {})
-
-    def __getitem__(self, name: str) -> Any:
-        return self.columns[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.columns)
-
-    def __len__(self) -> int:
-        return len(self.columns)
 
     @property
     def rows(self) -> int:
         """The number of rows."""
-        return len(next(iter(self.columns.values()), []))
+        return len(next(iter(self.values()), []))
 
     @property
     def solved(self) -> NDArray[np.bool_]:
         """Which rows have a solution; the column `message` says why others have none."""
-        return np.array([status == "solved" for status in self.columns["status"]], dtype=bool)
+        return np.array([status == "solved" for status in self["status"]], dtype=bool)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
-        """A stream of one batch, for other programs."""
-        return arrow_stream(list(self.columns), list(self.columns.values()), self.metadata)
+        """A stream of one batch, for other programs; needs `pyarrow`."""
+        return self._arrow().__arrow_c_stream__(requested_schema)
+
+    def _arrow(self) -> Any:
+        import pyarrow  # type: ignore[import-untyped, unused-ignore]
+
+        return pyarrow.table(dict(self), metadata=self.metadata)
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Writes comma-separated values as `recede sweep` does, to a temporary file that is then renamed."""
@@ -65,34 +60,34 @@ class Columns(Mapping[str, Any]):
         def write(temporary: str) -> None:
             with open(temporary, "w", encoding="utf-8", newline="") as file:
                 writer = csv.writer(file, lineterminator="\n")
-                writer.writerow(self.columns)
-                columns = [_written(column) for column in self.columns.values()]
+                writer.writerow(self)
+                columns = [_written(column) for column in self.values()]
                 writer.writerows(zip(*columns, strict=True))
 
         _replace(path, write)
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:
         """Writes a Parquet file with the scene, the version and the tolerance in its metadata; needs `pyarrow`."""
-        import pyarrow  # type: ignore[import-untyped, unused-ignore]
         import pyarrow.parquet  # type: ignore[import-untyped, unused-ignore]
 
-        _replace(path, lambda temporary: pyarrow.parquet.write_table(pyarrow.table(self), temporary))
+        _replace(path, lambda temporary: pyarrow.parquet.write_table(self._arrow(), temporary))
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Columns) or list(self.columns) != list(other.columns):
+        if not isinstance(other, Columns) or list(self) != list(other):
             return False
-        pairs = zip(self.columns.values(), other.columns.values(), strict=True)
+        pairs = zip(self.values(), other.values(), strict=True)
         return all(np.array_equal(a, b, equal_nan=not isinstance(a, list)) for a, b in pairs)
 
-    __hash__ = None  # type: ignore[assignment]
+    def __ne__(self, other: object) -> bool:
+        return not self == other
 
     def __repr__(self) -> str:
-        return f"<Columns: {self.rows} rows: {', '.join(self.columns)}>"
+        return f"<Columns: {self.rows} rows: {', '.join(self)}>"
 
     def _repr_html_(self) -> str:
-        rows = [[column[k] for column in self.columns.values()] for k in range(min(self.rows, SHOWN))]
+        rows = [[column[k] for column in self.values()] for k in range(min(self.rows, SHOWN))]
         more = f"<p>{self.rows} rows in all</p>" if self.rows > SHOWN else ""
-        return _html.table(list(self.columns), [[_plain(cell) for cell in row] for row in rows]) + more
+        return _html.table(list(self), [[_plain(cell) for cell in row] for row in rows]) + more
 
 
 def _replace(path: str | os.PathLike[str], write: Callable[[str], None]) -> None:
@@ -131,9 +126,9 @@ def joined(tables: list[Columns]) -> Columns:
     """Tables of the same columns one below the other."""
 
     def column(name: str) -> NDArray[np.float64] | list[str]:
-        parts = [table.columns[name] for table in tables]
+        parts = [table[name] for table in tables]
         if isinstance(parts[0], list):
             return [text for part in parts for text in part]
         return np.concatenate(parts)
 
-    return Columns({name: column(name) for name in tables[0].columns}, tables[0].metadata)
+    return Columns({name: column(name) for name in tables[0]}, tables[0].metadata)

@@ -1,103 +1,19 @@
-"""Texts of scenes from objects: what is legal is known by the reader of scenes alone."""
+"""Scenes from objects, and objects from scenes."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
+from ._items import Item, Load, Punch, StackItem, named
 from ._recede import Model, Scene, Solution
+from ._values import Units, kept, written
 
 INDENT = "    "
-
-
-def value(found: Any) -> str:
-    """A value as it is written in a scene."""
-    if isinstance(found, Item):
-        return found.ron()
-    if isinstance(found, bool | np.bool_):
-        return "true" if found else "false"
-    if isinstance(found, str):
-        return json.dumps(found, ensure_ascii=False)
-    if isinstance(found, int | np.integer):
-        return str(int(found))
-    if isinstance(found, float | np.floating):
-        return _number(float(found))
-    if isinstance(found, tuple):
-        return f"({', '.join(value(one) for one in found)})"
-    if isinstance(found, np.ndarray):
-        found = found.tolist()
-    if isinstance(found, Iterable) and not isinstance(found, Mapping | bytes):
-        return f"[{', '.join(_row(one) for one in found)}]"
-    raise TypeError(f"{found!r} cannot be written in a scene; numbers, texts such as '26 GPa', lists and items can")
-
-
-def _number(number: float) -> str:
-    if number != number:
-        return "NaN"
-    if number in (float("inf"), float("-inf")):
-        return "inf" if number > 0 else "-inf"
-    return repr(number)
-
-
-def _row(one: Any) -> str:
-    # rows of tables are pairs, also those of arrays
-    return value(tuple(one)) if isinstance(one, list) else value(one)
-
-
-class Item:
-    """A layer, an interface, a punch, a load or a profile: a name with fields. Its fields are attributes, and cannot be changed."""
-
-    __slots__ = ("_fields", "_compiled")
-    _fields: dict[str, Any]
-
-    def __init__(self, **fields: Any) -> None:
-        given = {name: field for name, field in fields.items() if field is not None}
-        object.__setattr__(self, "_fields", given)
-
-    def ron(self) -> str:
-        """As it is written in a scene."""
-        if not self._fields:
-            return type(self).__name__
-        fields = ", ".join(self._written(name, field) for name, field in self._fields.items())
-        return f"{type(self).__name__}({fields})"
-
-    @staticmethod
-    def _written(name: str, field: Any) -> str:
-        return value(field) if name == "rows" else f"{name}: {value(field)}"
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        try:
-            return self._fields[name]
-        except KeyError:
-            raise AttributeError(f"{type(self).__name__} has no {name!r}") from None
-
-    def __setattr__(self, name: str, field: Any) -> None:
-        if name != "_compiled":
-            raise AttributeError("items cannot be changed; make another one")
-        object.__setattr__(self, name, field)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (type(self), self._fields)
-
-    def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and isinstance(other, Item) and self.ron() == other.ron()
-
-    def __hash__(self) -> int:
-        return hash(self.ron())
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={field!r}' for name, field in self._fields.items())})"
-
-
-def _again(kind: type[Item], fields: dict[str, Any]) -> Item:
-    item = kind.__new__(kind)
-    Item.__init__(item, **fields)
-    return item
+KINDS_OF_FORCE = ("force", "half_length", "depth")
 
 
 class FunctionLayer(Item):
@@ -111,19 +27,25 @@ class FunctionLayer(Item):
     `recede.examine(layer)` checks the laws of elasticity that hold for all layers.
     """
 
-    __slots__ = ()
+    __slots__ = ("thickness", "material")
+    thickness: float
+    material: Callable[[float], tuple[float, float]]
 
-    def __init__(self, thickness: float, material: Any) -> None:
+    def __init__(self, thickness: float, material: Callable[[float], tuple[float, float]]) -> None:
         if not callable(material):
-            raise TypeError(f"`material` has to be a function of the depth, not {material!r}")
-        super().__init__(thickness=thickness, material=material)
+            raise TypeError(f"`FunctionLayer.material` has to be a function of the depth, not {material!r}")
+        self._keep({"thickness": kept(thickness, float, "FunctionLayer.thickness"), "material": material})
+        self._check()
+
+    def _scenes(self) -> list[str]:
+        return StackItem._scenes(self)  # type: ignore[arg-type]
 
     def ron(self) -> str:
         # in place of the function something legal, for messages about the rest
-        return f"Homogeneous(thickness: {value(self.thickness)}, shear_modulus: 1.0, poisson: 0.0)"
+        return f"Homogeneous(thickness: {written(self.thickness)}, shear_modulus: 1.0, poisson: 0.0)"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, FunctionLayer) and self._fields == other._fields
+        return isinstance(other, FunctionLayer) and self._fields() == other._fields()
 
     def __hash__(self) -> int:
         return hash((self.thickness, self.material))
@@ -137,7 +59,7 @@ class Stack:
         geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric".
 
     Raises:
-        InputError: if a number is not legal, or items do not fit together; with the item in question.
+        InputError: if items do not fit together; with the item in question.
     """
 
     def __init__(self, items: Iterable[Item], geometry: str = "PlaneStrain") -> None:
@@ -153,7 +75,7 @@ class Stack:
 
     @property
     def geometry(self) -> str:
-        """"PlaneStrain", "PlaneStress" or "Axisymmetric"."""
+        """ "PlaneStrain", "PlaneStress" or "Axisymmetric"."""
         return self._geometry
 
     def __eq__(self, other: object) -> bool:
@@ -169,7 +91,7 @@ class Stack:
         return Stack, (self._items, self._geometry)
 
 
-class _AnyPunch(Item):
+class _AnyPunch(Punch):
     __slots__ = ()
 
     def ron(self) -> str:
@@ -179,20 +101,40 @@ class _AnyPunch(Item):
 ANY_PUNCH = _AnyPunch()
 
 
+class _Ground(Item):
+    __slots__ = ()
+
+    def ron(self) -> str:
+        return "HalfPlane(shear_modulus: 1.0, poisson: 0.25)"
+
+
+class Text:
+    """The text of a scene, and the object that each line is about."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.objects: list[Any] = []
+
+    def add(self, line: str, about: Any = None) -> None:
+        """Adds a line."""
+        self.lines.append(line)
+        self.objects.append(about)
+
+
 def scene(
     stack: Stack | Iterable[Item],
-    punch: Item | None,
+    punch: Any,
     force: Any,
     *,
-    load: Item | None = None,
+    load: Any = None,
     half_length: Any = None,
     depth: Any = None,
     geometry: str | None = None,
     name: str | None = None,
     description: str | None = None,
-    units: tuple[str, str] | None = None,
-) -> tuple[str, list[tuple[int, float, Any]]]:
-    """The text of a scene, and which items of the stack are functions."""
+    units: Any = None,
+) -> tuple[str, list[Any], list[tuple[int, float, Any]]]:
+    """The text of a scene, what each line of it is about, and which items of the stack are functions."""
     items = stack.items if isinstance(stack, Stack) else tuple(stack)
     if isinstance(stack, Stack) and geometry not in (None, stack.geometry):
         raise ValueError(f"`geometry` is {geometry!r}, but that of the stack is {stack.geometry!r}")
@@ -202,42 +144,81 @@ def scene(
     for given, called in ((punch, "punch"), (load, "load")):
         if given is not None and not isinstance(given, Item):
             raise TypeError(f"`{called}` has to be one such as `Cylinder(radius=...)`, not {given!r}")
-    for given, called in ((force, "force"), (half_length, "half_length"), (depth, "depth")):
-        if given is not None and not isinstance(given, int | float | str | np.number) or isinstance(given, bool):
-            raise TypeError(f"`{called}` has to be a number, or a text such as '2 kN', not {given!r}")
+    numbers = dict(zip(KINDS_OF_FORCE, (force, half_length, depth), strict=True))
+    for called, number in numbers.items():
+        if number is not None and not isinstance(number, int | float | str | np.number) or isinstance(number, bool):
+            raise TypeError(f"`{called}` has to be a number, or a text such as '2 kN', not {number!r}")
+    text = Text()
+    text.add("Scene(")
+    for called, label in (("name", name), ("description", description), ("units", _units(units))):
+        if label is not None:
+            text.add(f"{INDENT}{called}: {written(label)},", f"{called}={label!r}")
     chosen = geometry or (stack.geometry if isinstance(stack, Stack) else "PlaneStrain")
-    fields = {"name": name, "description": description}
-    lines = [f"{INDENT}{key}: {value(text)}," for key, text in fields.items() if text is not None]
-    if units is not None:
-        lines.append(f"{INDENT}units: {_units(units)},")
-    lines.append(f"{INDENT}geometry: {chosen},")
-    numbers = {"punch": punch, "load": load, "force": force, "half_length": half_length, "depth": depth}
-    lines += [f"{INDENT}{key}: {value(one)}," for key, one in numbers.items() if one is not None]
-    lines += [f"{INDENT}stack: [", *(f"{2 * INDENT}{item.ron()}," for item in items), f"{INDENT}],"]
+    text.add(f"{INDENT}geometry: {chosen},", f"geometry={chosen!r}")
+    for called, one in {"punch": punch, "load": load, **numbers}.items():
+        if one is not None:
+            value = kept(one, object, called)
+            text.add(f"{INDENT}{called}: {written(value)},", one if isinstance(one, Item) else f"{called}={value!r}")
+    text.add(f"{INDENT}stack: [")
+    for item in items:
+        text.add(f"{2 * INDENT}{item.ron()},", item)
+    text.add(f"{INDENT}],")
+    text.add(")")
     functions = [
         (place, float(item.thickness), item.material) for place, item in enumerate(items) if isinstance(item, FunctionLayer)
     ]
-    return "\n".join(["Scene(", *lines, ")"]), functions
+    return "\n".join(text.lines), text.objects, functions
 
 
-def _units(units: tuple[str, str]) -> str:
-    length, force = units
-    return f"(length: {value(length)}, force: {value(force)})"
+def _units(units: Any) -> Units | None:
+    """Labels of units: a pair, a mapping, or `Units`."""
+    if units is None:
+        return None
+    example = 'such as `Units("mm", "N")`, ("mm", "N") or {"length": "mm", "force": "N"}'
+    if isinstance(units, str | bytes) or not isinstance(units, Iterable):
+        raise TypeError(f"`units` has to be labels of length and force, {example}, not {units!r}")
+    found: Units = kept(units, Units, "units")
+    for label in found:
+        if not isinstance(label, str):
+            raise TypeError(f"`units` has to be labels of length and force, {example}, not {units!r}")
+    return found
 
 
-def with_punch(punch: Any, geometry: str, units: tuple[str, str] | None) -> str:
-    """The text of a scene with this punch, or load, on any stack."""
+def about(objects: list[Any], line: int) -> str | None:
+    """What a line of the text of a scene is about, in Python; None if that is not known any more."""
+    found = objects[line - 1] if line <= len(objects) else None
+    return found if found is None or isinstance(found, str) else repr(found)
+
+
+def with_punch(punch: Any, geometry: str, units: tuple[str, str] | None) -> tuple[str, list[Any]]:
+    """The text of a scene with this punch, or load, on any stack, and what each line of it is about."""
     if not isinstance(punch, Item):
         raise TypeError(f"`punch` has to be one such as `Cylinder(radius=...)`, not {punch!r}")
-    own, load = (None, punch) if getattr(type(punch), "_is_load", False) else (punch, None)
-    return scene([_Ground()], own, 1.0, load=load, geometry=geometry, units=units)[0]
+    own, load = (None, punch) if isinstance(punch, Load) else (punch, None)
+    return scene([_Ground()], own, 1.0, load=load, geometry=geometry, units=units)[:2]
 
 
-class _Ground(Item):
-    __slots__ = ()
+def part(text: str, name: str) -> Item | None:
+    """The punch or the load of a scene in JSON."""
+    data = json.loads(text)
+    return named({"punch": Punch, "load": Load}[name], data[name]) if name in data else None
 
-    def ron(self) -> str:
-        return "HalfPlane(shear_modulus: 1.0, poisson: 0.25)"
+
+def parts(text: str) -> dict[str, Any]:
+    """What a scene in JSON is made of, by the names of the arguments of `Scene`."""
+    data: dict[str, Any] = json.loads(text)
+    found = {name: data.get(name) for name in ("name", "description", *KINDS_OF_FORCE)}
+    found["units"] = Units(**data["units"]) if data.get("units") else None
+    found["stack"] = Stack([named(StackItem, one) for one in data["stack"]], data["geometry"])
+    found |= {name: part(text, name) for name in ("punch", "load")}
+    return found
+
+
+def scene_repr(found: Mapping[str, Any]) -> str:
+    """A scene in Python."""
+    first = ", ".join(repr(found[name]) for name in ("stack", "punch", "force"))
+    rest = (f", {name}={value!r}" for name, value in found.items() if name not in ("stack", "punch", "force") and value is not None)
+    return f"Scene({first}{''.join(rest)})"
 
 
 def scene_of(stack: Any) -> Scene:

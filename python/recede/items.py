@@ -6,15 +6,39 @@ Written by make_items.py from the JSON Schema of scenes."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import NamedTuple
 
-from ._text import Item
+from ._items import Load, Profile, Punch, StackItem
+from ._values import Number, Row, Rows
 
 
-class StackItem(Item):
-    """An item of a stack."""
+class OrthotropicYoung(NamedTuple):
+    """Young's moduli.
 
-    __slots__ = ()
+    Args:
+        x: E_x, in stress. Allowed: a finite number > 0.
+        y: E_y, in stress. Allowed: a finite number > 0.
+        z: E_z, in stress; it matters in plane strain only. Allowed: a finite number > 0.
+    """
+
+    x: float | str
+    y: float | str
+    z: float | str
+
+
+class OrthotropicPoisson(NamedTuple):
+    """Poisson's ratios.
+
+    Args:
+        xy: ν_xy, dimensionless. Allowed: a finite number.
+        xz: ν_xz, dimensionless; it matters in plane strain only. Allowed: a finite number.
+        yz: ν_yz, dimensionless; it matters in plane strain only. Allowed: a finite number.
+    """
+
+    xy: float | str
+    xz: float | str
+    yz: float | str
 
 
 class Homogeneous(StackItem):
@@ -27,10 +51,21 @@ class Homogeneous(StackItem):
         young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("thickness", "poisson", "shear_modulus", "young")
+    thickness: float | str
+    poisson: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
-    def __init__(self, *, thickness: Any, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
-        super().__init__(thickness=thickness, poisson=poisson, shear_modulus=shear_modulus, young=young)
+    def __init__(
+        self,
+        *,
+        thickness: Number,
+        poisson: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
+    ) -> None:
+        self._set(thickness=thickness, poisson=poisson, shear_modulus=shear_modulus, young=young)
 
 
 class Exponential(StackItem):
@@ -47,18 +82,23 @@ class Exponential(StackItem):
             0.
     """
 
-    __slots__ = ()
+    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young")
+    thickness: float | str
+    poisson: float | str
+    beta: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
     def __init__(
         self,
         *,
-        thickness: Any,
-        poisson: Any,
-        beta: Any,
-        shear_modulus: Any = None,
-        young: Any = None,
+        thickness: Number,
+        poisson: Number,
+        beta: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
     ) -> None:
-        super().__init__(thickness=thickness, poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
+        self._set(thickness=thickness, poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
 
 
 class Graded(StackItem):
@@ -72,18 +112,23 @@ class Graded(StackItem):
         poisson_profile: Poisson's ratio as a function of depth, in place of `poisson`.
     """
 
-    __slots__ = ()
+    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile")
+    thickness: float | str
+    shear_modulus: Profile | None
+    young: Profile | None
+    poisson: float | str | None
+    poisson_profile: Profile | None
 
     def __init__(
         self,
         *,
-        thickness: Any,
-        shear_modulus: Any = None,
-        young: Any = None,
-        poisson: Any = None,
-        poisson_profile: Any = None,
+        thickness: Number,
+        shear_modulus: Profile | None = None,
+        young: Profile | None = None,
+        poisson: Number | None = None,
+        poisson_profile: Profile | None = None,
     ) -> None:
-        super().__init__(
+        self._set(
             thickness=thickness,
             shear_modulus=shear_modulus,
             young=young,
@@ -102,10 +147,21 @@ class Orthotropic(StackItem):
         shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("thickness", "young", "poisson", "shear_modulus")
+    thickness: float | str
+    young: OrthotropicYoung
+    poisson: OrthotropicPoisson
+    shear_modulus: float | str
 
-    def __init__(self, *, thickness: Any, young: Any, poisson: Any, shear_modulus: Any) -> None:
-        super().__init__(thickness=thickness, young=young, poisson=poisson, shear_modulus=shear_modulus)
+    def __init__(
+        self,
+        *,
+        thickness: Number,
+        young: OrthotropicYoung | tuple[Number, Number, Number] | Mapping[str, Number],
+        poisson: OrthotropicPoisson | tuple[Number, Number, Number] | Mapping[str, Number],
+        shear_modulus: Number,
+    ) -> None:
+        self._set(thickness=thickness, young=young, poisson=poisson, shear_modulus=shear_modulus)
 
 
 class HalfPlane(StackItem):
@@ -117,10 +173,13 @@ class HalfPlane(StackItem):
         young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("poisson", "shear_modulus", "young")
+    poisson: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
-    def __init__(self, *, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
-        super().__init__(poisson=poisson, shear_modulus=shear_modulus, young=young)
+    def __init__(self, *, poisson: Number, shear_modulus: Number | None = None, young: Number | None = None) -> None:
+        self._set(poisson=poisson, shear_modulus=shear_modulus, young=young)
 
 
 class GradedHalfPlane(StackItem):
@@ -134,10 +193,21 @@ class GradedHalfPlane(StackItem):
         young: Young's modulus E at the face, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("poisson", "beta", "shear_modulus", "young")
+    poisson: float | str
+    beta: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
-    def __init__(self, *, poisson: Any, beta: Any, shear_modulus: Any = None, young: Any = None) -> None:
-        super().__init__(poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
+    def __init__(
+        self,
+        *,
+        poisson: Number,
+        beta: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
+    ) -> None:
+        self._set(poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
 
 
 class PowerHalfPlane(StackItem):
@@ -152,18 +222,23 @@ class PowerHalfPlane(StackItem):
         young: Young's modulus E at the face, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("poisson", "length", "exponent", "shear_modulus", "young")
+    poisson: float | str
+    length: float | str
+    exponent: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
     def __init__(
         self,
         *,
-        poisson: Any,
-        length: Any,
-        exponent: Any,
-        shear_modulus: Any = None,
-        young: Any = None,
+        poisson: Number,
+        length: Number,
+        exponent: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
     ) -> None:
-        super().__init__(poisson=poisson, length=length, exponent=exponent, shear_modulus=shear_modulus, young=young)
+        self._set(poisson=poisson, length=length, exponent=exponent, shear_modulus=shear_modulus, young=young)
 
 
 class OrthotropicHalfPlane(StackItem):
@@ -175,10 +250,19 @@ class OrthotropicHalfPlane(StackItem):
         shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("young", "poisson", "shear_modulus")
+    young: OrthotropicYoung
+    poisson: OrthotropicPoisson
+    shear_modulus: float | str
 
-    def __init__(self, *, young: Any, poisson: Any, shear_modulus: Any) -> None:
-        super().__init__(young=young, poisson=poisson, shear_modulus=shear_modulus)
+    def __init__(
+        self,
+        *,
+        young: OrthotropicYoung | tuple[Number, Number, Number] | Mapping[str, Number],
+        poisson: OrthotropicPoisson | tuple[Number, Number, Number] | Mapping[str, Number],
+        shear_modulus: Number,
+    ) -> None:
+        self._set(young=young, poisson=poisson, shear_modulus=shear_modulus)
 
 
 class Winkler(StackItem):
@@ -190,10 +274,12 @@ class Winkler(StackItem):
             finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("stiffness", "shear_stiffness")
+    stiffness: float | str
+    shear_stiffness: float | str | None
 
-    def __init__(self, *, stiffness: Any, shear_stiffness: Any = None) -> None:
-        super().__init__(stiffness=stiffness, shear_stiffness=shear_stiffness)
+    def __init__(self, *, stiffness: Number, shear_stiffness: Number | None = None) -> None:
+        self._set(stiffness=stiffness, shear_stiffness=shear_stiffness)
 
 
 class Spring(StackItem):
@@ -205,10 +291,12 @@ class Spring(StackItem):
             finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("normal", "tangential")
+    normal: float | str
+    tangential: float | str | None
 
-    def __init__(self, *, normal: Any, tangential: Any = None) -> None:
-        super().__init__(normal=normal, tangential=tangential)
+    def __init__(self, *, normal: Number, tangential: Number | None = None) -> None:
+        self._set(normal=normal, tangential=tangential)
 
 
 class Bonded(StackItem):
@@ -217,7 +305,7 @@ class Bonded(StackItem):
     __slots__ = ()
 
     def __init__(self) -> None:
-        super().__init__()
+        self._set()
 
 
 class Sliding(StackItem):
@@ -226,7 +314,7 @@ class Sliding(StackItem):
     __slots__ = ()
 
     def __init__(self) -> None:
-        super().__init__()
+        self._set()
 
 
 class Receding(StackItem):
@@ -235,7 +323,7 @@ class Receding(StackItem):
     __slots__ = ()
 
     def __init__(self) -> None:
-        super().__init__()
+        self._set()
 
 
 class Rigid(StackItem):
@@ -244,13 +332,7 @@ class Rigid(StackItem):
     __slots__ = ()
 
     def __init__(self) -> None:
-        super().__init__()
-
-
-class Punch(Item):
-    """A punch."""
-
-    __slots__ = ()
+        self._set()
 
 
 class Cylinder(Punch):
@@ -260,10 +342,12 @@ class Cylinder(Punch):
         radius: Radius R, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("radius",)
+    _geometries = {"PlaneStrain": ("radius",)}
+    radius: float | str
 
-    def __init__(self, *, radius: Any) -> None:
-        super().__init__(radius=radius)
+    def __init__(self, *, radius: Number) -> None:
+        self._set(radius=radius)
 
 
 class Parabola(Punch):
@@ -273,10 +357,12 @@ class Parabola(Punch):
         radius: Radius of curvature R at the tip, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("radius",)
+    _geometries = {"PlaneStrain": ("radius",), "Axisymmetric": ("radius",)}
+    radius: float | str
 
-    def __init__(self, *, radius: Any) -> None:
-        super().__init__(radius=radius)
+    def __init__(self, *, radius: Number) -> None:
+        self._set(radius=radius)
 
 
 class Power(Punch):
@@ -289,10 +375,25 @@ class Power(Punch):
         radius: Where the height is given, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("exponent", "height", "half_width", "radius")
+    _geometries = {
+        "PlaneStrain": ("exponent", "half_width", "height"),
+        "Axisymmetric": ("exponent", "radius", "height"),
+    }
+    exponent: float | str
+    height: float | str
+    half_width: float | str | None
+    radius: float | str | None
 
-    def __init__(self, *, exponent: Any, height: Any, half_width: Any = None, radius: Any = None) -> None:
-        super().__init__(exponent=exponent, height=height, half_width=half_width, radius=radius)
+    def __init__(
+        self,
+        *,
+        exponent: Number,
+        height: Number,
+        half_width: Number | None = None,
+        radius: Number | None = None,
+    ) -> None:
+        self._set(exponent=exponent, height=height, half_width=half_width, radius=radius)
 
 
 class Polynomial(Punch):
@@ -306,10 +407,14 @@ class Polynomial(Punch):
         radius: Where s is 1, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("heights", "half_width", "radius")
+    _geometries = {"PlaneStrain": ("half_width", "heights"), "Axisymmetric": ("radius", "heights")}
+    heights: tuple[Row, ...]
+    half_width: float | str | None
+    radius: float | str | None
 
-    def __init__(self, *, heights: Any, half_width: Any = None, radius: Any = None) -> None:
-        super().__init__(heights=heights, half_width=half_width, radius=radius)
+    def __init__(self, *, heights: Rows, half_width: Number | None = None, radius: Number | None = None) -> None:
+        self._set(heights=heights, half_width=half_width, radius=radius)
 
 
 class Wedge(Punch):
@@ -323,10 +428,12 @@ class Wedge(Punch):
             cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 
-    __slots__ = ()
+    __slots__ = ("slope",)
+    _geometries = {"PlaneStrain": ("slope",)}
+    slope: float | str
 
-    def __init__(self, *, slope: Any = None, half_angle: Any = None) -> None:
-        super().__init__(slope=slope, half_angle=half_angle)
+    def __init__(self, *, slope: Number) -> None:
+        self._set(slope=slope)
 
 
 class RoundedFlat(Punch):
@@ -338,10 +445,14 @@ class RoundedFlat(Punch):
         flat_radius: Radius of the flat part, in length. Allowed: a finite number >= 0 (0 means: not there).
     """
 
-    __slots__ = ()
+    __slots__ = ("radius", "half_width", "flat_radius")
+    _geometries = {"PlaneStrain": ("half_width", "radius"), "Axisymmetric": ("flat_radius", "radius")}
+    radius: float | str
+    half_width: float | str | None
+    flat_radius: float | str | None
 
-    def __init__(self, *, radius: Any, half_width: Any = None, flat_radius: Any = None) -> None:
-        super().__init__(radius=radius, half_width=half_width, flat_radius=flat_radius)
+    def __init__(self, *, radius: Number, half_width: Number | None = None, flat_radius: Number | None = None) -> None:
+        self._set(radius=radius, half_width=half_width, flat_radius=flat_radius)
 
 
 class Flat(Punch):
@@ -353,10 +464,13 @@ class Flat(Punch):
         radius: Radius of the punch, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("half_width", "radius")
+    _geometries = {"PlaneStrain": ("half_width",), "Axisymmetric": ("radius",)}
+    half_width: float | str | None
+    radius: float | str | None
 
-    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
-        super().__init__(half_width=half_width, radius=radius)
+    def __init__(self, *, half_width: Number | None = None, radius: Number | None = None) -> None:
+        self._set(half_width=half_width, radius=radius)
 
 
 class Table(Punch):
@@ -367,10 +481,12 @@ class Table(Punch):
         rows: Allowed: [(x, height), ...], two or more with increasing distances x, the first 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("rows",)
+    _geometries = {"PlaneStrain": ("rows",), "Axisymmetric": ("rows",)}
+    rows: tuple[Row, ...]
 
-    def __init__(self, rows: Any) -> None:
-        super().__init__(rows=rows)
+    def __init__(self, rows: Rows) -> None:
+        self._set(rows=rows)
 
 
 class ElasticCylinder(Punch):
@@ -384,10 +500,22 @@ class ElasticCylinder(Punch):
             0.
     """
 
-    __slots__ = ()
+    __slots__ = ("radius", "poisson", "shear_modulus", "young")
+    _geometries = {"PlaneStrain": ("radius", "shear_modulus", "young", "poisson")}
+    radius: float | str
+    poisson: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
-    def __init__(self, *, radius: Any, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
-        super().__init__(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
+    def __init__(
+        self,
+        *,
+        radius: Number,
+        poisson: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
+    ) -> None:
+        self._set(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
 
 
 class Sphere(Punch):
@@ -397,10 +525,12 @@ class Sphere(Punch):
         radius: Radius R, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("radius",)
+    _geometries = {"Axisymmetric": ("radius",)}
+    radius: float | str
 
-    def __init__(self, *, radius: Any) -> None:
-        super().__init__(radius=radius)
+    def __init__(self, *, radius: Number) -> None:
+        self._set(radius=radius)
 
 
 class Cone(Punch):
@@ -414,10 +544,12 @@ class Cone(Punch):
             cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 
-    __slots__ = ()
+    __slots__ = ("slope",)
+    _geometries = {"Axisymmetric": ("slope",)}
+    slope: float | str
 
-    def __init__(self, *, slope: Any = None, half_angle: Any = None) -> None:
-        super().__init__(slope=slope, half_angle=half_angle)
+    def __init__(self, *, slope: Number) -> None:
+        self._set(slope=slope)
 
 
 class ElasticSphere(Punch):
@@ -431,27 +563,32 @@ class ElasticSphere(Punch):
             0.
     """
 
-    __slots__ = ()
+    __slots__ = ("radius", "poisson", "shear_modulus", "young")
+    _geometries = {"Axisymmetric": ("radius", "shear_modulus", "young", "poisson")}
+    radius: float | str
+    poisson: float | str
+    shear_modulus: float | str | None
+    young: float | str | None
 
-    def __init__(self, *, radius: Any, poisson: Any, shear_modulus: Any = None, young: Any = None) -> None:
-        super().__init__(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
-
-
-class Load(Item):
-    """A given pressure in place of a punch."""
-
-    __slots__ = ()
-
-    _is_load = True
+    def __init__(
+        self,
+        *,
+        radius: Number,
+        poisson: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
+    ) -> None:
+        self._set(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
 
 
 class Line(Load):
     """The whole force on the line x = 0."""
 
     __slots__ = ()
+    _geometries = {"PlaneStrain": ()}
 
     def __init__(self) -> None:
-        super().__init__()
+        self._set()
 
 
 class Uniform(Load):
@@ -462,10 +599,13 @@ class Uniform(Load):
         radius: Radius of the loaded disc, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("half_width", "radius")
+    _geometries = {"PlaneStrain": ("half_width",), "Axisymmetric": ("radius",)}
+    half_width: float | str | None
+    radius: float | str | None
 
-    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
-        super().__init__(half_width=half_width, radius=radius)
+    def __init__(self, *, half_width: Number | None = None, radius: Number | None = None) -> None:
+        self._set(half_width=half_width, radius=radius)
 
 
 class Parabolic(Load):
@@ -476,10 +616,13 @@ class Parabolic(Load):
         radius: Radius of the loaded disc, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("half_width", "radius")
+    _geometries = {"PlaneStrain": ("half_width",), "Axisymmetric": ("radius",)}
+    half_width: float | str | None
+    radius: float | str | None
 
-    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
-        super().__init__(half_width=half_width, radius=radius)
+    def __init__(self, *, half_width: Number | None = None, radius: Number | None = None) -> None:
+        self._set(half_width=half_width, radius=radius)
 
 
 class Elliptic(Load):
@@ -490,10 +633,13 @@ class Elliptic(Load):
         radius: Radius of the loaded disc, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("half_width", "radius")
+    _geometries = {"PlaneStrain": ("half_width",), "Axisymmetric": ("radius",)}
+    half_width: float | str | None
+    radius: float | str | None
 
-    def __init__(self, *, half_width: Any = None, radius: Any = None) -> None:
-        super().__init__(half_width=half_width, radius=radius)
+    def __init__(self, *, half_width: Number | None = None, radius: Number | None = None) -> None:
+        self._set(half_width=half_width, radius=radius)
 
 
 class Several(Load):
@@ -505,19 +651,22 @@ class Several(Load):
             0.
     """
 
-    __slots__ = ()
+    __slots__ = ("rows",)
+    _geometries = {"PlaneStrain": ("rows",)}
+    rows: tuple[Row, ...]
 
-    def __init__(self, rows: Any) -> None:
-        super().__init__(rows=rows)
+    def __init__(self, rows: Rows) -> None:
+        self._set(rows=rows)
 
 
 class Point(Load):
     """The whole force at the point r = 0."""
 
     __slots__ = ()
+    _geometries = {"Axisymmetric": ()}
 
     def __init__(self) -> None:
-        super().__init__()
+        self._set()
 
 
 class Ring(Load):
@@ -528,10 +677,13 @@ class Ring(Load):
         half_width: Half of its width, in length; at least a ten-thousandth of the radius. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("radius", "half_width")
+    _geometries = {"Axisymmetric": ("radius", "half_width")}
+    radius: float | str
+    half_width: float | str
 
-    def __init__(self, *, radius: Any, half_width: Any) -> None:
-        super().__init__(radius=radius, half_width=half_width)
+    def __init__(self, *, radius: Number, half_width: Number) -> None:
+        self._set(radius=radius, half_width=half_width)
 
 
 __all__ = [
@@ -551,6 +703,8 @@ __all__ = [
     "Load",
     "Orthotropic",
     "OrthotropicHalfPlane",
+    "OrthotropicPoisson",
+    "OrthotropicYoung",
     "Parabola",
     "Parabolic",
     "Point",

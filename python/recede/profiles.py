@@ -4,28 +4,22 @@ Written by make_items.py from the JSON Schema of scenes."""
 
 from __future__ import annotations
 
-from typing import Any
-
-from ._text import Item
-
-
-class Profile(Item):
-    """A function of the depth d below the top face of a layer."""
-
-    __slots__ = ()
+from ._items import Profile
+from ._values import Number, Row, Rows
 
 
 class Constant(Profile):
     """The same at any depth.
 
     Args:
-        rows: Allowed: a finite number > 0.
+        value: Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("value",)
+    value: float | str
 
-    def __init__(self, rows: Any) -> None:
-        super().__init__(rows=rows)
+    def __init__(self, value: Number) -> None:
+        self._set(value=value)
 
 
 class Linear(Profile):
@@ -36,10 +30,12 @@ class Linear(Profile):
         bottom: Value at the bottom face. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("top", "bottom")
+    top: float | str
+    bottom: float | str
 
-    def __init__(self, *, top: Any, bottom: Any) -> None:
-        super().__init__(top=top, bottom=bottom)
+    def __init__(self, *, top: Number, bottom: Number) -> None:
+        self._set(top=top, bottom=bottom)
 
 
 class Power(Profile):
@@ -51,10 +47,13 @@ class Power(Profile):
         exponent: Exponent m, dimensionless. Allowed: a finite number.
     """
 
-    __slots__ = ()
+    __slots__ = ("surface", "length", "exponent")
+    surface: float | str
+    length: float | str
+    exponent: float | str
 
-    def __init__(self, *, surface: Any, length: Any, exponent: Any) -> None:
-        super().__init__(surface=surface, length=length, exponent=exponent)
+    def __init__(self, *, surface: Number, length: Number, exponent: Number) -> None:
+        self._set(surface=surface, length=length, exponent=exponent)
 
 
 class Exponential(Profile):
@@ -65,10 +64,12 @@ class Exponential(Profile):
         beta: Grading exponent, in 1/length; positive: larger with depth. Allowed: a finite number.
     """
 
-    __slots__ = ()
+    __slots__ = ("surface", "beta")
+    surface: float | str
+    beta: float | str
 
-    def __init__(self, *, surface: Any, beta: Any) -> None:
-        super().__init__(surface=surface, beta=beta)
+    def __init__(self, *, surface: Number, beta: Number) -> None:
+        self._set(surface=surface, beta=beta)
 
 
 class Sigmoid(Profile):
@@ -81,10 +82,14 @@ class Sigmoid(Profile):
         width: Width of the step, in length. Allowed: a finite number > 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("top", "bottom", "centre", "width")
+    top: float | str
+    bottom: float | str
+    centre: float | str
+    width: float | str
 
-    def __init__(self, *, top: Any, bottom: Any, centre: Any, width: Any) -> None:
-        super().__init__(top=top, bottom=bottom, centre=centre, width=width)
+    def __init__(self, *, top: Number, bottom: Number, centre: Number, width: Number) -> None:
+        self._set(top=top, bottom=bottom, centre=centre, width=width)
 
 
 class Table(Profile):
@@ -94,10 +99,11 @@ class Table(Profile):
         rows: Allowed: [(depth, value), ...], two or more with increasing depths, the first 0.
     """
 
-    __slots__ = ()
+    __slots__ = ("rows",)
+    rows: tuple[Row, ...]
 
-    def __init__(self, rows: Any) -> None:
-        super().__init__(rows=rows)
+    def __init__(self, rows: Rows) -> None:
+        self._set(rows=rows)
 
 
 __all__ = [

@@ -1,16 +1,16 @@
 //! Stresses and displacements.
 use std::sync::Arc;
 
-use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use recede::{BondExtremes, Extreme, FieldPoint, FieldQuantity, Geometry, Point};
+use pyo3::types::{PyDict, PyList};
+use recede::{BondExtremes, Extreme, FieldPoint, FieldQuantity, Geometry, LayerExtremes, Point};
 
+use crate::arrays::{array, read};
 use crate::errors::raised;
 use crate::model::Solver;
 use crate::solution::dictionary;
 
-/// Stresses and displacements inside a stack.
+/// Stresses and displacements inside a stack, stresses positive in tension.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Field {
     inner: recede::Field,
@@ -29,25 +29,35 @@ impl Field {
     /// A column for each quantity, by its name in the geometry.
     fn columns<'py>(&self, py: Python<'py>, points: &[FieldPoint]) -> PyResult<Bound<'py, PyDict>> {
         let columns = PyDict::new(py);
+        let add = |name: &str, of: &dyn Fn(&FieldPoint) -> f64| {
+            let values: Vec<f64> = points.iter().map(of).collect();
+            columns.set_item(name, array(py, &values)?)
+        };
         let geometry = self.geometry();
+        add("x", &|point| point.x)?;
+        add("depth", &|point| point.depth)?;
+        add("layer", &|point| point.layer as f64)?;
         for quantity in FieldQuantity::ALL {
-            let values = points.iter().map(|point| quantity.of_in(point, geometry)).collect();
-            columns.set_item(quantity.name_in(geometry), PyArray1::from_vec(py, values))?;
+            add(quantity.name_in(geometry), &|point| quantity.of_in(point, geometry))?;
         }
-        for (k, name) in ["eps_rr", "eps_tt", "eps_zz"].into_iter().enumerate() {
-            if geometry.is_axisymmetric() {
-                let strain = |point: &FieldPoint| point.strains.map_or(f64::NAN, |strains| strains[k]);
-                columns.set_item(name, PyArray1::from_vec(py, points.iter().map(strain).collect()))?;
+        add("slope", &|point| point.slope)?;
+        if geometry.is_axisymmetric() {
+            for (k, name) in ["eps_rr", "eps_tt", "eps_zz"].into_iter().enumerate() {
+                add(name, &|point| point.strains.map_or(f64::NAN, |strains| strains[k]))?;
             }
         }
-        let layers: Vec<i64> = points.iter().map(|point| point.layer as i64).collect();
-        columns.set_item("layer", PyArray1::from_vec(py, layers))?;
         Ok(columns)
     }
 }
 
 #[pymethods]
 impl Field {
+    /// Stresses and displacements at points.
+    ///
+    /// Args:
+    ///     x: places along the layers (distances from the axis), in length.
+    ///     depth: depths below the top face, in length; in the shape of `x`, or one that fits to it.
+    ///     layer: number of the layer from the top, from 1, on an interface; the layer below if not given.
     #[pyo3(signature = (x, depth, layer=None))]
     fn at<'py>(
         &self,
@@ -59,14 +69,13 @@ impl Field {
         let arrays = py.import("recede._arrays")?;
         let (places, depths): (Bound<'_, PyAny>, Bound<'_, PyAny>) =
             arrays.call_method1("pair", (x, depth))?.extract()?;
-        let [xs, ds] = [&places, &depths].map(|all| all.call_method0("ravel")?.extract::<PyReadonlyArray1<'_, f64>>());
-        let (xs, ds) = (xs?, ds?);
-        let points: Vec<Point> =
-            xs.as_array().iter().zip(ds.as_array()).map(|(x, depth)| Point { x: *x, depth: *depth, layer }).collect();
+        let (xs, ds) = (read(&places)?, read(&depths)?);
+        let points: Vec<Point> = xs.into_iter().zip(ds).map(|(x, depth)| Point { x, depth, layer }).collect();
         let found = py.detach(|| self.inner.points(&points)).map_err(|error| self.solver.failed(py, &error.into()))?;
         arrays.call_method1("fields", (self.columns(py, &found)?, places.getattr("shape")?))
     }
 
+    /// The same on a grid: arrays with a row for each depth, faster than one by one.
     fn grid<'py>(
         &self,
         py: Python<'py>,
@@ -75,8 +84,7 @@ impl Field {
     ) -> PyResult<Bound<'py, PyAny>> {
         let arrays = py.import("recede._arrays")?;
         let list = |values: &Bound<'py, PyAny>, name: &str| -> PyResult<Vec<f64>> {
-            let values = arrays.call_method1("line", (values, name))?;
-            Ok(values.extract::<PyReadonlyArray1<'_, f64>>()?.as_array().to_vec())
+            read(&arrays.call_method1("line", (values, name))?)
         };
         let (xs, depths) = (list(x, "x")?, list(depth, "depth")?);
         let grid =
@@ -84,11 +92,13 @@ impl Field {
         arrays.call_method1("fields", (self.columns(py, grid.points())?, (depths.len(), xs.len())))
     }
 
+    /// Estimate of the error of the stresses at a point, in stress.
     #[pyo3(signature = (x, depth, layer=None))]
     fn stress_error(&self, py: Python<'_>, x: f64, depth: f64, layer: Option<usize>) -> PyResult<f64> {
         self.inner.stress_error(&Point { x, depth, layer }).map_err(|error| raised(py, error))
     }
 
+    /// The largest shear stress in the plane anywhere, `value`, with `x`, `depth` and `layer`.
     fn max_shear<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let found = py.detach(|| self.inner.max_shear()).map_err(|error| self.solver.failed(py, &error.into()))?;
         let all = dictionary(py, &[("value", found.value), ("x", found.x), ("depth", found.depth)])?;
@@ -96,6 +106,9 @@ impl Field {
         Ok(all)
     }
 
+    /// The stresses by which layers and bonds break, as `recede solve --extremes --format json` has them: the largest `tension`; of each
+    /// of the `layers` the largest von Mises stress; of each of the `interfaces` that do not open the shear stress and the tension across
+    /// it. None for what is not there, or not known.
     fn extremes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let found = py.detach(|| self.inner.extremes()).map_err(|error| self.solver.failed(py, &error.into()))?;
         let of = |extreme: Option<Extreme>| -> PyResult<Option<Bound<'py, PyDict>>> {
@@ -104,19 +117,23 @@ impl Field {
             all.set_item("layer", layer)?;
             Ok(Some(all))
         };
-        let (all, layers, bonds) = (PyDict::new(py), PyDict::new(py), PyDict::new(py));
-        for layer in &found.layers {
-            layers.set_item(layer.layer, of(layer.von_mises)?)?;
+        let (all, layers, interfaces) = (PyDict::new(py), PyList::empty(py), PyList::empty(py));
+        for LayerExtremes { layer, von_mises } in &found.layers {
+            let all = PyDict::new(py);
+            all.set_item("layer", layer)?;
+            all.set_item("von_mises", of(*von_mises)?)?;
+            layers.append(all)?;
         }
         for BondExtremes { above, below, shear, tension, .. } in &found.bonds {
-            let bond = PyDict::new(py);
-            bond.set_item("shear", of(*shear)?)?;
-            bond.set_item("tension", of(*tension)?)?;
-            bonds.set_item(format!("{above}|{below}"), bond)?;
+            let all = PyDict::new(py);
+            all.set_item("interface", format!("{above}|{below}"))?;
+            all.set_item("shear", of(*shear)?)?;
+            all.set_item("tension", of(*tension)?)?;
+            interfaces.append(all)?;
         }
         all.set_item("tension", of(found.tension)?)?;
-        all.set_item("von_mises", layers)?;
-        all.set_item("interfaces", bonds)?;
+        all.set_item("layers", layers)?;
+        all.set_item("interfaces", interfaces)?;
         Ok(all)
     }
 

@@ -1,5 +1,5 @@
 //! The module `recede._recede`: the library's objects for Python. Texts of scenes, arrays and exceptions are made in Python, next to it.
-mod arrow;
+mod arrays;
 mod errors;
 mod field;
 mod function;
@@ -22,6 +22,5 @@ fn _recede(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<sweep::Rows>()?;
     module.add_class::<scene::CompiledPunch>()?;
     module.add_function(wrap_pyfunction!(function::examine, module)?)?;
-    module.add_function(wrap_pyfunction!(scene::schema, module)?)?;
-    module.add_function(wrap_pyfunction!(arrow::arrow_stream, module)?)
+    module.add_function(wrap_pyfunction!(scene::schema, module)?)
 }

@@ -2,15 +2,14 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 use recede::{Error, Force, Options};
 
-use crate::errors::{exception, raised};
+use crate::arrays;
+use crate::errors::raised;
 use crate::field::Field;
-use crate::function::Failure;
-use crate::scene::{self, Scene};
+use crate::scene::{self, Scene, Source};
 use crate::solution::{Pressed, Solution};
 
 /// How often a long computation asks whether it has been interrupted.
@@ -21,36 +20,38 @@ pub struct Solver {
     /// The scene; its punch and force are those of whoever asks.
     pub scene: recede::Scene,
     pub model: recede::Model,
-    functions: Vec<Failure>,
+    pub source: Source,
 }
 
 impl Solver {
-    pub fn new(py: Python<'_>, scene: recede::Scene, functions: Vec<Failure>, many: bool) -> PyResult<Self> {
-        let stack = scene.stack().map_err(|error| raised(py, error))?;
+    pub fn new(py: Python<'_>, scene: recede::Scene, source: Source, many: bool) -> PyResult<Self> {
+        let stack = scene.stack().map_err(|error| source.failed(py, &error))?;
         let model = py.detach(|| recede::Model::new(stack));
         match model {
             Ok(model) => {
                 let model = if many { model.for_many_loads() } else { model };
-                Ok(Self { scene, model, functions })
+                Ok(Self { scene, model, source })
             }
-            Err(error) => Err(failed(py, &functions, &scene.locate(error))),
+            Err(error) => Err(source.failed(py, &scene.locate(error))),
         }
     }
 
     /// The text of the scene; an exception if a layer is a function, which has none.
     pub fn text(&self) -> PyResult<String> {
-        scene::written(&self.scene, &self.functions)
+        self.source.written(&self.scene)
     }
 
-    /// The solution for a punch and a force. The inner result is that of the library: a row of many has one of its own.
-    pub fn press(self: &Arc<Self>, py: Python<'_>, pressed: Pressed) -> PyResult<Result<Solution, PyErr>> {
+    /// The solution for a punch and a force, without its warnings.
+    pub fn press(self: &Arc<Self>, py: Python<'_>, pressed: Pressed) -> Result<Solution, PyErr> {
         self.press_located(py, pressed, |error| error)
     }
 
     /// The same for the punch and the force of the scene, whose text has a place for an error.
     pub fn solve(self: &Arc<Self>, py: Python<'_>, tolerance: f64) -> PyResult<Solution> {
         let pressed = Pressed { punch: self.scene.punch.clone(), force: self.scene.force, tolerance };
-        self.press_located(py, pressed, |error| self.scene.locate(error))?
+        let solution = self.press_located(py, pressed, |error| self.scene.locate(error))?;
+        solution.warn(py)?;
+        Ok(solution)
     }
 
     fn press_located(
@@ -58,31 +59,26 @@ impl Solver {
         py: Python<'_>,
         pressed: Pressed,
         locate: impl FnOnce(Error) -> Error,
-    ) -> PyResult<Result<Solution, PyErr>> {
+    ) -> Result<Solution, PyErr> {
         let options = Options { tolerance: pressed.tolerance, ..Options::default() };
         let begun = Instant::now();
         let solved = py.detach(|| self.model.press_with(&pressed.punch, pressed.force, &options));
-        Ok(match solved {
-            Ok(solution) => {
-                let solution = Solution::new(Arc::clone(self), pressed, solution, begun.elapsed().as_secs_f64());
-                solution.warn(py)?;
-                Ok(solution)
-            }
+        match solved {
+            Ok(solution) => Ok(Solution::new(Arc::clone(self), pressed, solution, begun.elapsed().as_secs_f64())),
             Err(error) => Err(self.failed(py, &locate(error))),
-        })
+        }
     }
 
     pub fn failed(&self, py: Python<'_>, error: &Error) -> PyErr {
-        failed(py, &self.functions, error)
+        self.source.failed(py, error)
     }
 }
 
-/// The exception for an error; that of a function in a layer, if it has raised one.
-pub fn failed(py: Python<'_>, functions: &[Failure], error: &Error) -> PyErr {
-    functions.iter().find_map(Failure::take).unwrap_or_else(|| exception(py, error))
-}
-
 /// A stack with its kernels: serves any punch and any force.
+///
+/// Args:
+///     stack: a `Stack`, or a `Scene`, of which the stack is taken.
+///     many_loads: keeps a table of solutions to start others from, which halves the time of thousands of loads.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Model {
     solver: Arc<Solver>,
@@ -97,12 +93,25 @@ impl Model {
         let scene: Bound<'_, PyAny> = py.import("recede._text")?.call_method1("scene_of", (stack,))?;
         let scene = scene.cast::<Scene>()?.get();
         let solver = match many_loads {
-            true => Arc::new(Solver::new(py, scene.inner.clone(), scene.functions().to_vec(), true)?),
+            true => Arc::new(Solver::new(py, scene.inner.clone(), scene.source().clone(), true)?),
             false => scene.solver(py)?,
         };
         Ok(Self { solver, many: many_loads })
     }
 
+    /// Presses a punch, or a load, on the stack; other threads of Python go on meanwhile.
+    ///
+    /// Args:
+    ///     punch: such as `Cylinder(radius=500)`, or a load such as `Uniform(half_width=1)`.
+    ///     force: force per unit length out of the plane, or the whole force in axisymmetric stacks; a number, or an array of them, in
+    ///         which a number that is not legal, or has no solution, has an error of its own.
+    ///     half_length: in place of the force: half-length (radius) of the contact under the punch, in length.
+    ///     depth: in place of the force: how far the punch sinks, in length.
+    ///     tolerance: relative error to aim at, 1e-13 to 1e-2.
+    ///
+    /// Raises:
+    ///     InputError: if a number is not legal.
+    ///     NoSolutionError: if no admissible contact was found.
     #[pyo3(signature = (punch, force=None, *, half_length=None, depth=None, tolerance=1e-10))]
     fn press<'py>(
         &self,
@@ -125,22 +134,28 @@ impl Model {
         };
         let punch = scene::punch(&self.solver.scene, punch)?;
         let one = |number: f64| Pressed { punch: punch.clone(), force: force_of(kind, number), tolerance };
+        let alone = |number: f64| -> PyResult<Bound<'py, PyAny>> {
+            let solution = self.solver.press(py, one(number))?;
+            solution.warn(py)?;
+            Ok(Bound::new(py, solution)?.into_any())
+        };
         if let Ok(number) = number.cast_exact::<pyo3::types::PyFloat>() {
-            let solution = self.solver.press(py, one(number.extract()?))??;
-            return Ok(Bound::new(py, solution)?.into_any());
+            return alone(number.extract()?);
         }
         let arrays = py.import("recede._arrays")?;
         let numbers = arrays.call_method1("numbers", (number, kind))?;
         if numbers.getattr("ndim")?.extract::<usize>()? == 0 {
-            let solution = self.solver.press(py, one(numbers.call_method0("item")?.extract()?))??;
-            return Ok(Bound::new(py, solution)?.into_any());
+            return alone(numbers.call_method0("item")?.extract()?);
         }
-        let found = PyList::empty(py);
-        let flat: PyReadonlyArray1<'_, f64> = numbers.call_method0("ravel")?.extract()?;
+        let (found, warnings) = (PyList::empty(py), PyList::empty(py));
         let mut asked = Instant::now();
-        for number in flat.as_array() {
-            match self.solver.press(py, one(*number))? {
-                Ok(solution) => found.append(Bound::new(py, solution)?)?,
+        for number in &arrays::read(&numbers)? {
+            match self.solver.press(py, one(*number)) {
+                Ok(solution) => {
+                    let told = solution.warnings();
+                    told.into_iter().try_for_each(|(code, text)| warnings.append((code, text, *number)))?;
+                    found.append(Bound::new(py, solution)?)?;
+                }
                 Err(error) => found.append(error.into_value(py))?,
             }
             if asked.elapsed() > PATIENCE {
@@ -148,14 +163,17 @@ impl Model {
                 asked = Instant::now();
             }
         }
+        py.import("recede._errors")?.call_method1("warn_many", (warnings, kind, found.len()))?;
         py.import("recede._solutions")?.call_method1("Solutions", (found, numbers))
     }
 
+    /// Stresses and displacements, for a solution of this stack.
     fn field(&self, py: Python<'_>, solution: &Solution) -> PyResult<Field> {
         let field = self.solver.model.field(solution.solution()).map_err(|error| raised(py, error))?;
         Ok(Field::new(field, &self.solver))
     }
 
+    /// "PlaneStrain", "PlaneStress" or "Axisymmetric".
     #[getter]
     fn geometry(&self) -> String {
         scene::geometry_name(self.solver.scene.geometry)

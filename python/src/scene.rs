@@ -1,27 +1,92 @@
 //! Scenes, and the punches of models.
 use std::sync::{Arc, OnceLock};
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList, PyString};
 use recede::{Geometry, Item, Punch, Registry};
 
-use crate::errors::raised;
+use crate::errors::{file_error, raised, raised_about};
 use crate::function::{self, Failure};
 use crate::model::Solver;
 use crate::solution::Solution;
 
-/// A scene: what is pressed by what.
+/// A layer of a scene that is a function of Python.
+#[derive(Clone)]
+pub struct FunctionLayer {
+    /// Its place among the items.
+    place: usize,
+    item: Item,
+    pub failure: Failure,
+}
+
+/// What a scene was made of, if not of a text.
+#[derive(Clone, Default)]
+pub struct Source {
+    pub functions: Vec<FunctionLayer>,
+    /// The objects that the lines of its text are about.
+    pub objects: Option<Arc<Py<PyAny>>>,
+}
+
+impl Source {
+    /// The exception for an error of the scene; that of a function in a layer, if it has raised one.
+    pub fn failed(&self, py: Python<'_>, error: &recede::Error) -> PyErr {
+        let failure = self.functions.iter().find_map(|layer| layer.failure.take());
+        failure.unwrap_or_else(|| raised_about(py, error, self.objects.as_deref()))
+    }
+
+    /// The scene with its functions in their places.
+    fn complete(&self, mut scene: recede::Scene) -> recede::Scene {
+        for FunctionLayer { place, item, .. } in &self.functions {
+            scene.stack[*place] = item.clone();
+        }
+        scene
+    }
+
+    /// The text of a scene; an exception if a layer is a function, which has none.
+    pub fn written(&self, scene: &recede::Scene) -> PyResult<String> {
+        if self.functions.is_empty() {
+            return Ok(scene.to_ron());
+        }
+        let why =
+            "a layer of this scene is a function of Python, which has no text: it can neither be written nor pickled";
+        Err(PyTypeError::new_err(why))
+    }
+
+    /// Whether a path leads into a function.
+    fn is_hidden(&self, scene: &recede::Scene, path: &str) -> bool {
+        let number = |place: usize| 1 + scene.stack[..place].iter().filter(|item| !item.is_interface()).count();
+        self.functions.iter().any(|layer| path.starts_with(&format!("layer[{}].", number(layer.place))))
+    }
+}
+
+/// What is pressed by what: a stack, a punch or a load, and a force.
+///
+/// Args:
+///     stack: a `Stack`, or its items from the top down.
+///     punch: such as `Cylinder(radius=500)`; its tip is at x = 0.
+///     force: the force, per unit length out of the plane, or the whole force in axisymmetric scenes; a number > 0.
+///     load: a pressure that is given, in place of the punch.
+///     half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
+///     depth: in place of the force: how far the punch sinks, in length.
+///     geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; that of the stack if it is a `Stack`.
+///     name: a name for reports.
+///     description: what the scene shows.
+///     units: labels of the units of length and force, such as `Units("mm", "N")`, `("mm", "N")` or
+///         `{"length": "mm", "force": "N"}`; numbers may then be texts, such as "26 GPa".
+///
+/// Raises:
+///     InputError: with the object in question and a hint, if something is not legal.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Scene {
     pub inner: recede::Scene,
-    /// Layers that are functions of Python.
-    functions: Vec<Failure>,
+    source: Source,
     solver: OnceLock<Arc<Solver>>,
 }
 
 impl Scene {
-    fn of(inner: recede::Scene, functions: Vec<Failure>) -> Self {
-        Self { inner, functions, solver: OnceLock::new() }
+    pub fn of(inner: recede::Scene, source: Source) -> Self {
+        Self { inner, source, solver: OnceLock::new() }
     }
 
     /// The model of its stack, made when it is first needed.
@@ -29,97 +94,202 @@ impl Scene {
         if let Some(solver) = self.solver.get() {
             return Ok(Arc::clone(solver));
         }
-        let solver = Arc::new(Solver::new(py, self.inner.clone(), self.functions.clone(), false)?);
+        let solver = Arc::new(Solver::new(py, self.inner.clone(), self.source.clone(), false)?);
         Ok(Arc::clone(self.solver.get_or_init(|| solver)))
     }
 
     pub fn from_text(py: Python<'_>, text: &str) -> PyResult<Self> {
-        recede::Scene::from_ron(text).map(|scene| Self::of(scene, Vec::new())).map_err(|error| raised(py, error))
+        recede::Scene::from_ron(text).map(|scene| Self::of(scene, Source::default())).map_err(|error| raised(py, error))
     }
 
-    /// The text of a scene; an exception if a layer is a function, which has none.
+    /// The text of the scene; an exception if a layer is a function, which has none.
     fn written(&self) -> PyResult<String> {
-        written(&self.inner, &self.functions)
+        self.source.written(&self.inner)
     }
 
-    pub fn functions(&self) -> &[Failure] {
-        &self.functions
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// What it is made of, by the names of the arguments.
+    fn parts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.written()?;
+        let parts = py.import("recede._text")?.call_method1("parts", (self.inner.to_json(),))?;
+        Ok(parts.cast_into::<PyDict>()?)
+    }
+
+    fn part<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        self.parts(py)?.as_any().get_item(name)
+    }
+
+    fn check_path(&self, path: &str) -> PyResult<()> {
+        if !self.source.is_hidden(&self.inner, path) {
+            return Ok(());
+        }
+        Err(PyTypeError::new_err(format!("`{path}` is no number: the layer is a function of Python")))
     }
 }
 
 #[pymethods]
 impl Scene {
     #[new]
-    #[pyo3(signature = (stack, punch=None, force=None, **fields))]
+    #[pyo3(signature = (stack, punch=None, force=None, *, load=None, half_length=None, depth=None, geometry=None, name=None, description=None, units=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
     fn new(
         py: Python<'_>,
         stack: &Bound<'_, PyAny>,
         punch: Option<&Bound<'_, PyAny>>,
         force: Option<&Bound<'_, PyAny>>,
-        fields: Option<&Bound<'_, PyDict>>,
+        load: Option<&Bound<'_, PyAny>>,
+        half_length: Option<&Bound<'_, PyAny>>,
+        depth: Option<&Bound<'_, PyAny>>,
+        geometry: Option<&Bound<'_, PyAny>>,
+        name: Option<&Bound<'_, PyAny>>,
+        description: Option<&Bound<'_, PyAny>>,
+        units: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let (text, layers): (String, Vec<(usize, f64, Py<PyAny>)>) =
-            py.import("recede._text")?.call_method("scene", (stack, punch, force), fields)?.extract()?;
-        let mut scene = recede::Scene::from_ron(&text).map_err(|error| raised(py, error))?;
-        let mut functions = Vec::new();
+        let fields = PyDict::new(py);
+        let given = [
+            ("load", load),
+            ("half_length", half_length),
+            ("depth", depth),
+            ("geometry", geometry),
+            ("name", name),
+            ("description", description),
+            ("units", units),
+        ];
+        given.into_iter().try_for_each(|(name, value)| fields.set_item(name, value))?;
+        let (text, objects, layers): (String, Py<PyAny>, Vec<(usize, f64, Py<PyAny>)>) =
+            py.import("recede._text")?.call_method("scene", (stack, punch, force), Some(&fields))?.extract()?;
+        let objects = Arc::new(objects);
+        let scene = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
+        let mut source = Source { functions: Vec::new(), objects: Some(objects) };
         for (place, thickness, function) in layers {
             let (item, failure) = function::item(py, thickness, function)?;
-            scene.stack[place] = item;
-            functions.push(failure);
+            source.functions.push(FunctionLayer { place, item, failure });
         }
+        let scene = source.complete(scene);
         // whether the items fit together
-        scene.stack().map_err(|error| raised(py, error))?;
-        Ok(Self::of(scene, functions))
+        scene.stack().map_err(|error| source.failed(py, &error))?;
+        Ok(Self::of(scene, source))
     }
 
+    /// A scene from a text in RON.
     #[staticmethod]
     fn from_ron(py: Python<'_>, text: &str) -> PyResult<Self> {
         Self::from_text(py, text)
     }
 
+    /// A scene from a text in JSON.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        recede::Scene::from_json(text).map(|scene| Self::of(scene, Vec::new())).map_err(|error| raised(py, error))
+        Self::from_text(py, text)
     }
 
+    /// A scene from a file in RON or JSON.
+    ///
+    /// Raises:
+    ///     OSError: such as `FileNotFoundError`, if the file cannot be read.
+    ///     InputError: with file, line and a hint, if something in it is not legal.
     #[staticmethod]
     fn read(py: Python<'_>, path: std::path::PathBuf) -> PyResult<Self> {
-        recede::Scene::read(path).map(|scene| Self::of(scene, Vec::new())).map_err(|error| raised(py, error))
+        recede::Scene::read(&path)
+            .map(|scene| Self::of(scene, Source::default()))
+            .map_err(|error| file_error(py, &path, error))
     }
 
+    /// The scene as a text in RON.
     fn to_ron(&self) -> PyResult<String> {
         self.written()
     }
 
+    /// The scene as a text in JSON.
     fn to_json(&self) -> PyResult<String> {
         self.written().map(|_| self.inner.to_json())
     }
 
+    /// What the scene is called in reports.
     #[getter]
     fn name(&self) -> &str {
         self.inner.title()
     }
 
+    /// What the scene shows, or None.
+    #[getter]
+    fn description(&self) -> Option<&str> {
+        self.inner.description.as_deref()
+    }
+
+    /// Labels of the units, or None.
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let units = self.inner.units.as_ref();
+        let make = |units: &recede::Units| {
+            py.import("recede._values")?.call_method1("Units", (&units.length[..], &units.force[..]))
+        };
+        units.map(make).transpose()
+    }
+
+    /// "PlaneStrain", "PlaneStress" or "Axisymmetric".
     #[getter]
     fn geometry(&self) -> String {
         geometry_name(self.inner.geometry)
     }
 
-    /// The paths of all numbers that may vary.
+    /// The stack.
+    #[getter]
+    fn stack<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "stack")
+    }
+
+    /// The punch; None where a load takes its place.
+    #[getter]
+    fn punch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "punch")
+    }
+
+    /// The load in place of a punch, or None.
+    #[getter]
+    fn load<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "load")
+    }
+
+    /// The force; None where a half-length or a depth is given.
+    #[getter]
+    fn force<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "force")
+    }
+
+    /// The paths of all numbers that may vary, such as "force" and "layer[2].beta".
     #[getter]
     fn paths(&self) -> Vec<String> {
-        self.inner.paths()
+        let paths = self.inner.paths().into_iter();
+        paths.filter(|path| !self.source.is_hidden(&self.inner, path)).collect()
     }
 
+    /// The number at a path, in the units of the scene.
     fn number(&self, py: Python<'_>, path: &str) -> PyResult<f64> {
-        self.inner.number(path).map_err(|error| raised(py, error))
+        self.check_path(path)?;
+        self.inner.number(path).map_err(|error| self.source.failed(py, &error.into()))
     }
 
+    /// The same scene with another number at a path.
     fn with_number(&self, py: Python<'_>, path: &str, value: f64) -> PyResult<Self> {
-        let scene = self.inner.with(path, value).map_err(|error| raised(py, error))?;
-        Ok(Self::of(scene, self.functions.clone()))
+        self.check_path(path)?;
+        let scene = self.inner.with(path, value).map_err(|error| self.source.failed(py, &error.into()))?;
+        // the lines of its text say something else now
+        let objects = self.source.objects.as_ref().map(|_| Arc::new(PyList::empty(py).unbind().into_any()));
+        let source = Source { objects, ..self.source.clone() };
+        Ok(Self::of(source.complete(scene), source))
     }
 
+    /// Solves the scene.
+    ///
+    /// Args:
+    ///     tolerance: relative error to aim at, 1e-13 to 1e-2.
+    ///
+    /// Raises:
+    ///     NoSolutionError: if no admissible contact was found.
     #[pyo3(signature = (*, tolerance=1e-10))]
     fn solve(&self, py: Python<'_>, tolerance: f64) -> PyResult<Solution> {
         self.solver(py)?.solve(py, tolerance)
@@ -145,23 +315,17 @@ impl Scene {
 
     fn __hash__(slf: &Bound<'_, Self>) -> PyResult<isize> {
         match slf.get().written() {
-            Ok(text) => pyo3::types::PyString::new(slf.py(), &text).hash(),
+            Ok(text) => PyString::new(slf.py(), &text).hash(),
             Err(_) => Ok(slf.as_ptr() as isize),
         }
     }
 
-    fn __repr__(&self) -> String {
-        self.written().unwrap_or_else(|_| format!("<Scene {} with layers that are functions>", self.inner.title()))
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        if !self.source.functions.is_empty() {
+            return Ok(format!("<Scene {} with layers that are functions>", self.inner.title()));
+        }
+        py.import("recede._text")?.call_method1("scene_repr", (self.parts(py)?,))?.extract()
     }
-}
-
-/// The text of a scene; an exception if a layer is a function, which has none.
-pub fn written(scene: &recede::Scene, functions: &[Failure]) -> PyResult<String> {
-    if functions.is_empty() {
-        return Ok(scene.to_ron());
-    }
-    let why = "a layer of this scene is a function of Python, which has no text: it can neither be written nor pickled";
-    Err(pyo3::exceptions::PyTypeError::new_err(why))
 }
 
 /// The name of a geometry in a scene.
@@ -187,11 +351,16 @@ pub fn punch(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Punch> 
     }
     let units = scene.units.as_ref().map(|units| (units.length.clone(), units.force.clone()));
     let name = geometry_name(scene.geometry);
-    let text: String = py.import("recede._text")?.call_method1("with_punch", (item, name, units))?.extract()?;
-    let read = recede::Scene::from_ron(&text).map_err(|error| raised(py, error))?;
+    let (text, objects): (String, Py<PyAny>) =
+        py.import("recede._text")?.call_method1("with_punch", (item, name, units))?.extract()?;
+    let read = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
     if !is_labelled {
-        let compiled = CompiledPunch { geometry: scene.geometry, punch: read.punch.clone() };
-        item.setattr("_compiled", Py::new(py, compiled)?)?;
+        let compiled = PyDict::new(py);
+        compiled.set_item(
+            "_compiled",
+            Py::new(py, CompiledPunch { geometry: scene.geometry, punch: read.punch.clone() })?,
+        )?;
+        item.call_method1("_keep", (compiled,))?;
     }
     Ok(read.punch)
 }

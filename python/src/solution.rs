@@ -1,15 +1,17 @@
 //! Solutions and their contacts.
 use std::sync::{Arc, OnceLock};
 
-use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use recede::report::{Format, Report};
-use recede::{Approach, ApproachError, Error, Force, Punch};
+use recede::{Approach, ApproachError, Error, FieldError, Force, Punch};
 
+use crate::arrays;
 use crate::errors::raised;
 use crate::field::Field;
 use crate::model::Solver;
+use crate::scene::{Scene, Source};
 
 /// What a stack is pressed by.
 #[derive(Clone)]
@@ -28,7 +30,7 @@ struct Solved {
     approach: OnceLock<Result<Approach, ApproachError>>,
 }
 
-/// A solved scene.
+/// A solved scene. In a notebook it shows a table and the picture.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Solution(Arc<Solved>);
 
@@ -65,24 +67,35 @@ impl Solution {
         }
     }
 
-    /// The scene that it solves.
-    fn scene(&self) -> recede::Scene {
+    /// The scene that it solves, to be written.
+    fn written_scene(&self) -> recede::Scene {
         let Solved { solver, pressed, .. } = &*self.0;
         let mut scene = solver.scene.clone();
         (scene.punch, scene.force) = (pressed.punch.clone(), pressed.force);
         scene
     }
 
-    fn written(&self, py: Python<'_>, format: Format) -> PyResult<String> {
-        let (scene, approach) = (self.scene(), self.approach_of(py));
+    /// A part of its scene, by the name of the argument.
+    fn part<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let text = self.written_scene().to_json();
+        py.import("recede._text")?.call_method1("part", (text, name))
+    }
+
+    fn written(&self, py: Python<'_>, format: Format, max_shear: bool, extremes: bool) -> PyResult<String> {
+        let Solved { solver, solution, seconds, .. } = &*self.0;
+        let (scene, approach) = (self.written_scene(), self.approach_of(py));
+        let failed = |error: FieldError| solver.failed(py, &error.into());
+        let field = || solver.model.field(solution);
+        let max_shear = max_shear.then(|| py.detach(|| field()?.max_shear())).transpose().map_err(failed)?;
+        let extremes = extremes.then(|| py.detach(|| field()?.extremes())).transpose().map_err(failed)?;
         let report = Report {
             scene: &scene,
-            solution: &self.0.solution,
+            solution,
             approach: Some(&approach),
-            max_shear: None,
-            extremes: None,
+            max_shear,
+            extremes: extremes.as_ref(),
             digits: None,
-            seconds: self.0.seconds,
+            seconds: *seconds,
         };
         let mut text = Vec::new();
         report.write(format, &mut text)?;
@@ -90,102 +103,177 @@ impl Solution {
     }
 
     fn picture(&self) -> recede::plot::Picture {
-        recede::plot::stack(&self.scene(), self.0.solver.model.stack(), &self.0.solution)
+        recede::plot::stack(&self.written_scene(), self.0.solver.model.stack(), &self.0.solution)
     }
 }
 
 #[pymethods]
 impl Solution {
+    /// The contacts from the top down, the punch first; `contacts["2|3"]` is the one between the layers 2 and 3.
     #[getter]
-    fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyTuple>> {
+    fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let contact = |index: usize| Contact { solved: Arc::clone(&self.0), index };
-        pyo3::types::PyTuple::new(py, (0..self.0.solution.contacts().len()).map(contact))
+        let all = PyTuple::new(py, (0..self.0.solution.contacts().len()).map(contact))?;
+        py.import("recede._solutions")?.call_method1("Contacts", (all,))
     }
 
+    /// The force that presses, per unit length out of the plane, or the whole force in axisymmetric scenes.
     #[getter]
     fn force(&self) -> f64 {
         self.0.solution.force()
     }
 
+    /// Estimate of its absolute error; 0 if it was given.
     #[getter]
     fn force_error(&self) -> f64 {
         self.0.solution.force_error()
     }
 
+    /// The relative error that was aimed at.
     #[getter]
     fn tolerance(&self) -> f64 {
         self.0.pressed.tolerance
     }
 
+    /// How far the punch has sunk, in length; None where that is not defined, such as over a half-plane in plane scenes.
     #[getter]
     fn approach(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         self.approach_number(py, |approach| Some(approach.value))
     }
 
+    /// Estimate of its absolute error.
     #[getter]
     fn approach_error(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         self.approach_number(py, |approach| Some(approach.error))
     }
 
+    /// The derivative of the force with respect to the approach; None where it is not known.
     #[getter]
     fn stiffness(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         self.approach_number(py, |approach| approach.stiffness.value())
     }
 
+    /// Estimate of its absolute error.
     #[getter]
     fn stiffness_error(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         self.approach_number(py, |approach| approach.stiffness.error())
     }
 
+    /// Smallest pressure found inside the contacts, in stress.
     #[getter]
     fn min_pressure(&self) -> f64 {
         self.0.solution.min_pressure()
     }
 
+    /// Smallest gap found outside the contacts, in length.
     #[getter]
     fn min_gap(&self) -> f64 {
         self.0.solution.min_gap()
     }
 
+    /// Largest number of modes of a pressure.
     #[getter]
     fn modes(&self) -> usize {
         self.0.solution.modes()
     }
 
+    /// Number of wavenumbers at which the stack was evaluated.
     #[getter]
     fn wavenumbers(&self) -> usize {
         self.0.solution.wavenumbers()
     }
 
+    /// Newton steps taken.
     #[getter]
     fn newton_steps(&self) -> usize {
         self.0.solution.newton_steps()
     }
 
+    /// The time that it took, without the kernels of the stack.
     #[getter]
     fn seconds(&self) -> f64 {
         self.0.seconds
     }
 
-    /// (code, sentence) of each warning.
+    /// (code, sentence) of each warning; they were handed to Python's `warnings`, too.
     #[getter]
-    fn warnings(&self) -> Vec<(&str, &str)> {
+    pub fn warnings(&self) -> Vec<(&str, &str)> {
         self.0.solution.warnings().iter().map(|w| (w.code.as_str(), &w.message[..])).collect()
     }
 
+    /// The scene that was solved.
+    #[getter]
+    fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
+        let Solved { solver, pressed, .. } = &*self.0;
+        let own = &solver.scene;
+        if own.punch == pressed.punch && own.force == pressed.force {
+            return Ok(Scene::of(own.clone(), solver.source.clone()));
+        }
+        solver.text()?;
+        // a text of its own, in which numbers may vary; what is wrong with it is about objects
+        let scene = Scene::from_text(py, &self.written_scene().to_ron())?;
+        let objects = Some(Arc::new(pyo3::types::PyList::empty(py).unbind().into_any()));
+        Ok(Scene::of(scene.inner, Source { objects, ..Source::default() }))
+    }
+
+    /// The punch that presses; None where a load takes its place.
+    #[getter]
+    fn punch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "punch")
+    }
+
+    /// The load in place of a punch, or None.
+    #[getter]
+    fn load<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "load")
+    }
+
+    /// Stresses and displacements.
     fn field(&self, py: Python<'_>) -> PyResult<Field> {
         let field = self.0.solver.model.field(&self.0.solution).map_err(|error| raised(py, error))?;
         Ok(Field::new(field, &self.0.solver))
     }
 
-    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
-        self.written(py, Format::Json)
+    /// Pressures and gaps of all contacts, displacements and slopes of all faces, along x: a table with the columns of `recede profile`,
+    /// at places that are dense next to the ends of the contacts. Infinite beyond the edge of a punch.
+    ///
+    /// Args:
+    ///     to: how far to go on both sides, in length; twice as far as the bodies touch if not given.
+    ///     points: how many places, about.
+    #[pyo3(signature = (to=None, *, points=400))]
+    fn profile<'py>(&self, py: Python<'py>, to: Option<f64>, points: usize) -> PyResult<Bound<'py, PyAny>> {
+        let Solved { solver, pressed, solution, .. } = &*self.0;
+        if to.is_some_and(|to| !(to.is_finite() && to > 0.0)) {
+            return Err(PyValueError::new_err("`to` has to be a length > 0"));
+        }
+        let profile = py.detach(|| {
+            let places = recede::profile_places(solution, to, points);
+            solver.model.profile(&pressed.punch, solution, &places)
+        });
+        let profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
+        let columns = PyDict::new(py);
+        for (name, values) in recede::report::profile_columns(&profile) {
+            columns.set_item(name, arrays::array(py, &values)?)?;
+        }
+        py.import("recede._table")?.call_method1("Columns", (columns,))
     }
 
+    /// All numbers as JSON, as `recede solve --format json` writes them.
+    ///
+    /// Args:
+    ///     max_shear: with the largest shear stress, see `Field.max_shear`.
+    ///     extremes: with the stresses by which layers and bonds break, see `Field.extremes`.
+    #[pyo3(signature = (*, max_shear=false, extremes=false))]
+    fn to_json(&self, py: Python<'_>, max_shear: bool, extremes: bool) -> PyResult<String> {
+        self.written(py, Format::Json, max_shear, extremes)
+    }
+
+    /// The stack to scale with its contacts, and the pressures below it, as SVG.
     fn svg(&self) -> String {
         self.picture().svg()
     }
 
+    /// The same as PNG.
     fn png<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyBytes>> {
         let bytes =
             self.picture().png().map_err(|error| pyo3::exceptions::PyRuntimeError::new_err(error.to_string()))?;
@@ -210,7 +298,10 @@ impl Solution {
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, f64))> {
         self.0.solver.text()?;
-        Ok((py.import("recede._text")?.getattr("solve_text")?, (self.scene().to_ron(), self.0.pressed.tolerance)))
+        Ok((
+            py.import("recede._text")?.getattr("solve_text")?,
+            (self.written_scene().to_ron(), self.0.pressed.tolerance),
+        ))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
@@ -218,7 +309,7 @@ impl Solution {
     }
 
     fn __str__(&self, py: Python<'_>) -> PyResult<String> {
-        self.written(py, Format::Table)
+        self.written(py, Format::Table, false, false)
     }
 
     fn __repr__(&self) -> String {
@@ -228,7 +319,7 @@ impl Solution {
     }
 }
 
-/// One contact of a solution.
+/// One contact of a solution. Pressures are positive in compression.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Contact {
     solved: Arc<Solved>,
@@ -239,60 +330,79 @@ impl Contact {
     fn inner(&self) -> &recede::Contact {
         &self.solved.solution.contacts()[self.index]
     }
+
+    /// As in reports: a load is no punch.
+    fn name(&self) -> String {
+        match (self.inner().interface, self.solved.pressed.punch.load()) {
+            (recede::Interface::Punch, Some(_)) => "load".to_owned(),
+            (interface, _) => interface.to_string(),
+        }
+    }
 }
 
 #[pymethods]
 impl Contact {
+    /// Which contact: "punch" (or "load"), or "2|3" between the layers 2 and 3.
     #[getter]
     fn interface(&self) -> String {
-        self.inner().interface.to_string()
+        self.name()
     }
 
+    /// Half-length (radius) of a contact that is one interval, in length; None if it is none, or several.
     #[getter]
     fn half_length(&self) -> Option<f64> {
         self.inner().half_length()
     }
 
+    /// Estimate of its absolute error.
     #[getter]
     fn half_length_error(&self) -> Option<f64> {
         self.inner().half_length_error()
     }
 
+    /// As far as the bodies touch, in length.
     #[getter]
     fn reach(&self) -> f64 {
         self.inner().reach()
     }
 
+    /// Pressure at x = 0, in stress; infinite under a sharp tip.
     #[getter]
     fn central_pressure(&self) -> f64 {
         self.inner().central_pressure
     }
 
+    /// Estimate of its absolute error.
     #[getter]
     fn central_pressure_error(&self) -> f64 {
         self.inner().central_pressure_error
     }
 
+    /// Resultant of the pressure.
     #[getter]
     fn resultant(&self) -> f64 {
         self.inner().resultant
     }
 
+    /// Largest pressure, in stress.
     #[getter]
     fn peak_pressure(&self) -> f64 {
         self.inner().peak().pressure
     }
 
+    /// Estimate of its absolute error.
     #[getter]
     fn peak_pressure_error(&self) -> f64 {
         self.inner().peak().error
     }
 
+    /// Where it is, x >= 0, in length.
     #[getter]
     fn peak_at(&self) -> f64 {
         self.inner().peak().x
     }
 
+    /// All intervals in which the bodies touch, from left to right.
     #[getter]
     fn intervals<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let module = py.import("recede._solutions")?;
@@ -303,11 +413,13 @@ impl Contact {
         self.inner().intervals().into_iter().map(of).collect()
     }
 
+    /// Pressure at places x, in stress; 0 outside the contact, NaN where x is NaN.
     fn pressure<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let contact = self.inner();
         at_places(py, x, |places| Ok(py.detach(|| places.iter().map(|x| contact.pressure(*x)).collect())))
     }
 
+    /// How far the bodies are apart at places x, in length; 0 where they touch, NaN where x is NaN.
     fn gap<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let Solved { solver, pressed, solution, .. } = &*self.solved;
         at_places(py, x, |places| {
@@ -315,7 +427,7 @@ impl Contact {
             let mut profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
             profile.contacts.swap_remove(self.index).gap.ok_or_else(|| {
                 let error = Error::Approach(ApproachError::Load);
-                crate::errors::exception(py, &error)
+                raised(py, error)
             })
         })
     }
@@ -328,29 +440,26 @@ impl Contact {
         let contact = self.inner();
         format!(
             "<Contact {}: half-length {:e}, pressure at x = 0 {:e}>",
-            contact.interface,
+            self.name(),
             contact.reach(),
             contact.central_pressure
         )
     }
 }
 
-/// Values at places, in an array of the same shape; a number for a number.
+/// Values at places, in an array of the same shape; a number for a number, and NaN for NaN.
 fn at_places<'py>(
     py: Python<'py>,
     x: &Bound<'py, PyAny>,
     values: impl FnOnce(&[f64]) -> PyResult<Vec<f64>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let places = py.import("recede._arrays")?.call_method1("numbers", (x, "x"))?;
-    let flat: PyReadonlyArray1<'_, f64> = places.call_method0("ravel")?.extract()?;
-    let found = PyArray1::from_vec(py, values(flat.as_slice()?)?);
-    shaped(found.into_any(), &places)
-}
-
-/// In the shape of another array; a number if that has no dimension.
-pub fn shaped<'py>(found: Bound<'py, PyAny>, like: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let like = py.import("recede._arrays")?.call_method1("numbers", (x, "x"))?;
+    let mut places = arrays::read(&like)?;
+    let numbers: Vec<f64> = places.iter().copied().filter(|x| !x.is_nan()).collect();
+    let mut found = values(&numbers)?.into_iter();
+    places.iter_mut().filter(|x| !x.is_nan()).zip(&mut found).for_each(|(x, value)| *x = value);
     let shape = like.getattr("shape")?;
-    let found = found.call_method1("reshape", (&shape,))?;
+    let found = arrays::array(py, &places)?.call_method1("reshape", (&shape,))?;
     if shape.len()? == 0 { found.call_method0("item") } else { Ok(found) }
 }
 

@@ -4,11 +4,11 @@ use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 
-use numpy::PyArray1;
 use pyo3::prelude::*;
 use recede::report::SweepCsv;
 use recede::{Axis, Options, Sweep, SweepRow};
 
+use crate::arrays::array;
 use crate::errors::raised;
 use crate::model::PATIENCE;
 use crate::scene::Scene;
@@ -20,7 +20,7 @@ pub struct Rows {
 }
 
 /// Columns of numbers, columns of texts, and whether all rows were made.
-type Columns<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Vec<Vec<String>>, bool);
+type Columns<'py> = (Vec<Bound<'py, PyAny>>, Vec<Vec<String>>, bool);
 
 #[pymethods]
 impl Rows {
@@ -53,6 +53,7 @@ impl Rows {
         Ok(header.trim_end().split(',').map(str::to_owned).collect())
     }
 
+    /// What tells the sweep from others.
     #[getter]
     fn fingerprint(&self) -> String {
         SweepCsv::new(&self.sweep).fingerprint().to_owned()
@@ -105,7 +106,7 @@ impl Rows {
                 break;
             }
         }
-        let numbers = numbers.into_iter().map(|column| PyArray1::from_vec(py, column)).collect();
-        Ok((numbers, texts, complete))
+        let numbers: PyResult<_> = numbers.iter().map(|column| array(py, column)).collect();
+        Ok((numbers?, texts, complete))
     }
 }

@@ -52,13 +52,14 @@ def test_other_programs_take_tables_as_they_are(swept):
     assert table.column_names == list(swept) and table.num_rows == 60
     column = table["force"].chunks[0]
     # the same memory
+    swept_again = recede.Columns(swept, swept.metadata)
     assert column.buffers()[1].address == swept["force"].ctypes.data
     del swept
     assert column[0].as_py() == 1e-3
     polars = pytest.importorskip("polars")
     assert polars.DataFrame(table)["status"].to_list() == ["solved"] * 60
     pandas = pytest.importorskip("pandas")
-    assert pandas.DataFrame.from_arrow(table).shape == (60, len(table.column_names))
+    assert pandas.DataFrame(swept_again).shape == pandas.DataFrame.from_arrow(table).shape == (60, len(table.column_names))
 
 
 def test_parquet_files_know_their_scene(scene, swept, tmp_path):

@@ -1,0 +1,278 @@
+"""Every item that the JSON Schema of scenes knows is built from Python, and is what the same scene in JSON and RON is."""
+
+import dataclasses
+import inspect
+import json
+import pickle
+import typing
+
+import numpy as np
+import pytest
+
+import recede
+from recede import Homogeneous, Receding, Scene, Stack, _recede, profiles
+
+SCHEMA = json.loads(_recede.schema())
+
+# values of fields of which the schema says in words what they are, by these words
+TABLES = {
+    "[(x, height), ...]": [[0.0, 0.0], [0.5, 0.01], [1.0, 0.05]],
+    "[(depth, value), ...]": [[0.0, 0.2], [0.6, 0.3], [2.0, 0.25]],
+    "[height, height, ...]": [0.1, 0.0, 0.02],
+    "[(at: x, share: s, load: ...), ...]": [
+        {"at": 0.0, "share": 1.0, "load": "Line"},
+        {"at": 1.5, "share": 2.0, "load": {"Uniform": {"half_width": 0.5}}},
+    ],
+}
+
+
+def choices(schema):
+    """The alternatives of a schema, without null."""
+    found = [one for key in ("oneOf", "anyOf") for part in schema.get(key, []) for one in choices(part)]
+    return [one for one in found or [schema] if one.get("type") != "null"]
+
+
+def number(schema, name):
+    """A number that the schema allows, another one for each name."""
+    part = 0.2 + 0.05 * (sum(map(ord, name)) % 10)
+    low = schema.get("minimum", schema.get("exclusiveMinimum"))
+    if low is None:
+        # small, as Poisson's ratios of orthotropic materials have to be
+        return round(0.5 * part, 4)
+    return round(low + part * (schema["maximum"] - low) if "maximum" in schema else low + 1.0 + part, 4)
+
+
+def values(schema, name):
+    """Values in JSON that the schema allows."""
+    for one in choices(schema):
+        if "properties" in one:
+            (first, *_) = one["properties"]
+            if first[0].isupper():
+                for inner in values(one["properties"][first], name):
+                    yield {first: inner}
+            else:
+                yield from fields(one)
+        elif "const" in one or "enum" in one:
+            yield from [one["const"]] if "const" in one else one["enum"]
+        elif "number" in (one.get("type") or []):
+            yield number(one, name)
+        else:
+            (found,) = [value for words, value in TABLES.items() if words in one["description"]]
+            yield found
+
+
+def fields(schema):
+    """All objects with the required fields and, one by one, with those that are optional."""
+    required = set(schema.get("required", []))
+    base = {name: list(values(about, name)) for name, about in schema["properties"].items()}
+    first = {name: all[0] for name, all in base.items() if name in required}
+    optional = [name for name in base if name not in required]
+    yield first
+    for name in base:
+        for value in base[name]:
+            yield {**first, name: value}
+            for other in optional:
+                if name in optional and other != name:
+                    yield {**first, name: value, other: base[other][0]}
+
+
+def scenes():
+    """(name, scene in JSON) for each item, and all its forms; not all are legal, as those with two moduli."""
+    layer = {"Homogeneous": {"thickness": 1.0, "shear_modulus": 1.0, "poisson": 0.25}}
+    plane = {"geometry": "PlaneStrain", "punch": {"Parabola": {"radius": 10.0}}, "force": 0.01}
+    ground = {"HalfPlane": {"shear_modulus": 1.0, "poisson": 0.25}}
+    for value in values({"oneOf": choices(SCHEMA["properties"]["stack"]["items"])}, ""):
+        name = value if isinstance(value, str) else next(iter(value))
+        inner = {} if isinstance(value, str) else value[name]
+        for stack in ([value, "Bonded", ground], [layer, value, ground], [layer, "Bonded", value]):
+            is_legal = ("thickness" in inner, name in JOINTS) == (stack[0] is value, stack[1] is value)
+            if is_legal:
+                yield name, {**plane, "stack": stack}
+    for one in SCHEMA["anyOf"]:
+        for geometry in one["properties"]["geometry"]["enum"]:
+            for key in ("punch", "load"):
+                for value in values({"oneOf": choices(one["properties"][key])}, ""):
+                    name = value if isinstance(value, str) else next(iter(value))
+                    stack = [layer, "Receding", ground]
+                    yield name, {"geometry": geometry, key: value, "force": 0.01, "stack": stack}
+
+
+JOINTS = ("Bonded", "Sliding", "Receding", "Spring")
+SCENES = list(scenes())
+
+
+def built(value, form="keywords", module=recede, is_field=False):
+    """The object of Python for a value in JSON; what has fields of its own as a mapping, in their order, or as an object."""
+    if isinstance(value, str):
+        return getattr(module, value)() if value[0].isupper() else value
+    if isinstance(value, list):
+        return [built(one, form, recede, True) for one in value]
+    if not isinstance(value, dict):
+        return value
+    name = next(iter(value))
+    if name[0].isupper() and len(value) == 1:
+        inner = value[name]
+        if isinstance(inner, dict):
+            return getattr(module, name)(**{key: built(one, form, profiles, True) for key, one in inner.items()})
+        return getattr(module, name)(built(inner, form, recede, True))
+    parts = {key: built(one, form, recede, True) for key, one in value.items()}
+    if form == "in order" and not any(isinstance(one, recede.Item) for one in parts.values()):
+        return tuple(parts.values())
+    if form == "dataclass":
+        kind = dataclasses.make_dataclass("Own", list(parts))
+        return kind(**parts)
+    return parts
+
+
+def scene_of(data, form):
+    stack = [built(one, form) for one in data["stack"]]
+    tops = {key: built(data[key], form) for key in ("punch", "load") if key in data}
+    return Scene(stack, force=data["force"], geometry=data["geometry"], **tops)
+
+
+@pytest.mark.parametrize("form", ["keywords", "in order", "dataclass"])
+def test_every_item_makes_the_scene_of_its_text(form):
+    legal = set()
+    for name, data in SCENES:
+        try:
+            read = Scene.from_json(json.dumps(data))
+        except recede.InputError:
+            with pytest.raises((recede.InputError, TypeError)):
+                scene_of(data, form)
+            continue
+        legal.add(name)
+        made = scene_of(data, form)
+        assert made.to_ron() == read.to_ron() == Scene.from_ron(read.to_ron()).to_ron(), name
+    # each name of the vocabulary was built
+    assert legal == {name for name, _ in SCENES}
+    exported = {name for name in recede.items.__all__ if issubclass(getattr(recede.items, name), recede.Item)}
+    assert legal == exported - {"StackItem", "Punch", "Load"}
+
+
+@pytest.mark.parametrize("name", sorted({name for name, _ in SCENES}))
+def test_every_item_is_solved_as_its_text_is(name, quiet):
+    solved = 0
+    for own, data in SCENES:
+        if own != name:
+            continue
+        try:
+            read = Scene.from_json(json.dumps(data))
+            expected = read.solve()
+        except recede.Error:
+            continue
+        made = scene_of(data, "keywords")
+        assert made.solve() == expected
+        # and back: the text in Python makes the same scene
+        again = eval(repr(read), {**vars(recede), "profiles": profiles})
+        assert again == read == made and pickle.loads(pickle.dumps(again.stack)) == again.stack
+        assert (again.punch, again.load) == (made.punch, made.load) == (expected_top(data, "punch"), expected_top(data, "load"))
+        solved += 1
+        if solved == 2:
+            return
+    assert solved
+
+
+def expected_top(data, key):
+    return built(data[key]) if key in data else None
+
+
+def classes():
+    found = [getattr(recede.items, name) for name in recede.items.__all__] + [getattr(profiles, name) for name in profiles.__all__]
+    return [kind for kind in found if issubclass(kind, recede.Item)]
+
+
+@pytest.mark.parametrize("kind", classes(), ids=lambda kind: f"{kind.__module__}.{kind.__name__}")
+def test_fields_have_types_and_are_listed(kind):
+    assert kind.__doc__
+    parameters = inspect.signature(kind).parameters if "__init__" in vars(kind) else {}
+    hints = typing.get_type_hints(kind)
+    given = typing.get_type_hints(kind.__init__) if parameters else {}
+    for field in parameters:
+        assert field in hints and field in dir(kind) and typing.Any not in (hints[field], given[field])
+        assert f"{field}:" in kind.__doc__
+
+
+def test_fields_are_kept_as_plain_values():
+    layer = Homogeneous(thickness=np.float64(1.0), young=np.int32(200), poisson=np.float32(0.25))
+    assert repr(layer) == "Homogeneous(thickness=1.0, poisson=0.25, young=200)" and layer.shear_modulus is None
+    assert {"thickness", "young", "poisson"} <= set(dir(layer))
+    table = profiles.Table(np.array([[0.0, 1.0], [1.0, 2.0]]))
+    assert table.rows == ((0.0, 1.0), (1.0, 2.0)) and repr(table) == "profiles.Table(rows=((0.0, 1.0), (1.0, 2.0)))"
+    ply = recede.Orthotropic(
+        thickness=0.1, young=(135.0, 10.0, 10.0), poisson={"xz": 0.3, "xy": 0.3, "yz": 0.4}, shear_modulus=5.0
+    )
+    assert ply.young.x == 135.0 and ply.poisson == recede.OrthotropicPoisson(xy=0.3, xz=0.3, yz=0.4)
+    assert ply == eval(repr(ply), vars(recede)) == pickle.loads(pickle.dumps(ply))
+    with pytest.raises(TypeError, match=r"`Orthotropic.young` has the fields x, y, z; found 2 values"):
+        recede.Orthotropic(thickness=0.1, young=(1, 2), poisson=(0.3, 0.3, 0.3), shear_modulus=5.0)
+    with pytest.raises(TypeError, match="`Orthotropic.young` has the fields x, y, z; found x, q"):
+        recede.Orthotropic(thickness=0.1, young={"x": 1, "q": 2}, poisson=(0.3, 0.3, 0.3), shear_modulus=5.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Homogeneous(thickness=-1.0, shear_modulus=1.0, poisson=0.25), r"^`Homogeneous.thickness`: found -1.0, allowed"),
+        (lambda: Homogeneous(thickness=1.0, poisson=0.25), r"^`Homogeneous`: found none of `shear_modulus` and `young`"),
+        (lambda: Homogeneous(thickness="1 MPa", young=1.0, poisson=0.25), r'^`Homogeneous`: `"1 MPa"` is a stress'),
+        (lambda: recede.Spring(normal=-1.0), r"^`Spring.normal`: found -1.0"),
+        (lambda: recede.Flat(half_width=-1.0), r"^`Flat.half_width`: found -1.0"),
+        (lambda: recede.Flat(radius=-1.0), r"^`Flat.radius`: found -1.0"),
+        (lambda: recede.Flat(), r"^`half_width` is missing in `Flat`\nhint: add `half_width=...` between its parentheses"),
+        (lambda: recede.Sphere(radius=0.0), r"^`Sphere.radius`: found 0.0"),
+        (lambda: recede.Ring(radius=float("nan"), half_width=1.0), r"^`Ring.radius`: found NaN"),
+        (lambda: recede.Uniform(half_width=True), r"^`Uniform.half_width`: a number is expected, found `true`"),
+        (lambda: profiles.Linear(top=-2.0, bottom=1.0), r"^`Linear.top`: found -2.0, allowed is a finite number > 0"),
+        (lambda: profiles.Constant(-2.0), r"^`Constant`: found -2.0, allowed is a finite number > 0"),
+        (lambda: recede.FunctionLayer(-1.0, lambda depth: (1.0, 0.3)), r"^`FunctionLayer.thickness`: found -1.0"),
+        (
+            lambda: recede.OrthotropicHalfPlane(young=(-1.0, 1, 1), poisson=(0.3, 0.3, 0.3), shear_modulus=1.0),
+            r"^`OrthotropicHalfPlane.young.x`: found -1.0",
+        ),
+    ],
+)
+def test_items_are_checked_when_they_are_made(make, message):
+    with pytest.raises(recede.InputError, match=message) as caught:
+        make()
+    assert caught.value.line is None and caught.value.excerpt is None
+
+
+def test_profiles_may_be_moduli_or_ratios():
+    assert profiles.Linear(top=-0.5, bottom=0.3).top == -0.5
+    with pytest.raises(recede.InputError, match=r"`poisson_profile.top` of layer 1 \(Graded\)|`Graded.poisson_profile"):
+        recede.Graded(thickness=1.0, young=profiles.Constant(1.0), poisson_profile=profiles.Linear(top=2.0, bottom=0.3))
+
+
+def test_errors_speak_of_objects_not_of_lines():
+    thin, ground = Homogeneous(thickness="1 um", young=1.0, poisson=0.25), recede.HalfPlane(young=1.0, poisson=0.3)
+    with pytest.raises(recede.InputError, match="does not say its units|no units|units") as caught:
+        Stack([thin, Receding(), ground])
+    assert caught.value.line is None and caught.value.excerpt == repr(thin) and "line" not in str(caught.value)
+    scene = Scene([ground], recede.Cylinder(radius=1.0), 1e-3)
+    for made in (lambda: scene.with_number("punch.radius", -1.0), lambda: scene.with_number("force", 1e6).solve()):
+        with pytest.raises(recede.InputError) as caught:
+            made()
+        assert caught.value.line is None and "line" not in str(caught.value)
+    # but a text that was written has lines
+    with pytest.raises(recede.InputError) as caught:
+        Scene.from_ron(scene.to_ron().replace("1.0", "-1.0"))
+    assert caught.value.line and "(scene, line " in str(caught.value)
+
+
+@pytest.mark.parametrize("units", [("mm", "N"), {"length": "mm", "force": "N"}, {"force": "N", "length": "mm"}, recede.Units("mm", "N")])
+def test_units_are_what_they_are_called(units):
+    scene = Scene([recede.HalfPlane(young="1 GPa", poisson=0.3)], recede.Parabola(radius="1 cm"), 1.0, units=units)
+    assert scene.units == recede.Units(length="mm", force="N") and scene.number("layer[1].young") == 1000.0
+    assert json.loads(scene.solve().to_json())["units"] == {"length": "mm", "force": "N/mm", "stress": "MPa"}
+
+
+@pytest.mark.parametrize("units", ["mm", b"mm", ["mm"], ("mm", "N", "s"), ("mm", 1), {"length": "mm"}, {"length": "mm", "mass": "kg"}, 1])
+def test_other_units_are_refused(units):
+    with pytest.raises(TypeError, match="`units`"):
+        Scene([recede.HalfPlane(young=1.0, poisson=0.3)], recede.Parabola(radius=1.0), 1.0, units=units)
+
+
+def test_labels_of_any_signs_are_read_again():
+    name = 'a "name"\\ of\ttwo\nlines, \u0001, µ and 漢'
+    scene = Scene([recede.HalfPlane(young=1.0, poisson=0.3)], recede.Parabola(radius=1.0), 1.0, name=name)
+    assert scene.name == name and Scene.from_ron(scene.to_ron()).name == name
