@@ -58,6 +58,9 @@ impl Translation {
 
 /// A text in which numbers with a unit have become numbers; `None` if there are none.
 pub(super) fn without_units(text: &str) -> Result<Option<Translation>, Untranslatable> {
+    if !text.contains('"') {
+        return Ok(None);
+    }
     let labels = ["name", "description", "units"].map(|name| field(text, name).unwrap_or_default());
     let quotes = |text: &str| text.matches('"').count();
     if quotes(text) <= labels.map(quotes).iter().sum() {
