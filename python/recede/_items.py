@@ -12,8 +12,8 @@ from ._values import Written, hints, is_record, kept, members, written
 
 #: What the reader of scenes calls the item that it reads.
 OWNER = r"(?:layer \d+ \(\w+\)|the springs below layer \d+|the punch|the load)"
-#: A scene about an item. Units are there for numbers that have one.
-ALONE = 'Scene(geometry: {geometry}, units: (length: "m", force: "N"), {top}, force: 1.0, stack: [{stack}])'
+#: Units for numbers that have one.
+UNITS = 'units: (length: "m", force: "N"), '
 PUNCH = "punch: Parabola(radius: 1.0)"
 GROUND = "HalfPlane(shear_modulus: 1.0, poisson: 0.25)"
 
@@ -36,7 +36,9 @@ class Item(Written):
         """Keeps and checks the fields."""
         types = hints(type(self))
         self._keep({name: kept(one, types[name], f"{type(self).__name__}.{name}") for name, one in fields.items()})
-        self._check()
+        # a name alone is legal
+        if fields:
+            self._check()
 
     def _keep(self, fields: Mapping[str, Any]) -> None:
         for name, value in fields.items():
@@ -112,13 +114,19 @@ def again(kind: type[Item], fields: dict[str, Any]) -> Item:
     return item
 
 
+def alone(geometry: str, top: str, stack: str) -> str:
+    """A scene about an item."""
+    units = UNITS if '"' in top or '"' in stack else ""
+    return f"Scene(geometry: {geometry}, {units}{top}, force: 1.0, stack: [{stack}])"
+
+
 class StackItem(Item):
     """An item of a stack."""
 
     __slots__ = ()
 
     def _scenes(self) -> list[str]:
-        return [ALONE.format(geometry="PlaneStrain", top=PUNCH, stack=self.ron())]
+        return [alone("PlaneStrain", PUNCH, self.ron())]
 
 
 class _Top(Item):
@@ -134,7 +142,7 @@ class _Top(Item):
         given = set(self._fields())
         fitting = [geometry for geometry, fields in self._geometries.items() if given <= set(fields)]
         chosen = fitting or list(self._geometries)
-        return [ALONE.format(geometry=one, top=f"{self._key}: {self.ron()}", stack=GROUND) for one in chosen]
+        return [alone(one, f"{self._key}: {self.ron()}", GROUND) for one in chosen]
 
 
 class Punch(_Top):
@@ -159,7 +167,7 @@ class Profile(Item):
     def _scenes(self) -> list[str]:
         places = (f"shear_modulus: {self.ron()}, poisson: 0.3", f"shear_modulus: Constant(1.0), poisson_profile: {self.ron()}")
         stacks = (f"Graded(thickness: 0.0, {place})" for place in places)
-        return [ALONE.format(geometry="PlaneStrain", top=PUNCH, stack=stack) for stack in stacks]
+        return [alone("PlaneStrain", PUNCH, stack) for stack in stacks]
 
     def _path(self, field: str) -> str:
         # the first one is the field of the layer

@@ -65,6 +65,8 @@ def kept(found: Any, hint: Any, what: str) -> Any:
     """A value of a field of this type as it is kept: plain numbers and tuples, and what has fields by their names.
 
     Fields may be given as a mapping, as an object of a dataclass, or in their order."""
+    if found is None or isinstance(found, float | int | str | Written) and not isinstance(found, np.generic):
+        return found
     record = next((kind for kind in members(hint) if is_record(kind)), None)
     of_list = next((get_args(kind)[0] for kind in members(hint) if get_origin(kind) is tuple), object)
     if dataclasses.is_dataclass(found) and not isinstance(found, type):
@@ -75,11 +77,9 @@ def kept(found: Any, hint: Any, what: str) -> Any:
         if record is not None:
             return _record(record, (), found, what)
         return {_name(name, what): kept(one, object, f"{what}.{name}") for name, one in found.items()}
-    if found is None or isinstance(found, Written | str | bool):
-        return found
     if isinstance(found, np.ndarray | np.generic):
         found = found.tolist()
-    if isinstance(found, int | float | str | bool):
+    if isinstance(found, int | float | str):
         return found
     if isinstance(found, Iterable) and not isinstance(found, bytes):
         if record is not None:
