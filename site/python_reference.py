@@ -13,6 +13,8 @@ PARTS = [
     ("Sweeps", "_sweep.py"),
     ("Tables", "_table.py"),
     ("Errors and warnings", "_errors.py"),
+    ("What all items have", "_items.py"),
+    ("Units", "_values.py"),
     ("Layers, interfaces, bases, punches and loads", "items.py"),
     ("Moduli as functions of depth", "profiles.py"),
 ]
