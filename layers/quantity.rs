@@ -1,6 +1,7 @@
 //! Checked numbers: rejected with a reason where they are read, so that a scene's error names its column.
 #[cfg(feature = "read")]
 use std::borrow::Cow;
+use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 
 #[cfg(feature = "read")]
@@ -108,4 +109,4 @@ quantity!(
 quantity!(
     /// Half of the angle at the tip of a wedge or a cone, in radians.
     HalfAngle, "an angle > 0 and < pi/2, in radians or with its unit, such as \"70.3 deg\"",
-    {"exclusiveMinimum": 0, "exclusiveMaximum": 1.570_796_326_794_896_6}, |x| x > 0.0 && x < std::f64::consts::FRAC_PI_2);
+    {"exclusiveMinimum": 0, "exclusiveMaximum": FRAC_PI_2}, |x| x > 0.0 && x < FRAC_PI_2);

@@ -226,11 +226,10 @@ fn check_all_around(stack: &Stack) -> Result<(), (Place, StackProblem)> {
     for placed in stack.groups().flat_map(|group| group.layers()) {
         let material = placed.layer.material(0.0, plane);
         let [first, _] = material.squared_roots();
-        let layer = placed.name();
         let problem = if !placed.layer.is_same_all_around() {
-            StackProblem::NotAxisymmetric { layer }
+            StackProblem::NotAxisymmetric { layer: placed.name() }
         } else if !material.is_isotropic() && first.im != 0.0 {
-            StackProblem::ComplexRoots { layer }
+            StackProblem::ComplexRoots { layer: placed.name() }
         } else {
             continue;
         };
