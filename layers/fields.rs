@@ -18,7 +18,7 @@ impl dyn Layer {
 
     /// Flexibility of the layer alone with shear-free faces; `None` for a half-plane, see [`Flexibility`].
     pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        let general = || Flexibility::of_face_states(&graded::face_states(self, wave));
+        let general = || graded::flexibility(self, wave);
         self.closed_form().map_or_else(general, |closed| closed.flexibility(wave))
     }
 }

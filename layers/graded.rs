@@ -9,7 +9,10 @@
 //! * *thick*: amplitudes = the stresses on one face while the other is clamped; the flexibility seen from a face is
 //!   carried from slice to slice, so that nothing grows.
 //! * *deep*: the faces do not feel each other; each is the surface of a half-plane.
+//!
+//! A layer that turns out to be homogeneous needs no slices unless it is thin: see `graded/homogeneous.rs`.
 mod clamped;
+mod homogeneous;
 mod inside;
 mod points;
 mod remembering;
@@ -22,12 +25,13 @@ mod tree;
 
 pub(crate) use self::clamped::Clamped;
 pub use self::remembering::Remembering;
+use self::homogeneous::Homogeneous;
 use self::rule::RULE;
 pub(crate) use self::slices::inverse;
 pub(crate) use self::surface::{surface_flexibility, surface_states};
 use self::tree::From;
 pub(crate) use self::tree::Tree;
-use crate::{FaceStates, Layer, LayerStates, Material, Wave};
+use crate::{FaceStates, Flexibility, Layer, LayerStates, Material, Wave};
 
 /// Up to this length, in decay lengths of the material, a layer is thin: it bends and translates almost freely.
 const THIN: f64 = 1.25;
@@ -61,6 +65,26 @@ pub fn face_states(layer: &(impl Layer + ?Sized), wave: &Wave) -> FaceStates {
 pub(crate) fn of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) -> FaceStates {
     let material = |depth| layer.material(depth, wave.plane);
     Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() }.face_states(wave, tree)
+}
+
+/// Flexibility of any layer with shear-free faces; `None` for a half-plane, or if the layer's amplitudes do not determine its
+/// state. Equal loads do not bend a homogeneous layer: their response then has no rounding error of bending.
+pub fn flexibility(layer: &(impl Layer + ?Sized), wave: &Wave) -> Option<Flexibility> {
+    flexibility_of_layer(layer, wave, &Tree::default())
+}
+
+/// `tree` is that of the layer in the plane of the wave.
+pub(crate) fn flexibility_of_layer(
+    layer: &(impl Layer + ?Sized),
+    wave: &Wave,
+    tree: &Tree,
+) -> Option<Flexibility> {
+    let material = |depth| layer.material(depth, wave.plane);
+    let profile = Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() };
+    match profile.homogeneous(wave, tree) {
+        Some(homogeneous) => Some(homogeneous.flexibility()),
+        None => Flexibility::of_face_states(&profile.face_states(wave, tree)),
+    }
 }
 
 /// States of any layer at its faces and at `depths` in ascending order, in common amplitudes: the provided body of
@@ -99,6 +123,12 @@ impl Profile<'_> {
         self.states(wave, tree, &[]).faces
     }
 
+    /// The layer, if it is homogeneous and has a thickness.
+    fn homogeneous<'t>(&self, wave: &Wave, tree: &'t Tree) -> Option<Homogeneous<'t>> {
+        let thickness = self.thickness.filter(|thickness| *thickness > 0.0)?;
+        Some(Homogeneous::new(tree.material(self)?, wave, thickness))
+    }
+
     /// ∫ f dy over the thickness for each of the functions of (material, depth), with the points that resolve the
     /// material; zero for a half-plane.
     pub(crate) fn integrate<const N: usize>(&self, f: impl Fn(&Material, f64) -> [f64; N]) -> [f64; N] {
@@ -123,7 +153,7 @@ impl Profile<'_> {
 mod tests {
     use super::clamped::Seen;
     use super::*;
-    use crate::{Flexibility, Homogeneous, Isotropic, Plane};
+    use crate::{Isotropic, Plane};
 
     fn wave(wavenumber: f64) -> Wave {
         Wave { wavenumber, modulus: 1.0, plane: Plane::Strain }
@@ -173,7 +203,7 @@ mod tests {
 
     #[test]
     fn no_thickness_is_no_layer() {
-        let nothing = Homogeneous::new(0.0, 1.0, 0.25).expect("legal");
+        let nothing = crate::Homogeneous::new(0.0, 1.0, 0.25).expect("legal");
         let FaceStates::Finite { top, bottom, .. } = face_states(&nothing, &wave(1.0)) else { panic!("two faces") };
         assert_eq!(top, bottom);
     }

@@ -11,6 +11,9 @@ use crate::{FaceStates, InnerStates, LayerStates, State, Wave};
 impl Profile<'_> {
     /// States at the faces and at ascending depths, which are among the kinks, in common amplitudes.
     pub(super) fn states(&self, wave: &Wave, tree: &Tree, depths: &[f64]) -> LayerStates {
+        if let Some(layer) = self.homogeneous(wave, tree).filter(|layer| !layer.is_thin()) {
+            return layer.states(depths.iter().map(|depth| wave.wavenumber * depth));
+        }
         self.in_units_of_tree(wave.wavenumber, tree, depths).with_displacements_times(wave.modulus / tree.modulus(self))
     }
 

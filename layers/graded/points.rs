@@ -59,4 +59,11 @@ impl Points {
         let slowest = materials.iter().map(Material::slowest_decay).fold(f64::INFINITY, f64::min);
         Self { shear, coupling, normal, axial, resolved, fastest, slowest }
     }
+
+    /// Whether the material is the same, to the last digit, at all points.
+    pub fn are_all(&self, Coefficients { m, c, d, e }: &Coefficients) -> bool {
+        [(&self.shear, m), (&self.coupling, c), (&self.normal, d), (&self.axial, e)]
+            .iter()
+            .all(|(values, value)| values.iter().all(|found| found == *value))
+    }
 }

@@ -2,8 +2,8 @@
 use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Tree, of_layer, states_of_layer};
-use crate::{ClosedForm, FaceStates, Key, Layer, LayerStates, Material, Notation, Plane, Wave};
+use super::{Tree, flexibility_of_layer, of_layer, states_of_layer};
+use crate::{ClosedForm, FaceStates, Flexibility, Key, Layer, LayerStates, Material, Notation, Plane, Wave};
 
 /// A layer whose face states are those of [`face_states`](super::face_states), to the last digit, and which remembers
 /// its slices from one wavenumber to the next. Made once per stack for every layer without
@@ -39,6 +39,13 @@ impl Remembering {
             return layer;
         }
         Arc::new(Self { layer, strain: Tree::default(), stress: Tree::default(), inside: Mutex::default() })
+    }
+
+    fn tree(&self, plane: Plane) -> &Tree {
+        match plane {
+            Plane::Strain => &self.strain,
+            Plane::Stress => &self.stress,
+        }
     }
 
     /// The layer itself, without what is remembered of it: layer types compare themselves with others of their own type.
@@ -87,11 +94,11 @@ impl Layer for Remembering {
 
 impl ClosedForm for Remembering {
     fn face_states(&self, wave: &Wave) -> FaceStates {
-        let tree = match wave.plane {
-            Plane::Strain => &self.strain,
-            Plane::Stress => &self.stress,
-        };
-        of_layer(&*self.layer, wave, tree)
+        of_layer(&*self.layer, wave, self.tree(wave.plane))
+    }
+
+    fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
+        flexibility_of_layer(&*self.layer, wave, self.tree(wave.plane))
     }
 
     fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {

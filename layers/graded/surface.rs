@@ -24,18 +24,24 @@ pub(crate) fn surface_states(material: &Material, modulus: f64, t: f64) -> Matri
     let half = 0.5 * (e * m - 2.0 * c + 2.0 * product).sqrt();
     let square = half * half - product;
     let difference = square.abs().sqrt();
-    // e^(−t·half) times cosh and sinh of t·difference, the latter over the difference; cos and sin if roots are complex
-    let (even, odd) = if square > 0.0 {
-        let (slow, fast) = ((-t * (half - difference)).exp(), (-t * (half + difference)).exp());
+    // S due to S, T due to T and, but for the sign of one of them, both the others: from e^(−t·half) times cosh and sinh of
+    // t·difference, the latter over the difference; cos and sin if roots are complex
+    let (normal, shear, odd) = if square > 0.0 {
+        // the slower root without a difference
+        let fast = half + difference;
+        let slow = product / fast;
+        let [slow_decay, fast_decay] = [slow, fast].map(|root| (-t * root).exp());
         let ratio = -0.5 * (-2.0 * t * difference).exp_m1() / difference;
-        (0.5 * (slow + fast), if slow > 0.0 { slow * ratio } else { 0.0 })
+        let odd = if slow_decay > 0.0 { slow_decay * ratio } else { 0.0 };
+        (slow_decay + odd * slow, fast_decay - odd * slow, odd)
     } else {
         let decay = (-t * half).exp();
         let (sin, cos) = (t * difference).sin_cos();
         let ratio = if difference > 0.0 { sin / difference } else { t };
-        (decay * cos, if decay > 0.0 { decay * ratio } else { 0.0 })
+        let (even, odd) = (decay * cos, if decay > 0.0 { decay * ratio } else { 0.0 });
+        (even + odd * half, even - odd * half, odd)
     };
-    let stresses = Matrix2::new(even + odd * half, odd, -odd * product, even - odd * half);
+    let stresses = Matrix2::new(normal, odd, -odd * product, shear);
     let displacements = surface_flexibility(material, modulus) * stresses;
     Matrix4x2::from_fn(|i, j| if i < 2 { displacements[(i, j)] } else { stresses[(i - 2, j)] })
 }

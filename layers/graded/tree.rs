@@ -4,6 +4,8 @@ use std::sync::{Arc, OnceLock};
 use super::Profile;
 use super::points::Points;
 use super::series::{LENGTH, Series};
+use super::surface::Coefficients;
+use crate::Material;
 
 /// Around a jump of the material parts are halved down to this part of the thickness, or of the wavelength.
 const THINNEST: f64 = 1e-14;
@@ -17,6 +19,8 @@ const FIRST: f64 = 1.0;
 #[derive(Debug, Default)]
 pub(crate) struct Tree {
     modulus: OnceLock<f64>,
+    /// The material of the layer, if it is the same at all depths.
+    material: OnceLock<Option<Material>>,
     roots: OnceLock<Vec<Node>>,
     below: OnceLock<Box<Below>>,
     /// Of the material at the top of the layer, for all parts that are of the same.
@@ -41,6 +45,22 @@ impl Tree {
     /// The modulus in units of which the parts are computed: c66 at the top face.
     pub fn modulus(&self, profile: &Profile) -> f64 {
         *self.modulus.get_or_init(|| (profile.material)(0.0).shear_compliance.recip())
+    }
+
+    /// The material of a layer of finite thickness, if it is homogeneous.
+    pub fn material(&self, profile: &Profile) -> Option<&Material> {
+        let find = || {
+            profile.thickness?;
+            let (material, modulus) = ((profile.material)(0.0), self.modulus(profile));
+            let top = Coefficients::new(&material, modulus);
+            let mut is_same = true;
+            self.parts(profile, 0.0, From::Top, |part| {
+                is_same = part.points(profile, modulus).are_all(&top);
+                is_same
+            });
+            is_same.then_some(material)
+        };
+        self.material.get_or_init(find).as_ref()
     }
 
     /// The material of the first part, if it has been asked for.

@@ -2,7 +2,7 @@
 use crate::numeric::chebyshev::{self, Series};
 use crate::system::Unresolved;
 
-use super::{Chains, Work};
+use super::{Chains, Sample, Work};
 
 /// Points of the fit.
 const POINTS: usize = 17;
@@ -27,13 +27,13 @@ impl Asymptote {
     /// Fits the diagonal of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
     pub(super) fn fit(chains: &Chains, contact: usize, from: f64, work: &mut Work) -> Result<Option<Self>, Unresolved> {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
-        let mut components = vec![0.0; 3 * chains.contacts() - 1];
+        let mut sample = Sample::new(chains.contacts());
         let mut values = Vec::with_capacity(POINTS);
         let points = chebyshev::points(0.0, 1.0, POINTS);
         for u in &points {
             // u = 0 stands for a wavenumber so large that the kernel depends on the material at the face only
-            chains.sample(from / u.max(1e-25), &wanted, &mut components, work)?;
-            values.push(components[contact]);
+            chains.sample(from / u.max(1e-25), &wanted, &mut sample, work)?;
+            values.push(sample.components[contact]);
         }
         let series = Series::from_values_at_points(0.0, 1.0, &values);
         if series.tail() > RESOLVED {

@@ -63,6 +63,21 @@ struct Chains {
     modulus: f64,
 }
 
+/// What is sampled at a wavenumber.
+struct Sample {
+    /// Diagonals, equal-pressure responses, couplings.
+    components: Vec<f64>,
+    /// Whether equal pressures bend a laminate, at this wavenumber or another one since [`Sample::new`]: its equal-pressure response is then
+    /// no more accurate than the rounding error of its bending response.
+    bent: Vec<bool>,
+}
+
+impl Sample {
+    fn new(contacts: usize) -> Self {
+        Self { components: vec![0.0; 3 * contacts - 1], bent: vec![false; contacts - 1] }
+    }
+}
+
 impl Chains {
     fn new(stack: &Stack) -> Self {
         let (geometry, plane) = (stack.geometry(), stack.plane());
@@ -82,8 +97,9 @@ impl Chains {
         Wave { wavenumber: zeta / self.length, modulus: self.modulus, plane: self.geometry.plane() }
     }
 
-    /// All components at one wavenumber for the contacts that are `wanted`: diagonals, equal-pressure responses, couplings.
-    fn sample(&self, zeta: f64, wanted: &[bool], components: &mut [f64], work: &mut Work) -> Result<(), Unresolved> {
+    /// All components at one wavenumber for the contacts that are `wanted`.
+    fn sample(&self, zeta: f64, wanted: &[bool], sample: &mut Sample, work: &mut Work) -> Result<(), Unresolved> {
+        let Sample { components, bent } = sample;
         let wave = self.wave(zeta);
         let n = self.contacts();
         let failed = || Unresolved { wavenumber: wave.wavenumber };
@@ -103,6 +119,8 @@ impl Chains {
             components[i + 1] -= c.bottom;
             components[n + i + 1] -= c.equal_bottom;
             components[2 * n + i] = c.coupling;
+            // bending moves both faces alike; several layers are eliminated with the rounding error of bending
+            bent[i] |= laminate.layers().len() > 1 || c.equal_top + c.equal_bottom != 0.0;
         }
         if wanted[n - 1] {
             let (c, taken) = self.base.flexibility_and_taken(&wave).ok_or_else(failed)?;
@@ -111,14 +129,6 @@ impl Chains {
             components[2 * n - 1] += c;
         }
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
-    }
-
-    /// Whether the equal-pressure response of a laminate is no more accurate than the rounding error of its bending response: true
-    /// for all laminates but a single homogeneous layer.
-    fn is_limited_by_bending(&self, laminate: usize) -> bool {
-        let [layer] = self.laminates[laminate].layers() else { return true };
-        let at = |depth: f64| layer.material(depth, self.geometry.plane());
-        layer.closed_form().is_none() || at(0.0) != at(layer.thickness().unwrap_or(0.0))
     }
 
     /// Thickness of the thinnest layer next to contact i, in units of L; infinite next to a half-plane only.

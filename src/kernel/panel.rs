@@ -6,7 +6,7 @@ use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 use crate::system::Unresolved;
 
-use super::{Asymptote, Chains, Work};
+use super::{Asymptote, Chains, Sample, Work};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
@@ -28,6 +28,8 @@ pub(crate) struct Panel {
     pub(crate) to: f64,
     /// Component by component, `POINTS` values each, multiplied by the power of ζ that makes them smooth at ζ = 0.
     values: Vec<[f64; POINTS]>,
+    /// The laminates that equal pressures bend, see [`Sample`].
+    bent: Vec<bool>,
     /// The couplings that do not vanish on this panel.
     pub(crate) coupled: Vec<bool>,
     /// Bounds on the equal-pressure response of each contact minus its short-wave limit, or, where the asymptote holds, minus
@@ -70,7 +72,7 @@ pub(super) fn resolve(
 ) -> Result<bool, Unresolved> {
     if !expected {
         let panel = Panel::new(chains, from, to, wanted, work)?;
-        if panel.is_resolved(chains) || to < LOWEST || to - from < NARROWEST * to {
+        if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
             panels.push(panel);
             return Ok(false);
         }
@@ -79,11 +81,11 @@ pub(super) fn resolve(
     resolve(chains, [from, middle], false, wanted, panels, work)?;
     resolve(chains, [middle, to], false, wanted, panels, work)?;
     if let ([left, right], true) = (&panels[first..], expected)
-        && left.is_one_with(chains, right)
+        && left.is_one_with(right)
     {
         // interpolated values are less accurate than samples
         let whole = Panel::new(chains, from, to, wanted, work)?;
-        if whole.is_resolved(chains) {
+        if whole.is_resolved() {
             panels.truncate(first);
             panels.push(whole);
             return Ok(false);
@@ -92,18 +94,17 @@ pub(super) fn resolve(
     Ok(true)
 }
 
-/// Whether components of given sizes, with given values on a panel [from, to], are resolved.
+/// Whether components of given sizes, with given values on a panel [from, to], are resolved; laminates may be `bent`.
 fn resolved(
-    chains: &Chains,
+    bent: &[bool],
     [from, to]: [f64; 2],
     size: impl Fn(usize) -> f64,
     values: impl Fn(usize) -> [f64; POINTS],
 ) -> bool {
-    let n = chains.contacts();
+    let n = bent.len() + 1;
     // the equal-pressure response has the rounding error of the bending of the laminates above and below, over 1 + ζ²
     let cancelled = |i: usize| {
-        let laminates =
-            (i.saturating_sub(1)..(i + 1).min(n - 1)).filter(|laminate| chains.is_limited_by_bending(*laminate));
+        let laminates = (i.saturating_sub(1)..(i + 1).min(n - 1)).filter(|laminate| bent[*laminate]);
         laminates.map(|laminate| size(2 * n + laminate)).fold(0.0, f64::max) / (1.0 + to * to)
     };
     // a coupling need be as accurate as the diagonals and equal-pressure responses of its contacts only
@@ -131,18 +132,18 @@ fn interpolation(x: f64) -> [f64; POINTS] {
 impl Panel {
     fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Work) -> Result<Self, Unresolved> {
         let contacts = chains.contacts();
-        let components = 3 * contacts - 1;
-        let mut values = vec![[0.0; POINTS]; components];
-        let mut sample = vec![0.0; components];
+        let mut sample = Sample::new(contacts);
+        let mut values = vec![[0.0; POINTS]; sample.components.len()];
         for (k, x) in quadrature::rule(POINTS).nodes.iter().enumerate() {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
             chains.sample(zeta, wanted, &mut sample, work)?;
-            for (c, value) in sample.iter().enumerate() {
+            for (c, value) in sample.components.iter().enumerate() {
                 values[c][k] = value * power(zeta, powers(contacts, c));
             }
         }
         let (coupled, remainders, couplings) = Default::default();
-        let mut panel = Self { from, to, values, coupled, remainders, couplings, contacts };
+        let bent = sample.bent;
+        let mut panel = Self { from, to, values, bent, coupled, remainders, couplings, contacts };
         panel.coupled = (0..contacts - 1)
             .map(|i| {
                 // negligible next to bending by one pressure, and next to bending by equal pressures, ζ² times smaller
@@ -154,7 +155,7 @@ impl Panel {
     }
 
     /// Whether one panel would resolve what this one and the next, of the same width, do.
-    fn is_one_with(&self, chains: &Chains, next: &Self) -> bool {
+    fn is_one_with(&self, next: &Self) -> bool {
         /// Weights that interpolate from the Gauss points of a half to those points of the whole that lie in it.
         static HALVES: LazyLock<Vec<[f64; POINTS]>> = LazyLock::new(|| {
             let nodes = quadrature::rule(POINTS).nodes.iter();
@@ -166,7 +167,8 @@ impl Panel {
                 HALVES[k].iter().zip(&half.values[c]).map(|(part, value)| part * value).sum()
             })
         };
-        resolved(chains, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
+        let bent: Vec<bool> = self.bent.iter().zip(&next.bent).map(|(one, other)| *one || *other).collect();
+        resolved(&bent, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
     }
 
     /// Adds a constant flexibility to contact 0.
@@ -183,8 +185,8 @@ impl Panel {
         self.values[c].iter().fold(0.0, |size, value| size.max(value.abs()))
     }
 
-    fn is_resolved(&self, chains: &Chains) -> bool {
-        resolved(chains, [self.from, self.to], |c| self.size(c), |c| self.values[c])
+    fn is_resolved(&self) -> bool {
+        resolved(&self.bent, [self.from, self.to], |c| self.size(c), |c| self.values[c])
     }
 
     /// The largest absolute value of a component minus `limit`, on the Gauss points.

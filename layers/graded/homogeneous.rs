@@ -1,0 +1,217 @@
+//! A homogeneous layer of any material: fields symmetric and antisymmetric about mid-depth, without slices.
+//!
+//! With e = (U, S), o = (V, T) and ζ = λy from mid-depth upwards the state equations read e' = B o, o' = C e. Of symmetric
+//! fields o = C f e, of antisymmetric ones e = B f o, where f = tanh(√K ζ)/√K with K = B C, or C B. Functions of K are
+//! combinations of the identity and the adjugate of K, since K has two rows only, and f(2ζ) = 2 f/(1 + K f²) leads from a
+//! thin layer to any other. No root of the material is computed, so that roots may coincide or be complex; hardly any
+//! difference is formed, so that a layer may be thin for one pair of roots and thick for the other.
+use nalgebra::{Matrix2, Matrix4, Vector2};
+
+use super::surface::{Coefficients, surface_states};
+use super::{FELT, THIN};
+use crate::{FaceStates, Flexibility, InnerStates, LayerStates, Material, State, Wave};
+
+/// Power series are summed up to this length in decay lengths of the faster field, where [`TERMS`] reach rounding.
+const SERIES: f64 = 0.5;
+/// (1/2)^18/18! is below rounding.
+const TERMS: u32 = 9;
+/// Above this thickness, in decay lengths of the slower field, amplitudes are those of fields that decay from one face. Below
+/// it these are too similar; far above it, the difference of symmetric and antisymmetric fields would be rounding.
+const DECAYING: f64 = 1.0;
+
+/// one + adjugate · adj K, a function of the matrix K.
+#[derive(Clone, Copy)]
+struct Function {
+    one: f64,
+    adjugate: f64,
+}
+
+/// A homogeneous layer at one wavenumber.
+pub(super) struct Homogeneous<'a> {
+    material: &'a Material,
+    modulus: f64,
+    coefficients: Coefficients,
+    /// Trace and determinant of K: sum and product of the squared roots.
+    trace: f64,
+    determinant: f64,
+    /// λh/2.
+    half: f64,
+    /// Decay rates of the faster and the slower field.
+    rates: [f64; 2],
+}
+
+/// tanh(√K t)/√K, and 1/cosh(√K t).
+#[derive(Clone, Copy)]
+struct Section {
+    tanh: Function,
+    sech: Function,
+}
+
+impl<'a> Homogeneous<'a> {
+    pub fn new(material: &'a Material, wave: &Wave, thickness: f64) -> Self {
+        let coefficients = Coefficients::new(material, wave.modulus);
+        let Coefficients { m, c, d, e } = coefficients;
+        let fastest = material.squared_roots().iter().fold(1.0, |s: f64, root| s.max(root.norm().sqrt()));
+        Self {
+            material,
+            modulus: wave.modulus,
+            coefficients,
+            trace: e * m - 2.0 * c,
+            determinant: c * c + e * d,
+            half: 0.5 * wave.wavenumber * thickness,
+            rates: [fastest, material.slowest_decay()],
+        }
+    }
+
+    /// Whether no field decays in the layer, so that the state at one depth serves for amplitudes.
+    pub fn is_thin(&self) -> bool {
+        2.0 * self.half * self.rates[0] <= THIN
+    }
+
+    /// λμ₀C under loads on both faces, first equal and then opposite ones, of which neither is a difference.
+    pub fn flexibility(&self) -> Flexibility {
+        let slowest = self.rates[1];
+        // beyond FELT nothing changes
+        let length = if self.half * slowest > FELT { FELT / slowest } else { self.half };
+        let Section { tanh: f, sech } = self.section(length);
+        let Coefficients { e, .. } = self.coefficients;
+        let equal = self.determinant * self.norm(f) / (e * f.one);
+        let opposite = (e * f.adjugate).recip();
+        let coupling = if 2.0 * self.half * slowest < DECAYING {
+            0.5 * (equal - opposite)
+        } else if self.half * slowest > FELT {
+            0.0
+        } else {
+            // the same difference in 1 − tanh² = 1/cosh²
+            let square = self.times(sech, sech);
+            let left = square.adjugate * (f.one + self.trace * f.adjugate)
+                + f.adjugate * (square.one - self.norm(square));
+            -0.5 * left / (self.norm(f) * e * f.one * f.adjugate)
+        };
+        let top = 0.5 * (equal + opposite);
+        Flexibility { top, coupling, bottom: -top, equal_top: equal, equal_bottom: -equal }
+    }
+
+    /// States at the faces and at depths, given as λd.
+    pub fn states(&self, depths: impl Iterator<Item = f64>) -> LayerStates {
+        if 2.0 * self.half * self.rates[1] >= DECAYING { self.decaying(depths) } else { self.parities(depths) }
+    }
+
+    /// Amplitudes = S and T on the top face of fields that decay downwards, then on the bottom face of fields that decay
+    /// upwards.
+    fn decaying(&self, depths: impl Iterator<Item = f64>) -> LayerStates {
+        let thickness = 2.0 * self.half;
+        let mirror = Matrix4::from_diagonal(&State::new(1.0, -1.0, 1.0, -1.0));
+        let columns = |depth: f64| {
+            let down = surface_states(self.material, self.modulus, depth);
+            let up = mirror * surface_states(self.material, self.modulus, (thickness - depth).max(0.0));
+            super::clamped::beside(&down, &up)
+        };
+        let inside = depths.map(|depth| InnerStates::thick(columns(depth))).collect();
+        LayerStates { faces: FaceStates::thick(columns(0.0), columns(thickness)), inside }
+    }
+
+    /// Amplitudes = U and S on the faces of symmetric fields, V and T on the faces of antisymmetric ones.
+    fn parities(&self, depths: impl Iterator<Item = f64>) -> LayerStates {
+        let whole = self.section(self.half);
+        let inside = depths.map(|depth| {
+            let from_middle = (self.half - depth).clamp(-self.half, self.half);
+            let [inner, outer] = [from_middle.abs(), self.half - from_middle.abs()].map(|t| self.section(t));
+            // cosh of the sum of two arguments
+            let sum = self.times_k(self.times(inner.tanh, outer.tanh));
+            let share = self.times(outer.sech, self.inverse(Function { one: 1.0 + sum.one, ..sum }));
+            self.inner(&inner, share, from_middle.signum())
+        });
+        let one = Function { one: 1.0, adjugate: 0.0 };
+        let [top, bottom] = [1.0, -1.0].map(|side| self.inner(&whole, one, side));
+        let inside = inside.collect();
+        let faces =
+            FaceStates::Finite { top: top.columns, bottom: bottom.columns, uniform: [top.uniform, bottom.uniform] };
+        LayerStates { faces, inside }
+    }
+
+    /// States above (1) or below (−1) the middle, where the even part of a symmetric field and the odd part of an antisymmetric one
+    /// are these shares of their values on the faces. The field close to uniform pressure is symmetric, with S = 1 on the faces.
+    fn inner(&self, section: &Section, share: Function, side: f64) -> InnerStates {
+        let Coefficients { m, c, d, e } = self.coefficients;
+        let adjugate = Matrix2::new(-c, -(d + m * c), e, m * e - c);
+        // of C B the matrix K itself
+        let k = Matrix2::new(m * e - c, d + m * c, -e, -c);
+        let of = |function: Function, matrix: &Matrix2<f64>| {
+            Matrix2::identity() * function.one + matrix * function.adjugate
+        };
+        let [b, c] = [Matrix2::new(1.0, m, 0.0, -1.0), Matrix2::new(-c, d, e, c)];
+        let Function { one, adjugate: f } = section.tanh;
+        let even = of(share, &adjugate);
+        let odd = of(share, &k);
+        // C adj K = B det K, B adj(C B) = C
+        let of_even = (c * one + b * (f * self.determinant)) * even * side;
+        let of_odd = (b * one + c * f) * odd * side;
+        let place = |pair: Matrix2<f64>, i: usize, j: usize| pair[(i / 2, j)];
+        let columns = Matrix4::from_fn(|i, j| match (i % 2 == 0, j < 2) {
+            (true, true) => place(even, i, j),
+            (false, true) => place(of_even, i, j),
+            (true, false) => place(of_odd, i, j - 2),
+            (false, false) => place(odd, i, j - 2),
+        });
+        let close = Vector2::new(share.adjugate * adjugate[(0, 1)], share.one - 1.0 + share.adjugate * adjugate[(1, 1)]);
+        let uniform = State::new(close[0], columns[(1, 1)], close[1], columns[(3, 1)]);
+        InnerStates { columns, uniform }
+    }
+
+    /// Between mid-depth and t = λy above it.
+    fn section(&self, t: f64) -> Section {
+        let length = t * self.rates[0];
+        let doublings = if length > SERIES { (length / SERIES).log2().ceil() as i32 } else { 0 };
+        let mut section = self.thin_section(t / 2f64.powi(doublings));
+        for _ in 0..doublings {
+            let Section { tanh, sech } = section;
+            let square = self.times_k(self.times(tanh, tanh));
+            let inverse = self.inverse(Function { one: 1.0 + square.one, ..square });
+            let Function { one, adjugate } = self.times(tanh, inverse);
+            section.tanh = Function { one: 2.0 * one, adjugate: 2.0 * adjugate };
+            section.sech = self.times(self.times(sech, sech), inverse);
+        }
+        section
+    }
+
+    /// The same by power series.
+    fn thin_section(&self, t: f64) -> Section {
+        let (mut cosh, mut sinh) = (Function { one: 0.0, adjugate: 0.0 }, Function { one: 0.0, adjugate: 0.0 });
+        // K^n t^(2n)/(2n)!
+        let mut term = Function { one: 1.0, adjugate: 0.0 };
+        for n in 0..TERMS {
+            let odd = t / f64::from(2 * n + 1);
+            cosh = Function { one: cosh.one + term.one, adjugate: cosh.adjugate + term.adjugate };
+            sinh = Function { one: sinh.one + odd * term.one, adjugate: sinh.adjugate + odd * term.adjugate };
+            let next = self.times_k(term);
+            let factor = t * odd / f64::from(2 * n + 2);
+            term = Function { one: factor * next.one, adjugate: factor * next.adjugate };
+        }
+        let sech = self.inverse(cosh);
+        Section { tanh: self.times(sinh, sech), sech }
+    }
+
+    fn times(&self, a: Function, b: Function) -> Function {
+        let both = a.adjugate * b.adjugate;
+        Function {
+            one: a.one * b.one - both * self.determinant,
+            adjugate: a.one * b.adjugate + a.adjugate * b.one + both * self.trace,
+        }
+    }
+
+    /// Times K = tr K − adj K.
+    fn times_k(&self, a: Function) -> Function {
+        Function { one: self.trace * a.one + self.determinant * a.adjugate, adjugate: -a.one }
+    }
+
+    fn inverse(&self, a: Function) -> Function {
+        let factor = self.norm(a).recip();
+        Function { one: (a.one + a.adjugate * self.trace) * factor, adjugate: -a.adjugate * factor }
+    }
+
+    /// The determinant.
+    fn norm(&self, a: Function) -> f64 {
+        a.one * (a.one + self.trace * a.adjugate) + a.adjugate * a.adjugate * self.determinant
+    }
+}
