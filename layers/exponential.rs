@@ -4,7 +4,6 @@ mod thick;
 mod thin;
 
 use std::any::Any;
-use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::Matrix4;
@@ -14,7 +13,7 @@ use serde::Deserialize;
 
 use crate::{
     ClosedForm, ElasticConstants, FaceStates, Finite, Flexibility, Isotropic, Key, Layer, LayerError, LayerStates,
-    Material, Plane, Poisson, Positive, Thickness, Wave,
+    Material, Notation, Plane, Poisson, Positive, Thickness, Wave,
 };
 
 /// Up to this λh the amplitudes are the state at one depth; beyond, solutions that decay from either face.
@@ -35,7 +34,7 @@ const EQUAL: f64 = 4.0 * f64::EPSILON;
 /// assert!((1.0 / bottom.shear_compliance - (-1.0f64).exp()).abs() < 1e-15);
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Fields")]
 pub struct Exponential {
     thickness: Thickness,
@@ -72,14 +71,6 @@ impl TryFrom<Fields> for Exponential {
     fn try_from(fields: Fields) -> Result<Self, LayerError> {
         let Fields { thickness, shear_modulus, young, poisson, beta } = fields;
         Self::checked(thickness, ElasticConstants::read(shear_modulus, young, poisson)?, beta)
-    }
-}
-
-impl fmt::Debug for Exponential {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("Exponential");
-        self.constants.describe(out.field("thickness", &self.thickness));
-        out.field("beta", &self.beta).finish()
     }
 }
 
@@ -173,6 +164,10 @@ impl Layer for Exponential {
         let whole = || Self::checked(thickness, self.constants, self.beta).ok();
         let one = equal && (bottom.poisson, self.beta) == (top.poisson, other.beta);
         one.then(whole).flatten().map(|whole| Arc::new(whole) as _)
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants.noted(Notation::of::<Self>().with("thickness", &self.thickness)).with("beta", &self.beta)
     }
 }
 

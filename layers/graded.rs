@@ -24,8 +24,8 @@ mod thin;
 mod tree;
 
 pub(crate) use self::clamped::Clamped;
-pub use self::remembering::Remembering;
 use self::homogeneous::Homogeneous;
+pub use self::remembering::Remembering;
 use self::rule::RULE;
 pub(crate) use self::slices::inverse;
 pub(crate) use self::surface::{surface_flexibility, surface_states};
@@ -74,11 +74,7 @@ pub fn flexibility(layer: &(impl Layer + ?Sized), wave: &Wave) -> Option<Flexibi
 }
 
 /// `tree` is that of the layer in the plane of the wave.
-pub(crate) fn flexibility_of_layer(
-    layer: &(impl Layer + ?Sized),
-    wave: &Wave,
-    tree: &Tree,
-) -> Option<Flexibility> {
+pub(crate) fn flexibility_of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) -> Option<Flexibility> {
     let material = |depth| layer.material(depth, wave.plane);
     let profile = Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() };
     match profile.homogeneous(wave, tree) {

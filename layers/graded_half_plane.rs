@@ -1,11 +1,12 @@
 //! An exponentially graded half-plane, μ(d) = μ_top e^(βd) with β ≥ 0.
-use std::fmt;
 
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{ElasticConstants, Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Stiffening};
+use crate::{
+    ElasticConstants, Isotropic, Key, Layer, LayerError, Material, Notation, Plane, Poisson, Positive, Stiffening,
+};
 
 /// So deep a material is rigid, and its modulus still a finite number.
 const RIGID: f64 = 300.0;
@@ -22,7 +23,7 @@ const RIGID: f64 = 300.0;
 /// assert!(GradedHalfPlane::new(1.0, 0.25, -0.5).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Fields")]
 pub struct GradedHalfPlane {
     /// At the face.
@@ -59,14 +60,6 @@ impl TryFrom<Fields> for GradedHalfPlane {
     }
 }
 
-impl fmt::Debug for GradedHalfPlane {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("GradedHalfPlane");
-        self.constants.describe(&mut out);
-        out.field("beta", &self.beta).finish()
-    }
-}
-
 impl GradedHalfPlane {
     /// A half-plane of shear modulus μ_top > 0 at its face (stress), Poisson's ratio −1 < ν ≤ 1/2 and grading exponent
     /// β ≥ 0 (1/length).
@@ -92,5 +85,9 @@ impl Layer for GradedHalfPlane {
     fn key(&self) -> Option<Key> {
         let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
         Some(Key::of::<Self>().with([shear_modulus, poisson, self.beta.get()]))
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants.noted(Notation::of::<Self>()).with("beta", &self.beta)
     }
 }

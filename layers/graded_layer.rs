@@ -7,7 +7,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::{
-    Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive, Profile, Thickness, material::Modulus,
+    Identity, Isotropic, Key, Layer, LayerError, Material, Notation, Parameter, Plane, Poisson, Positive, Profile,
+    Thickness, material::Modulus,
 };
 
 /// Layers whose modulus varies by a larger factor are refused: digits would be lost where they are soft.
@@ -35,8 +36,12 @@ pub struct Graded {
 
 #[derive(Clone)]
 enum Variation {
-    Written { modulus: Modulus<Profile<Positive>>, poisson: Profile<Poisson> },
-    Function(Arc<dyn Fn(f64) -> Isotropic + Send + Sync>),
+    Written {
+        modulus: Modulus<Profile<Positive>>,
+        poisson: Profile<Poisson>,
+    },
+    /// Functions cannot be compared: each is the same as itself only.
+    Function(Identity, Arc<dyn Fn(f64) -> Isotropic + Send + Sync>),
 }
 
 /// The fields as written in a scene, before they are checked together.
@@ -81,6 +86,15 @@ impl TryFrom<Fields> for Graded {
     }
 }
 
+/// What stands for a function, which has no text.
+struct Function;
+
+impl Parameter for Function {
+    fn written(&self) -> String {
+        "a function".to_owned()
+    }
+}
+
 impl Graded {
     /// A layer of thickness h ≥ 0 (length; 0 means "not there"), with shear modulus μ(d) > 0 (stress) and Poisson's ratio
     /// −1 < ν(d) ≤ 1/2 as functions of depth.
@@ -106,7 +120,7 @@ impl Graded {
         material: impl Fn(f64) -> Isotropic + Send + Sync + 'static,
     ) -> Result<Self, LayerError> {
         let thickness = LayerError::checked("thickness", thickness)?;
-        Ok(Self { thickness, variation: Variation::Function(Arc::new(material)) })
+        Ok(Self { thickness, variation: Variation::Function(Identity::unique(), Arc::new(material)) })
     }
 
     fn checked(
@@ -130,20 +144,7 @@ impl Graded {
 
 impl fmt::Debug for Graded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("Graded");
-        out.field("thickness", &self.thickness);
-        match &self.variation {
-            Variation::Written { modulus, poisson } => {
-                let (name, profile) = modulus.field();
-                out.field(name, profile);
-                match poisson {
-                    Profile::Constant(poisson) => out.field("poisson", poisson),
-                    profile => out.field("poisson_profile", profile),
-                }
-                .finish()
-            }
-            Variation::Function(_) => out.field("material", &format_args!("a function")).finish(),
-        }
+        write!(f, "{}", self.notation())
     }
 }
 
@@ -158,7 +159,7 @@ impl Layer for Graded {
             Variation::Written { modulus, poisson } => {
                 modulus.isotropic(modulus.field().1.at(depth, thickness), poisson.at(depth, thickness))
             }
-            Variation::Function(material) => material(depth),
+            Variation::Function(_, material) => material(depth),
         }
         .material(plane)
     }
@@ -166,7 +167,22 @@ impl Layer for Graded {
     fn kinks(&self) -> Vec<f64> {
         match &self.variation {
             Variation::Written { modulus, poisson } => [modulus.field().1.kinks(), poisson.kinks()].concat(),
-            Variation::Function(_) => Vec::new(),
+            Variation::Function(..) => Vec::new(),
+        }
+    }
+
+    fn notation(&self) -> Notation {
+        let notation = Notation::of::<Self>().with("thickness", &self.thickness);
+        match &self.variation {
+            Variation::Written { modulus, poisson } => {
+                let (name, profile) = modulus.field();
+                let notation = notation.with(name, profile);
+                match poisson {
+                    Profile::Constant(poisson) => notation.with("poisson", poisson),
+                    profile => notation.with("poisson_profile", profile),
+                }
+            }
+            Variation::Function(..) => notation.with("material", &Function),
         }
     }
 
@@ -174,8 +190,11 @@ impl Layer for Graded {
     fn key(&self) -> Option<Key> {
         let key = Key::of::<Self>().with([self.thickness.get()]);
         Some(match &self.variation {
-            Variation::Written { modulus, poisson } => key.with_debug(&(modulus, poisson)),
-            Variation::Function(material) => key.with_debug(&Arc::as_ptr(material)),
+            Variation::Written { modulus, poisson } => {
+                let kind = if let Modulus::Shear(_) = modulus { 0.0 } else { 1.0 };
+                poisson.keyed(modulus.field().1.keyed(key.with([kind])))
+            }
+            Variation::Function(identity, _) => key.with_identity(*identity),
         })
     }
 }

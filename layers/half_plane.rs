@@ -1,5 +1,4 @@
 //! A homogeneous half-plane: everything below its top face.
-use std::fmt;
 
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 #[cfg(feature = "read")]
@@ -8,7 +7,7 @@ use serde::Deserialize;
 
 use crate::{
     ClosedForm, ElasticConstants, FaceStates, InnerStates, Isotropic, Key, Layer, LayerError, LayerStates, Material,
-    Plane, Poisson, Positive, Wave, decay::decaying_downwards,
+    Notation, Plane, Poisson, Positive, Wave, decay::decaying_downwards,
 };
 
 /// Homogeneous, isotropic half-plane, the usual base of a stack.
@@ -19,7 +18,7 @@ use crate::{
 /// assert!(HalfPlane::new(-1.0, 0.25).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Fields")]
 pub struct HalfPlane {
     constants: ElasticConstants,
@@ -49,14 +48,6 @@ impl TryFrom<Fields> for HalfPlane {
     fn try_from(fields: Fields) -> Result<Self, LayerError> {
         let Fields { shear_modulus, young, poisson } = fields;
         Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)? })
-    }
-}
-
-impl fmt::Debug for HalfPlane {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("HalfPlane");
-        self.constants.describe(&mut out);
-        out.finish()
     }
 }
 
@@ -90,6 +81,10 @@ impl Layer for HalfPlane {
     fn key(&self) -> Option<Key> {
         let Isotropic { shear_modulus, poisson } = self.isotropic();
         Some(Key::of::<Self>().with([shear_modulus, poisson]))
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants.noted(Notation::of::<Self>())
     }
 }
 

@@ -1,6 +1,5 @@
 //! A homogeneous, isotropic layer: closed forms at both ends of the wavenumber axis.
 use std::any::Any;
-use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector4};
@@ -10,7 +9,7 @@ use serde::Deserialize;
 
 use crate::{
     ClosedForm, ElasticConstants, FaceStates, Flexibility, HalfPlane, InnerStates, Isotropic, Key, Layer, LayerError,
-    LayerStates, Material, Plane, Poisson, Positive, Thickness, Wave,
+    LayerStates, Material, Notation, Plane, Poisson, Positive, Thickness, Wave,
     decay::{decaying_downwards, decaying_upwards, scale},
     stable,
 };
@@ -26,7 +25,7 @@ const THIN: f64 = 2.0;
 /// assert_eq!(strip.thickness(), Some(1.0));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Fields")]
 pub struct Homogeneous {
     thickness: Thickness,
@@ -59,14 +58,6 @@ impl TryFrom<Fields> for Homogeneous {
     fn try_from(fields: Fields) -> Result<Self, LayerError> {
         let Fields { thickness, shear_modulus, young, poisson } = fields;
         Ok(Self { thickness, constants: ElasticConstants::read(shear_modulus, young, poisson)? })
-    }
-}
-
-impl fmt::Debug for Homogeneous {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("Homogeneous");
-        self.constants.describe(out.field("thickness", &self.thickness));
-        out.finish()
     }
 }
 
@@ -114,6 +105,10 @@ impl Layer for Homogeneous {
     fn key(&self) -> Option<Key> {
         let Isotropic { shear_modulus, poisson } = self.isotropic();
         Some(Key::of::<Self>().with([self.thickness.get(), shear_modulus, poisson]))
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants.noted(Notation::of::<Self>().with("thickness", &self.thickness))
     }
 }
 

@@ -1,6 +1,6 @@
 //! What tells layers apart: the type and its parameters.
 use std::any::TypeId;
-use std::fmt::{Debug, Write};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The type of a layer and all of its parameters: layers with equal keys are the same, wherever they lie.
 ///
@@ -17,6 +17,24 @@ pub struct Key {
     parameters: Vec<u8>,
 }
 
+/// Tells an object, with its clones, from all others that are ever made by the process: for parameters that cannot be compared, such as
+/// functions. An address would not do, since another object may come to lie there.
+///
+/// ```
+/// use recede_layers::Identity;
+/// assert_ne!(Identity::unique(), Identity::unique());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Identity(u64);
+
+impl Identity {
+    /// An identity that no other object has.
+    pub fn unique() -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self(NEXT.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
 impl Key {
     /// The key of a type of layers, without parameters yet.
     pub fn of<L: 'static>() -> Self {
@@ -25,18 +43,24 @@ impl Key {
     }
 
     /// The same with some numbers, which are equal if their bits are.
+    #[must_use]
     pub fn with<const N: usize>(mut self, numbers: [f64; N]) -> Self {
         self.parameters.extend(numbers.iter().flat_map(|number| number.to_bits().to_le_bytes()));
         self
     }
 
-    /// The same with a value of which [`Debug`] tells everything, as it does where it is derived.
-    pub fn with_debug(mut self, value: &impl Debug) -> Self {
-        let mut text = String::new();
-        // writing to a string does not fail
-        let _ = write!(text, "{value:?}");
-        self.parameters.extend((text.len() as u64).to_le_bytes());
-        self.parameters.extend(text.into_bytes());
+    /// The same with a list of numbers, of any length.
+    #[must_use]
+    pub fn with_list(mut self, numbers: &[f64]) -> Self {
+        self.parameters.extend((numbers.len() as u64).to_le_bytes());
+        self.parameters.extend(numbers.iter().flat_map(|number| number.to_bits().to_le_bytes()));
+        self
+    }
+
+    /// The same with a parameter that is equal to its clones only.
+    #[must_use]
+    pub fn with_identity(mut self, identity: Identity) -> Self {
+        self.parameters.extend(identity.0.to_le_bytes());
         self
     }
 }

@@ -3,36 +3,7 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::{FaceStates, Flexibility, Key, LayerStates, Material, Plane, Wave};
-
-/// How a layer is written in drawings and messages.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Notation {
-    /// Name of the layer type, e.g. `Homogeneous`.
-    pub kind: &'static str,
-    /// The parameters with their values, as in the scene file, e.g. `thickness: 1.0, shear_modulus: 1.0, poisson: 0.25`.
-    pub parameters: String,
-}
-
-impl Notation {
-    /// The name of the type, and its fields as [`Debug`] tells them: a layer whose fields are those of the scene file is
-    /// written as there.
-    ///
-    /// ```
-    /// use recede_layers::{Homogeneous, Notation};
-    /// let notation = Notation::of(&Homogeneous::new(1.0, 1.0, 0.25)?);
-    /// assert_eq!(notation.kind, "Homogeneous");
-    /// assert_eq!(notation.parameters, "thickness: 1.0, shear_modulus: 1.0, poisson: 0.25");
-    /// # Ok::<(), recede_layers::LayerError>(())
-    /// ```
-    pub fn of<L: Debug + ?Sized>(layer: &L) -> Self {
-        let path = std::any::type_name::<L>();
-        let path = path.split_once('<').map_or(path, |(path, _)| path);
-        let fields = format!("{layer:?}").replace(" { ", "(").replace(" }", ")");
-        let inside = fields.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or_default();
-        Self { kind: path.rsplit("::").next().unwrap_or(path), parameters: inside.to_owned() }
-    }
-}
+use crate::{FaceStates, Flexibility, Key, LayerStates, Material, Notation, Plane, Wave};
 
 /// An elastic layer, known to the solver only by its transformed fields.
 ///
@@ -109,9 +80,13 @@ pub trait Layer: Debug + Send + Sync + Any {
     /// It should be smooth in the depth, except at the [`kinks`](Layer::kinks). Jumps elsewhere are found, but cost time.
     fn material(&self, depth: f64, plane: Plane) -> Material;
 
-    /// How the layer is written in drawings and messages; provided by [`Notation::of`], that is by [`Debug`].
+    /// How the layer is written in drawings, messages and scene files; provided: the name of the type, and the thickness.
     fn notation(&self) -> Notation {
-        Notation::of(self)
+        let notation = Notation::of::<Self>();
+        match self.thickness() {
+            Some(thickness) => notation.with("thickness", &thickness),
+            None => notation,
+        }
     }
 
     /// Depths, in any order, at which the material is not smooth; provided: none.

@@ -1,12 +1,10 @@
 //! What the state equations need to know of a material at one depth.
-use std::fmt;
-
 use num_complex::Complex64;
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{LayerError, Poisson, Positive};
+use crate::{LayerError, Notation, Poisson, Positive};
 
 /// Whether the plane problem is one of plane strain or of plane stress.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -243,10 +241,10 @@ impl ElasticConstants {
         self.modulus.isotropic(self.modulus.field().1.get(), self.poisson.get())
     }
 
-    /// Writes the fields as they were given.
-    pub fn describe(&self, out: &mut fmt::DebugStruct<'_, '_>) {
+    /// Adds the fields to a notation, as they were given.
+    pub fn noted(&self, notation: Notation) -> Notation {
         let (name, value) = self.modulus.field();
-        out.field(name, value).field("poisson", &self.poisson);
+        notation.with(name, value).with("poisson", &self.poisson)
     }
 }
 

@@ -1,6 +1,5 @@
 //! Orthotropic material with axes along and across the layers: a homogeneous layer, and a half-plane.
 use std::any::Any;
-use std::fmt;
 use std::sync::Arc;
 
 use nalgebra::Matrix4;
@@ -10,15 +9,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::graded::surface_states;
 use crate::{
-    ClosedForm, FaceStates, Finite, InnerStates, Key, Layer, LayerError, LayerStates, Material, Plane, Positive,
-    Thickness, Wave,
+    ClosedForm, FaceStates, Finite, InnerStates, Key, Layer, LayerError, LayerStates, Material, Notation, Parameter,
+    Plane, Positive, Thickness, Wave,
 };
 
 /// By how much the determinant of a material on the verge of instability may be negative for rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Young's moduli of an orthotropic material: x along the layers, y across them, z out of the plane.
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Young {
@@ -31,7 +30,7 @@ pub struct Young {
 }
 
 /// Poisson's ratios of an orthotropic material: ν_ij is −ε_j/ε_i under a stress along i, so that ν_ij/E_i = ν_ji/E_j.
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PoissonRatios {
@@ -43,15 +42,17 @@ pub struct PoissonRatios {
     pub yz: Finite,
 }
 
-impl fmt::Debug for Young {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "(x: {:?}, y: {:?}, z: {:?})", self.x, self.y, self.z)
+impl Parameter for Young {
+    fn written(&self) -> String {
+        let Self { x, y, z } = self;
+        format!("(x: {}, y: {}, z: {})", x.written(), y.written(), z.written())
     }
 }
 
-impl fmt::Debug for PoissonRatios {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "(xy: {:?}, xz: {:?}, yz: {:?})", self.xy, self.xz, self.yz)
+impl Parameter for PoissonRatios {
+    fn written(&self) -> String {
+        let Self { xy, xz, yz } = self;
+        format!("(xy: {}, xz: {}, yz: {})", xy.written(), xz.written(), yz.written())
     }
 }
 
@@ -112,6 +113,16 @@ impl EngineeringConstants {
             // ε_zz = σ_zz/E_z − ν_xz σ_xx/E_x − ν_yz σ_yy/E_y is 0 in plane strain
             out_of_plane: Some([xz * share / ex, yz * share / ey]),
         }
+    }
+
+    fn noted(&self, notation: Notation) -> Notation {
+        let Self { young, poisson, shear_modulus } = self;
+        notation.with("young", young).with("poisson", poisson).with("shear_modulus", shear_modulus)
+    }
+
+    fn keyed(&self, key: Key) -> Key {
+        let (young, poisson) = self.numbers();
+        key.with(young).with(poisson).with([self.shear_modulus.get()])
     }
 
     fn numbers(&self) -> ([f64; 3], [f64; 3]) {
@@ -198,6 +209,11 @@ impl Orthotropic {
         let EngineeringConstants { young, poisson, shear_modulus } = constants;
         Self { thickness, young, poisson, shear_modulus }
     }
+
+    fn constants(&self) -> EngineeringConstants {
+        let Self { young, poisson, shear_modulus, .. } = *self;
+        EngineeringConstants { young, poisson, shear_modulus }
+    }
 }
 
 impl Layer for Orthotropic {
@@ -206,17 +222,19 @@ impl Layer for Orthotropic {
     }
 
     fn material(&self, _depth: f64, plane: Plane) -> Material {
-        let Self { young, poisson, shear_modulus, .. } = *self;
-        EngineeringConstants { young, poisson, shear_modulus }.material(plane)
+        self.constants().material(plane)
     }
 
     fn is_same_all_around(&self) -> bool {
-        let Self { young, poisson, shear_modulus, .. } = *self;
-        EngineeringConstants { young, poisson, shear_modulus }.is_same_all_around()
+        self.constants().is_same_all_around()
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants().noted(Notation::of::<Self>().with("thickness", &self.thickness))
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with_debug(self))
+        Some(self.constants().keyed(Key::of::<Self>().with([self.thickness.get()])))
     }
 
     fn continues(&self, below: &dyn Layer) -> Option<Arc<dyn Layer>> {
@@ -226,8 +244,7 @@ impl Layer for Orthotropic {
             let whole = Self { thickness, ..*self };
             return (whole == Self { thickness, ..*other }).then(|| Arc::new(whole) as _);
         }
-        let Self { young, poisson, shear_modulus, .. } = *self;
-        let own = OrthotropicHalfPlane { young, poisson, shear_modulus };
+        let own = OrthotropicHalfPlane::new(self.constants());
         below.downcast_ref::<OrthotropicHalfPlane>().filter(|ground| **ground == own).map(|_| Arc::new(own) as _)
     }
 }
@@ -276,6 +293,11 @@ impl OrthotropicHalfPlane {
         let EngineeringConstants { young, poisson, shear_modulus } = constants;
         Self { young, poisson, shear_modulus }
     }
+
+    fn constants(&self) -> EngineeringConstants {
+        let Self { young, poisson, shear_modulus } = *self;
+        EngineeringConstants { young, poisson, shear_modulus }
+    }
 }
 
 impl Layer for OrthotropicHalfPlane {
@@ -284,8 +306,7 @@ impl Layer for OrthotropicHalfPlane {
     }
 
     fn material(&self, _depth: f64, plane: Plane) -> Material {
-        let Self { young, poisson, shear_modulus } = *self;
-        EngineeringConstants { young, poisson, shear_modulus }.material(plane)
+        self.constants().material(plane)
     }
 
     fn closed_form(&self) -> Option<&dyn ClosedForm> {
@@ -293,12 +314,15 @@ impl Layer for OrthotropicHalfPlane {
     }
 
     fn is_same_all_around(&self) -> bool {
-        let Self { young, poisson, shear_modulus, .. } = *self;
-        EngineeringConstants { young, poisson, shear_modulus }.is_same_all_around()
+        self.constants().is_same_all_around()
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants().noted(Notation::of::<Self>())
     }
 
     fn key(&self) -> Option<Key> {
-        Some(Key::of::<Self>().with_debug(self))
+        Some(self.constants().keyed(Key::of::<Self>()))
     }
 }
 

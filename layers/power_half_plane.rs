@@ -1,11 +1,12 @@
 //! A half-plane graded by a power law, μ(d) = μ_top (1 + d/l)^m with m > −1.
-use std::fmt;
 
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{Carrying, ElasticConstants, Isotropic, Key, Layer, LayerError, Material, Plane, Poisson, Positive};
+use crate::{
+    Carrying, ElasticConstants, Isotropic, Key, Layer, LayerError, Material, Notation, Plane, Poisson, Positive,
+};
 
 /// Isotropic half-plane of constant Poisson's ratio whose shear modulus is μ_top (1 + d/l)^m at depth d below its face,
 /// m > −1: like soil, which stiffens under its own weight, or like ground that was compacted from above and softens.
@@ -18,7 +19,7 @@ use crate::{Carrying, ElasticConstants, Isotropic, Key, Layer, LayerError, Mater
 /// assert!(PowerHalfPlane::new(1.0, 0.3, 2.0, -1.0).is_err());
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Fields")]
 pub struct PowerHalfPlane {
     /// At the face.
@@ -58,14 +59,6 @@ impl TryFrom<Fields> for PowerHalfPlane {
     }
 }
 
-impl fmt::Debug for PowerHalfPlane {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("PowerHalfPlane");
-        self.constants.describe(&mut out);
-        out.field("length", &self.length).field("exponent", &self.exponent).finish()
-    }
-}
-
 impl PowerHalfPlane {
     /// A half-plane of shear modulus μ_top > 0 at its face (stress), Poisson's ratio −1 < ν ≤ 1/2, length l > 0 and
     /// exponent m > −1 (dimensionless).
@@ -95,5 +88,9 @@ impl Layer for PowerHalfPlane {
     fn key(&self) -> Option<Key> {
         let Isotropic { shear_modulus, poisson } = self.constants.isotropic();
         Some(Key::of::<Self>().with([shear_modulus, poisson, self.length.get(), self.exponent.get()]))
+    }
+
+    fn notation(&self) -> Notation {
+        self.constants.noted(Notation::of::<Self>()).with("length", &self.length).with("exponent", &self.exponent)
     }
 }

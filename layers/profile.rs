@@ -1,7 +1,6 @@
 //! How a quantity varies with depth, as written in a scene.
 #[cfg(feature = "read")]
 use std::borrow::Cow;
-use std::fmt;
 
 #[cfg(feature = "read")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -9,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 #[cfg(feature = "read")]
 use crate::description::Value;
-use crate::{Finite, LayerError, OutOfRange, Positive, TableError, Thickness};
+use crate::{Finite, Key, LayerError, OutOfRange, Parameter, Positive, TableError, Thickness};
 
 /// Beyond so many widths from its centre, a sigmoid is cut off from where it varies.
 const WIDTHS: f64 = 8.0;
@@ -73,7 +72,7 @@ pub enum Profile<Q> {
 }
 
 /// Values at increasing depths, the first of which is 0.
-#[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(Thickness, Q)>", bound(deserialize = "Q: Deserialize<'de>"))]
 pub struct Table<Q>(Vec<(Thickness, Q)>);
 
@@ -88,9 +87,28 @@ impl<Q> JsonSchema for Table<Q> {
     }
 }
 
-impl<Q: fmt::Debug> fmt::Debug for Table<Q> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+impl<Q: Parameter> Parameter for Profile<Q> {
+    fn written(&self) -> String {
+        let fields = |kind: &str, fields: &[(&str, &dyn Parameter)]| {
+            let fields: Vec<String> =
+                fields.iter().map(|(name, value)| format!("{name}: {}", value.written())).collect();
+            format!("{kind}({})", fields.join(", "))
+        };
+        match self {
+            Self::Constant(value) => format!("Constant({})", value.written()),
+            Self::Linear { top, bottom } => fields("Linear", &[("top", top), ("bottom", bottom)]),
+            Self::Power { surface, length, exponent } => {
+                fields("Power", &[("surface", surface), ("length", length), ("exponent", exponent)])
+            }
+            Self::Exponential { surface, beta } => fields("Exponential", &[("surface", surface), ("beta", beta)]),
+            Self::Sigmoid { top, bottom, centre, width } => {
+                fields("Sigmoid", &[("top", top), ("bottom", bottom), ("centre", centre), ("width", width)])
+            }
+            Self::Table(Table(rows)) => {
+                let rows = rows.iter().map(|(depth, value)| format!("({}, {})", depth.written(), value.written()));
+                format!("Table([{}])", rows.collect::<Vec<_>>().join(", "))
+            }
+        }
     }
 }
 
@@ -117,6 +135,25 @@ impl<Q> TryFrom<Vec<(Thickness, Q)>> for Table<Q> {
 }
 
 impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
+    /// A key with the kind of the profile and its numbers.
+    pub(crate) fn keyed(&self, key: Key) -> Key {
+        match self {
+            Self::Constant(value) => key.with([0.0, (*value).into()]),
+            Self::Linear { top, bottom } => key.with([1.0, (*top).into(), (*bottom).into()]),
+            Self::Power { surface, length, exponent } => {
+                key.with([2.0, (*surface).into(), length.get(), exponent.get()])
+            }
+            Self::Exponential { surface, beta } => key.with([3.0, (*surface).into(), beta.get()]),
+            Self::Sigmoid { top, bottom, centre, width } => {
+                key.with([4.0, (*top).into(), (*bottom).into(), centre.get(), width.get()])
+            }
+            Self::Table(Table(rows)) => {
+                let numbers = rows.iter().flat_map(|(depth, value)| [depth.get(), (*value).into()]);
+                key.with([5.0]).with_list(&numbers.collect::<Vec<f64>>())
+            }
+        }
+    }
+
     /// Linear from the top face to the bottom face.
     ///
     /// # Errors

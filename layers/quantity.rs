@@ -8,6 +8,7 @@ use std::fmt;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
+use crate::Parameter;
 #[cfg(feature = "read")]
 use crate::description::Value;
 
@@ -52,6 +53,12 @@ macro_rules! quantity {
             /// The number itself.
             pub fn get(self) -> f64 {
                 self.0
+            }
+        }
+
+        impl Parameter for $name {
+            fn written(&self) -> String {
+                self.0.written()
             }
         }
 

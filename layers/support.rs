@@ -3,7 +3,7 @@ use std::fmt::Debug;
 
 use nalgebra::Matrix4x2;
 
-use crate::{Notation, Wave};
+use crate::{Key, Notation, Wave};
 
 /// A support below the lowest layer of a stack, such as springs: known only by the displacements and stresses that it allows
 /// together at its face. It has no thickness, no material and no fields inside.
@@ -45,8 +45,13 @@ pub trait Support: Debug + Send + Sync {
     /// overflows nor vanishes.
     fn face_states(&self, wave: &Wave) -> Matrix4x2<f64>;
 
-    /// How the support is written in drawings and messages; provided by [`Notation::of`], that is by [`Debug`].
+    /// How the support is written in drawings, messages and scene files; provided: the name of the type.
     fn notation(&self) -> Notation {
-        Notation::of(self)
+        Notation::of::<Self>()
+    }
+
+    /// What tells this support from others, as [`Layer::key`](crate::Layer::key); provided: `None`, it is the same as no other.
+    fn key(&self) -> Option<Key> {
+        None
     }
 }

@@ -1,12 +1,11 @@
 //! Springs on rigid ground, the simplest foundation.
-use std::fmt;
 
 use nalgebra::Matrix4x2;
 #[cfg(feature = "read")]
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::{LayerError, Positive, State, Support, Wave};
+use crate::{Key, LayerError, Notation, Positive, State, Support, Wave};
 
 /// Winkler's foundation: springs side by side, none of which feels its neighbours, under the lowest layer of a stack.
 ///
@@ -22,7 +21,7 @@ use crate::{LayerError, Positive, State, Support, Wave};
 /// assert_eq!(conformance::support(&springs, Plane::Strain), Ok(()));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
-#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Winkler {
@@ -52,17 +51,6 @@ impl Winkler {
     }
 }
 
-impl fmt::Debug for Winkler {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out = f.debug_struct("Winkler");
-        out.field("stiffness", &self.stiffness);
-        if let Some(stiffness) = &self.shear_stiffness {
-            out.field("shear_stiffness", stiffness);
-        }
-        out.finish()
-    }
-}
-
 impl Support for Winkler {
     /// States: of the motion along the face, and of that across it, each with the stress that belongs to it.
     fn face_states(&self, wave: &Wave) -> Matrix4x2<f64> {
@@ -75,5 +63,18 @@ impl Support for Winkler {
         let (u, t) = pair(self.shear_stiffness.map_or(0.0, Positive::get));
         let (v, s) = pair(self.stiffness.get());
         Matrix4x2::from_columns(&[State::new(u, 0.0, 0.0, t), State::new(0.0, v, s, 0.0)])
+    }
+
+    fn notation(&self) -> Notation {
+        let notation = Notation::of::<Self>().with("stiffness", &self.stiffness);
+        match &self.shear_stiffness {
+            Some(stiffness) => notation.with("shear_stiffness", stiffness),
+            None => notation,
+        }
+    }
+
+    fn key(&self) -> Option<Key> {
+        let shear_stiffness = self.shear_stiffness.map_or(0.0, Positive::get);
+        Some(Key::of::<Self>().with([self.stiffness.get(), shear_stiffness]))
     }
 }

@@ -30,6 +30,15 @@ impl Geometry {
         }
     }
 
+    /// The name by which a scene tells it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PlaneStrain => "PlaneStrain",
+            Self::PlaneStress => "PlaneStress",
+            Self::Axisymmetric => "Axisymmetric",
+        }
+    }
+
     /// Whether it is round.
     pub fn is_axisymmetric(self) -> bool {
         self == Self::Axisymmetric

@@ -119,7 +119,7 @@ pub use stack::{
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;
 pub use sweep::{Part, PartError, Row as SweepRow, Sweep, SweepPoint};
-pub use system::{BaseChain, FreeChain, Unresolved};
+pub use system::{BaseChain, FreeChain, Unresolved, WrongCount};
 pub use system::{
     Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,
     Term,

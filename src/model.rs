@@ -1,6 +1,4 @@
 //! A stack with its kernels, computed once and used for any punch and load.
-use std::fmt::{self, Write};
-use std::hash::{DefaultHasher, Hasher};
 use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
@@ -13,7 +11,7 @@ use crate::options::{Method, Options, OptionsError};
 use crate::profile::{self, Profile as FaceProfiles};
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Contact, Interface, Solution};
-use crate::stack::Stack;
+use crate::stack::{Stack, StackKey};
 use crate::validity;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
@@ -36,8 +34,8 @@ use crate::validity;
 #[derive(Clone, Debug)]
 pub struct Model {
     stack: Stack,
-    /// Hash of the stack, by which a solution is known to belong to it.
-    key: Option<u64>,
+    /// What tells the stack from others, by which a solution is known to belong to it.
+    key: Arc<StackKey>,
     interfaces: Vec<Interface>,
     kernel: Kernel,
     table: Option<Arc<Table>>,
@@ -56,7 +54,7 @@ impl Model {
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { key: Some(key(&stack)), interfaces: stack.contacts(), stack, kernel, table: None })
+        Ok(Self { key: Arc::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
     }
 
     /// The same model for many loads: it keeps a table of solutions to start others from, each of them computed when it is
@@ -115,9 +113,14 @@ impl Model {
                 contact::press_to(kernel, punch, (Controlled::Approach, wanted), options, press, depth)?
             }
         };
-        let mut solution = Solution { stack: self.key, ..solution };
+        let mut solution = Solution { stack: Some(Arc::clone(&self.key)), ..solution };
         solution.warnings.extend(validity::warnings(punch, kernel, &solution));
         Ok(solution)
+    }
+
+    /// Whether a solution belongs to the stack.
+    fn is_of(&self, solution: &Solution) -> bool {
+        solution.stack.as_ref() == Some(&self.key)
     }
 
     /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.
@@ -125,7 +128,7 @@ impl Model {
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack.
     pub fn field(&self, solution: &Solution) -> Result<Field, FieldError> {
-        if solution.stack != self.key {
+        if !self.is_of(solution) {
             return Err(FieldError::OtherStack);
         }
         Ok(Field::new(&self.stack, solution))
@@ -152,7 +155,7 @@ impl Model {
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
     pub fn profile(&self, punch: &Punch, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
-        if solution.stack != self.key {
+        if !self.is_of(solution) {
             return Err(FieldError::OtherStack);
         }
         profile::profile(punch, &self.stack, solution, x)
@@ -179,7 +182,7 @@ impl Model {
     /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined;
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, punch: &Punch, solution: &Solution) -> Result<Approach, ApproachError> {
-        if solution.stack != self.key {
+        if !self.is_of(solution) {
             return Err(FieldError::OtherStack.into());
         }
         approach::approach(punch, &self.stack, &self.kernel, solution)
@@ -190,21 +193,6 @@ impl Model {
 fn half_length(solution: &Solution) -> Measured {
     let part = solution.contacts().first().map(Contact::innermost).unwrap_or_default();
     Measured { value: part.to, error: part.to_error }
-}
-
-/// A hash of all that [`fmt::Debug`] shows of a stack: equal stacks have equal keys, however often they are built.
-fn key(stack: &Stack) -> u64 {
-    struct Text(DefaultHasher);
-    impl Write for Text {
-        fn write_str(&mut self, text: &str) -> fmt::Result {
-            self.0.write(text.as_bytes());
-            Ok(())
-        }
-    }
-    let mut text = Text(DefaultHasher::new());
-    // a layer that refuses to be shown is known by what was shown before it
-    let _ = write!(text, "{stack:?}");
-    text.0.finish()
 }
 
 impl Scene {

@@ -197,13 +197,35 @@ fn a_new_kind_of_interface_is_its_relations() {
     ];
     for (name, relations) in new_kinds() {
         for stack in stacks.clone().map(|stack| stack.build().unwrap()) {
-            let system = BlockSystem::with_joints(&stack, |_| relations);
+            let system = BlockSystem::with_joints(&stack, |_| relations).unwrap();
             assert_eq!(system.rows().len(), system.unknowns(), "{name}\n{system}");
             for wavenumber in [0.1, 0.4, 1.0, 3.0, 10.0] {
                 examine_system(&system, &stack, wavenumber).unwrap_or_else(|error| panic!("{name}: {error}"));
             }
         }
     }
+}
+
+#[test]
+fn conditions_are_as_many_as_determine_the_amplitudes() {
+    use Quantity::{S, T, U, V};
+    use Side::{Above, Below};
+    let strip = |thickness| Homogeneous::new(thickness, 1.0, 0.3).unwrap();
+    let two = || Stack::builder(Plane::Strain).layer(strip(0.7)).bonded().layer(strip(0.4));
+    let on_rigid = two().bonded().rigid().build().unwrap();
+    let on_ground = two().bonded().layer(HalfPlane::new(0.5, 0.3).unwrap()).build().unwrap();
+    let count = |stack: &Stack, relations: [Relation; 4]| {
+        let error = BlockSystem::with_joints(stack, |_| relations).unwrap_err();
+        (error.layer, error.face, error.found, error.needed)
+    };
+    let continuous = |quantity| Relation::zero([Above.of(quantity), -Below.of(quantity)]);
+    // nothing said of T
+    let too_few = [continuous(U), continuous(V), continuous(S), Relation::zero([])];
+    assert_eq!(count(&on_ground, too_few), (1, Face::Bottom, 3, 4));
+    // between layers these are four conditions, and on a rigid base as many, two too many
+    let too_many = [U, V, S, T].map(|quantity| Relation::zero([Above.of(quantity), -Below.of(U)]));
+    assert_eq!(count(&on_rigid, too_many), (2, Face::Bottom, 4, 2));
+    assert!(BlockSystem::with_joints(&on_ground, |_| too_many).is_ok());
 }
 
 proptest! {

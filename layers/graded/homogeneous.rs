@@ -84,8 +84,8 @@ impl<'a> Homogeneous<'a> {
         } else {
             // the same difference in 1 − tanh² = 1/cosh²
             let square = self.times(sech, sech);
-            let left = square.adjugate * (f.one + self.trace * f.adjugate)
-                + f.adjugate * (square.one - self.norm(square));
+            let left =
+                square.adjugate * (f.one + self.trace * f.adjugate) + f.adjugate * (square.one - self.norm(square));
             -0.5 * left / (self.norm(f) * e * f.one * f.adjugate)
         };
         let top = 0.5 * (equal + opposite);
@@ -137,9 +137,8 @@ impl<'a> Homogeneous<'a> {
         let adjugate = Matrix2::new(-c, -(d + m * c), e, m * e - c);
         // of C B the matrix K itself
         let k = Matrix2::new(m * e - c, d + m * c, -e, -c);
-        let of = |function: Function, matrix: &Matrix2<f64>| {
-            Matrix2::identity() * function.one + matrix * function.adjugate
-        };
+        let of =
+            |function: Function, matrix: &Matrix2<f64>| Matrix2::identity() * function.one + matrix * function.adjugate;
         let [b, c] = [Matrix2::new(1.0, m, 0.0, -1.0), Matrix2::new(-c, d, e, c)];
         let Function { one, adjugate: f } = section.tanh;
         let even = of(share, &adjugate);
@@ -154,7 +153,8 @@ impl<'a> Homogeneous<'a> {
             (true, false) => place(of_odd, i, j - 2),
             (false, false) => place(odd, i, j - 2),
         });
-        let close = Vector2::new(share.adjugate * adjugate[(0, 1)], share.one - 1.0 + share.adjugate * adjugate[(1, 1)]);
+        let close =
+            Vector2::new(share.adjugate * adjugate[(0, 1)], share.one - 1.0 + share.adjugate * adjugate[(1, 1)]);
         let uniform = State::new(close[0], columns[(1, 1)], close[1], columns[(3, 1)]);
         InnerStates { columns, uniform }
     }

@@ -330,7 +330,7 @@ impl Scene {
 
 /// The name of a geometry in a scene.
 pub fn geometry_name(geometry: Geometry) -> String {
-    format!("{geometry:?}")
+    geometry.name().to_owned()
 }
 
 /// A punch or load as the library knows it; kept by the object of Python for the geometry in which it was used.

@@ -328,7 +328,7 @@ impl At<'_> {
 mod tests {
     use recede_layers::{HalfPlane, Homogeneous, Plane};
 
-    use crate::kernel::{Kernel, Work};
+    use crate::kernel::{Kernel, Sample, Work};
     use crate::stack::Stack;
 
     /// Next to a loose thin layer that bends very easily equal-pressure responses keep their accuracy.
@@ -341,14 +341,14 @@ mod tests {
             let soft = thin.layer(layer(0.3, 0.05)).bonded().layer(layer(0.1, 50.0)).bonded();
             let stack = soft.layer(layer(0.4, 0.1)).bonded().layer(ground).build().unwrap();
             let kernel = Kernel::new(&stack).unwrap();
-            let mut exact = [0.0; 5];
+            let mut exact = Sample::new(2);
             for k in 1..400 {
                 let zeta = 0.01 * 1.02f64.powi(k);
                 kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Work::default()).unwrap();
                 for i in 0..2 {
                     let found = kernel.remainder(i, zeta) + kernel.asymptote(i).limit;
                     // the longer the waves, the less accurate they need be
-                    let off = (found / exact[2 + i] - 1.0).abs() * zeta.min(1.0);
+                    let off = (found / exact.components[2 + i] - 1.0).abs() * zeta.min(1.0);
                     assert!(off < 1e-11, "thickness {thickness}, contact {i}, zeta {zeta:e}: {off:e}");
                 }
             }

@@ -60,6 +60,14 @@ impl Item {
         }
     }
 
+    /// The layer that it is, if it is one.
+    pub(crate) fn elastic(&self) -> Option<&Arc<dyn Layer>> {
+        match self {
+            Self::Layer(layer) => Some(layer),
+            _ => None,
+        }
+    }
+
     /// Whether it joins or divides layers.
     pub fn is_interface(&self) -> bool {
         matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_) | Self::Receding)

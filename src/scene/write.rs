@@ -35,7 +35,7 @@ impl Scene {
         if let Some(units) = &self.units {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
-        field("geometry", format!("{:?}", self.geometry));
+        field("geometry", self.geometry.name().to_owned());
         field(if self.punch.load().is_some() { "load" } else { "punch" }, self.punch.written_in(self.geometry));
         field(self.force.field(), format!("{:?}", self.force.number()));
         text += "    stack: [\n";

@@ -6,12 +6,15 @@ mod strip;
 mod warning;
 
 use std::fmt;
+use std::sync::Arc;
 
 pub(crate) use contact::Part;
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums, jacobi_weights};
 pub use warning::{Warning, WarningCode};
+
+use crate::stack::StackKey;
 
 /// Which contact: the punch on top, or a receding interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -112,8 +115,8 @@ impl fmt::Display for Stopped {
 /// A solved scene: contacts from the top down, and what it took to find them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// Hash of the stack that it belongs to, which [`crate::Model`] sets and compares.
-    pub(crate) stack: Option<u64>,
+    /// The stack that it belongs to, which [`crate::Model`] sets and compares.
+    pub(crate) stack: Option<Arc<StackKey>>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,

@@ -6,6 +6,7 @@ mod drawing;
 mod error;
 mod faces;
 mod joint;
+mod key;
 mod merged;
 
 use std::sync::Arc;
@@ -15,6 +16,7 @@ use recede_layers::{Isotropic, Layer, Plane, Support};
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
 pub use joint::Joint;
+pub(crate) use key::StackKey;
 
 use crate::geometry::Geometry;
 use crate::scene::Item;

@@ -29,7 +29,7 @@ use crate::errors::Error;
 use crate::field::{Extremes, FieldError};
 use crate::model::Model;
 use crate::options::Options;
-use crate::scene::{Owner, Punch, Scene, Slot};
+use crate::scene::{Item, Owner, Punch, Scene, Slot};
 use crate::solution::{Interface, Solution};
 use crate::stack::Stack;
 
@@ -290,11 +290,22 @@ impl Sweep {
     /// A number that identifies this sweep: of another scene, other values, or another tolerance.
     pub fn fingerprint(&self) -> u64 {
         let mut hasher = fnv::FnvHasher::default();
-        let Scene { geometry, punch, force, stack, .. } = &self.scene;
-        let what =
-            (geometry, punch, force, stack, &self.options, self.approach, self.extremes, env!("CARGO_PKG_VERSION"));
         // numbers are written with all their digits
-        hasher.write(format!("{what:?}").as_bytes());
+        let mut scene = self.scene.clone();
+        (scene.name, scene.description, scene.units) = (None, None, None);
+        hasher.write(scene.to_ron().as_bytes());
+        // functions have no text: they are told by their values
+        for layer in scene.stack.iter().filter_map(Item::elastic) {
+            let thickness = layer.thickness().unwrap_or(1.0);
+            for part in [0.0, 0.5, 1.0] {
+                let material = layer.material(part * thickness, scene.geometry.plane());
+                let numbers = [material.shear_compliance, material.normal_compliance, material.coupling];
+                numbers.iter().for_each(|number| hasher.write(&number.to_bits().to_le_bytes()));
+            }
+        }
+        hasher.write(&self.options.tolerance.to_bits().to_le_bytes());
+        hasher.write(&[self.options.method as u8, u8::from(self.approach), u8::from(self.extremes)]);
+        hasher.write(env!("CARGO_PKG_VERSION").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
         hasher.finish()
     }

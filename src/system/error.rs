@@ -1,4 +1,6 @@
-//! Why the layers' fields are not known.
+//! Why the layers' fields are not known, or no conditions can be given.
+
+use super::Face;
 
 /// The layers' fields cannot be computed at a wavenumber.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -15,4 +17,18 @@ impl Unresolved {
          `recede::layers::conformance::examine` examines a layer of one's own"
             .to_owned()
     }
+}
+
+/// Conditions at a face or between two bodies are more or fewer than determine their amplitudes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there are {found} conditions at the {face} face of layer {layer}; needed are {needed}")]
+pub struct WrongCount {
+    /// Number of the layer, as in the scene.
+    pub layer: usize,
+    /// Face of the layer.
+    pub face: Face,
+    /// Number of conditions found.
+    pub found: usize,
+    /// Number of conditions needed: four between two bodies, two at a face that only one of them has.
+    pub needed: usize,
 }

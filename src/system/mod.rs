@@ -23,7 +23,7 @@ mod symbols;
 
 pub use elimination::{BaseChain, FreeChain};
 pub(crate) use elimination::{Load, Taken, slowest_decay};
-pub use error::Unresolved;
+pub use error::{Unresolved, WrongCount};
 pub use symbols::components::Component;
 pub use symbols::conditions::{Relation, Term};
 pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Condition, Row};

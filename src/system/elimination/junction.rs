@@ -19,11 +19,13 @@ pub(super) struct Rows<const N: usize> {
 }
 
 impl<const N: usize> Rows<N> {
-    /// Missing rows stay zero, so that the matrix of a chain with them is singular.
+    /// More or fewer than N rows, which no block system has, would determine nothing: all stay zero, so that the matrix of a
+    /// chain with them is singular.
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         let zeros = [SMatrix::zeros(); 2];
         let mut all = Self { plain: zeros, stiffness: zeros, largest: [0.0; N] };
-        for (i, row) in rows.take(N).enumerate() {
+        let Ok(rows) = <[&Row; N]>::try_from(rows.collect::<Vec<_>>()) else { return all };
+        for (i, row) in rows.into_iter().enumerate() {
             for block in row.blocks.iter() {
                 let sign = if block.negative { -1.0 } else { 1.0 };
                 let (matrices, factor) = match block.stiffness {

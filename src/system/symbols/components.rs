@@ -1,6 +1,7 @@
 //! The connected components of the block matrix: bodies that only the pressures of contacts hold together.
 use super::matrix::{BlockSystem, Column, Row};
 use super::names::Face;
+use crate::system::WrongCount;
 
 /// Columns that conditions without a pressure connect, from the top down. In this order the rows of a component are block
 /// tridiagonal: a row involves one column, or two that follow each other.
@@ -22,6 +23,24 @@ impl<'a> Component<'a> {
         let first = self.rows.partition_point(|(at, _)| *at < interface);
         let end = self.rows.partition_point(|(at, _)| *at <= interface);
         self.rows[first..end].iter().map(|(_, row)| *row)
+    }
+
+    /// The first face with more or fewer rows than it needs.
+    pub(super) fn wrong_count(&self) -> Option<WrongCount> {
+        (0..=self.columns.len()).find_map(|interface| {
+            let (column, face) = match interface.checked_sub(1) {
+                None => (self.columns.first()?, Face::Top),
+                Some(above) => (self.columns.get(above)?, Face::Bottom),
+            };
+            let needed = match interface {
+                0 => 2,
+                _ if interface < self.columns.len() => 4,
+                // a half-plane and a support end nowhere
+                _ => column.amplitudes().count() - 2,
+            };
+            let (layer, found) = (column.number(), self.rows_at(interface).count());
+            (found != needed).then_some(WrongCount { layer, face, found, needed })
+        })
     }
 
     /// Whether a contact presses on the lower face, so that nothing holds the component.

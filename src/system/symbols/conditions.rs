@@ -58,8 +58,14 @@ impl Neg for Term {
 }
 
 impl Relation {
-    /// The sum of these terms, four at most, is zero.
+    /// The sum of these terms is zero. More than four are no condition at an interface, and do not compile:
+    ///
+    /// ```compile_fail
+    /// use recede::{Quantity, Relation, Side};
+    /// let _ = Relation::zero([Side::Above.of(Quantity::U); 5]);
+    /// ```
     pub fn zero<const N: usize>(terms: [Term; N]) -> Self {
+        const { assert!(N <= 4, "a relation has four terms at most") };
         Self { terms: std::array::from_fn(|i| terms.get(i).copied()), pressure: None }
     }
 }

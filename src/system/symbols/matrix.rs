@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use recede_layers::{Body, Plane};
 
+use super::components::Component;
 use super::conditions::{self, Relation, Term};
 use super::names::{Face, Place, Pressure, Quantity, Side};
 use crate::stack::{Joint, Stack};
+use crate::system::WrongCount;
 
 /// The kind of condition of a row, as its blocks show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -90,10 +92,10 @@ impl Deref for Blocks {
     }
 }
 
-impl FromIterator<Block> for Blocks {
-    fn from_iter<I: IntoIterator<Item = Block>>(blocks: I) -> Self {
+impl From<[Option<Block>; 4]> for Blocks {
+    fn from(blocks: [Option<Block>; 4]) -> Self {
         let mut collected = Self::default();
-        for (place, block) in collected.list.iter_mut().zip(blocks) {
+        for (place, block) in collected.list.iter_mut().zip(blocks.into_iter().flatten()) {
             *place = block;
             collected.count += 1;
         }
@@ -149,12 +151,23 @@ pub struct BlockSystem {
 impl BlockSystem {
     /// The block system of a stack, from the top down.
     pub fn new(stack: &Stack) -> Self {
-        Self::with_joints(stack, conditions::joint)
+        Self::assembled(stack, conditions::joint)
     }
 
     /// The same with given relations at each joint, four that connect the layers on both sides. On a
-    /// rigid base, relations that contain only its stresses are left out.
-    pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
+    /// rigid base, relations that contain only its stresses are left out, and two are to be left.
+    ///
+    /// # Errors
+    /// [`WrongCount`] if they are more or fewer conditions than the bodies at a joint need.
+    pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Result<Self, WrongCount> {
+        let system = Self::assembled(stack, joint);
+        let components = system.components();
+        let wrong = components.iter().find_map(Component::wrong_count);
+        wrong.map_or(Ok(()), Err)?;
+        Ok(system)
+    }
+
+    fn assembled(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
@@ -226,16 +239,16 @@ impl BlockSystem {
                 Side::Above => above.map(|column| (column, Face::Bottom)),
                 Side::Below => below.map(|column| (column, Face::Top)),
             };
-            let terms = terms.iter().flatten();
-            if terms.clone().any(|term| term.quantity.is_stress() && there(term).is_none()) {
+            if terms.iter().flatten().any(|term| term.quantity.is_stress() && there(term).is_none()) {
                 continue;
             }
-            let block = |term: &Term| {
-                let (column, face) = there(term)?;
-                let Term { quantity, negative, stiffness, .. } = *term;
+            let block = |term: Option<Term>| {
+                let term = term?;
+                let (column, face) = there(&term)?;
+                let Term { quantity, negative, stiffness, .. } = term;
                 Some(Block { column, layer: self.columns[column].number, face, quantity, negative, stiffness })
             };
-            let blocks: Blocks = terms.filter_map(block).collect();
+            let blocks = Blocks::from(terms.map(block));
             // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
                 self.rows.push(Row { place, blocks, pressure });

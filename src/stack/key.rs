@@ -1,0 +1,167 @@
+//! What tells stacks apart: geometry, bodies and joints.
+use std::sync::Arc;
+
+use recede_layers::{Key, Layer, Support};
+
+use super::{Foundation, Joint, Stack};
+use crate::geometry::Geometry;
+
+/// All that a solution depends on in a stack. Stacks with equal keys are the same, however often they are built.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StackKey {
+    geometry: Geometry,
+    groups: Vec<GroupKey>,
+}
+
+/// Layers joined to each other, with their numbers in the scene.
+#[derive(Clone, Debug, PartialEq)]
+struct GroupKey {
+    bodies: Vec<(usize, BodyKey)>,
+    joints: Vec<Joint>,
+}
+
+/// One layer or support. Without a key of its own it is the same as nothing but itself: that it is held here keeps its address from
+/// being used again.
+#[derive(Clone, Debug)]
+enum BodyKey {
+    Known(Key),
+    Layer(Arc<dyn Layer>),
+    Support(Arc<dyn Support>),
+    Rigid,
+}
+
+impl PartialEq for BodyKey {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Known(one), Self::Known(other)) => one == other,
+            (Self::Layer(one), Self::Layer(other)) => Arc::ptr_eq(one, other),
+            (Self::Support(one), Self::Support(other)) => Arc::ptr_eq(one, other),
+            (Self::Rigid, Self::Rigid) => true,
+            _ => false,
+        }
+    }
+}
+
+impl Stack {
+    /// What tells this stack from others.
+    pub(crate) fn key(&self) -> StackKey {
+        let layer = |layer: &Arc<dyn Layer>| layer.key().map_or(BodyKey::Layer(Arc::clone(layer)), BodyKey::Known);
+        let foundation = |foundation: &Foundation| match foundation {
+            Foundation::HalfPlane(placed) => (placed.number, layer(&placed.layer)),
+            Foundation::Support { number, support } => {
+                (*number, support.key().map_or(BodyKey::Support(Arc::clone(support)), BodyKey::Known))
+            }
+            Foundation::Rigid { number } => (*number, BodyKey::Rigid),
+        };
+        let groups = self.groups().map(|group| {
+            let layers = group.layers.iter().map(|placed| (placed.number, layer(&placed.layer)));
+            GroupKey { bodies: layers.chain(group.foundation.map(foundation)).collect(), joints: group.joints.to_vec() }
+        });
+        StackKey { geometry: self.geometry, groups: groups.collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{
+        EngineeringConstants, Exponential, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Material,
+        Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Winkler,
+    };
+
+    use super::*;
+    use crate::scene::{Item, Spring};
+
+    /// A layer of one's own that tells no key, and always prints the same.
+    #[derive(Debug)]
+    struct Plain;
+
+    impl Layer for Plain {
+        fn thickness(&self) -> Option<f64> {
+            Some(1.0)
+        }
+
+        fn material(&self, _depth: f64, plane: Plane) -> Material {
+            Isotropic { shear_modulus: 1.0, poisson: 0.3 }.material(plane)
+        }
+    }
+
+    fn on_ground(items: impl IntoIterator<Item = Item>, ground: Item) -> Stack {
+        let mut all: Vec<Item> = items.into_iter().flat_map(|layer| [layer, Item::Receding]).collect();
+        if let Item::Support(_) = ground {
+            all.extend([Item::layer(Homogeneous::new(1.0, 1.0, 0.3).unwrap()), Item::Bonded]);
+        }
+        all.push(ground);
+        Stack::from_items(Geometry::PlaneStrain, &all).unwrap()
+    }
+
+    #[test]
+    fn functions_and_layers_without_a_key_are_the_same_as_themselves_only() {
+        let ground = || Item::layer(HalfPlane::new(1.0, 0.25).unwrap());
+        let function = |exponent: f64| {
+            let modulus = move |depth: f64| Isotropic { shear_modulus: (exponent * depth).exp(), poisson: 0.3 };
+            Item::layer(Graded::with(1.0, modulus).unwrap())
+        };
+        for layer in [&function as &dyn Fn(f64) -> Item, &|_| Item::layer(Plain)] {
+            let item = layer(1.0);
+            let [one, again, other] = [item.clone(), item, layer(-1.0)].map(|item| on_ground([item], ground()));
+            assert_eq!(one.key(), again.key());
+            assert_eq!(one.key(), one.clone().key());
+            assert_ne!(one.key(), other.key());
+            // nor does a later one take the place of one that is gone
+            let key = on_ground([layer(2.0)], ground()).key();
+            assert!((0..100).all(|_| on_ground([layer(2.0)], ground()).key() != key));
+        }
+    }
+
+    /// Stacks of all kinds of shipped layers, each of them another one, with a length that may be changed by rounding.
+    fn shipped(length: f64) -> Vec<Stack> {
+        let constants = || EngineeringConstants::new([10.0 * length, 2.0, 2.0], [0.3, 0.2, 0.1], 1.0).unwrap();
+        let poisson = || Profile::linear(0.2, 0.3).unwrap();
+        let half_plane = || Item::layer(HalfPlane::new(length, 0.25).unwrap());
+        let table = |top| Profile::table(&[(0.0, top), (0.5, 2.0), (3.0, length)]).unwrap();
+        let layers = [
+            Item::layer(Homogeneous::new(length, 1.0, 0.25).unwrap()),
+            Item::layer(Exponential::new(1.0, 1.0, 0.25, length).unwrap()),
+            Item::layer(Graded::new(1.0, Profile::linear(length, 2.0).unwrap(), poisson()).unwrap()),
+            Item::layer(Graded::new(1.0, Profile::power(length, 2.0, 1.0).unwrap(), poisson()).unwrap()),
+            Item::layer(Graded::new(1.0, Profile::exponential(length, 1.0).unwrap(), poisson()).unwrap()),
+            Item::layer(Graded::new(1.0, table(1.0), poisson()).unwrap()),
+            Item::layer(Graded::new(1.0, table(3.0), poisson()).unwrap()),
+            Item::layer(Orthotropic::new(1.0, constants()).unwrap()),
+        ];
+        let grounds = [
+            Item::layer(GradedHalfPlane::new(1.0, 0.3, length).unwrap()),
+            Item::layer(PowerHalfPlane::new(1.0, 0.3, length, 1.0).unwrap()),
+            Item::layer(OrthotropicHalfPlane::new(constants())),
+            Item::support(Winkler::new(length).unwrap()),
+            Item::support(Winkler::new(length).unwrap().sticking(1.0).unwrap()),
+        ];
+        let two = || layers.iter().take(2).cloned();
+        let joints = [Item::Bonded, Item::Sliding, Item::Spring(Spring::new(length, None).unwrap()), Item::Receding];
+        let joined = joints.map(|joint| {
+            let [upper, lower] = [layers[0].clone(), layers[1].clone()];
+            let items = [upper, joint, lower, Item::Receding, half_plane()];
+            Stack::from_items(Geometry::PlaneStrain, &items).unwrap()
+        });
+        let geometries = [Geometry::PlaneStress, Geometry::Axisymmetric];
+        let stacks = layers.iter().map(|layer| on_ground([layer.clone()], half_plane()));
+        stacks
+            .chain(grounds.into_iter().map(|ground| on_ground([], ground)))
+            .chain([on_ground(two(), Item::Rigid)])
+            .chain(joined)
+            .chain(
+                geometries.map(|of| Stack::from_items(of, &[layers[0].clone(), Item::Receding, half_plane()]).unwrap()),
+            )
+            .collect()
+    }
+
+    #[test]
+    fn equal_stacks_of_shipped_layers_have_equal_keys_and_others_have_not() {
+        let [one, again, next] = [1.5, 1.5, f64::from_bits(1.5f64.to_bits() + 1)].map(shipped);
+        for (i, stack) in one.iter().enumerate() {
+            assert_eq!(stack.key(), again[i].key(), "{stack}");
+            assert_ne!(stack.key(), next[i].key(), "{stack}");
+            assert!(one.iter().skip(i + 1).all(|other| other.key() != stack.key()), "{stack}");
+        }
+    }
+}
