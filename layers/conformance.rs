@@ -39,6 +39,8 @@ pub use self::inside::inside;
 pub use self::laws::{finite, general_body, mirror, positive_energy, reciprocity, split_in_two, uniform_pressure};
 pub use self::limits::{free_body, long_wave, short_wave};
 pub use self::supports::support;
+#[cfg(test)]
+pub(crate) use self::trial::{size_over, work};
 use crate::{Layer, Plane};
 
 /// Relative tolerance of numbers that do not arise by cancellation.

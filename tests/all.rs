@@ -44,6 +44,7 @@ mod outputs;
 mod paper;
 mod parquet;
 mod parts;
+mod plies;
 mod plot;
 mod profile;
 mod punches;

@@ -158,7 +158,7 @@ impl<'a> Trial<'a> {
 }
 
 /// U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂.
-pub(super) fn work(one: &State, two: &State) -> f64 {
+pub(crate) fn work(one: &State, two: &State) -> f64 {
     one[0] * two[3] - one[3] * two[0] + one[1] * two[2] - one[2] * two[1]
 }
 
@@ -168,7 +168,7 @@ fn size(one: &State, two: &State) -> f64 {
 }
 
 /// The same, whichever of some states is the largest.
-pub(super) fn size_over(ones: &[State], twos: &[State]) -> f64 {
+pub(crate) fn size_over(ones: &[State], twos: &[State]) -> f64 {
     let largest = |states: &[State], parts: [usize; 2]| {
         states.iter().flat_map(|state| parts.map(|i| state[i].abs())).fold(0.0, f64::max)
     };

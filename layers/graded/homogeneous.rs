@@ -20,10 +20,22 @@ const TERMS: u32 = 9;
 const DECAYING: f64 = 1.0;
 
 /// one + adjugate · adj K, a function of the matrix K.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Function {
     one: f64,
     adjugate: f64,
+}
+
+const ONE: Function = Function { one: 1.0, adjugate: 0.0 };
+
+impl Function {
+    fn plus(self, other: Self) -> Self {
+        Self { one: self.one + other.one, adjugate: self.adjugate + other.adjugate }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        Self { one: self.one * factor, adjugate: self.adjugate * factor }
+    }
 }
 
 /// A homogeneous layer at one wavenumber.
@@ -119,11 +131,10 @@ impl<'a> Homogeneous<'a> {
             let [inner, outer] = [from_middle.abs(), self.half - from_middle.abs()].map(|t| self.section(t));
             // cosh of the sum of two arguments
             let sum = self.times_k(self.times(inner.tanh, outer.tanh));
-            let share = self.times(outer.sech, self.inverse(Function { one: 1.0 + sum.one, ..sum }));
+            let share = self.times(outer.sech, self.inverse(ONE.plus(sum)));
             self.inner(&inner, share, from_middle.signum())
         });
-        let one = Function { one: 1.0, adjugate: 0.0 };
-        let [top, bottom] = [1.0, -1.0].map(|side| self.inner(&whole, one, side));
+        let [top, bottom] = [1.0, -1.0].map(|side| self.inner(&whole, ONE, side));
         let inside = inside.collect();
         let faces =
             FaceStates::Finite { top: top.columns, bottom: bottom.columns, uniform: [top.uniform, bottom.uniform] };
@@ -161,35 +172,44 @@ impl<'a> Homogeneous<'a> {
 
     /// Between mid-depth and t = λy above it.
     fn section(&self, t: f64) -> Section {
-        let length = t * self.rates[0];
+        let [fastest, slowest] = self.rates;
+        let length = t * fastest;
         let doublings = if length > SERIES { (length / SERIES).log2().ceil() as i32 } else { 0 };
-        let mut section = self.thin_section(t / 2f64.powi(doublings));
+        let mut t = t / 2f64.powi(doublings);
+        let (mut section, mut lack) = self.thin_section(t);
         for _ in 0..doublings {
             let Section { tanh, sech } = section;
-            let square = self.times_k(self.times(tanh, tanh));
-            let inverse = self.inverse(Function { one: 1.0 + square.one, ..square });
-            let Function { one, adjugate } = self.times(tanh, inverse);
-            section.tanh = Function { one: 2.0 * one, adjugate: 2.0 * adjugate };
-            section.sech = self.times(self.times(sech, sech), inverse);
+            let square = self.times(tanh, tanh);
+            let inverse = self.inverse(ONE.plus(self.times_k(square)));
+            section.tanh = self.times(tanh, inverse).times(2.0);
+            section.sech = if t * slowest > 0.5 * DECAYING {
+                self.times(self.times(sech, sech), inverse)
+            } else {
+                lack = self.times(square.plus(self.times(lack, ONE.plus(sech))), inverse);
+                ONE.plus(self.times_k(lack).times(-1.0))
+            };
+            t *= 2.0;
         }
         section
     }
 
-    /// The same by power series.
-    fn thin_section(&self, t: f64) -> Section {
-        let (mut cosh, mut sinh) = (Function { one: 0.0, adjugate: 0.0 }, Function { one: 0.0, adjugate: 0.0 });
+    /// The same by power series, and (1 − 1/cosh(√K t))/K. What is near 1 would double its relative error each time it is squared.
+    fn thin_section(&self, t: f64) -> (Section, Function) {
+        let (mut cosh, mut sinh) = (Function::default(), Function::default());
         // K^n t^(2n)/(2n)!
-        let mut term = Function { one: 1.0, adjugate: 0.0 };
+        let mut term = ONE;
         for n in 0..TERMS {
             let odd = t / f64::from(2 * n + 1);
-            cosh = Function { one: cosh.one + term.one, adjugate: cosh.adjugate + term.adjugate };
-            sinh = Function { one: sinh.one + odd * term.one, adjugate: sinh.adjugate + odd * term.adjugate };
-            let next = self.times_k(term);
             let factor = t * odd / f64::from(2 * n + 2);
-            term = Function { one: factor * next.one, adjugate: factor * next.adjugate };
+            sinh = sinh.plus(term.times(odd));
+            // (cosh(√K t) − 1)/K
+            cosh = cosh.plus(term.times(factor));
+            term = self.times_k(term).times(factor);
         }
-        let sech = self.inverse(cosh);
-        Section { tanh: self.times(sinh, sech), sech }
+        let inverse = self.inverse(ONE.plus(self.times_k(cosh)));
+        let lack = self.times(cosh, inverse);
+        let sech = ONE.plus(self.times_k(lack).times(-1.0));
+        (Section { tanh: self.times(sinh, inverse), sech }, lack)
     }
 
     fn times(&self, a: Function, b: Function) -> Function {
@@ -213,5 +233,133 @@ impl<'a> Homogeneous<'a> {
     /// The determinant.
     fn norm(&self, a: Function) -> f64 {
         a.one * (a.one + self.trace * a.adjugate) + a.adjugate * a.adjugate * self.determinant
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::conformance::{size_over, work};
+    use crate::{ClosedForm, EngineeringConstants, Isotropic, Plane};
+
+    fn entries(c: &Flexibility) -> [f64; 5] {
+        [c.top, c.coupling, c.bottom, c.equal_top, c.equal_bottom]
+    }
+
+    fn wave(wavenumber: f64) -> Wave {
+        Wave { wavenumber, modulus: 1.0, plane: Plane::Strain }
+    }
+
+    /// λh from 1e-8 to 1e8.
+    fn lengths() -> impl Iterator<Item = f64> {
+        (-64..=64).map(|k| 10f64.powf(0.125 * f64::from(k)))
+    }
+
+    /// Materials with moduli of all sizes.
+    fn materials() -> impl Strategy<Value = Material> {
+        let modulus = || (-3.0..3.0f64).prop_map(|power| 10f64.powf(power));
+        let part = || -0.6..0.6f64;
+        ([modulus(), modulus(), modulus()], modulus(), [part(), part(), part()]).prop_filter_map(
+            "a legal material",
+            |([x, y, z], shear_modulus, [xy, xz, yz])| {
+                let poisson = [xy * (x / y).sqrt(), xz * (x / z).sqrt(), yz * (y / z).sqrt()];
+                Some(EngineeringConstants::new([x, y, z], poisson, shear_modulus).ok()?.material(Plane::Strain))
+            },
+        )
+    }
+
+    #[test]
+    fn isotropic_constants_make_an_isotropic_layer() {
+        for poisson in [-0.9, 0.0, 0.3, 0.5] {
+            let layer = crate::Homogeneous::new(1.0, 2.0, poisson).expect("legal");
+            let material = Isotropic { shear_modulus: 2.0, poisson }.material(Plane::Strain);
+            for z in lengths() {
+                let expected = ClosedForm::flexibility(&layer, &wave(z)).expect("two faces");
+                let found = Homogeneous::new(&material, &wave(z), 1.0).flexibility();
+                for (found, expected) in entries(&found).into_iter().zip(entries(&expected)) {
+                    // the coupling of faces that do not feel each other
+                    let unfelt = 100.0 * (-2.0 * FELT).exp() / material.axial_stiffness;
+                    // of e^(−z) the relative error is that of z times z
+                    let rounding = 1e-13 + 4.0 * f64::EPSILON * z.min(100.0);
+                    assert!((found - expected).abs() <= rounding * expected.abs() + unfelt, "{poisson} {z:e}");
+                }
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// s⁴ − (em − 2c) s² + c² + ed = 0, and of fields symmetric or antisymmetric about mid-depth
+        /// λC = s₁s₂ tanh s₁t tanh s₂t/(eγ) and 1/(eδ).
+        #[test]
+        fn flexibilities_are_those_of_the_roots(material in materials()) {
+            let [fast, slow] = material.squared_roots().map(|root| root.sqrt());
+            prop_assume!(fast.im == 0.0 && fast.re > 3.0 * slow.re);
+            let (fast, slow, e) = (fast.re, slow.re, material.axial_stiffness);
+            for z in lengths().filter(|z| slow * z > 0.3) {
+                let [a, b] = [fast, slow].map(|root| (0.5 * root * z).tanh());
+                let squares = fast * fast - slow * slow;
+                let equal = fast * slow * a * b * squares / (e * (fast * a - slow * b));
+                let opposite = squares / (e * (b / slow - a / fast));
+                let found = Homogeneous::new(&material, &wave(z), 1.0).flexibility();
+                prop_assert!((found.equal_top / equal - 1.0).abs() < 1e-12, "{} {}", found.equal_top, equal);
+                prop_assert!((found.top / (0.5 * (equal + opposite)) - 1.0).abs() < 1e-12);
+                // e^(−s z) decays to its own digits
+                let expected = 0.5 * (equal - opposite);
+                prop_assert!((found.coupling - expected).abs() < 1e-12 * expected.abs() + 1e-14 * equal.max(opposite));
+            }
+        }
+
+        /// Long waves bend the layer as a plate, and equal pressures stretch it.
+        #[test]
+        fn long_waves_see_a_plate(material in materials()) {
+            let Material { normal_compliance: d, coupling: c, axial_stiffness: e, .. } = material;
+            let fastest = material.squared_roots()[0].norm().sqrt().max(1.0);
+            for part in lengths().filter(|part| *part < 1e-6) {
+                let z = part / fastest;
+                let found = Homogeneous::new(&material, &wave(z), 1.0).flexibility();
+                prop_assert!((found.top * e * z.powi(3) / 12.0 - 1.0).abs() < 1e-11);
+                prop_assert!((found.coupling / found.top + 1.0).abs() < 1e-11);
+                prop_assert!((found.equal_top / (0.5 * z * (c * c / e + d)) - 1.0).abs() < 1e-11);
+                prop_assert_eq!(found.equal_bottom, -found.equal_top);
+            }
+        }
+
+        /// Amplitudes of all three kinds make the same fields: those that the closed flexibility tells, and, with mid-depth as a face,
+        /// those of two halves on each other.
+        #[test]
+        fn states_are_those_of_the_flexibility(material in materials()) {
+            for z in lengths() {
+                let layer = Homogeneous::new(&material, &wave(z), 1.0);
+                if layer.is_thin() {
+                    continue;
+                }
+                let states = layer.states([0.0, 0.5 * z, z].into_iter());
+                let FaceStates::Finite { top, bottom, .. } = &states.faces else { unreachable!() };
+                prop_assert!((states.inside[0].columns - top).amax() <= 1e-13 * top.amax());
+                prop_assert!((states.inside[2].columns - bottom).amax() <= 1e-13 * bottom.amax());
+                let expected = layer.flexibility();
+                let found = Flexibility::of_face_states(&states.faces);
+                prop_assert!(found.is_some());
+                let found = found.unwrap_or(expected);
+                prop_assert!((found.top / expected.top - 1.0).abs() < 1e-11, "{z:e} {} {}", found.top, expected.top);
+                prop_assert!((found.bottom / expected.bottom - 1.0).abs() < 1e-11);
+                prop_assert!((found.coupling - expected.coupling).abs() < 1e-11 * expected.top);
+                // Betti between a face and mid-depth, which feel each other
+                if z * material.slowest_decay() > 2.0 * FELT {
+                    continue;
+                }
+                let middle = &states.inside[1].columns;
+                for (i, j) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
+                    let pair = |states: &Matrix4<f64>| [i, j].map(|column| State::from(states.column(column)));
+                    let [[one, two], [inside, other]] = [top, middle].map(pair);
+                    let size = size_over(&[one], &[two]) + size_over(&[inside], &[other]);
+                    prop_assert!((work(&one, &two) - work(&inside, &other)).abs() <= 1e-11 * size, "{z:e} {i} {j}");
+                }
+            }
+        }
     }
 }
