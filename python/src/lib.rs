@@ -1,5 +1,6 @@
 //! The module `recede._recede`: the library's objects for Python. Texts of scenes, arrays and exceptions are made in Python, next to it.
 mod arrays;
+mod contact;
 mod errors;
 mod field;
 mod function;
@@ -17,7 +18,7 @@ fn _recede(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<scene::Scene>()?;
     module.add_class::<model::Model>()?;
     module.add_class::<solution::Solution>()?;
-    module.add_class::<solution::Contact>()?;
+    module.add_class::<contact::Contact>()?;
     module.add_class::<field::Field>()?;
     module.add_class::<sweep::Rows>()?;
     module.add_class::<scene::CompiledPunch>()?;

@@ -113,6 +113,7 @@ impl Model {
     ///     InputError: if a number is not legal.
     ///     NoSolutionError: if no admissible contact was found.
     #[pyo3(signature = (punch, force=None, *, half_length=None, depth=None, tolerance=1e-10))]
+    #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
     fn press<'py>(
         &self,
         py: Python<'py>,

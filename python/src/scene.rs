@@ -20,6 +20,9 @@ pub struct FunctionLayer {
     pub failure: Failure,
 }
 
+/// Layers as they are given: place among the items, thickness, and the function.
+type Functions = Vec<(usize, f64, Py<PyAny>)>;
+
 /// What a scene was made of, if not of a text.
 #[derive(Clone, Default)]
 pub struct Source {
@@ -159,7 +162,7 @@ impl Scene {
             ("units", units),
         ];
         given.into_iter().try_for_each(|(name, value)| fields.set_item(name, value))?;
-        let (text, objects, layers): (String, Py<PyAny>, Vec<(usize, f64, Py<PyAny>)>) =
+        let (text, objects, layers): (String, Py<PyAny>, Functions) =
             py.import("recede._text")?.call_method("scene", (stack, punch, force), Some(&fields))?.extract()?;
         let objects = Arc::new(objects);
         let scene = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
@@ -344,10 +347,11 @@ pub struct CompiledPunch {
 pub fn punch(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Punch> {
     let py = item.py();
     let is_labelled = scene.units.is_some();
-    if let Ok(known) = item.getattr("_compiled").and_then(|known| Ok(known.cast_into::<CompiledPunch>()?)) {
-        if known.get().geometry == scene.geometry && !is_labelled {
-            return Ok(known.get().punch.clone());
-        }
+    if let Ok(known) = item.getattr("_compiled").and_then(|known| Ok(known.cast_into::<CompiledPunch>()?))
+        && known.get().geometry == scene.geometry
+        && !is_labelled
+    {
+        return Ok(known.get().punch.clone());
     }
     let units = scene.units.as_ref().map(|units| (units.length.clone(), units.force.clone()));
     let name = geometry_name(scene.geometry);

@@ -64,8 +64,8 @@ impl Rows {
         let threads = NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN);
         let csv = SweepCsv::new(&self.sweep);
         let count = self.names()?.len() - 4;
-        let mut numbers = vec![Vec::with_capacity(last - first); count];
-        let mut texts = vec![Vec::with_capacity(last - first); 3];
+        let mut numbers = vec![Vec::new(); count];
+        let mut texts = vec![Vec::new(); 3];
         let mut add = |row: &SweepRow| {
             numbers.iter_mut().zip(csv.numbers(row)).for_each(|(column, number)| column.push(number));
             texts.iter_mut().zip(csv.texts(row)).for_each(|(column, text)| column.push(text));

@@ -1,9 +1,13 @@
 """Every item that the JSON Schema of scenes knows is built from Python, and is what the same scene in JSON and RON is."""
 
 import dataclasses
+import importlib.util
 import inspect
 import json
+import pathlib
 import pickle
+import sys
+import types
 import typing
 
 import numpy as np
@@ -276,3 +280,41 @@ def test_labels_of_any_signs_are_read_again():
     name = 'a "name"\\ of\ttwo\nlines, \u0001, µ and 漢'
     scene = Scene([recede.HalfPlane(young=1.0, poisson=0.3)], recede.Parabola(radius=1.0), 1.0, name=name)
     assert scene.name == name and Scene.from_ron(scene.to_ron()).name == name
+
+
+# what the vocabulary may get: a record that may be left out, a list of records with items in them, a choice of its own
+NUMBER = {"type": ["number", "string"]}
+POINT = {"type": "object", "properties": {"at": NUMBER, "share": {"type": ["number", "null"]}}, "required": ["at"]}
+NEW = {
+    "type": "object",
+    "properties": {
+        "Novel": {
+            "type": "object",
+            "properties": {
+                "strain": {"anyOf": [{"type": "object", "properties": {"x": NUMBER, "y": NUMBER}, "required": ["x", "y"]}, {"type": "null"}]},
+                "points": {"type": "array", "items": POINT},
+                "tilt": {"oneOf": [{"type": "string", "const": "Free"}, {"type": "object", "properties": {"Fixed": {"properties": {"angle": NUMBER}, "required": ["angle"]}}}]},
+            },
+            "required": ["points", "tilt"],
+        }
+    },
+}
+
+
+def test_classes_follow_from_any_schema(monkeypatch):
+    spec = importlib.util.spec_from_file_location("make_items", pathlib.Path(__file__).parents[1] / "make_items.py")
+    make_items = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(make_items)
+    schema = json.loads(_recede.schema())
+    schema["properties"]["stack"]["items"]["oneOf"].append(NEW)
+    module = types.ModuleType("recede.novel")
+    module.__package__ = "recede"
+    monkeypatch.setitem(sys.modules, "recede.novel", module)
+    exec(make_items.modules(schema)["items.py"], vars(module))
+    # no reader knows it
+    monkeypatch.setattr(recede.Item, "_check", lambda self: None)
+    one = module.Novel(points=[{"at": 1.0}, (2.0, 0.5)], tilt=module.Fixed(angle=0.1), strain=(1, 2))
+    assert one.ron() == "Novel(points: [(at: 1.0), (at: 2.0, share: 0.5)], tilt: Fixed(angle: 0.1), strain: (x: 1, y: 2))"
+    assert one.points[1].share == 0.5 and one.strain.y == 2 and isinstance(one.tilt, module.Tilt)
+    assert module.Novel(points=(), tilt=module.Free()).ron() == "Novel(points: [], tilt: Free)"
+    assert eval(repr(one), vars(module)) == one

@@ -128,7 +128,7 @@ import numpy, recede, sys, time
 scene = recede.Scene.read(sys.argv[1])
 print("begun", flush=True)
 try:
-    recede.sweep(scene, {"force": numpy.linspace(1e-3, 1e-2, 3_000_000)}, threads=1)
+    recede.sweep(scene, {"force": numpy.linspace(1e-3, 1e-2, 300_000)}, threads=1)
 except recede.Interrupted as stopped:
     table = stopped.table
     print(table.rows, table.solved.all(), table["force"][-1] > 0)
