@@ -60,6 +60,8 @@ mod sweep;
 mod system;
 mod thin_layers;
 mod validity;
+mod visible;
+mod workers;
 
 #[test]
 fn every_file_is_run() {
