@@ -9,8 +9,7 @@ use super::{Field, FieldPoint, PlacedLayer};
 
 /// Points of the mesh next to the loads: x in half-lengths of each contact next to the layer, depths in half-lengths from a loaded
 /// face, and in thicknesses.
-const BESIDE: [f64; 19] =
-    [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96, 0.99, 0.998, 1.0, 1.002, 1.01, 1.05, 1.15, 1.4];
+const BESIDE: [f64; 15] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96, 1.0, 1.05, 1.15, 1.4];
 const BELOW: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 0.8, 1.3];
 const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
 /// Most strips of one pressure that have points of their own.

@@ -17,17 +17,14 @@ const OF_LAYER: usize = 4;
 const FOLLOWED: usize = 12;
 /// The distance of the points of the parabolas, in parts of the shortest length.
 const STEPS: [f64; 3] = [0.2, 0.05, 0.012];
-/// The same with all terms of the pressures, where a parabola was wrong at its peak, and where the peak has moved far by these.
+/// The same with all terms of the pressures, and the steps where the peak has moved far by these.
 const LAST: f64 = 0.004;
-const FINER: f64 = 5e-4;
 const AGAIN_FROM: [f64; 2] = [0.05, 0.012];
 /// Most parabolas one after the other, where the highest point of one is on its edge.
 const AGAIN: usize = 4;
 /// A parabola that rises by less than this part, and this number of errors of its values, need not be followed.
 const RISE: f64 = 1e-7;
 const RISE_OVER_ERROR: f64 = 3.0;
-/// A parabola whose peak is off by less than this part is not made finer: values are the largest to that.
-const OFF: f64 = 1e-6;
 /// Values that differ by less are the same: at a bond that joins equal materials both layers have the stress.
 const SAME: f64 = 1.0 - 1e-4;
 /// Values of low accuracy are wrong by this part at most, unless it is in thin layers.
@@ -92,7 +89,7 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
             let enough = |peak: &Peak| peak.seen.value >= highest - UNSURE * highest.abs() - noise;
             if let Some(peak) = candidates.pop().filter(enough) {
                 next.push(peak);
-                of.push((i, highest));
+                of.push(i);
             } else {
                 candidates.clear();
             }
@@ -100,8 +97,8 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
         if next.is_empty() {
             break;
         }
-        exactly(field, &mut next, &of, extent)?;
-        next.into_iter().zip(of).for_each(|(peak, (i, _))| found[i].push(peak));
+        exactly(field, &mut next, extent)?;
+        next.into_iter().zip(of).for_each(|(peak, i)| found[i].push(peak));
     }
     Ok(found.into_iter().map(uppermost).collect())
 }
@@ -144,8 +141,8 @@ fn promising(field: &Field, mut peaks: Vec<Peak>) -> Vec<Peak> {
 }
 
 /// The peaks next to those of low accuracy, with all terms of the pressures: values are those of the field, since a parabola next to
-/// the end of a contact may be too high. Finer parabolas are for those that may be higher than what is known, of each search its number and value.
-fn exactly(field: &Field, peaks: &mut [Peak], known: &[(usize, f64)], extent: Extent) -> Result<(), FieldError> {
+/// the end of a contact may be too high.
+fn exactly(field: &Field, peaks: &mut [Peak], extent: Extent) -> Result<(), FieldError> {
     // values that were computed to fewer digits are not compared
     peaks.iter_mut().for_each(|peak| peak.seen.value = f64::NEG_INFINITY);
     let unfinished = climb(field, peaks, LAST, &waves::STRESSES)?;
@@ -159,23 +156,6 @@ fn exactly(field: &Field, peaks: &mut [Peak], known: &[(usize, f64)], extent: Ex
         peaks.iter_mut().for_each(Peak::take_seen);
         return Ok(());
     }
-    let expected: Vec<f64> = peaks.iter().map(|peak| peak.value).collect();
-    compute(field, peaks)?;
-    let noise = RISE_OVER_ERROR * waves::STRESSES.on_face * field.mean_pressure();
-    let is_wrong = |k: &usize| {
-        let (expected, found) = (expected[*k], peaks[*k].value);
-        expected.max(found) > known[*k].1 && (found - expected).abs() > OFF * expected.abs() + noise
-    };
-    let wrong: Vec<usize> = (0..peaks.len()).filter(is_wrong).collect();
-    let mut finer: Vec<Peak> = wrong.iter().map(|k| peaks[*k]).collect();
-    climb(field, &mut finer, FINER, &waves::STRESSES)?;
-    compute(field, &mut finer)?;
-    wrong.into_iter().zip(finer).for_each(|(k, peak)| peaks[k] = peak);
-    Ok(())
-}
-
-/// Computes the values at peaks; those that were computed before and are higher remain.
-fn compute(field: &Field, peaks: &mut [Peak]) -> Result<(), FieldError> {
     let sets: Vec<Vec<f64>> = peaks.iter().map(|peak| vec![peak.x]).collect();
     let row = |(set, peak): (usize, &Peak)| Row { layer: peak.layer, depth: peak.depth, set };
     let rows: Vec<Row> = peaks.iter().enumerate().map(row).collect();
