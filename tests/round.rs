@@ -384,3 +384,35 @@ fn random_twins_do_all_that_a_command_does() {
     }
     assert!(10 * solved >= 8 * scenes, "{solved} of {scenes}");
 }
+
+/// Radii under one punch, all contacts about the axis, as forces grow in even steps of their logarithm.
+fn radii(punch: &str, stack: &str, forces: std::ops::Range<f64>, count: usize) -> Vec<f64> {
+    let text = format!("Scene(geometry: Axisymmetric, punch: {punch}, force: 1, stack: [{stack}])");
+    let scene = Scene::from_ron(&text).unwrap();
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let force = |k: usize| forces.start * (forces.end / forces.start).powf(k as f64 / (count - 1) as f64);
+    let radius = |force: f64| {
+        let solution = model.press(&scene.punch, force);
+        solution.unwrap_or_else(|error| panic!("{punch}, {stack}, {force}: {error}")).contacts()[0].reach()
+    };
+    (0..count).map(|k| radius(force(k))).collect()
+}
+
+/// A plate on a soft base bends round its punch: Hertz's formula expects contacts that are longer by far.
+#[test]
+fn no_force_between_two_that_are_solved_for_is_not() {
+    let layer = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25)";
+    let table = "Table([(0, 0), (0.2, 0.002), (0.4, 0.004), (0.8, 0.008), (1.6, 0.016), (2.4, 0.024), (3, 0.03)])";
+    for (punch, joint, modulus, forces) in [
+        ("Cone(slope: 0.01)", "Bonded", 0.1, 0.015..0.03),
+        ("Cone(slope: 0.01)", "Bonded", 0.01, 0.005..0.0155),
+        ("Cone(slope: 0.01)", "Receding", 0.05, 0.005..0.05),
+        ("Power(exponent: 1.3, radius: 1, height: 0.01)", "Bonded", 0.01, 0.003..0.3),
+        // its edge is far from where the contact ends
+        (table, "Bonded", 0.02, 0.009..0.0155),
+    ] {
+        let stack = format!("{layer}, {joint}, HalfPlane(shear_modulus: {modulus}, poisson: 0.25)");
+        let radii = radii(punch, &stack, forces, 15);
+        assert!(radii.is_sorted(), "{punch}, {stack}: {radii:?}");
+    }
+}

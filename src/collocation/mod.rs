@@ -65,7 +65,7 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
-    let kernel = &*kernel_under(kernel, punch, force)?;
+    let kernel = &*kernel_under(kernel, punch, force);
     let problem = Problem::new(kernel, interfaces, punch, force, options.tolerance);
     if (0..problem.contacts()).any(|i| problem.is_known(i)) {
         return Err(ContactError::LoadByCollocation);

@@ -57,7 +57,7 @@ pub(crate) fn press(
         return Err(ContactError::LoadAboutAxis(punch.label(kernel.geometry())));
     }
     let table = table.filter(|_| punch.material().is_none());
-    let own = &*kernel_under(kernel, punch, force)?;
+    let own = &*kernel_under(kernel, punch, force);
     let problem = Problem::new(own, interfaces, punch, force, options.tolerance);
     // a table is for one kernel
     let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
@@ -66,15 +66,15 @@ pub(crate) fn press(
 }
 
 /// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
-pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, punch: &Punch, force: f64) -> Result<Cow<'a, Kernel>, ContactError> {
+pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, punch: &Punch, force: f64) -> Cow<'a, Kernel> {
     let kernel = match punch.material() {
         Some(material) => Cow::Owned(kernel.under_half_plane(&material)),
         None => Cow::Borrowed(kernel),
     };
-    Ok(match formulas::length(&kernel, punch, force)? {
+    match formulas::length(&kernel, punch, force) {
         Some(length) => Cow::Owned(kernel.measured_in(length)),
         None => kernel,
-    })
+    }
 }
 
 /// Solves from the first of the starting points that leads to an admissible solution.

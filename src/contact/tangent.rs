@@ -29,7 +29,7 @@ pub(crate) fn tangent(kernel: &Kernel, punch: &Punch, solution: &Solution) -> Op
 }
 
 fn solve(problem: &Problem) -> Result<Solution, ContactError> {
-    let half_lengths = formulas::half_lengths(problem)?;
+    let half_lengths = formulas::half_lengths(problem);
     let mut work = Work { operations: Operations::at_most(MOST), ..Work::default() };
     work.operations.start();
     let refined = refine(problem, Start::Guess { half_lengths }, &mut work)?;

@@ -46,7 +46,7 @@ pub(super) fn solve(
     problem: &Problem,
     solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
 ) -> Result<Solution, ContactError> {
-    let mut half_lengths = formulas::half_lengths(problem)?;
+    let mut half_lengths = formulas::half_lengths(problem);
     for _ in 0..JUDGED {
         let Some(thin) = Thin::new(problem, half_lengths.clone())? else { break };
         match thin.solve(problem, &solve)? {

@@ -75,3 +75,32 @@ impl Kernel {
         self.chains.laminates.iter().enumerate().map(|(i, chain)| (thickness(chain), bending(i))).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use recede_layers::{HalfPlane, Homogeneous, Plane, PowerHalfPlane};
+
+    use super::*;
+    use crate::stack::Stack;
+
+    #[test]
+    fn waves_of_any_length_meet_no_less_than_the_base_nor_more() {
+        let strip = |modulus: f64| Homogeneous::new(0.7, modulus, 0.3).unwrap();
+        let stack = || Stack::builder(Plane::Strain).layer(strip(1.0));
+        let graded = || PowerHalfPlane::new(5.0, 0.3, 1.2, 0.2).unwrap();
+        for (stack, exponent) in [
+            (stack().receding().layer(HalfPlane::new(0.01, 0.3).unwrap()), 0.0),
+            (stack().receding().layer(graded()), 0.2),
+            (stack().bonded().layer(strip(30.0)).receding().layer(graded()), 0.2),
+            (stack().receding().layer(strip(1e-3)).receding().layer(graded()), 0.2),
+        ] {
+            let kernel = Kernel::new(&stack.build().unwrap()).unwrap();
+            let compliances: Vec<f64> = (5..250).map(|power| kernel.closed(10f64.powi(-power))).collect();
+            for (power, pair) in compliances.windows(2).enumerate() {
+                // λμ₀C of the base is like ζ to the exponent
+                let fall = (pair[1] / pair[0]).log10() + exponent;
+                assert!(pair[1] > 0.0 && fall.abs() < 0.02, "{power}: {pair:?}");
+            }
+        }
+    }
+}

@@ -46,7 +46,11 @@ pub(crate) fn solve_in_order(
     solve: impl FnMut(Start) -> Result<Attempt, ContactError>,
     low_accuracy: impl FnOnce(&[f64], f64) -> Option<Solution>,
 ) -> Result<Solution, ContactError> {
-    let expected = formulas::half_lengths(problem)?;
+    let expected = formulas::half_lengths(problem);
+    // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be
+    if let Some(error) = problem.too_small(&expected).and_then(|_| problem.too_small(&formulas::shortest(problem))) {
+        return Err(error);
+    }
     let mut search = Search { problem, solve, expected, doubtful: None, several: None, far: 0.0 };
     let solution = match search.run()? {
         Outcome::Solved(solution) => *solution,
@@ -130,7 +134,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             if let Some(solution) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(solution)));
             }
-            let ends = if active.is_none() && attempt > 0 { formulas::shortest(self.problem)? } else { self.ends(all) };
+            let ends = if active.is_none() && attempt > 0 { formulas::shortest(self.problem) } else { self.ends(all) };
             match self.solve_from_ends(ends, failure)? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
@@ -144,7 +148,6 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
     fn attempt(&mut self, start: Start) -> Result<Outcome, ContactError> {
         let attempt = match (self.solve)(start) {
             Ok(attempt) => attempt,
-            Err(error @ ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => return Err(error),
             Err(failure @ ContactError::NoSolution(_)) => return Ok(Outcome::Failed(Box::new(failure))),
             Err(error) => return Err(error),
         };

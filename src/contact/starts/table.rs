@@ -117,7 +117,7 @@ fn answer(kernel: &Kernel, load: f64) -> Option<Answer> {
     let interfaces = vec![Interface::Punch; kernel.contacts()];
     let force = load.exp() * kernel.modulus() * unit;
     let problem = Problem::new(kernel, &interfaces, &punch, force, Options::default().tolerance);
-    let start = Start::Guess { half_lengths: formulas::half_lengths(&problem).ok()? };
+    let start = Start::Guess { half_lengths: formulas::half_lengths(&problem) };
     let Refined { level, not_met, .. } = refine(&problem, start, &mut Work::default()).ok()?;
     let lengths = level.support.half_lengths.iter().map(|a| a.ln()).collect();
     not_met.is_none().then_some(Answer { lengths, modes: level.modes })
