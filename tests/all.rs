@@ -16,6 +16,7 @@ mod collocation;
 mod convergence;
 mod determinism;
 mod docs;
+mod estimates;
 mod exact;
 mod examples;
 mod extremes;
