@@ -423,5 +423,10 @@ def examine(thickness: float, function: Callable[[float], tuple[float, float]]) 
     elasticity that is not obeyed, see docs/adding_a_layer.md.
     """
 
+def replace(path: str, data: bytes) -> None:
+    """Writes all of a file. A regular file appears when it is complete and keeps its permissions, links are followed, anything else is
+    written through.
+    """
+
 def schema() -> str:
     """The JSON Schema of scenes, with all layers, interfaces, bases, punches and loads."""

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import csv
+import io
 import os
-import pathlib
-import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _html
+from . import _html, _recede
 
 #: Rows that are shown in a notebook.
 SHOWN = 20
@@ -55,22 +54,21 @@ class Columns(dict[str, Any]):
         return pyarrow.table(dict(self), metadata=self.metadata)
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Writes comma-separated values as `recede sweep` does, to a temporary file that is then renamed."""
-
-        def write(temporary: str) -> None:
-            with open(temporary, "w", encoding="utf-8", newline="") as file:
-                writer = csv.writer(file, lineterminator="\n")
-                writer.writerow(self)
-                columns = [_written(column) for column in self.values()]
-                writer.writerows(zip(*columns, strict=True))
-
-        _replace(path, write)
+        """Writes comma-separated values as `recede sweep` does. A regular file appears when it is complete, and keeps its permissions."""
+        file = io.StringIO()
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(self)
+        columns = [_written(column) for column in self.values()]
+        writer.writerows(zip(*columns, strict=True))
+        _recede.replace(os.fspath(path), file.getvalue().encode())
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:
         """Writes a Parquet file with the scene, the version and the tolerance in its metadata; needs `pyarrow`."""
         import pyarrow.parquet  # type: ignore[import-untyped, unused-ignore]
 
-        _replace(path, lambda temporary: pyarrow.parquet.write_table(self._arrow(), temporary))
+        file = io.BytesIO()
+        pyarrow.parquet.write_table(self._arrow(), file)
+        _recede.replace(os.fspath(path), file.getvalue())
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Columns) or list(self) != list(other):
@@ -88,19 +86,6 @@ class Columns(dict[str, Any]):
         rows = [[column[k] for column in self.values()] for k in range(min(self.rows, SHOWN))]
         more = f"<p>{self.rows} rows in all</p>" if self.rows > SHOWN else ""
         return _html.table(list(self), [[_plain(cell) for cell in row] for row in rows]) + more
-
-
-def _replace(path: str | os.PathLike[str], write: Callable[[str], None]) -> None:
-    """Writes a temporary file next to the one that is meant, and renames it."""
-    path = pathlib.Path(path)
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
-    os.close(handle)
-    try:
-        write(temporary)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
 
 
 def _plain(cell: Any) -> Any:

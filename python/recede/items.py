@@ -428,12 +428,13 @@ class Wedge(Punch):
             cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 
-    __slots__ = ("slope",)
-    _geometries = {"PlaneStrain": ("slope",)}
-    slope: float | str
+    __slots__ = ("slope", "half_angle")
+    _geometries = {"PlaneStrain": ("slope", "half_angle")}
+    slope: float | str | None
+    half_angle: float | str | None
 
-    def __init__(self, *, slope: Number) -> None:
-        self._set(slope=slope)
+    def __init__(self, *, slope: Number | None = None, half_angle: Number | None = None) -> None:
+        self._set(slope=slope, half_angle=half_angle)
 
 
 class RoundedFlat(Punch):
@@ -544,12 +545,13 @@ class Cone(Punch):
             cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 
-    __slots__ = ("slope",)
-    _geometries = {"Axisymmetric": ("slope",)}
-    slope: float | str
+    __slots__ = ("slope", "half_angle")
+    _geometries = {"Axisymmetric": ("slope", "half_angle")}
+    slope: float | str | None
+    half_angle: float | str | None
 
-    def __init__(self, *, slope: Number) -> None:
-        self._set(slope=slope)
+    def __init__(self, *, slope: Number | None = None, half_angle: Number | None = None) -> None:
+        self._set(slope=slope, half_angle=half_angle)
 
 
 class ElasticSphere(Punch):

@@ -41,15 +41,18 @@ pub fn raised<E: Into<Error>>(py: Python<'_>, error: E) -> PyErr {
     raised_about(py, &error.into(), None)
 }
 
-/// The exception for a file that is no scene; if it cannot be read, that of the operating system, with its name.
+/// The exception for a file that is no scene; if it cannot be read, that it cannot, with its name.
 pub fn file_error(py: Python<'_>, path: &Path, error: SceneError) -> PyErr {
-    let cause = error.source().and_then(|cause| cause.downcast_ref::<io::Error>());
-    match cause.and_then(io::Error::raw_os_error) {
-        Some(code) => {
-            let message = py.import("os").and_then(|os| os.call_method1("strerror", (code,))?.extract::<String>());
-            // the class follows from the code
-            PyOSError::new_err((code, message.unwrap_or_default(), path.as_os_str().to_owned()))
-        }
-        None => raised(py, error),
+    match error.source().and_then(|cause| cause.downcast_ref::<io::Error>()) {
+        Some(cause) if cause.raw_os_error().is_some() => os_error(py, path, cause),
+        _ => raised(py, error),
     }
+}
+
+/// The exception of the operating system for a file, with its name.
+pub fn os_error(py: Python<'_>, path: &Path, error: &io::Error) -> PyErr {
+    let Some(code) = error.raw_os_error() else { return PyOSError::new_err(error.to_string()) };
+    let message = py.import("os").and_then(|os| os.call_method1("strerror", (code,))?.extract::<String>());
+    // the class follows from the code
+    PyOSError::new_err((code, message.unwrap_or_default(), path.as_os_str().to_owned()))
 }

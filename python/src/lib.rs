@@ -3,6 +3,7 @@ mod arrays;
 mod contact;
 mod errors;
 mod field;
+mod files;
 mod function;
 mod model;
 mod scene;
@@ -22,6 +23,7 @@ fn _recede(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<field::Field>()?;
     module.add_class::<sweep::Rows>()?;
     module.add_class::<scene::CompiledPunch>()?;
+    module.add_function(wrap_pyfunction!(files::replace, module)?)?;
     module.add_function(wrap_pyfunction!(function::examine, module)?)?;
     module.add_function(wrap_pyfunction!(scene::schema, module)?)
 }

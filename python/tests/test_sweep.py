@@ -73,6 +73,24 @@ def test_parquet_files_know_their_scene(scene, swept, tmp_path):
         swept.to_parquet(tmp_path / "nowhere" / "rows.parquet")
 
 
+def test_files_keep_links_and_permissions_and_pipes(swept, tmp_path):
+    file, link = tmp_path / "rows.csv", tmp_path / "link.csv"
+    file.write_text("old")
+    file.chmod(0o600)
+    link.symlink_to(file)
+    swept.to_csv(link)
+    assert link.is_symlink() and file.stat().st_mode & 0o777 == 0o600
+    assert file.read_text().count("\n") == 61 and len(list(tmp_path.iterdir())) == 2
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    read = []
+    reader = threading.Thread(target=lambda: read.append(pipe.read_text()))
+    reader.start()
+    swept.to_csv(pipe)
+    reader.join(10)
+    assert read == [file.read_text()] and pipe.is_fifo()
+
+
 def test_arrow_keeps_the_memory_alive(scene):
     pyarrow = pytest.importorskip("pyarrow")
     table = pyarrow.table(recede.sweep(scene, {"force": [0.001, 0.002]}))
