@@ -13,14 +13,15 @@ impl Kernel {
     /// The compliance λμ₀C of the whole stack at its top face, at one wavenumber, as if no interface opened.
     ///
     /// What interpolation leaves of a laminate is rounding over a power of ζ where waves are very long. There the stack is no softer than its base
-    /// and what layers are squeezed by shorter waves, and no stiffer than the base below all the laminates as beams.
+    /// and the compression of its layers, and no stiffer than the base below all the laminates as beams.
     pub(crate) fn closed(&self, zeta: f64) -> f64 {
         let compliance = self.compliances(zeta)[0];
         let base = if zeta < LONG { self.chains.base.flexibility(&self.chains.wave(zeta)) } else { None };
         let Some(base) = base else { return compliance };
         let laminates = self.laminates();
         let beams: f64 = laminates.iter().map(|(_, bending)| bending * zeta.powi(3)).sum();
-        let squeezed: f64 = (0..laminates.len()).map(|laminate| self.compression(laminate, LONG)).sum();
+        // equal pressures squeeze a laminate by the same displacement in all long waves
+        let squeezed: f64 = (0..laminates.len()).map(|laminate| self.compression(laminate, LONG) * zeta / LONG).sum();
         let stiffest = (1.0 - ABOUT) * (self.punch + base / (1.0 + beams * base));
         let softest = (1.0 + ABOUT) * (self.punch + base + squeezed);
         // what is no number is bounded, too
