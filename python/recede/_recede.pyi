@@ -24,6 +24,7 @@ __all__ = [
     "Solution",
     "__version__",
     "examine",
+    "replace",
     "schema",
 ]
 
