@@ -10,8 +10,8 @@ use crate::kernel::Kernel;
 use crate::options::{Method, Options, OptionsError};
 use crate::profile::{self, Profile as FaceProfiles};
 use crate::scene::{Force, Punch, Scene};
-use crate::solution::{Contact, Interface, Solution};
-use crate::stack::{Stack, StackKey};
+use crate::solution::{Contact, Interface, Owner, Solution};
+use crate::stack::Stack;
 use crate::validity;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
@@ -35,7 +35,7 @@ use crate::validity;
 pub struct Model {
     stack: Stack,
     /// What tells the stack from others, by which a solution is known to belong to it.
-    key: Arc<StackKey>,
+    key: Owner,
     interfaces: Vec<Interface>,
     kernel: Kernel,
     table: Option<Arc<Table>>,
@@ -54,7 +54,7 @@ impl Model {
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { key: Arc::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
+        Ok(Self { key: Owner::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
     }
 
     /// The same model for many loads: it keeps a table of solutions to start others from, each of them computed when it is
@@ -113,7 +113,7 @@ impl Model {
                 contact::press_to(kernel, punch, (Controlled::Approach, wanted), options, press, depth)?
             }
         };
-        let mut solution = Solution { stack: Some(Arc::clone(&self.key)), ..solution };
+        let mut solution = Solution { stack: Some(self.key.clone()), ..solution };
         solution.warnings.extend(validity::warnings(punch, kernel, &solution));
         Ok(solution)
     }

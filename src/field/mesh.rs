@@ -2,7 +2,6 @@
 use super::error::FieldError;
 use super::measure::{Peak, Search, Seen};
 use super::pressure::Pressure;
-use super::search::points;
 use super::sum::Row;
 use super::waves::{self, Precision};
 use super::{Field, FieldPoint, PlacedLayer};
@@ -199,4 +198,18 @@ fn ascending(mut list: Vec<f64>) -> Vec<f64> {
     list.sort_by(f64::total_cmp);
     list.dedup();
     list
+}
+
+/// Stresses in rows of points.
+pub(super) fn points(
+    field: &Field,
+    rows: &[Row],
+    sets: &[Vec<f64>],
+    precision: &Precision,
+) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+    let found = field.sum(rows, sets, precision)?;
+    let of = |(row, components): (&Row, Vec<_>)| {
+        sets[row.set].iter().zip(components).map(|(x, components)| field.point(*x, row, components)).collect()
+    };
+    Ok(rows.iter().zip(found).map(of).collect())
 }

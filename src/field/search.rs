@@ -1,12 +1,12 @@
 //! Where quantities are largest: meshes in every layer, then parabolas through ever closer points around their peaks. All quantities
 //! are searched for at once, since the sums over wavenumbers are shared.
+use super::Field;
 use super::error::FieldError;
 use super::measure::{Peak, Search};
-use super::mesh::Mesh;
+use super::mesh::{Mesh, points};
 use super::parabola::{Level, Stencil};
 use super::sum::Row;
 use super::waves::{self, Precision};
-use super::{Field, FieldPoint};
 
 /// Depth to which a half-plane is searched, in half-lengths of the longest contact, or thicknesses of what lies on it.
 const FAR: f64 = 3.0;
@@ -223,18 +223,4 @@ impl Field {
         let mean = |contact: usize| self.pressures[contact].mean(self.length(contact));
         (0..self.pressures.len()).map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max)
     }
-}
-
-/// Stresses in rows of points.
-pub(super) fn points(
-    field: &Field,
-    rows: &[Row],
-    sets: &[Vec<f64>],
-    precision: &Precision,
-) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
-    let found = field.sum(rows, sets, precision)?;
-    let of = |(row, components): (&Row, Vec<_>)| {
-        sets[row.set].iter().zip(components).map(|(x, components)| field.point(*x, row, components)).collect()
-    };
-    Ok(rows.iter().zip(found).map(of).collect())
 }

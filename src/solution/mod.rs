@@ -5,6 +5,7 @@ mod peak;
 mod strip;
 mod warning;
 
+use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
@@ -13,8 +14,6 @@ pub use contact::{Contact, Interval};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums, jacobi_weights};
 pub use warning::{Warning, WarningCode};
-
-use crate::stack::StackKey;
 
 /// Which contact: the punch on top, or a receding interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -112,11 +111,40 @@ impl fmt::Display for Stopped {
     }
 }
 
+/// What a solution belongs to, known by a key of any type.
+#[derive(Clone)]
+pub(crate) struct Owner {
+    key: Arc<dyn Any + Send + Sync>,
+    is_same: fn(&dyn Any, &dyn Any) -> bool,
+}
+
+impl Owner {
+    /// Owners with equal keys of one type are the same.
+    pub(crate) fn new<T: Any + PartialEq + Send + Sync>(key: T) -> Self {
+        let is_same = |one: &dyn Any, other: &dyn Any| {
+            one.downcast_ref::<T>().is_some_and(|one| other.downcast_ref::<T>().is_some_and(|other| one == other))
+        };
+        Self { key: Arc::new(key), is_same }
+    }
+}
+
+impl PartialEq for Owner {
+    fn eq(&self, other: &Self) -> bool {
+        (self.is_same)(&*self.key, &*other.key)
+    }
+}
+
+impl fmt::Debug for Owner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Owner")
+    }
+}
+
 /// A solved scene: contacts from the top down, and what it took to find them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// The stack that it belongs to, which [`crate::Model`] sets and compares.
-    pub(crate) stack: Option<Arc<StackKey>>,
+    pub(crate) stack: Option<Owner>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,

@@ -16,7 +16,6 @@ use recede_layers::{Isotropic, Layer, Plane, Support};
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
 pub use joint::Joint;
-pub(crate) use key::StackKey;
 
 use crate::geometry::Geometry;
 use crate::scene::Item;

@@ -1,6 +1,8 @@
 //! The connected components of the block matrix: bodies that only the pressures of contacts hold together.
+use super::conditions::Relation;
 use super::matrix::{BlockSystem, Column, Row};
 use super::names::Face;
+use crate::stack::{Joint, Stack};
 use crate::system::WrongCount;
 
 /// Columns that conditions without a pressure connect, from the top down. In this order the rows of a component are block
@@ -50,6 +52,19 @@ impl<'a> Component<'a> {
 }
 
 impl BlockSystem {
+    /// The block system of a stack with given relations at each joint, four that connect the layers on both sides. On a
+    /// rigid base, relations that contain only its stresses are left out, and two are to be left.
+    ///
+    /// # Errors
+    /// [`WrongCount`] if they are more or fewer conditions than the bodies at a joint need.
+    pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Result<Self, WrongCount> {
+        let system = Self::assembled(stack, joint);
+        let components = system.components();
+        let wrong = components.iter().find_map(Component::wrong_count);
+        wrong.map_or(Ok(()), Err)?;
+        Ok(system)
+    }
+
     /// The connected components of the matrix once the rows with a pressure are cut, from the top down: free laminates, and
     /// the base if there is anything elastic in it.
     ///

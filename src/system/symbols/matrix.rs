@@ -4,11 +4,9 @@ use std::sync::Arc;
 
 use recede_layers::{Body, Plane};
 
-use super::components::Component;
 use super::conditions::{self, Relation, Term};
 use super::names::{Face, Place, Pressure, Quantity, Side};
 use crate::stack::{Joint, Stack};
-use crate::system::WrongCount;
 
 /// The kind of condition of a row, as its blocks show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -154,20 +152,8 @@ impl BlockSystem {
         Self::assembled(stack, conditions::joint)
     }
 
-    /// The same with given relations at each joint, four that connect the layers on both sides. On a
-    /// rigid base, relations that contain only its stresses are left out, and two are to be left.
-    ///
-    /// # Errors
-    /// [`WrongCount`] if they are more or fewer conditions than the bodies at a joint need.
-    pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Result<Self, WrongCount> {
-        let system = Self::assembled(stack, joint);
-        let components = system.components();
-        let wrong = components.iter().find_map(Component::wrong_count);
-        wrong.map_or(Ok(()), Err)?;
-        Ok(system)
-    }
-
-    fn assembled(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
+    /// With given relations at each joint, however many there are.
+    pub(super) fn assembled(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
