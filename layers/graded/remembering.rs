@@ -5,9 +5,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Tree, flexibility_of_layer, of_layer, states_of_layer};
 use crate::{ClosedForm, FaceStates, Flexibility, Key, Layer, LayerStates, Material, Notation, Plane, Wave};
 
-/// A layer whose face states are those of [`face_states`](super::face_states), to the last digit, and which remembers
-/// its slices from one wavenumber to the next. Made once per stack for every layer without
-/// [closed forms](Layer::closed_form). Slices for fields inside end at the depths that were asked for last, or at more
+/// A layer with the face states of another one, to the last digit, which remembers the slices of the general body from one wavenumber to the
+/// next, wherever the layer offers no [closed form](Layer::closed_form). Made once per stack for every layer. Slices for fields inside end at the depths that were asked for last, or at more
 /// than these if they were among those before.
 #[derive(Debug)]
 pub struct Remembering {
@@ -33,9 +32,10 @@ impl Inside {
 }
 
 impl Remembering {
-    /// The layer with nothing remembered yet; a layer that has closed forms is returned as it is.
+    /// The layer with nothing remembered yet; a layer that remembers is returned as it is.
     pub fn of(layer: Arc<dyn Layer>) -> Arc<dyn Layer> {
-        if layer.closed_form().is_some() {
+        let any: &dyn Any = &*layer;
+        if any.is::<Self>() {
             return layer;
         }
         Arc::new(Self { layer, strain: Tree::default(), stress: Tree::default(), inside: Mutex::default() })
@@ -94,14 +94,19 @@ impl Layer for Remembering {
 
 impl ClosedForm for Remembering {
     fn face_states(&self, wave: &Wave) -> FaceStates {
-        of_layer(&*self.layer, wave, self.tree(wave.plane))
+        let general = || of_layer(&*self.layer, wave, self.tree(wave.plane));
+        self.layer.closed_form().map_or_else(general, |closed| closed.face_states(wave))
     }
 
     fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        flexibility_of_layer(&*self.layer, wave, self.tree(wave.plane))
+        let general = || flexibility_of_layer(&*self.layer, wave, self.tree(wave.plane));
+        self.layer.closed_form().map_or_else(general, |closed| closed.flexibility(wave))
     }
 
     fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
+        if let Some(closed) = self.layer.closed_form().and_then(|closed| closed.states(wave, depths)) {
+            return Some(closed);
+        }
         let inside = {
             // what is remembered is whole at any time
             let mut last = self.inside.lock().unwrap_or_else(PoisonError::into_inner);

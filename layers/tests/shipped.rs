@@ -203,7 +203,10 @@ fn a_graded_half_plane_is_a_thick_exponential_layer() {
 
 #[test]
 fn what_is_remembered_changes_no_digit() {
-    let layers: [std::sync::Arc<dyn Layer>; 3] = [
+    let layers: [std::sync::Arc<dyn Layer>; 5] = [
+        std::sync::Arc::new(Homogeneous::new(0.7, 1.0, 0.25).expect("legal")),
+        // too steep for a closed form of long waves inside
+        std::sync::Arc::new(Exponential::new(1.0, 1.0, 0.25, -21.5).expect("legal")),
         std::sync::Arc::new(table(&[(0.0, 1.0), (0.2, 4.0), (1.0, 9.0)])),
         std::sync::Arc::new(Orthotropic::new(0.7, ply()).expect("legal")),
         std::sync::Arc::new(graded_by(Profile::sigmoid(1.0, 9.0, 0.4, 0.05).expect("legal"))),

@@ -118,7 +118,7 @@ impl FreeChain {
     }
 }
 
-/// The layers of a component; those without closed forms keep what is computed of them.
+/// The layers of a component, which keep what the general body computes of them.
 pub(super) fn layers(component: &Component<'_>) -> Vec<Arc<dyn Layer>> {
     let layers = component.columns().iter().filter_map(|column| column.body().layer());
     layers.map(|layer| Remembering::of(layer.clone())).collect()
