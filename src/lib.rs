@@ -46,7 +46,7 @@
 //! | [`report`] | tables, JSON and CSV |
 //!
 //! Layer types are in a crate of their own, [`layers`], with the laws they obey; others are added through a
-//! [`Registry`]. Published closed forms for comparison are in [`exact`].
+//! [`Registry`].
 //!
 //! # Features
 //!
@@ -65,7 +65,6 @@ mod axis;
 mod collocation;
 mod contact;
 mod errors;
-pub mod exact;
 mod field;
 #[cfg(feature = "files")]
 pub mod files;

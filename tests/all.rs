@@ -3,6 +3,7 @@
 //! `cargo test --test all NAME::` runs those of the file `NAME.rs`.
 #![allow(clippy::duplicate_mod, reason = "examples and tests bring along what they share")]
 
+mod closed_forms;
 #[path = "support/contact.rs"]
 mod contact;
 #[path = "support/scenario.rs"]

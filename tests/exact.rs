@@ -11,7 +11,7 @@
 //! ```
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use recede::exact::{Elastic, hertz, line_load};
+use crate::closed_forms::{Elastic, hertz, line_load};
 use recede::{
     BlockSystem, Contact, Exponential, FreeChain, HalfPlane, Homogeneous, Load, Model, Plane, Punch, Solution, Stack,
     StackBuilder, Wave,

@@ -137,7 +137,7 @@ fn a_half_plane_is_nowhere_in_tension() {
     // McEwen's stresses on the axis, σ_zz = ν (σ_xx + σ_yy): the largest of a function of the depth
     let contact = &solution.contacts()[0];
     let von_mises = |d: f64| {
-        let [xx, yy, _] = recede::exact::mcewen::stresses(contact.reach(), contact.central_pressure, 0.0, d);
+        let [xx, yy, _] = crate::closed_forms::mcewen::stresses(contact.reach(), contact.central_pressure, 0.0, d);
         let zz = 0.25 * (xx + yy);
         (0.5 * ((xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2))).sqrt()
     };

@@ -139,7 +139,7 @@ fn loose_layers_do_not_care_how_hard_the_punch_is_pressed() {
         close(heavy.central_pressure, 3e9 * light.central_pressure, 1e-12, "pressure");
     }
     // a narrow punch is a line load
-    let line = recede::exact::line_load::EQUAL_MODULI;
+    let line = crate::closed_forms::line_load::EQUAL_MODULI;
     let narrow = self::model(stack().layer(strip(1.0)).receding().layer(ground(1.0)));
     close(press(&narrow, 1e-4).contacts()[1].half_length().unwrap(), line, 1e-7, "half-length under a narrow punch");
 }

@@ -2,8 +2,8 @@
 //!
 //! Goal: sliding layers and springs are what closed forms and the limits of one another say; stresses and jumps inside are
 //! those that the interface allows; and all reports know them.
+use crate::closed_forms::{Elastic, strip};
 use proptest::prelude::*;
-use recede::exact::{Elastic, strip};
 use recede::{
     BaseChain, BlockSystem, Exponential, FreeChain, HalfPlane, Homogeneous, Model, Plane, Punch, Scene, Solution,
     Spring, Stack, StackBuilder, StackProblem, Wave, Winkler,

@@ -12,11 +12,11 @@
 //! ```
 use std::f64::consts::PI;
 
+use crate::closed_forms::{Elastic, hertz};
 use crate::support::innermost_end;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
-use recede::exact::{Elastic, hertz};
 use recede::selftest::{Ply, Ranges, Scenario, Units, scene_of_any_kind_in_units};
 use recede::{Error, Interface, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 

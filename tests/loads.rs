@@ -3,11 +3,11 @@
 //! Goal: under a line load a loose strip has the contacts of the literature, whatever the force; wider loads come from and go
 //! to what they must; fields are those of the prescribed traction.
 //!
-//! Source of the numbers: `recede::exact::line_load`.
+//! Source of the numbers: `crate::closed_forms::line_load`.
 use crate::support;
 
+use crate::closed_forms::line_load;
 use crate::support::outwards;
-use recede::exact::line_load;
 use recede::{
     ContactError, Error, Exponential, HalfPlane, Homogeneous, Interval, Load, Method, Model, Options, Plane, Punch,
     Scene, Solution, Stack, StackBuilder,

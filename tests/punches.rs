@@ -4,10 +4,10 @@
 //! punches that are the same by another name make the same contact; and where nothing is known in closed form, both methods
 //! agree.
 //!
-//! Source: `recede::exact::punches` and `recede::exact::hertz`.
+//! Source: `crate::closed_forms::punches` and `crate::closed_forms::hertz`.
 use std::f64::consts::PI;
 
-use recede::exact::{Elastic, hertz, punches};
+use crate::closed_forms::{Elastic, hertz, punches};
 use recede::{
     Exponential, HalfPlane, Homogeneous, Interval, Method, Model, Options, Plane, Punch, Scene, Solution, Stack,
 };

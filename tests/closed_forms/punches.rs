@@ -35,13 +35,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::Elastic;
 
 /// Force that presses a punch of height coefficient · |x|^exponent, exponent ≥ 1, to the half-length `half_length`.
-///
-/// ```
-/// use recede::exact::{Elastic, hertz, punches};
-/// let material = Elastic::plane_strain(1.0, 0.25);
-/// let force = punches::power_force(material, 2.0, 0.5 / 500.0, 0.7);
-/// assert!((hertz::parabola(material, 500.0, force).half_length() - 0.7).abs() < 1e-14);
-/// ```
 pub fn power_force(material: Elastic, exponent: f64, coefficient: f64, half_length: f64) -> f64 {
     2.0 * exponent * coefficient * half_length.powf(exponent) * wallis(exponent) / material.flexibility()
 }
@@ -72,14 +65,6 @@ pub fn rounded_flat_force(material: Elastic, flat: f64, radius: f64, half_length
 }
 
 /// Pressure at |x| < `half_length` under a flat punch with rounded corners.
-///
-/// ```
-/// use recede::exact::{Elastic, hertz, punches};
-/// let material = Elastic::plane_strain(1.0, 0.25);
-/// let hertz = hertz::parabola(material, 500.0, 0.002);
-/// let (a, x) = (hertz.half_length(), 0.3);
-/// assert!((punches::rounded_flat_pressure(material, 0.0, 500.0, a, x) / hertz.pressure(x) - 1.0).abs() < 1e-14);
-/// ```
 pub fn rounded_flat_pressure(material: Elastic, flat: f64, radius: f64, half_length: f64, x: f64) -> f64 {
     let (corner, phi) = ((flat / half_length).asin(), (x.abs() / half_length).asin());
     let scale = half_length / (PI * radius * material.flexibility());
@@ -109,8 +94,8 @@ fn wallis(power: f64) -> f64 {
     factor * FRAC_PI_2.sqrt() * (2.0 / (2.0 * nu + 1.0)).sqrt() * series
 }
 
-#[cfg(test)]
 mod tests {
+    use super::super::hertz;
     use super::*;
 
     const MATERIAL: Elastic = Elastic { shear_modulus: 1.3, kappa: 1.9 };
@@ -158,5 +143,20 @@ mod tests {
         let (c, a) = (0.3, 0.7);
         let central = 4.0 * c / MATERIAL.flexibility() * a * 0.5 * a * a;
         assert!((power_central_pressure(MATERIAL, 4.0, c, a) / central - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_second_power_is_a_parabola() {
+        let material = Elastic::plane_strain(1.0, 0.25);
+        let force = power_force(material, 2.0, 0.5 / 500.0, 0.7);
+        assert!((hertz::parabola(material, 500.0, force).half_length() - 0.7).abs() < 1e-14);
+    }
+
+    #[test]
+    fn without_a_flat_part_the_pressure_is_an_ellipse() {
+        let material = Elastic::plane_strain(1.0, 0.25);
+        let parabola = hertz::parabola(material, 500.0, 0.002);
+        let (a, x) = (parabola.half_length(), 0.3);
+        assert!((rounded_flat_pressure(material, 0.0, 500.0, a, x) / parabola.pressure(x) - 1.0).abs() < 1e-14);
     }
 }

@@ -53,14 +53,6 @@ enum Profile {
 }
 
 /// The parabola y = x²/(2R), pressed on the half-plane by a force.
-///
-/// ```
-/// use recede::exact::{Elastic, hertz};
-/// let material = Elastic { shear_modulus: 1.0, kappa: 2.0 };
-/// let contact = hertz::parabola(material, 500.0, 0.002);
-/// assert!((contact.half_length() - (0.002 * 500.0 * 3.0 / (2.0 * std::f64::consts::PI)).sqrt()).abs() < 1e-15);
-/// assert!((contact.force() - 0.002).abs() < 1e-17);
-/// ```
 pub fn parabola(material: Elastic, radius: f64, force: f64) -> Contact {
     let half_length = (2.0 * material.flexibility() * radius * force / PI).sqrt();
     Contact { profile: Profile::Parabola, material, radius, half_length }
@@ -69,16 +61,6 @@ pub fn parabola(material: Elastic, radius: f64, force: f64) -> Contact {
 /// The circular cylinder of the given radius, pressed on the half-plane by a force.
 ///
 /// `None` if an argument is not positive, or if the contact reaches the horizontal diameter to rounding.
-///
-/// ```
-/// use recede::exact::{Elastic, hertz};
-/// let material = Elastic::plane_strain(1.0, 0.25);
-/// let contact = hertz::cylinder(material, 10.0, 2.0).unwrap();
-/// // A circle is steeper than its parabola: the contact is smaller.
-/// assert!(contact.half_length() < hertz::parabola(material, 10.0, 2.0).half_length());
-/// assert!((contact.force() - 2.0).abs() < 1e-14);
-/// assert!(hertz::cylinder(material, 10.0, 1e6).is_none());
-/// ```
 pub fn cylinder(material: Elastic, radius: f64, force: f64) -> Option<Contact> {
     // K - E = q, solved for w in k = tanh w, where d(K - E)/dw = k E: between (π/4) w² and w + ln 2 - 1.
     let q = 0.5 * material.flexibility() * force / radius;
@@ -101,13 +83,6 @@ pub fn cylinder(material: Elastic, radius: f64, force: f64) -> Option<Contact> {
 }
 
 /// The force that presses a circular cylinder down to a given half-length of contact; `None` unless 0 < a < R.
-///
-/// ```
-/// use recede::exact::{Elastic, hertz};
-/// let material = Elastic::plane_strain(1.0, 0.25);
-/// let force = hertz::cylinder_force(material, 10.0, 6.0).unwrap();
-/// assert!((hertz::cylinder(material, 10.0, force).unwrap().half_length() - 6.0).abs() < 1e-13);
-/// ```
 pub fn cylinder_force(material: Elastic, radius: f64, half_length: f64) -> Option<f64> {
     let k = half_length / radius;
     (k > 0.0 && k < 1.0)
@@ -137,15 +112,6 @@ impl Contact {
     }
 
     /// The pressure at `x`; zero outside the contact.
-    ///
-    /// ```
-    /// use recede::exact::{Elastic, hertz};
-    /// let material = Elastic::plane_strain(1.0, 0.25);
-    /// let contact = hertz::parabola(material, 100.0, 0.01);
-    /// let half = contact.pressure(0.6 * contact.half_length()) / contact.central_pressure();
-    /// assert!((half - 0.8).abs() < 1e-15);
-    /// assert_eq!(contact.pressure(contact.half_length()), 0.0);
-    /// ```
     pub fn pressure(&self, x: f64) -> f64 {
         let (a, radius, g) = (self.half_length, self.radius, self.material.flexibility());
         if x.abs() >= a {
@@ -222,7 +188,6 @@ impl Elliptic {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -320,5 +285,39 @@ mod tests {
             assert!(cylinder(MATERIAL, 1.0, bad).is_none() && cylinder(MATERIAL, bad, 1.0).is_none());
             assert!(cylinder_force(MATERIAL, 1.0, bad).is_none());
         }
+    }
+
+    #[test]
+    fn a_parabola_has_the_half_length_of_hertz() {
+        let material = Elastic { shear_modulus: 1.0, kappa: 2.0 };
+        let contact = parabola(material, 500.0, 0.002);
+        assert!((contact.half_length() - (0.002 * 500.0 * 3.0 / (2.0 * std::f64::consts::PI)).sqrt()).abs() < 1e-15);
+        assert!((contact.force() - 0.002).abs() < 1e-17);
+    }
+
+    #[test]
+    fn a_circle_makes_a_smaller_contact_than_its_parabola() {
+        let material = Elastic::plane_strain(1.0, 0.25);
+        let contact = cylinder(material, 10.0, 2.0).unwrap();
+        // A circle is steeper than its parabola: the contact is smaller.
+        assert!(contact.half_length() < parabola(material, 10.0, 2.0).half_length());
+        assert!((contact.force() - 2.0).abs() < 1e-14);
+        assert!(cylinder(material, 10.0, 1e6).is_none());
+    }
+
+    #[test]
+    fn force_and_half_length_of_a_cylinder_are_inverses() {
+        let material = Elastic::plane_strain(1.0, 0.25);
+        let force = cylinder_force(material, 10.0, 6.0).unwrap();
+        assert!((cylinder(material, 10.0, force).unwrap().half_length() - 6.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn the_pressure_under_a_parabola_is_an_ellipse() {
+        let material = Elastic::plane_strain(1.0, 0.25);
+        let contact = parabola(material, 100.0, 0.01);
+        let half = contact.pressure(0.6 * contact.half_length()) / contact.central_pressure();
+        assert!((half - 0.8).abs() < 1e-15);
+        assert_eq!(contact.pressure(contact.half_length()), 0.0);
     }
 }
