@@ -166,7 +166,7 @@ fn stiffness(
 fn relative_error(solution: &Solution, ends: bool) -> f64 {
     let of = |contact: &Contact| {
         let a = contact.reach();
-        let end = contact.innermost().to_error / contact.innermost().to;
+        let end = contact.innermost().end_error();
         // nothing depends on an end that is not known at all
         2.0 * a * contact.central_pressure_error / contact.resultant + if ends && end < 1.0 { end } else { 0.0 }
     };
@@ -183,7 +183,7 @@ fn sunk(
 ) -> Result<[f64; 2], FieldError> {
     let window = |contact: &Contact| {
         let middle = contact.inside();
-        Window { middle, half: contact.innermost().to - middle }
+        Window { middle, half: contact.innermost().right - middle }
     };
     let windows: Vec<Window> = solution.contacts().iter().map(window).collect();
     let height = windows.first().map_or([0.0; 2], |window| mean(profile, &punch.starts(), window, stack.geometry()));

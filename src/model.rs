@@ -191,8 +191,8 @@ impl Model {
 
 /// The half-length of the contact under a punch, or the end of its innermost interval.
 fn half_length(solution: &Solution) -> Measured {
-    let part = solution.contacts().first().map(Contact::innermost).unwrap_or_default();
-    Measured { value: part.to, error: part.to_error }
+    let interval = solution.contacts().first().map(Contact::innermost).unwrap_or_default();
+    Measured { value: interval.right, error: interval.right_error }
 }
 
 impl Scene {
@@ -296,7 +296,7 @@ mod tests {
         let [found, expected] =
             [&model, &all].map(|model| model.press(&Punch::parabola(500.0).unwrap(), 2e-3).unwrap());
         for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
-            assert!((found.innermost().to / expected.innermost().to - 1.0).abs() < 1e-12);
+            assert!((found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-12);
             assert!((found.central_pressure / expected.central_pressure - 1.0).abs() < 1e-12);
         }
     }

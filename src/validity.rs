@@ -53,11 +53,11 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
     if punch.load().is_some() || punch.is_singular() && !punch.is_sharp() {
         return None;
     }
-    let places = |interval: Interval| {
-        let step = (interval.right - interval.left) / PLACES as f64;
-        (0..=PLACES).map(move |k| interval.left + step * k as f64)
+    let places = |&Interval { left, right, .. }: &Interval| {
+        let step = (right - left) / PLACES as f64;
+        (0..=PLACES).map(move |k| left + step * k as f64)
     };
-    let slopes = contact.intervals().into_iter().flat_map(places).map(|x| punch.slope(x).abs());
+    let slopes = contact.intervals().iter().flat_map(places).map(|x| punch.slope(x).abs());
     let steepest = slopes.fold(0.0, f64::max);
     let message = || {
         format!(

@@ -49,8 +49,9 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.
-const ROOMS: [&str; 13] = [
+const ROOMS: [&str; 14] = [
     "error",
+    "even",
     "problem",
     "answer",
     "integrals",

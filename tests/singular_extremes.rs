@@ -136,7 +136,7 @@ fn everywhere(solution: &Solution, field: &Field) -> Vec<recede::FieldPoint> {
     let longest = solution.extent().unwrap();
     let mut xs: Vec<f64> = (0..60).map(|k| 0.05 * f64::from(k) * longest).collect();
     for contact in solution.contacts() {
-        let ends = contact.intervals().into_iter().flat_map(|interval| [interval.left, interval.right]);
+        let ends = contact.intervals().iter().flat_map(|interval| [interval.left, interval.right]);
         xs.extend(ends.flat_map(|end| [-0.1, -0.01, -1e-3, 0.0, 1e-3, 0.01, 0.1].map(|s| end.abs() * (1.0 + s))));
     }
     xs.sort_by(f64::total_cmp);

@@ -99,11 +99,11 @@ impl Contact {
     #[getter]
     fn intervals<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let module = py.import("recede._solutions")?;
-        let of = |interval: recede::Interval| {
+        let of = |interval: &recede::Interval| {
             let recede::Interval { left, left_error, right, right_error, force, centroid } = interval;
             module.call_method1("Interval", (left, right, left_error, right_error, force, centroid))
         };
-        self.inner().intervals().into_iter().map(of).collect()
+        self.inner().intervals().iter().map(of).collect()
     }
 
     /// Pressure at places x, in stress; 0 outside the contact, NaN where x is NaN.

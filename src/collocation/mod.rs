@@ -16,9 +16,10 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
 use crate::scene::Punch;
-use crate::solution::{Interface, Part, Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Interface, Solution, Stats, Strip, Warning, WarningCode};
 
 use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::even::Part;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::{Problem, Side};
@@ -218,7 +219,7 @@ impl Collocation<'_> {
             let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a).collect();
             let peak = if problem.sides[i].is_sharp() { f64::INFINITY } else { level.peaks[i] };
             contacts.push(Found {
-                intervals: vec![Part { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a }],
+                parts: vec![Part { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a }],
                 peak,
                 peak_error: error.pressure * peak,
                 strips: vec![Strip::series(a, coefficients)],

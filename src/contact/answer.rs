@@ -1,17 +1,18 @@
 //! The one assembly of a solution: what was found of each contact, put into the units of the scene.
+use crate::contact::even::{Part, whole};
 use crate::contact::problem::load;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::{self, Kernel};
-use crate::solution::{Contact, Interface, Part, Solution, Stats, Strip, Warning};
+use crate::solution::{Contact, Interface, Solution, Stats, Strip, Warning};
 
 /// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
 pub(crate) struct Found {
-    /// Intervals of x ≥ 0 in which the bodies touch, one at least, from the middle outwards; errors are absolute.
-    pub(crate) intervals: Vec<Part>,
+    /// Where the bodies touch for x ≥ 0, one part at least, from the middle outwards.
+    pub(crate) parts: Vec<Part>,
     /// Pressure at x = 0, and its absolute error.
     pub(crate) peak: f64,
     pub(crate) peak_error: f64,
-    /// What the pressure is the sum of.
+    /// The pressures whose sum, with the mirror images of those beside x = 0, is the pressure of the contact.
     pub(crate) strips: Vec<Strip>,
 }
 
@@ -59,17 +60,18 @@ impl Found {
             to: to * length,
             to_error: to_error * length,
         };
-        let strips: Vec<Strip> = self.strips.into_iter().map(|strip| strip.scaled(length, unit)).collect();
-        let images = |strip: &Strip| if strip.at == 0.0 { 1.0 } else { 2.0 };
-        Contact {
+        let strips = self.strips.into_iter().map(|strip| strip.scaled(length, unit)).collect();
+        let (strips, intervals) = whole(strips, self.parts.into_iter().map(scaled).collect());
+        let contact = Contact {
             interface,
             central_pressure: self.peak * unit,
             // an infinite pressure is known
             central_pressure_error: if self.peak.is_finite() { self.peak_error * unit } else { 0.0 },
-            resultant: strips.iter().map(|strip| strip.resultant() * images(strip)).sum(),
+            resultant: strips.iter().map(Strip::resultant).sum(),
             strips,
-            parts: self.intervals.into_iter().map(scaled).collect(),
-        }
+            intervals,
+        };
+        contact.with_forces()
     }
 }
 

@@ -8,6 +8,7 @@ mod controlled;
 mod ends;
 mod equations;
 mod error;
+pub(crate) mod even;
 mod integrals;
 mod parts;
 pub(crate) mod problem;
@@ -142,13 +143,13 @@ mod tests {
             for force in [1e-4, 0.02] {
                 let expected = press(&kernel, None, &interfaces, &punch, force, &options).unwrap();
                 let top = &expected.contacts[0];
-                let given = Given::of(top.innermost().to / kernel.length(), &top.strips[0].coefficients);
+                let given = Given::of(top.innermost().right / kernel.length(), &top.strips[0].coefficients);
                 let mut problem = Problem::new(&kernel, &interfaces, &punch, force, options.tolerance);
                 problem.sides[0] = Side::Known(given);
                 let found = solve(&problem, None).unwrap();
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
                     assert!(
-                        (found.innermost().to / expected.innermost().to - 1.0).abs() < 1e-10,
+                        (found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-10,
                         "{found:?} {expected:?}"
                     );
                     assert!((found.central_pressure / expected.central_pressure - 1.0).abs() < 1e-9);

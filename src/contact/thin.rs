@@ -53,7 +53,8 @@ pub(super) fn solve(
             Found::Whole(solution) => return Ok(solution),
             Found::Without(solution) => {
                 let length = problem.kernel.length();
-                let found: Vec<f64> = solution.contacts.iter().map(|contact| contact.innermost().to / length).collect();
+                let found: Vec<f64> =
+                    solution.contacts.iter().map(|contact| contact.innermost().right / length).collect();
                 if problem.unknown().all(|i| (found[i] / half_lengths[i]).ln().abs() <= AS_LONG) {
                     return Ok(solution);
                 }
@@ -76,7 +77,7 @@ fn worst(solution: &Solution) -> f64 {
         let pressure = contact.central_pressure_error / contact.central_pressure;
         // a pressure of 0 is known, and an infinite one cannot be missed
         let known = contact.central_pressure == 0.0 || contact.central_pressure.is_infinite();
-        [contact.innermost().to_error / contact.innermost().to, if known { 0.0 } else { pressure }]
+        [contact.innermost().end_error(), if known { 0.0 } else { pressure }]
     });
     numeric::largest(errors)
 }
@@ -168,9 +169,9 @@ impl Thin {
     fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
         let solved = self.interfaces(interfaces);
         for contact in &mut solution.contacts {
-            for part in &mut contact.parts {
-                part.from_error += self.error * part.from;
-                part.to_error += self.error * part.to;
+            for interval in &mut contact.intervals {
+                interval.left_error += self.error * interval.left.abs();
+                interval.right_error += self.error * interval.right.abs();
             }
             if contact.central_pressure.is_finite() {
                 contact.central_pressure_error += self.error * contact.central_pressure.abs();

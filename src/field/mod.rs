@@ -369,7 +369,7 @@ fn pressure_error(contact: &Contact, mean: f64) -> f64 {
     // the pressure at x = 0 is extrapolated from the series, the field is that of the series itself
     let error = |peak: f64| contact.central_pressure_error + (contact.pressure(0.0) - peak).abs();
     let peak = if contact.central_pressure.is_finite() { error(contact.central_pressure) } else { 0.0 };
-    let ends = contact.innermost().to_error / contact.innermost().to;
+    let ends = contact.innermost().end_error();
     let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
     peak + if rounding.is_finite() { rounding } else { 0.0 }
 }

@@ -8,7 +8,7 @@ use crate::solution::{Contact, Form, Strip};
 /// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
 
-/// A sum of strips, each with its mirror strip.
+/// A sum of strips for x ≥ 0, each with its mirror image.
 #[derive(Clone, Debug)]
 pub(super) struct Pressure {
     /// The end of the farthest strip.
@@ -26,10 +26,12 @@ pub(super) struct Transform {
 }
 
 impl Pressure {
+    /// The pressure of a contact that is its own mirror image.
     pub(super) fn new(contact: &Contact) -> Self {
-        let strips = contact.strips.iter().map(|strip| (strip.at, StripPressure::new(strip))).collect();
+        let right = || contact.strips.iter().filter(|strip| strip.at >= 0.0);
         let end = |strip: &Strip| strip.at + strip.extent;
-        Self { half_length: contact.strips.iter().map(end).fold(0.0, f64::max), strips }
+        let half_length = right().map(end).fold(0.0, f64::max);
+        Self { half_length, strips: right().map(|strip| (strip.at, StripPressure::new(strip))).collect() }
     }
 
     /// Without the last terms of each series, as long as together they stay below this part of the largest one. The

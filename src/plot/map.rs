@@ -315,7 +315,7 @@ impl Map<'_> {
         };
         let mut from = left;
         for Interval { left: start, right: stop, .. } in contact.intervals() {
-            let [start, stop] = [start, stop].map(end);
+            let [start, stop] = [*start, *stop].map(end);
             picture.line(&[(from, y), (start, y)], open);
             picture.line(&[(start, y), (stop, y)], Stroke { colour: INK, width: 2.4, dash: None });
             from = stop;

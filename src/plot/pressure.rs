@@ -20,7 +20,7 @@ pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>>
     let most = if rises { HIGHEST_DRAWN * mean } else { f64::INFINITY };
     let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);
     let jumps = jumps(scene, contact);
-    let of = |Interval { left, right, .. }: Interval| {
+    let of = |&Interval { left, right, .. }: &Interval| {
         let inner = jumps.iter().copied().filter(|x| *x > left && *x < right);
         let ends: Vec<f64> = [left].into_iter().chain(inner).chain([right]).collect();
         let count = (POINTS / (ends.len() - 1)).max(FEWEST);
@@ -36,7 +36,7 @@ pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>>
         let last = Some((right, 0.0)).filter(|_| ends_low(curve.last()));
         first.into_iter().chain(curve).chain(last).collect()
     };
-    let wide = contact.intervals().into_iter().filter(|interval| interval.left < interval.right);
+    let wide = contact.intervals().iter().filter(|interval| interval.left < interval.right);
     wide.map(of).collect()
 }
 

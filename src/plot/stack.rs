@@ -168,7 +168,7 @@ impl Drawing<'_> {
             let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
             let mut from = 0.0;
             for Interval { left, right, .. } in contact.intervals() {
-                let [left, right] = [left, right].map(|x| self.x(x));
+                let [left, right] = [left, right].map(|x| self.x(*x));
                 if contact.interface != Interface::Punch {
                     picture.line(&[(from, y), (left, y)], open);
                 }

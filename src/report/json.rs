@@ -161,8 +161,8 @@ struct Interval {
 }
 
 impl Interval {
-    fn of(interval: solution::Interval) -> Self {
-        let solution::Interval { left, left_error, right, right_error, force, centroid } = interval;
+    fn of(interval: &solution::Interval) -> Self {
+        let solution::Interval { left, left_error, right, right_error, force, centroid } = *interval;
         Self { left, right, left_error, right_error, force, centroid }
     }
 }
@@ -181,7 +181,7 @@ impl Contact {
             peak_at: peak.x,
             peak_at_error: peak.x_error,
             resultant: contact.resultant,
-            intervals: contact.intervals().into_iter().map(Interval::of).collect(),
+            intervals: contact.intervals().iter().map(Interval::of).collect(),
         }
     }
 }

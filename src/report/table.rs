@@ -101,7 +101,7 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
         let name = report.name(contact);
         if contact.half_length().is_none() {
             // x ≥ 0 only: the rest is the mirror image, or the other half of a ring
-            for Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
+            for &Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = digits.rounded(force) + &line_load;
                 let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + &length);
                 match left + right {

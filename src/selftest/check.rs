@@ -8,7 +8,7 @@ use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::{Force, Punch, Scene};
-use crate::solution::{Contact, Interface, Part, Solution};
+use crate::solution::{Contact, Interface, Interval, Solution};
 
 /// Number of places per contact at which the sign of the pressure is checked.
 const PLACES: usize = 500;
@@ -138,7 +138,7 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     let Contact { central_pressure, central_pressure_error, .. } = *contact;
-    let Part { from: opening, to: half_length, to_error: half_length_error, .. } = contact.innermost();
+    let Interval { left: opening, right: half_length, right_error: half_length_error, .. } = contact.innermost();
     if contact.interface == Interface::Punch && scene.punch.load().is_some() {
         // the traction is prescribed
         return None;

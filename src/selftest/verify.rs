@@ -49,8 +49,12 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
     // a prescribed traction has no error
     let given = usize::from(scene.punch.load().is_some());
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
-        let lengths =
-            [found.innermost().to, found.innermost().to_error, strict.innermost().to, strict.innermost().to_error];
+        let lengths = [
+            found.innermost().right,
+            found.innermost().right_error,
+            strict.innermost().right,
+            strict.innermost().right_error,
+        ];
         let pressures = [
             found.central_pressure,
             found.central_pressure_error,

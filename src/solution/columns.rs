@@ -21,7 +21,7 @@ impl Contact {
     /// The numbers of these columns, NaN where there is none: of several intervals, how many there are, and where the first one
     /// begins and the last one ends.
     pub(crate) fn numbers(&self) -> [f64; Self::COLUMNS.len()] {
-        let (peak, intervals) = (self.peak(), self.intervals());
+        let (peak, intervals) = (self.peak(), &self.intervals);
         [
             self.half_length().unwrap_or(f64::NAN),
             self.half_length_error().unwrap_or(f64::NAN),

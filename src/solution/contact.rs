@@ -13,19 +13,10 @@ pub struct Contact {
     pub central_pressure_error: f64,
     /// Resultant of the pressure, force per unit length out of plane.
     pub resultant: f64,
-    /// What the pressure is the sum of.
+    /// The pressures whose sum is the pressure of the contact, from left to right.
     pub(crate) strips: Vec<Strip>,
-    /// Where the bodies touch for x ≥ 0, one part at least, outwards: the first begins at 0 unless the bodies are apart there.
-    pub(crate) parts: Vec<Part>,
-}
-
-/// An interval of x ≥ 0, with the absolute errors of its ends; together with its mirror image, where the bodies of a contact touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part {
-    pub(crate) from: f64,
-    pub(crate) from_error: f64,
-    pub(crate) to: f64,
-    pub(crate) to_error: f64,
+    /// Where the bodies touch, from left to right; one interval at least.
+    pub(crate) intervals: Vec<Interval>,
 }
 
 /// An interval in which the bodies of a contact touch. Lengths are in the unit of the scene.
@@ -40,7 +31,7 @@ pub(crate) struct Part {
 /// assert!((receding[0].force - 0.002).abs() < 1e-12 && receding[0].left == -receding[0].right);
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Interval {
     /// Where it begins.
     pub left: f64,
@@ -56,45 +47,69 @@ pub struct Interval {
     pub centroid: f64,
 }
 
+impl Interval {
+    /// An interval whose force is not known yet.
+    pub(crate) fn new([left, left_error]: [f64; 2], [right, right_error]: [f64; 2]) -> Self {
+        Self { left, left_error, right, right_error, force: 0.0, centroid: 0.0 }
+    }
+
+    /// Its mirror image about x = 0, without a force.
+    pub(crate) fn mirrored(&self) -> Self {
+        Self::new([-self.right, self.right_error], [-self.left, self.left_error])
+    }
+
+    /// The relative error of its end that is farther from x = 0.
+    pub(crate) fn end_error(&self) -> f64 {
+        if self.right.abs() < self.left.abs() { self.left_error / -self.left } else { self.right_error / self.right }
+    }
+}
+
 impl Contact {
     /// All intervals in which the bodies touch, or on which a load presses, from left to right.
-    pub fn intervals(&self) -> Vec<Interval> {
-        let mirrored = self.parts.iter().rev().filter(|part| part.from > 0.0).map(|part| part.mirrored());
-        let mut intervals: Vec<Interval> = mirrored.chain(self.parts.iter().map(Part::interval)).collect();
-        self.share(&mut intervals);
-        intervals
+    pub fn intervals(&self) -> &[Interval] {
+        &self.intervals
     }
 
     /// The half-length a of a contact that is one interval |x| < a; `None` if it is none, or several.
     pub fn half_length(&self) -> Option<f64> {
-        self.whole().map(|part| part.to)
+        self.whole().map(|interval| interval.right)
     }
 
     /// The solver's estimate of the absolute error of [`Self::half_length`]; as large as that where the pressure decays before an
     /// end is found, on which nothing else depends.
     pub fn half_length_error(&self) -> Option<f64> {
-        self.whole().map(|part| part.to_error)
+        self.whole().map(|interval| interval.right_error)
     }
 
-    /// The contact, if it is one interval.
-    fn whole(&self) -> Option<&Part> {
-        self.parts.first().filter(|part| part.from == 0.0 && self.parts.len() == 1)
+    /// The contact, if it is one interval that is symmetric about x = 0.
+    fn whole(&self) -> Option<&Interval> {
+        self.intervals.first().filter(|interval| interval.left == -interval.right && self.intervals.len() == 1)
     }
 
-    /// The innermost part for x ≥ 0.
-    pub(crate) fn innermost(&self) -> Part {
-        self.parts.first().copied().unwrap_or_default()
+    /// The interval about x = 0; where the bodies are apart there, the next one to the right, or the last one of all.
+    pub(crate) fn innermost(&self) -> Interval {
+        let next = self.intervals.iter().find(|interval| interval.right >= 0.0);
+        next.or(self.intervals.last()).copied().unwrap_or_default()
     }
 
-    /// A place x ≥ 0 at which the bodies touch: 0 unless they are apart there.
+    /// A place at which the bodies touch: 0 unless they are apart there.
     pub(crate) fn inside(&self) -> f64 {
-        let innermost = self.innermost();
-        if innermost.from == 0.0 { 0.0 } else { 0.5 * (innermost.from + innermost.to) }
+        let Interval { left, right, .. } = self.innermost();
+        if left <= 0.0 && right >= 0.0 { 0.0 } else { 0.5 * (left + right) }
     }
 
-    /// As far as the bodies touch: the half-length, or the end of the last interval.
+    /// As far as the bodies touch on either side of x = 0: the half-length, or the distance of the farthest end.
     pub fn reach(&self) -> f64 {
-        self.parts.last().map_or(0.0, |part| part.to)
+        let ends = self.intervals.first().zip(self.intervals.last());
+        ends.map_or(0.0, |(first, last)| last.right.max(-first.left))
+    }
+
+    /// Whether the contact is its own mirror image about x = 0.
+    pub(crate) fn is_even(&self) -> bool {
+        let strips = self.strips.iter().zip(self.strips.iter().rev());
+        let intervals = self.intervals.iter().zip(self.intervals.iter().rev());
+        strips.into_iter().all(|(strip, other)| strip.is_image_of(other))
+            && intervals.into_iter().all(|(interval, other)| interval.left == -other.right)
     }
 
     /// Contact pressure at `x` (compression positive); zero outside the contact.
@@ -105,21 +120,24 @@ impl Contact {
         self.strips.iter().map(|strip| strip.pressure(x)).sum()
     }
 
-    /// Gives each strip of the pressure to the interval that it lies in; in low-accuracy answers one may lie next to it.
-    fn share(&self, intervals: &mut [Interval]) {
+    /// The same with the force and the centroid of each interval: a pressure belongs to the interval that it lies in; in low-accuracy
+    /// answers it may lie next to it.
+    pub(crate) fn with_forces(mut self) -> Self {
+        let intervals = &mut self.intervals;
         if self.strips.iter().any(|strip| strip.is_round) {
-            // one disc or ring; its images are the halves of it
+            // one disc, or a ring whose halves are the intervals
             let share = self.resultant / intervals.len() as f64;
             for interval in intervals {
                 (interval.force, interval.centroid) = (share, 0.5 * (interval.left + interval.right));
             }
-            return;
+            return self;
         }
-        for (middle, resultant, moment) in self.strips.iter().flat_map(Strip::images) {
+        for strip in &self.strips {
+            let (middle, resultant) = (strip.at, strip.resultant());
             let outside = |interval: &Interval| (interval.left - middle).max(middle - interval.right).max(0.0);
             if let Some(own) = intervals.iter_mut().min_by(|a, b| outside(a).total_cmp(&outside(b))) {
                 own.force += resultant;
-                own.centroid += resultant * middle + moment;
+                own.centroid += resultant * middle + strip.moment();
             }
         }
         for Interval { left, right, force, centroid, .. } in intervals {
@@ -127,24 +145,6 @@ impl Contact {
             *centroid =
                 if is_in_the_middle { 0.5 * (*left + *right) } else { (*centroid / *force).clamp(*left, *right) };
         }
-    }
-}
-
-impl Default for Part {
-    fn default() -> Self {
-        Self { from: 0.0, from_error: 0.0, to: 0.0, to_error: 0.0 }
-    }
-}
-
-impl Part {
-    /// The interval for x ≥ 0, or both images where it begins at 0.
-    fn interval(&self) -> Interval {
-        let (left, left_error) = if self.from > 0.0 { (self.from, self.from_error) } else { (-self.to, self.to_error) };
-        Interval { left, left_error, right: self.to, right_error: self.to_error, force: 0.0, centroid: 0.0 }
-    }
-
-    fn mirrored(&self) -> Interval {
-        let (left, left_error) = (-self.to, self.to_error);
-        Interval { left, left_error, right: -self.from, right_error: self.from_error, force: 0.0, centroid: 0.0 }
+        self
     }
 }

@@ -9,7 +9,6 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
-pub(crate) use contact::Part;
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums, jacobi_weights};

@@ -1,5 +1,5 @@
 //! The largest pressure of a contact.
-use super::{Contact, Form, Strip};
+use super::{Contact, Form, Interval, Strip};
 
 /// A strip is looked at in this many places for each term of its series: the highest term is seen at three places of each of its
 /// arches. Between them the largest pressure is found by golden sections.
@@ -17,7 +17,7 @@ pub struct Peak {
     pub pressure: f64,
     /// The solver's estimate of its absolute error; 0 if it is infinite.
     pub error: f64,
-    /// Where it is, x ≥ 0: the pressure is the same at −x.
+    /// Where it is; of a contact that is its own mirror image x ≥ 0, since the pressure is the same at −x.
     pub x: f64,
     /// How far off that may be: a pressure that hardly varies about its largest value says little of the place.
     pub x_error: f64,
@@ -26,8 +26,10 @@ pub struct Peak {
 impl Peak {
     /// The largest pressure of a contact.
     pub(super) fn of(contact: &Contact) -> Self {
+        // what is even is looked at for x ≥ 0
+        let is_even = contact.is_even();
         let infinite = contact.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
-        if let Some(x) = infinite.reduce(f64::min) {
+        if let Some(x) = infinite.filter(|x| !is_even || *x >= 0.0).reduce(f64::min) {
             return Self { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
         }
         let pressure = |x: f64| contact.pressure(x);
@@ -35,7 +37,7 @@ impl Peak {
         let mut best = (0.0, middle);
         let by_rounding = 1.0 + 4.0 * f64::EPSILON;
         for strip in &contact.strips {
-            let places = strip.places();
+            let places: Vec<f64> = strip.places().filter(|x| !is_even || *x > 0.0).collect();
             for (k, x) in places.iter().enumerate() {
                 let here = pressure(*x);
                 if here > best.1 * by_rounding {
@@ -92,13 +94,12 @@ fn flat(function: &dyn Fn(f64) -> f64, x: f64, largest: f64, error: f64, most: f
 }
 
 impl Strip {
-    /// Places inside a strip, those x ≥ 0, dense next to its ends.
-    fn places(&self) -> Vec<f64> {
+    /// Places inside a strip, dense next to its ends.
+    fn places(&self) -> impl Iterator<Item = f64> {
         let terms = self.coefficients.len().max(self.skew.len());
         let count = if self.form == Form::Uniform { 2 } else { (PER_TERM * terms).clamp(PLACES[0], PLACES[1]) };
-        let place = |k: usize| self.at - self.extent * (std::f64::consts::PI * k as f64 / count as f64).cos();
-        // an image about x = 0 has the same pressure on both sides
-        (1..count).map(place).filter(|x| *x > 0.0 || self.at > 0.0).collect()
+        let place = move |k: usize| self.at - self.extent * (std::f64::consts::PI * k as f64 / count as f64).cos();
+        (1..count).map(place)
     }
 }
 
@@ -133,7 +134,7 @@ impl Contact {
 
     /// The largest relative error of an end that is known.
     fn end_error(&self) -> f64 {
-        let errors = self.parts.iter().map(|part| part.to_error / part.to).filter(|error| *error < 1.0);
-        errors.fold(0.0, f64::max)
+        let errors = self.intervals.iter().map(Interval::end_error);
+        errors.filter(|error| *error < 1.0).fold(0.0, f64::max)
     }
 }

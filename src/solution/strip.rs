@@ -9,16 +9,16 @@ const ROTATED: usize = 64;
 /// Factors of so many Jacobi polynomials are tabulated.
 const USUAL: usize = 4096;
 
-/// A pressure on |x − at| < extent, symmetric about x = at, and where `at` is not 0 its mirror image. In stress.
+/// A pressure on |x − at| < extent, in stress.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Strip {
-    /// Where its middle is, ≥ 0, in length.
+    /// Where its middle is, in length.
     pub(crate) at: f64,
     /// Half-length a of the strip, 0 of a line load.
     pub(crate) extent: f64,
     /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
     pub(crate) coefficients: Vec<f64>,
-    /// Coefficients of sin((2m + 2) φ), which the mirror image has with the other sign.
+    /// Coefficients of sin((2m + 2) φ), of what is odd about the middle.
     pub(crate) skew: Vec<f64>,
     /// How strong it is next to the sharp corners of a punch; 0 if there are none.
     pub(crate) corners: f64,
@@ -72,7 +72,7 @@ impl Strip {
         self
     }
 
-    /// The resultant of one image.
+    /// Its resultant.
     pub(crate) fn resultant(&self) -> f64 {
         if self.form == Form::Line {
             return self.coefficients.iter().sum();
@@ -84,8 +84,9 @@ impl Strip {
         0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
     }
 
-    /// Pressure of one image at a distance from its middle; `mirror` is its sign in what is odd about that.
-    fn image(&self, x: f64, mirror: f64) -> f64 {
+    /// The pressure at a place.
+    pub(crate) fn pressure(&self, x: f64) -> f64 {
+        let x = x - self.at;
         if self.form == Form::Line {
             return if x == 0.0 { f64::INFINITY } else { 0.0 };
         }
@@ -115,18 +116,26 @@ impl Strip {
                 if self.is_round {
                     return jacobi_sum(&self.coefficients, s.abs()) + corners + tip;
                 }
-                sine_sum(&self.coefficients, 1, phi) + mirror * sine_sum(&self.skew, 2, phi) + corners + tip
+                sine_sum(&self.coefficients, 1, phi) + sine_sum(&self.skew, 2, phi) + corners + tip
             }
         }
     }
 
-    /// Middle, resultant, and moment about the middle of each image.
-    pub(super) fn images(&self) -> impl Iterator<Item = (f64, f64, f64)> + use<> {
+    /// Its moment about the middle, ∫ (x − at) p dx.
+    pub(super) fn moment(&self) -> f64 {
         // ∫ x sin 2φ dx with x = a cos φ
-        let moment = 0.25 * PI * self.extent.powi(2) * self.skew.first().copied().unwrap_or(0.0);
-        let (at, resultant) = (self.at, self.resultant());
-        let count = if at == 0.0 { 1 } else { 2 };
-        [(at, resultant, moment), (-at, resultant, -moment)].into_iter().take(count)
+        0.25 * PI * self.extent.powi(2) * self.skew.first().copied().unwrap_or(0.0)
+    }
+
+    /// Its mirror image about x = 0.
+    pub(crate) fn mirrored(&self) -> Self {
+        Self { at: -self.at, skew: self.skew.iter().map(|c| -c).collect(), ..self.clone() }
+    }
+
+    /// Whether it is the mirror image of another one.
+    pub(super) fn is_image_of(&self, other: &Self) -> bool {
+        let is_opposite = self.skew.iter().zip(&other.skew).all(|(c, other)| *c == -other);
+        is_opposite && *self == Self { at: -other.at, skew: self.skew.clone(), ..other.clone() }
     }
 
     /// Where the pressure is infinite, from the middle of the strip.
@@ -137,13 +146,6 @@ impl Strip {
             _ if self.corners != 0.0 => Some(self.extent),
             _ => None,
         }
-    }
-
-    pub(crate) fn pressure(&self, x: f64) -> f64 {
-        if self.at == 0.0 {
-            return self.image(x, 1.0);
-        }
-        self.image(x - self.at, 1.0) + self.image(x + self.at, -1.0)
     }
 }
 

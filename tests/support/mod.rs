@@ -47,7 +47,7 @@ pub fn texts(svg: &[u8]) -> String {
 
 /// The intervals of a contact for x ≥ 0, outwards; the first is that about x = 0 unless the bodies are apart there.
 pub fn outwards(contact: &recede::Contact) -> Vec<recede::Interval> {
-    contact.intervals().into_iter().filter(|interval| interval.right >= 0.0).collect()
+    contact.intervals().iter().copied().filter(|interval| interval.right >= 0.0).collect()
 }
 
 /// Where the innermost of them ends, and the error of that.

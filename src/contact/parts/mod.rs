@@ -11,6 +11,7 @@ mod newton;
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::LAYOUT_SERVES;
+use crate::contact::even::Part;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
@@ -19,7 +20,7 @@ use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::solution::{Part, Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Solution, Stats, Strip, Warning, WarningCode};
 use gaps::Check;
 use interval::Interval;
 use newton::{Way, converge};
@@ -305,11 +306,11 @@ fn found(level: &Level, errors: &Errors) -> Vec<Found> {
             None => {
                 let (peak, error) = peaks.next().unwrap_or((0.0, &0.0));
                 let peak_error = error * peak.abs();
-                let own = Found { intervals: vec![part], peak, peak_error, strips: vec![strip] };
+                let own = Found { parts: vec![part], peak, peak_error, strips: vec![strip] };
                 contacts.push((interval.contact, own));
             }
             Some((_, found)) => {
-                found.intervals.push(part);
+                found.parts.push(part);
                 found.strips.push(strip);
             }
         }

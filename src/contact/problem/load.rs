@@ -1,9 +1,10 @@
 //! A given pressure on top, in place of what a punch would do: its transform is known for any wavenumber.
 use std::f64::consts::PI;
 
+use crate::contact::even::{Part, whole};
 use crate::numeric::bessel;
 use crate::scene::Load;
-use crate::solution::{Contact, Form, Interface, Part, Strip};
+use crate::solution::{Contact, Form, Interface, Strip};
 
 use crate::contact::problem::accuracy::ROUNDING;
 #[cfg(test)]
@@ -121,20 +122,23 @@ fn round(strip: Strip, force: f64) -> Strip {
 
 /// What is said of a load in place of a contact: nothing of it is unknown.
 pub(crate) fn contact(load: &Load, interface: Interface, force: f64, twin: Twin) -> Contact {
-    let (strips, parts) = (strips(load, force, twin), parts(load));
-    Contact {
+    let parts = parts(load);
+    let is_open = parts[0].from > 0.0;
+    let (strips, intervals) = whole(strips(load, force, twin), parts);
+    let contact = Contact {
         interface,
         central_pressure: match twin {
             Twin::Plane => load.central_pressure(force),
-            Twin::Round if parts[0].from > 0.0 => 0.0,
+            Twin::Round if is_open => 0.0,
             Twin::Round if load.has_lines() => f64::INFINITY,
             Twin::Round => strips.iter().map(|strip| strip.pressure(0.0)).sum(),
         },
         central_pressure_error: 0.0,
         resultant: force,
-        parts,
         strips,
-    }
+        intervals,
+    };
+    contact.with_forces()
 }
 
 /// Where a load presses for x ≥ 0, what overlaps as one.

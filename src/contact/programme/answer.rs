@@ -3,11 +3,12 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::even::Part;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
-use crate::solution::{Form, Part, Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Form, Solution, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
 use super::{Cycle, FINE, UNRESOLVED, cycles};
@@ -39,12 +40,12 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         return None;
     }
     let side = &problem.sides[contact];
-    let intervals = intervals(last, i, side)?;
-    let is_open = intervals[0].from > 0.0;
+    let parts = parts(last, i, side)?;
+    let is_open = parts[0].from > 0.0;
     let middle = |round: &Cycle| round.pressure(i, 0);
     let change = if is_open || side.is_sharp() { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     // next to nothing depends on ends that are not known better than the grid resolves them
-    let lengths = intervals.iter().map(|part| part.to_error / part.to).zip(&intervals);
+    let lengths = parts.iter().map(|part| part.to_error / part.to).zip(&parts);
     let lengths = lengths.filter(|(_, part)| part.to_error <= last.resolution(part.to)).map(|(error, _)| error);
     // stiff layers wrapped round a punch may carry a pressure next to nothing about x = 0
     let worst = largest(lengths.chain([change / last.largest(i)]));
@@ -58,16 +59,11 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         () => middle(last) / force,
     };
     // elements well inside a contact are the same on all grids: no better than the coarse ones
-    Some(Found {
-        intervals,
-        peak,
-        peak_error: super::COARSE.ends * peak + change / force,
-        strips: last.strips(i, force),
-    })
+    Some(Found { parts, peak, peak_error: super::COARSE.ends * peak + change / force, strips: last.strips(i, force) })
 }
 
 /// Where contact i of the programme touches, from the middle outwards.
-fn intervals(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
+fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
     let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
     let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { last.resolution(end) };

@@ -36,7 +36,7 @@ fn half_lengths_are_those_of_the_quadratic_programme() {
         let active = active(problem, expected, 0.0).unwrap();
         for (active, contact) in active.iter().zip(solution.contacts()) {
             assert_eq!(active.separate.len(), 1, "{number}: {active:?}");
-            let error = active.end() * problem.kernel.length() / contact.innermost().to - 1.0;
+            let error = active.end() * problem.kernel.length() / contact.innermost().right - 1.0;
             assert!(error.abs() < SAFETY * COARSE.ends, "{number}, {}: {error}", contact.interface);
         }
     });
@@ -49,13 +49,13 @@ fn its_own_answer_is_as_good_as_it_says() {
         for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
             assert!((coarse.resultant / fine.resultant - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
             assert!(
-                (coarse.innermost().to - fine.innermost().to).abs() < coarse.innermost().to_error,
+                (coarse.innermost().right - fine.innermost().right).abs() < coarse.innermost().right_error,
                 "{number}: {coarse:?}"
             );
             let pressure = (coarse.central_pressure - fine.central_pressure).abs();
             assert!(pressure < coarse.central_pressure_error, "{number}, {}: {pressure}", coarse.interface);
             // and so is the pressure elsewhere, on average
-            let off = (0..50).map(|k| 0.9 * fine.innermost().to * (f64::from(k) + 0.5) / 50.0);
+            let off = (0..50).map(|k| 0.9 * fine.innermost().right * (f64::from(k) + 0.5) / 50.0);
             let off: f64 = off.map(|x| (coarse.pressure(x) - fine.pressure(x)).abs() / 50.0).sum();
             assert!(off < 0.1 * fine.central_pressure, "{number}, {}: {off}", coarse.interface);
         }
@@ -89,8 +89,12 @@ fn corners_tips_and_given_loads_are_known_as_well() {
                 continue;
             };
             for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
-                let off = (coarse.innermost().to - fine.innermost().to).abs();
-                assert!(off <= coarse.innermost().to_error, "{number}, {punch:?}: {coarse:?} {}", fine.innermost().to);
+                let off = (coarse.innermost().right - fine.innermost().right).abs();
+                assert!(
+                    off <= coarse.innermost().right_error,
+                    "{number}, {punch:?}: {coarse:?} {}",
+                    fine.innermost().right
+                );
                 if fine.central_pressure.is_finite() {
                     let off = (coarse.central_pressure - fine.central_pressure).abs();
                     assert!(off <= coarse.central_pressure_error, "{number}, {punch:?}: {off} {}", coarse.interface);

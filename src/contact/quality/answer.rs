@@ -3,12 +3,13 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::Work;
+use crate::contact::even::Part;
 use crate::contact::problem::Problem;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible::{Check, Recontact};
 use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
 use crate::contact::quality::levels::Refined;
-use crate::solution::{Part, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Stats, Strip, Warning, WarningCode};
 
 /// The answer that a level is, and what the user should know of it.
 pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Work) -> Answer {
@@ -51,7 +52,7 @@ fn found(twin: Twin, level: &Level, i: usize) -> Found {
     let (error, peak, size) = (level.errors[i], level.peaks[i] * unit, level.sizes[i] * unit);
     let to_error = error.length * half_length;
     Found {
-        intervals: vec![Part { from: 0.0, from_error: 0.0, to: half_length, to_error }],
+        parts: vec![Part { from: 0.0, from_error: 0.0, to: half_length, to_error }],
         peak,
         peak_error: if peak.is_finite() { error.pressure * size } else { f64::INFINITY },
         strips: vec![Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) }],

@@ -152,7 +152,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             Err(error) => return Err(error),
         };
         let contacts = &attempt.solution.contacts;
-        let errors = contacts.iter().map(|contact| contact.innermost().to_error / contact.innermost().to);
+        let errors = contacts.iter().map(|contact| contact.innermost().end_error());
         let endless = errors.clone().filter(|error| *error >= ENDLESS).count();
         let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
         let knows_all = self.knows_all(&attempt);
@@ -177,11 +177,11 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         let length = self.problem.kernel.length();
         let is_same = |solution: &Solution| {
             let contacts = solution.contacts.iter().zip(active);
-            let mut known =
-                contacts.filter(|(contact, _)| contact.innermost().to_error < CONFIRMED * contact.innermost().to);
+            let mut known = contacts.filter(|(contact, _)| contact.innermost().end_error() < CONFIRMED);
             !active.is_empty()
-                && known
-                    .all(|(contact, active)| (contact.innermost().to / (active.end() * length)).ln().abs() < CONFIRMED)
+                && known.all(|(contact, active)| {
+                    (contact.innermost().right / (active.end() * length)).ln().abs() < CONFIRMED
+                })
         };
         let (_, attempt) = self.doubtful.take_if(|(_, attempt)| is_same(&attempt.solution))?;
         Some(attempt.solution)
