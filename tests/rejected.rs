@@ -1,17 +1,28 @@
 //! Rejected input: line, column, what was found, what is allowed and what to do, with exit status 2.
 //!
-//! Each `tests/rejected/GROUP/NAME.ron` has beside it `NAME.txt`: the command, its exit status and all that it writes to
-//! standard error. Scenes of `tests/accepted` look like mistakes and are none.
+//! Each `tests/rejected/THEME.txt` holds cases one after the other:
 //!
-//! After a deliberate change of messages, or for a new scene, run
+//! ```text
+//! == NAME
+//! the scene, called NAME.ron
+//! $ the command
+//! ? its exit status
+//! all that it writes to standard error
+//! ```
+//!
+//! In a scene `\r`, `\t`, `\\` and `\xff` stand for one byte, and a `\` at the end of a line for no new line. Scenes of
+//! `tests/accepted.txt` look like mistakes and are none; they have no command.
+//!
+//! After a deliberate change of messages, or for a new case without a command, run
 //!
 //! ```text
 //! RECEDE_REWRITE=1 cargo test --locked --test all rejected::
 //! ```
 //!
-//! which writes every `NAME.txt` again, and read the difference before committing it. Where `CI` is set this is an error.
+//! which writes commands and messages again, and read the difference before committing it. Where `CI` is set this is an error.
 use crate::support;
 
+use std::collections::HashSet;
 use std::env;
 use std::fmt::Write;
 use std::fs;
@@ -19,49 +30,124 @@ use std::path::{Path, PathBuf};
 
 use support::{Run, recede, recede_in};
 
-/// The command of a scene without a text beside it.
+/// The command of a case that has none.
 const COMMAND: &str = "recede check";
+
+/// One case of a table.
+struct Case {
+    name: String,
+    /// The scene as it stands in the table.
+    scene: String,
+    /// The command, its exit status and what it writes.
+    expected: String,
+}
+
+impl Case {
+    /// The bytes of the scene.
+    fn bytes(&self) -> Vec<u8> {
+        let (mut bytes, mut rest) = (Vec::new(), &self.scene[..]);
+        while let Some((before, escape)) = rest.split_once('\\') {
+            bytes.extend(before.bytes());
+            let (found, length): (&[u8], usize) = match escape.as_bytes() {
+                [b'\n', ..] => (b"", 1),
+                [b'r', ..] => (b"\r", 1),
+                [b't', ..] => (b"\t", 1),
+                [b'\\', ..] => (b"\\", 1),
+                [b'x', _, _, ..] => (&[u8::from_str_radix(&escape[1..3], 16).unwrap()], 3),
+                _ => panic!("{}: an escape is none of those above", self.name),
+            };
+            bytes.extend(found);
+            rest = &escape[length..];
+        }
+        bytes.extend(rest.bytes());
+        bytes
+    }
+
+    /// The scene as a file in a folder of its theme.
+    fn file(&self, theme: &str) -> PathBuf {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scenes").join(theme);
+        fs::create_dir_all(&folder).unwrap();
+        let file = folder.join(format!("{}.ron", self.name));
+        fs::write(&file, self.bytes()).unwrap();
+        file
+    }
+
+    /// The command of the case, and how it ends.
+    fn found(&self, theme: &str) -> String {
+        let file = self.file(theme);
+        let name = format!("{}.ron", self.name);
+        let first = self.expected.lines().next().unwrap_or_default();
+        let command = first.strip_prefix("$ ").map_or(format!("{COMMAND} {name}"), str::to_owned);
+        let words: Vec<&str> = command.split(' ').collect();
+        assert_eq!((words[0], words[words.len() - 1]), ("recede", &name[..]), "{theme}");
+        let Run { status, stdout, stderr } = recede_in(file.parent().unwrap(), &words[1..], b"");
+        assert_eq!((status, &stdout[..]), (Some(2), ""), "{theme}, {name}: {stderr}");
+        format!("$ {command}\n? 2\n{stderr}")
+    }
+}
+
+/// The cases of a table.
+fn cases(table: &Path) -> Vec<Case> {
+    let text = format!("\n{}", fs::read_to_string(table).unwrap());
+    let mut parts = text.split("\n== ");
+    assert_eq!(parts.next(), Some(""), "{} begins with a case", table.display());
+    let case = |part: &str| {
+        let (name, body) = part.split_once('\n').unwrap();
+        let (scene, expected) = body.split_at(body.find("$ recede ").unwrap_or(body.len()));
+        Case { name: name.to_owned(), scene: scene.to_owned(), expected: expected.to_owned() }
+    };
+    let cases: Vec<Case> = parts.map(case).collect();
+    let names: HashSet<&str> = cases.iter().map(|case| &case.name[..]).collect();
+    assert_eq!(names.len(), cases.len(), "{}: a name stands twice", table.display());
+    cases
+}
+
+/// All tables of rejected scenes, in order.
+fn tables() -> Vec<PathBuf> {
+    let folder = tests().join("rejected");
+    let mut tables: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    tables.sort();
+    assert!(!tables.is_empty() && tables.iter().all(|table| table.extension().is_some_and(|ending| ending == "txt")));
+    tables
+}
+
+fn tests() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")
+}
 
 #[test]
 #[expect(clippy::disallowed_methods, reason = "who changes a message rewrites all, see above")]
-fn scenes_are_rejected_with_the_message_beside_them() {
+fn scenes_are_rejected_with_the_message_below_them() {
     let rewrite = env::var_os("RECEDE_REWRITE").is_some();
     assert!(!(rewrite && env::var_os("CI").is_some()), "expectations are not rewritten where nobody reads them");
     let mut wrong = String::new();
-    let scenes = files("rejected", "ron");
-    for scene in &scenes {
-        let text = scene.with_extension("txt");
-        let expected = fs::read_to_string(&text).unwrap_or_default();
-        let found = message(scene, &expected);
+    for table in tables() {
+        let theme = table.file_stem().unwrap().to_str().unwrap();
+        let mut written = Vec::new();
+        for case in cases(&table) {
+            let found = case.found(theme);
+            if found != case.expected {
+                writeln!(wrong, "{theme}, {}\n{}", case.name, difference(&case.expected, &found)).unwrap();
+            }
+            written.push(format!("== {}\n{}{found}", case.name, case.scene));
+        }
         if rewrite {
-            fs::write(text, found).unwrap();
-        } else if found != expected {
-            writeln!(wrong, "{}\n{}", text.display(), difference(&expected, &found)).unwrap();
+            fs::write(&table, written.join("\n")).unwrap();
         }
     }
-    assert!(wrong.is_empty(), "- expected, + found\n{wrong}");
-    let with_text = files("rejected", "txt").into_iter().map(|text| text.with_extension("ron"));
-    assert!(with_text.eq(scenes), "every text belongs to a scene");
+    assert!(rewrite || wrong.is_empty(), "- expected, + found\n{wrong}");
 }
 
 #[test]
 fn what_looks_like_a_mistake_and_is_none() {
-    for scene in files("accepted", "ron") {
-        let Run { status, stderr, .. } = recede(&["check", scene.to_str().unwrap()], b"");
-        assert_eq!((status, &stderr[..]), (Some(0), ""), "{}", scene.display());
+    for case in cases(&accepted()) {
+        let Run { status, stderr, .. } = recede(&["check", case.file("accepted").to_str().unwrap()], b"");
+        assert_eq!((status, &stderr[..]), (Some(0), ""), "{}", case.name);
     }
 }
 
-/// The command that stands in the text beside a scene, and how it ends.
-fn message(scene: &Path, text: &str) -> String {
-    let name = scene.file_name().unwrap().to_str().unwrap();
-    let first = text.lines().next().unwrap_or_default();
-    let command = first.strip_prefix("$ ").map_or(format!("{COMMAND} {name}"), str::to_owned);
-    let words: Vec<&str> = command.split(' ').collect();
-    assert_eq!((words[0], words[words.len() - 1]), ("recede", name), "{}", scene.display());
-    let Run { status, stdout, stderr } = recede_in(scene.parent().unwrap(), &words[1..], b"");
-    assert_eq!((status, &stdout[..]), (Some(2), ""), "{}: {stderr}", scene.display());
-    format!("$ {command}\n? 2\n{stderr}")
+fn accepted() -> PathBuf {
+    tests().join("accepted.txt")
 }
 
 /// The lines from the first to the last one that differ.
@@ -76,28 +162,10 @@ fn difference(expected: &str, found: &str) -> String {
     marked('-', &expected) + &marked('+', &found)
 }
 
-/// All files of a folder of tests with this ending, in order.
-fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder)];
-    let mut files = Vec::new();
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|found| found == ending) {
-                files.push(path);
-            }
-        }
-    }
-    files.sort();
-    assert!(!files.is_empty(), "{folder} has no .{ending}");
-    files
-}
-
 /// A legal scene, to be spoilt.
 fn plain() -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/accepted/plain.ron")).unwrap()
+    let plain = cases(&accepted()).into_iter().find(|case| case.name == "plain").unwrap();
+    String::from_utf8(plain.bytes()).unwrap()
 }
 
 /// The legal scene with `from` replaced by `to`.
