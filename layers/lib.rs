@@ -23,8 +23,8 @@
 //!
 //! # Features
 //!
-//! `read`, on unless default features are switched off, reads layers from RON by name ([`Registry`]) and describes their
-//! fields ([`description`]). Without it the crate has the trait, the materials and the layers only; these derive
+//! `read`, on unless default features are switched off, reads layers from RON ([`tree`]) by name ([`Registry`]) and describes
+//! their fields ([`description`]). Without it the crate has the trait, the materials and the layers only; these derive
 //! `serde::Deserialize` all the same.
 #![deny(missing_docs)]
 
@@ -58,6 +58,8 @@ mod registry;
 mod stable;
 mod state;
 mod support;
+#[cfg(feature = "read")]
+pub mod tree;
 mod winkler;
 
 pub use error::{LayerError, TableError};
@@ -77,7 +79,7 @@ pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table};
 pub use quantity::{Carrying, Exponent, Finite, HalfAngle, OutOfRange, Poisson, Positive, Stiffening, Thickness};
 #[cfg(feature = "read")]
-pub use registry::{Body, Entry, ReadBody, ReadError, Registry, read_ron};
+pub use registry::{Body, Entry, ReadBody, Registry};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
 pub use support::Support;
 pub use winkler::Winkler;

@@ -1,14 +1,11 @@
 //! Layer types by name: what a scene file may contain, and how it is read.
 use std::sync::Arc;
 
-use ron::error::SpannedError;
-use ron::extensions::Extensions;
 use schemars::{JsonSchema, Schema};
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde_path_to_error::{Deserializer, Segment, Track};
 
 use crate::description::{Value, schema_of};
+use crate::tree::{Node, ReadError};
 use crate::{Layer, Notation, Support};
 
 /// What is read by a name: a layer, or a support at the bottom.
@@ -38,8 +35,9 @@ impl Body {
     }
 }
 
-/// Reads one layer or support from its fields as written in a scene file, `(thickness: 1.0, shear_modulus: ...)`.
-pub type ReadBody = fn(&str) -> Result<Body, ReadError>;
+/// Reads one layer or support from its fields in a scene, those of `Homogeneous(thickness: 1.0, shear_modulus: ...)`; the name
+/// is that of the [`Entry`].
+pub type ReadBody = fn(&Node) -> Result<Body, ReadError>;
 
 /// One layer type of a [`Registry`].
 #[derive(Clone, Copy, Debug)]
@@ -65,11 +63,12 @@ impl Entry {
 ///
 /// ```
 /// use recede_layers::Registry;
+/// use recede_layers::tree::Node;
 /// let registry = Registry::default();
 /// let entry = registry.get("Homogeneous").ok_or("not registered")?;
-/// let strip = (entry.read)("(thickness: 1.0, shear_modulus: 80e9, poisson: 0.3)")?;
+/// let strip = (entry.read)(&Node::from_ron("(thickness: 1.0, shear_modulus: 80e9, poisson: 0.3)")?)?;
 /// assert_eq!(strip.layer().ok_or("a layer")?.thickness(), Some(1.0));
-/// let error = (entry.read)("(thickness: -1.0, shear_modulus: 80e9, poisson: 0.3)").unwrap_err();
+/// let error = (entry.read)(&Node::from_ron("(thickness: -1.0, shear_modulus: 80e9, poisson: 0.3)")?).unwrap_err();
 /// assert_eq!(error.field.as_deref(), Some("thickness"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -92,7 +91,7 @@ impl Registry {
         self.enter(Entry {
             name,
             summary,
-            read: |fields| Ok(Body::Layer(Arc::new(read_ron::<L>(fields)?))),
+            read: |node| Ok(Body::Layer(Arc::new(node.read_inner::<L>()?))),
             schema: None,
         });
     }
@@ -102,7 +101,7 @@ impl Registry {
     where
         S: Support + DeserializeOwned + JsonSchema + 'static,
     {
-        let read: ReadBody = |fields| Ok(Body::Support(Arc::new(read_ron::<S>(fields)?)));
+        let read: ReadBody = |node| Ok(Body::Support(Arc::new(node.read_inner::<S>()?)));
         self.enter(Entry { name, summary, read, schema: Some(schema_of::<S>) });
     }
 
@@ -131,44 +130,5 @@ impl Registry {
     /// The entry called `name`.
     pub fn get(&self, name: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.name == name)
-    }
-}
-
-/// Why a text could not be read, and at which field of it.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{cause}")]
-pub struct ReadError {
-    /// The field being read, e.g. `poisson` or `units.length`; `None` outside any field.
-    pub field: Option<String>,
-    /// What the reader says, and where in the text.
-    #[source]
-    pub cause: Box<SpannedError>,
-}
-
-/// Reads a value from RON as scenes are written: `Homogeneous(thickness: 1.0)` without a second pair of parentheses,
-/// optional fields without `Some`.
-///
-/// # Errors
-/// [`ReadError`] if the text is no RON, or not that of a `T`.
-pub fn read_ron<'de, T: Deserialize<'de>>(text: &'de str) -> Result<T, ReadError> {
-    let options =
-        ron::Options::default().with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
-    let failed = |field, cause| ReadError { field, cause: Box::new(cause) };
-    let mut reader = ron::Deserializer::from_str_with_options(text, &options).map_err(|cause| failed(None, cause))?;
-    let mut track = Track::new();
-    let read = T::deserialize(Deserializer::new(&mut reader, &mut track));
-    match read.and_then(|value| reader.end().map(|()| value)) {
-        Ok(value) => Ok(value),
-        Err(code) => {
-            let path = track.path();
-            let fields: Vec<&str> = path
-                .iter()
-                .filter_map(|segment| match segment {
-                    Segment::Map { key } => Some(key.as_str()),
-                    _ => None,
-                })
-                .collect();
-            Err(failed((!fields.is_empty()).then(|| fields.join(".")), reader.span_error(code)))
-        }
     }
 }

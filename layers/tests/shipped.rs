@@ -1,5 +1,6 @@
 //! Graded and orthotropic layers: the laws, the limits in which they are simpler layers, and how they are read.
 use recede_layers::conformance;
+use recede_layers::tree::Node;
 use recede_layers::{
     ClosedForm, EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane,
     Homogeneous, Isotropic, Layer, Orthotropic, OrthotropicHalfPlane, Plane, Poisson, Positive, PowerHalfPlane,
@@ -266,12 +267,17 @@ const WRITTEN: [(&str, &str); 8] = [
     ),
 ];
 
+/// A text in RON.
+fn node(text: &str) -> Node {
+    Node::from_ron(text).expect("RON")
+}
+
 #[test]
 fn keys_are_equal_if_all_parameters_are() {
     let registry = Registry::default();
     for (name, text) in WRITTEN {
         let entry = registry.get(name).expect("registered");
-        let read = |text: &str| (entry.read)(text).expect("legal").layer().expect("a layer").clone();
+        let read = |text: &str| (entry.read)(&node(text)).expect("legal").layer().expect("a layer").clone();
         let layer = read(text);
         assert!(layer.key().is_some() && layer.key() == read(text).key(), "{name}");
         for plane in PLANES {
@@ -290,7 +296,7 @@ fn keys_are_equal_if_all_parameters_are() {
     let keys: std::collections::HashSet<_> = WRITTEN
         .iter()
         .map(|(name, text)| {
-            (registry.get(name).expect("registered").read)(text).expect("legal").layer().expect("a layer").key()
+            (registry.get(name).expect("registered").read)(&node(text)).expect("legal").layer().expect("a layer").key()
         })
         .collect();
     assert_eq!(keys.len(), WRITTEN.len(), "types differ");
@@ -300,12 +306,11 @@ fn keys_are_equal_if_all_parameters_are() {
 fn read(name: &str, fields: &str) -> Result<String, String> {
     let registry = Registry::default();
     let entry = registry.get(name).expect("registered");
-    (entry.read)(fields).map(|layer| layer.notation()).map(|n| format!("{}({})", n.kind, n.parameters)).map_err(
-        |error| {
-            let field = error.field.as_deref().unwrap_or("-");
-            format!("{field}: {}", error.cause.code)
-        },
-    )
+    let read = (entry.read)(&node(fields)).map(|layer| layer.notation());
+    read.map(|n| format!("{}({})", n.kind, n.parameters)).map_err(|error| {
+        let field = error.field.as_deref().unwrap_or("-");
+        format!("{field}: {error}")
+    })
 }
 
 #[test]

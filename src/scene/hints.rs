@@ -103,12 +103,6 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
     (&["temperature", "thermal_expansion"], "temperature is not supported"),
 ];
 
-/// Units that are written behind numbers.
-const UNITS: &[&str] = &[
-    "m", "cm", "mm", "um", "µm", "μm", "nm", "in", "ft", "Pa", "hPa", "kPa", "MPa", "GPa", "bar", "psi", "ksi", "N",
-    "mN", "kN", "MN", "lbf", "rad", "deg", "°",
-];
-
 /// Numbers of an orthotropic material for one direction each, with the field in which all of them stand.
 const DIRECTIONS: &[(&[&str], &str)] = &[
     (&["Ex", "Ey", "Ez", "E_x", "E_y", "E_z", "E1", "E2", "E3", "young_x", "young_y", "young_z"], "young"),
@@ -204,11 +198,6 @@ pub(super) fn did_you_mean(found: &str, allowed: &[&str]) -> Option<String> {
     (likeness > 0.75).then(|| format!("did you mean `{name}`?"))
 }
 
-/// Whether a word is a unit, such as one that follows a number.
-pub(super) fn is_unit(word: &str) -> bool {
-    UNITS.contains(&word.split(['/', '^', '*']).next().unwrap_or_default())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -233,6 +222,5 @@ mod tests {
             assert_eq!(instead_of(found, allowed).as_deref(), hint, "{found}");
         }
         assert!(instead_of("Sphere", &punches).unwrap_or_default().contains("Axisymmetric"));
-        assert!(is_unit("GPa") && is_unit("N/mm^2") && !is_unit("Receding"));
     }
 }

@@ -1,11 +1,11 @@
 //! A scene as JSON, to be read again, and the JSON Schema of all scenes.
+use recede_layers::Registry;
 use recede_layers::description::{schema_of, without_ranges};
-use recede_layers::{Registry, read_ron};
-use serde_json::{Map, Value, json};
+use recede_layers::tree::{Kind, Node};
+use serde_json::{Value, json};
 
 use super::read::schema_of_scene;
 use super::round::{RoundLoad, RoundPunch};
-use super::text::{fields, members, name_and_rest, without_comments};
 use super::{Item, Scene, Spring, visible_json};
 
 impl Scene {
@@ -22,42 +22,34 @@ impl Scene {
     pub fn to_json(&self) -> String {
         let text = self.to_ron();
         // the name of a scene is not needed, as there is nothing else
-        let scene = match value(&text) {
-            Value::Object(mut named) => named.remove("Scene").unwrap_or(Value::Object(named)),
-            other => other,
-        };
+        let scene = Node::from_ron(&text).map_or(Value::Null, |scene| inner(&scene, &text));
         visible_json(&format!("{scene:#}\n"))
     }
 }
 
-/// A value in RON as JSON.
-fn value(text: &str) -> Value {
-    let text = without_comments(text).trim_end();
-    if text.starts_with('"') {
-        return read_ron::<String>(text).map_or(Value::Null, Value::String);
-    }
-    let (name, rest) = name_and_rest(text).map_or((None, text), |(name, rest)| (Some(name), without_comments(rest)));
-    let fields = fields(text);
-    let inner = match (name, &fields[..]) {
-        (Some("true"), _) => return Value::Bool(true),
-        (Some("false"), _) => return Value::Bool(false),
-        (Some(name), _) if rest.is_empty() => return Value::String(name.to_owned()),
-        (None, []) if !rest.starts_with(['(', '[']) => return number(text),
-        (_, []) => {
-            let mut members: Vec<Value> = members(text).into_iter().map(value).collect();
-            // the one thing that a name stands for
-            if name.is_some() && members.len() == 1 { members.remove(0) } else { Value::Array(members) }
-        }
-        (_, fields) => fields.iter().map(|(name, inner)| (name.clone(), value(inner))).collect::<Map<_, _>>().into(),
-    };
-    match name {
-        Some(name) => Value::Object([(name.to_owned(), inner)].into_iter().collect()),
-        None => inner,
+/// A value of a text in RON as JSON.
+fn value(node: &Node, text: &str) -> Value {
+    match (node.name.as_deref(), &node.kind) {
+        (None, _) => inner(node, text),
+        (Some(name @ ("true" | "false")), Kind::Nothing) => Value::Bool(name == "true"),
+        (Some(name), Kind::Nothing) => Value::String(name.to_owned()),
+        (Some(name), Kind::Row(members)) if members.len() == 1 => json!({name: value(&members[0], text)}),
+        (Some(name), _) => json!({name: inner(node, text)}),
     }
 }
 
-fn number(text: &str) -> Value {
-    text.parse::<i64>().map(Value::from).or_else(|_| text.parse::<f64>().map(Value::from)).unwrap_or(Value::Null)
+/// The same without its name.
+fn inner(node: &Node, text: &str) -> Value {
+    match &node.kind {
+        Kind::Nothing => Value::Null,
+        // a whole number remains one
+        Kind::Number(number) => text[node.place.clone()].parse::<i64>().map_or_else(|_| json!(number), Value::from),
+        Kind::Text(text) => json!(text),
+        Kind::List(members) | Kind::Row(members) => members.iter().map(|member| value(member, text)).collect(),
+        Kind::Fields(fields) => {
+            Value::Object(fields.iter().map(|field| ((*field.name).to_owned(), value(&field.value, text))).collect())
+        }
+    }
 }
 
 /// The JSON Schema of scenes whose layers are those of `registry`, for editors and for programs that write scenes.
@@ -111,9 +103,10 @@ mod tests {
             {"at": 0, "share": 1.0, "load": "Line"},
             {"at": -1.5, "load": {"Uniform": {"half_width": 2}}},
         ]});
+        let value = |text: &str| value(&Node::from_ron(text).unwrap(), text);
         assert_eq!(value(text), expected);
         assert_eq!(value("Table([(0, 1), (0.5, 2)])"), json!({"Table": [[0, 1], [0.5, 2]]}));
         assert_eq!(value("/* a */ Constant(3) // b"), json!({"Constant": 3}));
-        assert_eq!(value("\"a \\\"b\\\"\""), json!("a \"b\""));
+        assert_eq!(value("(a: \"a \\\"b\\\"\", b: true)"), json!({"a": "a \"b\"", "b": true}));
     }
 }

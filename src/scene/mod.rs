@@ -1,4 +1,5 @@
 //! A scene: what is pressed by what, as read from a text.
+mod convert;
 mod elastic_cylinder;
 mod explain;
 mod force;
@@ -14,8 +15,6 @@ mod read;
 mod round;
 mod shape;
 mod spring;
-mod text;
-mod translate;
 mod units;
 mod value;
 mod visible;
@@ -24,6 +23,8 @@ mod wedge;
 mod write;
 
 use std::sync::Arc;
+
+use recede_layers::tree::Node;
 
 pub use elastic_cylinder::ElasticCylinder;
 pub use force::Force;
@@ -45,8 +46,6 @@ pub(crate) use paths::{Change, Owner, Slot};
 #[cfg(feature = "files")]
 pub(crate) use read::read_document;
 pub(crate) use shape::{Piece, Shape};
-#[cfg(feature = "files")]
-pub(crate) use text::first_name;
 pub(crate) use units::Dimension;
 pub(crate) use visible::visible_json;
 
@@ -132,27 +131,26 @@ impl Scene {
         hint: Option<String>,
         cause: &E,
     ) -> Option<SceneError> {
-        let places = &self.origin.as_deref()?.places;
+        let stack = self.origin.as_deref()?.tree.field("stack")?;
         // items may have been added or taken away since the text was read
-        let known = self.stack.len() == places.items.len();
-        let item = item.filter(|_| known).and_then(|item| places.items.get(item));
-        self.error_at(Some(item.unwrap_or(&places.stack).start), hint, cause)
+        let known = self.stack.len() == stack.members().len();
+        let item = item.filter(|_| known).and_then(|item| stack.members().get(item));
+        self.error_at(Some(item.unwrap_or(stack)), hint, cause)
     }
 
     /// An error about the punch, or the load in its place.
     pub(crate) fn error_at_punch<E: Cause>(&self, hint: String, cause: &E) -> Option<SceneError> {
-        let place = self.origin.as_deref()?.places.punch.start;
-        self.error_at(Some(place), Some(hint), cause)
+        self.error_at(self.origin.as_deref()?.tree.field(self.punch.field()), Some(hint), cause)
     }
 
     /// An error about the number that says the force.
     pub(crate) fn error_at_force<E: Cause>(&self, hint: Option<String>, cause: &E) -> Option<SceneError> {
-        self.error_at(self.place_of_force(), hint, cause)
+        self.error_at(self.origin.as_deref()?.tree.field(self.force.field()), hint, cause)
     }
 
-    fn error_at<E: Cause>(&self, place: Option<usize>, hint: Option<String>, cause: &E) -> Option<SceneError> {
+    fn error_at<E: Cause>(&self, node: Option<&Node>, hint: Option<String>, cause: &E) -> Option<SceneError> {
         let origin = self.origin.as_deref()?;
-        Some(origin.error(place, cause.to_string(), hint).because(cause.clone()))
+        Some(origin.error(node.map(|node| node.place.start), cause.to_string(), hint).because(cause.clone()))
     }
 }
 

@@ -1,11 +1,10 @@
 //! Where a scene came from, and errors that name a place in its text.
 use std::fmt;
-use std::ops::Range;
 use std::sync::Arc;
 
 use recede_layers::Registry;
+use recede_layers::tree::Node;
 
-use super::translate::{Translation, Untranslatable, from_json, is_json, without_units};
 use super::visible;
 
 /// Widest excerpt of a line that is shown, in characters.
@@ -16,30 +15,14 @@ const LONGEST: usize = 600;
 
 type Cause = Arc<dyn std::error::Error + Send + Sync>;
 
-/// The text of a scene that is read, the places of its parts, and the layer types with which it is read.
+/// The text of a scene, what stands in it, and the layer types with which it is read.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Origin {
     pub(super) file: String,
     pub(super) text: String,
-    /// What the text was made of, if it was written otherwise.
-    pub(super) source: Option<Source>,
-    pub(super) places: Places,
+    /// The values of the text, those with a unit in the units of the scene.
+    pub(super) tree: Node,
     pub(super) registry: Registry,
-}
-
-/// A text as written, and how it became the one that is read.
-#[derive(Clone, Debug)]
-pub(super) struct Source {
-    pub(super) text: String,
-    pub(super) steps: Vec<Translation>,
-}
-
-/// Places in the text of a scene, in bytes. Each begins with the name of what stands there.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Places {
-    pub(super) punch: Range<usize>,
-    pub(super) stack: Range<usize>,
-    pub(super) items: Vec<Range<usize>>,
 }
 
 impl Origin {
@@ -48,43 +31,11 @@ impl Origin {
         std::path::Path::new(&self.file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
     }
 
-    /// The text as it was written.
-    pub(super) fn written(&self) -> &str {
-        self.source.as_ref().map_or(&self.text, |source| &source.text)
-    }
-
-    /// Where a byte of the text that is read was written.
-    pub(super) fn place(&self, offset: usize) -> usize {
-        let steps = self.source.iter().flat_map(|source| source.steps.iter().rev());
-        steps.fold(offset, |offset, step| step.place(offset))
-    }
-
-    /// What is read of a text as it was written.
-    pub(super) fn translated(mut self) -> Result<Self, SceneError> {
-        if is_json(&self.text) {
-            let step = from_json(&self.text).map_err(|error| self.untranslatable(error))?;
-            self.step(step);
-        }
-        if let Some(step) = without_units(&self.text).map_err(|error| self.untranslatable(error))? {
-            self.step(step);
-        }
-        Ok(self)
-    }
-
-    fn step(&mut self, mut step: Translation) {
-        let text = std::mem::replace(&mut self.text, std::mem::take(&mut step.text));
-        self.source.get_or_insert_with(|| Source { text, steps: Vec::new() }).steps.push(step);
-    }
-
-    fn untranslatable(&self, Untranslatable { at, message, hint }: Untranslatable) -> SceneError {
-        self.error(Some(at), message, hint)
-    }
-
-    /// An error at a byte offset of the text that is read, or about the file as a whole.
+    /// An error at a byte of the text, or about the file as a whole.
     pub(super) fn error(&self, at: Option<usize>, message: String, hint: Option<String>) -> SceneError {
         SceneError {
             file: self.file.clone(),
-            place: at.map(|offset| Box::new(Place::new(self.written(), self.place(offset)))),
+            place: at.map(|offset| Box::new(Place::new(&self.text, offset))),
             message: abridged(&message),
             hint: hint.as_deref().map(abridged),
             cause: None,

@@ -1,17 +1,15 @@
 //! Quantities of a scene by path, such as `force` or `layer[2].beta`, and scenes in which they have other values.
 //!
-//! Values are replaced in the text, and what they belong to is read again: so a new value is checked as one in a file
-//! is, and a mistake has a line and a column.
+//! Values are replaced among those of the text, and what they belong to is read again: so a new value is checked as one in a
+//! file is. Only a mistake, which has a line and a column, takes the whole text with the new values.
 use std::ops::Range;
-use std::sync::Arc;
 
 use recede_layers::Positive;
+use recede_layers::tree::{Kind, Node};
 
-use super::explain::bare_token;
 use super::hints::did_you_mean;
-use super::origin::{Origin, Places, SceneError};
+use super::origin::{Origin, SceneError};
 use super::read::{parse, read_item, read_top};
-use super::text::{Part, elements, field, fields, part, without_comments};
 use super::{Force, Item, Punch, Scene, quoted_list};
 
 /// Most paths that a message lists.
@@ -21,8 +19,8 @@ const LISTED: usize = 24;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Slot {
     pub(crate) owner: Owner,
-    /// Bytes of its number in the text.
-    range: Range<usize>,
+    /// Where its number stands in the text.
+    place: Range<usize>,
 }
 
 /// What a quantity belongs to.
@@ -51,7 +49,7 @@ impl Scene {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn paths(&self) -> Vec<String> {
-        self.slots().into_iter().map(|(path, _)| path).collect()
+        self.slots().into_iter().map(|(path, ..)| path).collect()
     }
 
     /// The same scene with another value of the quantity at `path`. Only for scenes read from a text.
@@ -84,21 +82,24 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] if there is no such quantity.
     pub fn number(&self, path: &str) -> Result<f64, SceneError> {
-        let slot = self.slot(path)?;
-        let text = self.origin.as_deref().map_or("", |origin| &origin.text[slot.range]);
-        // a slot is where a number was read
-        Ok(text.parse().unwrap_or(f64::NAN))
+        self.found(path).map(|(_, number)| number)
     }
 
     /// Finds the quantity at `path`.
     pub(crate) fn slot(&self, path: &str) -> Result<Slot, SceneError> {
-        let slots = self.slots();
-        if let Some((_, slot)) = slots.iter().find(|(found, _)| found == path) {
-            return Ok(slot.clone());
+        self.found(path).map(|(slot, _)| slot)
+    }
+
+    /// The same, with its value.
+    fn found(&self, path: &str) -> Result<(Slot, f64), SceneError> {
+        let mut slots = self.slots();
+        if let Some(index) = slots.iter().position(|(found, ..)| found == path) {
+            let (_, slot, number) = slots.swap_remove(index);
+            return Ok((slot, number));
         }
         let nowhere = Origin { file: "scene".into(), ..Origin::default() };
         let origin = self.origin.as_deref().unwrap_or(&nowhere);
-        let names: Vec<&str> = slots.iter().map(|(path, _)| &path[..]).collect();
+        let names: Vec<&str> = slots.iter().map(|(path, ..)| &path[..]).collect();
         if names.is_empty() {
             let message = format!("there is no `{path}` in a scene that was not read from a text");
             return Err(origin.error(None, message, None));
@@ -112,18 +113,8 @@ impl Scene {
     /// The same scene with other values.
     pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, SceneError> {
         let Some(origin) = &self.origin else { return Ok(self.clone()) };
-        // in the text as written, so that a mistake is shown there
-        let written = origin.written();
-        let places = |range: &Range<usize>| origin.place(range.start)..origin.place(range.end);
-        let slots: Vec<(Slot, f64)> =
-            changes.iter().map(|(slot, value)| (Slot { range: places(&slot.range), ..**slot }, *value)).collect();
-        let changes: Vec<Change> = slots.iter().map(|(slot, value)| (slot, *value)).collect();
-        let text = changed(written, 0..written.len(), &changes);
-        let new = Origin { text, source: None, places: Places::default(), ..(**origin).clone() };
-        let mut origin = new.translated()?;
-        let (scene, places) = parse(&origin)?;
-        origin.places = places;
-        Ok(Self { origin: Some(Arc::new(origin)), ..scene })
+        let text = changed(&origin.text, changes);
+        parse(Origin { file: origin.file.clone(), text, registry: origin.registry.clone(), ..Origin::default() })
     }
 
     /// The force with other values; nothing but the force is read again.
@@ -139,12 +130,9 @@ impl Scene {
 
     /// The punch with other values; nothing but the punch is read again.
     pub(crate) fn punch_with(&self, changes: &[Change]) -> Result<Punch, SceneError> {
-        let own = of(Owner::Punch, changes);
-        let Some(origin) = self.origin.as_deref().filter(|_| !own.is_empty()) else {
-            return Ok(self.punch.clone());
-        };
-        let at = &origin.places.punch;
-        match read_top(&changed(&origin.text, at.start..at.end, &own), self.punch.load().is_some(), self.geometry) {
+        let top = self.origin.as_deref().and_then(|origin| origin.tree.field(self.punch.field()));
+        let Some(top) = top.and_then(|top| with(top, Owner::Punch, changes)) else { return Ok(self.punch.clone()) };
+        match read_top(&top, self.punch.load().is_some(), self.geometry) {
             Ok(punch) => Ok(punch),
             // once more, for the place of the mistake
             Err(_) => self.with_changes(changes).map(|scene| scene.punch),
@@ -155,12 +143,12 @@ impl Scene {
     pub(crate) fn items_with(&self, changes: &[Change]) -> Result<Vec<Item>, SceneError> {
         let mut items = self.stack.clone();
         let Some(origin) = self.origin.as_deref() else { return Ok(items) };
+        let nodes = origin.tree.field("stack").map_or(&[][..], Node::members);
         for (slot, _) in changes {
             let Owner::Item(index) = slot.owner else { continue };
-            let (Some(item), Some(at)) = (items.get_mut(index), origin.places.items.get(index)) else { continue };
-            let text = changed(&origin.text, at.start..at.end, &of(slot.owner, changes));
-            let part = Part { text: &text, offset: 0, name_at: 0, owner: String::new() };
-            match read_item(part, 1, &Origin { text: text.clone(), ..Origin::default() }, &origin.registry) {
+            let (Some(item), Some(node)) = (items.get_mut(index), nodes.get(index)) else { continue };
+            let Some(node) = with(node, slot.owner, changes) else { continue };
+            match read_item(&node, 1, origin) {
                 Ok(changed) => *item = changed,
                 Err(_) => return self.with_changes(changes).map(|scene| scene.stack),
             }
@@ -168,66 +156,76 @@ impl Scene {
         Ok(items)
     }
 
-    /// Where the number stands that says the force.
-    pub(super) fn place_of_force(&self) -> Option<usize> {
-        let text = &self.origin.as_deref()?.text[..];
-        field(text, self.force.field()).map(|value| part(text, value).name_at)
-    }
-
-    fn slots(&self) -> Vec<(String, Slot)> {
+    /// All quantities by path, with their values.
+    fn slots(&self) -> Vec<(String, Slot, f64)> {
         let Some(origin) = self.origin.as_deref() else { return Vec::new() };
-        let text = &origin.text[..];
         let mut slots = Vec::new();
-        let name = self.force.field();
-        if let Some(force) = field(text, name) {
-            add(name, Owner::Force, text, force, &mut slots);
+        for (name, owner) in [(self.force.field(), Owner::Force), (self.punch.field(), Owner::Punch)] {
+            if let Some(node) = origin.tree.field(name) {
+                add(name, owner, node, &mut slots);
+            }
         }
-        let at = &origin.places.punch;
-        let top = if self.punch.load().is_some() { "load" } else { "punch" };
-        add(top, Owner::Punch, text, &text[at.start..at.end], &mut slots);
         let mut number = 0;
-        for (index, (item, at)) in self.stack.iter().zip(&origin.places.items).enumerate() {
+        let nodes = origin.tree.field("stack").map_or(&[][..], Node::members);
+        for (index, (item, node)) in self.stack.iter().zip(nodes).enumerate() {
             number += usize::from(!item.is_interface());
             let kind = if item.is_interface() { "interface" } else { "layer" };
-            add(&format!("{kind}[{number}]"), Owner::Item(index), text, &text[at.start..at.end], &mut slots);
+            add(&format!("{kind}[{number}]"), Owner::Item(index), node, &mut slots);
         }
         slots
     }
 }
 
-/// Adds the quantities within `value`, a slice of `text`, to those found.
-fn add(path: &str, owner: Owner, text: &str, value: &str, slots: &mut Vec<(String, Slot)>) {
-    let value = without_comments(value);
-    let number = bare_token(value);
-    if number.parse::<f64>().is_ok() {
-        let start = part(text, value).offset;
-        slots.push((path.to_owned(), Slot { owner, range: start..start + number.len() }));
-        return;
-    }
-    for (name, inner) in fields(value) {
-        add(&format!("{path}.{name}"), owner, text, inner, slots);
-    }
-    for (index, inner) in elements(value).into_iter().enumerate() {
-        add(&format!("{path}[{}]", index + 1), owner, text, inner, slots);
+/// Adds the quantities of a value to those found.
+fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot, f64)>) {
+    match &node.kind {
+        Kind::Number(number) => slots.push((path.to_owned(), Slot { owner, place: node.place.clone() }, *number)),
+        Kind::Fields(fields) => {
+            fields.iter().for_each(|field| add(&format!("{path}.{}", field.name), owner, &field.value, slots));
+        }
+        Kind::List(members) => {
+            let members = members.iter().enumerate();
+            members.for_each(|(index, member)| add(&format!("{path}[{}]", index + 1), owner, member, slots));
+        }
+        // a list behind a name is that of the name
+        Kind::Row(members) => {
+            members.iter().filter(|member| !member.members().is_empty()).for_each(|list| add(path, owner, list, slots));
+        }
+        Kind::Nothing | Kind::Text(_) => {}
     }
 }
 
-fn of<'a>(owner: Owner, changes: &[Change<'a>]) -> Vec<Change<'a>> {
-    changes.iter().filter(|(slot, _)| slot.owner == owner).copied().collect()
+/// A value of this owner with other numbers; `None` if none of its numbers changes.
+fn with(node: &Node, owner: Owner, changes: &[Change]) -> Option<Node> {
+    let own: Vec<&Change> = changes.iter().filter(|(slot, _)| slot.owner == owner).collect();
+    let mut node = (!own.is_empty()).then(|| node.clone())?;
+    set(&mut node, &own);
+    Some(node)
 }
 
-/// The bytes `within` of a text, with other numbers.
-fn changed(text: &str, within: Range<usize>, changes: &[Change]) -> String {
+fn set(node: &mut Node, changes: &[&Change]) {
+    if let Some((_, value)) = changes.iter().find(|(slot, _)| slot.place == node.place) {
+        node.kind = Kind::Number(*value);
+    }
+    match &mut node.kind {
+        Kind::List(members) | Kind::Row(members) => members.iter_mut().for_each(|member| set(member, changes)),
+        Kind::Fields(fields) => fields.iter_mut().for_each(|field| set(&mut field.value, changes)),
+        Kind::Nothing | Kind::Number(_) | Kind::Text(_) => {}
+    }
+}
+
+/// A text with other numbers.
+fn changed(text: &str, changes: &[Change]) -> String {
     let mut changes = changes.to_vec();
-    changes.sort_by_key(|(slot, _)| slot.range.start);
-    let mut changed = String::with_capacity(within.len() + 24 * changes.len());
-    let mut at = within.start;
+    changes.sort_by_key(|(slot, _)| slot.place.start);
+    let mut changed = String::with_capacity(text.len() + 24 * changes.len());
+    let mut at = 0;
     for (slot, value) in changes {
-        changed += &text[at..slot.range.start];
+        changed += &text[at..slot.place.start];
         changed += &format!("{value:?}");
-        at = slot.range.end;
+        at = slot.place.end;
     }
-    changed + &text[at..within.end]
+    changed + &text[at..]
 }
 
 #[cfg(test)]

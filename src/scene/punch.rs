@@ -195,6 +195,11 @@ impl Punch {
         }
     }
 
+    /// The name of the field of a scene in which it stands.
+    pub(super) fn field(&self) -> &'static str {
+        if self.load().is_some() { "load" } else { "punch" }
+    }
+
     /// What the profile is made of.
     pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
@@ -341,7 +346,8 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         for punch in all() {
-            assert_eq!(recede_layers::read_ron::<Punch>(&punch.to_string()).unwrap(), punch, "{punch}");
+            let node = recede_layers::tree::Node::from_ron(&punch.to_string()).unwrap();
+            assert_eq!(node.read::<Punch>().unwrap(), punch, "{punch}");
         }
     }
 

@@ -1,35 +1,33 @@
-//! Reading a scene from RON: every error names its line and column.
+//! Reading a scene: every error names its line and column.
 //!
-//! The scene is read in two steps. The first finds the text of the punch and of every item of the stack; the second
-//! reads each of them on its own, a layer through the [`Registry`]. So each has a place in the text from the start.
+//! The text, in RON or in JSON, is read once, into a tree of values that know their places. The fields of the scene, its punch
+//! and every item of its stack are then read from their parts of the tree, a layer through the [`Registry`].
 use std::borrow::Cow;
 use std::io::{self, Read};
-use std::ops::Range;
 #[cfg(feature = "files")]
 use std::path::Path;
 use std::sync::Arc;
 
 use recede_layers::description::{Field, Value, schema_of};
-use recede_layers::{Positive, ReadError, Registry, read_ron};
-use ron::error::Position;
-use ron::value::RawValue;
+use recede_layers::tree::{Fault, Form, Kind, Node, ReadError, token};
+use recede_layers::{Positive, Registry};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use super::explain::{At, Subject, explain, place, token};
+use super::convert::without_units;
+use super::explain::{Subject, explain};
 use super::hints::instead_of;
 use super::item::SPRING;
-use super::origin::{Origin, Places, SceneError};
+use super::origin::{Origin, SceneError};
 use super::round::{RoundLoad, RoundPunch};
-use super::text::{Part, field, name_and_rest, part, without_comments};
 use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Spring, Units, quoted_list};
 use crate::geometry::Geometry;
 
 /// The scene with punch and stack still unread.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Scene")]
-struct Draft<'a> {
+struct Draft {
     /// A name for reports.
     #[serde(default)]
     name: Option<String>,
@@ -42,13 +40,13 @@ struct Draft<'a> {
     /// Plane, and in which way, or axisymmetric.
     geometry: Geometry,
     /// The punch on top, if there is no `load`.
-    #[serde(borrow, default)]
+    #[serde(default)]
     #[schemars(with = "Option<Punch>")]
-    punch: Option<&'a RawValue>,
+    punch: Option<IgnoredAny>,
     /// In place of a punch: a given pressure on top, with the force as its resultant.
-    #[serde(borrow, default)]
+    #[serde(default)]
     #[schemars(with = "Option<Load>")]
-    load: Option<&'a RawValue>,
+    load: Option<IgnoredAny>,
     /// Line load P that presses the punch down, or resultant of the load: force per unit length out of the plane; the whole force in axisymmetric scenes.
     #[serde(default)]
     force: Option<Positive>,
@@ -59,15 +57,15 @@ struct Draft<'a> {
     #[serde(default)]
     depth: Option<Positive>,
     /// Layers and the interfaces between them from the top down, ending in a base.
-    #[serde(borrow)]
-    #[schemars(with = "StackText")]
-    stack: &'a RawValue,
+    #[schemars(with = "StackForm")]
+    #[serde(rename = "stack")]
+    _stack: IgnoredAny,
 }
 
 /// The form of a stack in a scene.
-struct StackText;
+struct StackForm;
 
-impl JsonSchema for StackText {
+impl JsonSchema for StackForm {
     fn schema_name() -> Cow<'static, str> {
         "Stack".into()
     }
@@ -142,10 +140,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::from_ron`], and if it cannot be read or is longer than [`MAX_BYTES`].
     pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, SceneError> {
-        let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? }.translated()?;
-        let (scene, places) = parse(&origin)?;
-        origin.places = places;
-        Ok(Self { origin: Some(Arc::new(origin)), ..scene })
+        parse(Origin { registry: registry.clone(), ..read_text(file, reader)? })
     }
 }
 
@@ -157,10 +152,9 @@ pub(crate) fn read_document<T: serde::de::DeserializeOwned>(
     owner: &str,
 ) -> Result<T, SceneError> {
     let origin = read_text(file, reader)?;
-    let text = &origin.text[..];
-    let name_at = text.len() - without_comments(text).len();
-    let whole = Part { text, offset: 0, name_at, owner: owner.into() };
-    read_ron(text).map_err(|error| whole.error(&origin, error))
+    let tree = Node::from_ron(&origin.text);
+    let read = tree.as_ref().map_err(ReadError::clone).and_then(Node::read);
+    read.map_err(|error| Part { node: tree.as_ref().unwrap_or(&origin.tree), owner }.error(&origin, error))
 }
 
 #[cfg(feature = "files")]
@@ -204,117 +198,122 @@ fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, SceneError> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-impl Part<'_> {
-    /// Its bytes in the scene's text, from its name on.
-    fn place(&self) -> Range<usize> {
-        self.name_at..self.offset + self.text.len()
-    }
+/// A part of a scene, and what it is called.
+struct Part<'a> {
+    node: &'a Node,
+    owner: &'a str,
+}
 
+impl Part<'_> {
     fn error(&self, origin: &Origin, error: ReadError) -> SceneError {
         self.error_of(None, origin, error)
     }
 
     /// The error, with what may be written there.
     fn error_of(&self, form: Option<&Value>, origin: &Origin, error: ReadError) -> SceneError {
-        let name = name_and_rest(self.text).map_or("", |(name, _)| name);
+        let name = self.node.name.as_deref().unwrap_or_default();
         let form = form.and_then(|form| match form {
             Value::OneOf(forms) => forms.iter().find(|form| form.name == name)?.value.as_ref(),
             form => Some(form),
         });
-        let subject =
-            Subject { owner: &self.owner, field: error.field.as_deref(), form: form.map(|form| (name, form)) };
-        let span = &error.cause.span;
-        let at = match place(&error.cause.code, &subject) {
-            At::Token => self.offset + offset_of(self.text, span.start),
-            At::Next => self.offset + offset_of(self.text, span.end),
-            At::Owner => self.name_at,
-        };
-        let (message, hint) = explain(&error.cause.code, &subject, &origin.text[at..]);
+        let subject = Subject { owner: self.owner, field: error.field.as_deref(), form: form.map(|form| (name, form)) };
+        // what is wrong with all of it is told at its name
+        let is_whole = error.field.is_none() && matches!(error.fault, Fault::Reason(_) | Fault::Missing(_));
+        let at = error.at.filter(|_| !is_whole).unwrap_or(self.node.place.start);
+        let (message, hint) = explain(&error.fault, &subject, &origin.text[at..]);
         origin.error(Some(at), message, hint).because(error)
     }
 }
 
-/// Byte offset of a line and column, both counted from 1.
-fn offset_of(text: &str, position: Position) -> usize {
-    let lines: usize = text.split_inclusive('\n').take(position.line.saturating_sub(1)).map(str::len).sum();
-    let column = text[lines..].char_indices().nth(position.col.saturating_sub(1));
-    column.map_or(text.len(), |(bytes, _)| lines + bytes)
-}
-
-/// Reads the text of `origin`, whose places are not yet known.
-pub(super) fn parse(origin: &Origin) -> Result<(Scene, Places), SceneError> {
-    let text = &origin.text[..];
-    if text.trim().is_empty() {
+/// Reads the scene whose text this is.
+pub(super) fn parse(mut origin: Origin) -> Result<Scene, SceneError> {
+    if origin.text.trim().is_empty() {
         let hint = "a scene begins with `Scene(geometry: PlaneStrain, punch: ..., force: ..., stack: [...])`";
         return Err(origin.error(None, "the text is empty".into(), Some(hint.into())));
     }
-    let start = text.len() - without_comments(text).len();
-    let whole = Part { text, offset: 0, name_at: start, owner: "the scene".into() };
-    let draft: Draft = read_ron(text).map_err(|error| {
-        // a text with a mistake in its punctuation is read with its units: the mistake is told, not the first number with a unit
-        let span = &error.cause.span;
-        let is_quoted = [span.start, span.end].into_iter().any(|position| {
-            let rest = text.get(offset_of(text, position)..).unwrap_or_default();
-            rest.trim_start().starts_with('"')
-        });
-        let syntax = is_quoted.then(|| read_ron::<IgnoredAny>(text).err()).flatten();
-        let mut error = syntax.unwrap_or(error);
-        // punch and stack are only skipped here: what is wrong within them is wrong with the text
-        error.field = error.field.filter(|field| !matches!(&field[..], "punch" | "load" | "stack"));
-        whole.error_of(Some(&Value::of_schema(&schema_of_scene())), origin, error)
-    })?;
-    let (owner, top) = what_presses(&draft, &whole, origin)?;
-    let force = force(&draft, &whole, origin)?;
-    let punch = Part { owner: owner.into(), ..part(text, top.get_ron()) };
-    let list = Part { owner: "the stack".into(), ..part(text, draft.stack.get_ron()) };
-    let items: Vec<&RawValue> = read_ron(list.text).map_err(|error| list.error(origin, error))?;
+    // a scene in RON begins with its name or a parenthesis
+    let tree = if origin.text.trim_start().starts_with('{') {
+        is_json(&origin)?;
+        Node::from_json(&origin.text)
+    } else {
+        Node::from_ron(&origin.text)
+    };
+    let whole = Part { node: &origin.tree, owner: "the scene" };
+    let mut tree = tree.map_err(|error| whole.error(&origin, error))?;
+    without_units(&mut tree, &origin)?;
+    origin.tree = tree;
+    let scene = scene(&origin)?;
+    Ok(Scene { origin: Some(Arc::new(origin)), ..scene })
+}
+
+/// Refuses a text that is no JSON.
+fn is_json(origin: &Origin) -> Result<(), SceneError> {
+    let text = &origin.text[..];
+    serde_json::from_str(text).map(|IgnoredAny| ()).map_err(|error| {
+        let lines: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+        let at = (lines + error.column().saturating_sub(1)).min(text.len());
+        let at = (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+        let message = error.to_string();
+        let message = message.split(" at line ").next().unwrap_or(&message).to_owned();
+        let hint = Some("the text begins with `{`, and is read as JSON".to_owned());
+        origin.error(Some(at), message, hint)
+    })
+}
+
+/// Reads a scene from its tree.
+fn scene(origin: &Origin) -> Result<Scene, SceneError> {
+    let tree = &origin.tree;
+    let whole = Part { node: tree, owner: "the scene" };
+    let read = tree.read::<Draft>();
+    let draft = read.map_err(|error| whole.error_of(Some(&Value::of_schema(&schema_of_scene())), origin, error))?;
+    let top = what_presses(&draft, origin)?;
+    let force = force(&draft, origin)?;
+    let list = Part { node: tree.field("stack").unwrap_or(tree), owner: "the stack" };
+    let Kind::List(items) = &list.node.kind else {
+        let error = Fault::Expected(Form::List).at(list.node.place.start);
+        return Err(list.error(origin, error));
+    };
     if items.len() > MAX_ITEMS {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
-        return Err(origin.error(Some(list.name_at), message, None));
+        return Err(origin.error(Some(list.node.place.start), message, None));
     }
-    let items: Vec<Part> = items.into_iter().map(|item| part(text, item.get_ron())).collect();
-    let places = Places { punch: punch.place(), stack: list.place(), items: items.iter().map(Part::place).collect() };
-
     let given = draft.load.is_some();
     let form = || form_of_top(given, draft.geometry);
-    let read = read_top(punch.text, given, draft.geometry);
-    let punch = read.map_err(|error| punch.error_of(Some(&form()), origin, error))?;
+    let punch = read_top(top.node, given, draft.geometry);
+    let punch = punch.map_err(|error| top.error_of(Some(&form()), origin, error))?;
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
     for item in items {
-        let item = read_item(item, layers + 1, origin, &origin.registry)?;
+        let item = read_item(item, layers + 1, origin)?;
         layers += usize::from(!item.is_interface());
         stack.push(item);
     }
     let Draft { name, description, units, geometry, .. } = draft;
-    Ok((Scene { name, description, units, ..Scene::new(geometry, punch, force, stack) }, places))
+    Ok(Scene { name, description, units, ..Scene::new(geometry, punch, force, stack) })
 }
 
-/// What presses on top, and what it is called in messages.
-fn what_presses<'a>(
-    draft: &Draft<'a>,
-    whole: &Part,
-    origin: &Origin,
-) -> Result<(&'static str, &'a RawValue), SceneError> {
-    let text = &origin.text[..];
+/// What presses on top.
+fn what_presses<'a>(draft: &Draft, origin: &'a Origin) -> Result<Part<'a>, SceneError> {
+    let tree = &origin.tree;
+    let part = |field: &str, owner| Ok(Part { node: tree.field(field).unwrap_or(tree), owner });
     match (draft.punch, draft.load) {
-        (Some(punch), None) => Ok(("the punch", punch)),
-        (None, Some(load)) => Ok(("the load", load)),
-        (Some(_), Some(load)) => {
-            let at = part(text, load.get_ron()).name_at;
+        (Some(_), None) => part("punch", "the punch"),
+        (None, Some(_)) => part("load", "the load"),
+        (Some(_), Some(_)) => {
+            let at = tree.field("load").map(|load| load.place.start);
             let hint = "a load takes the place of a punch: remove one of them";
-            Err(origin.error(Some(at), "the scene has `punch` and `load`".into(), Some(hint.into())))
+            Err(origin.error(at, "the scene has `punch` and `load`".into(), Some(hint.into())))
         }
         (None, None) => {
             let hint = "add `punch: ...` or, for a given pressure, `load: ...` between its parentheses";
             let message = "`punch` is missing in the scene".into();
-            Err(origin.error(Some(whole.name_at), message, Some(hint.into())))
+            Err(origin.error(Some(tree.place.start), message, Some(hint.into())))
         }
     }
 }
 
 /// The force, or what it is found for.
-fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneError> {
+fn force(draft: &Draft, origin: &Origin) -> Result<Force, SceneError> {
     let given = |force: fn(f64) -> Force, number: Option<Positive>| number.map(|number| force(number.get()));
     let all = [
         given(Force::Given, draft.force),
@@ -329,7 +328,7 @@ fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneErr
         [] => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
             let message = "`force` is missing in the scene".into();
-            return Err(origin.error(Some(whole.name_at), message, Some(hint.into())));
+            return Err(origin.error(Some(origin.tree.place.start), message, Some(hint.into())));
         }
         [first, second, ..] => (
             first.field(),
@@ -337,18 +336,18 @@ fn force(draft: &Draft, whole: &Part, origin: &Origin) -> Result<Force, SceneErr
             "`force` is given, or found for `half_length` or `depth`: remove one of them",
         ),
     };
-    let at = field(&origin.text, name).map_or(whole.name_at, |value| part(&origin.text, value).name_at);
+    let at = origin.tree.field(name).map(|value| value.place.start);
     let message = format!("the scene has `{other}` and `{name}`");
-    Err(origin.error(Some(at), message, Some(hint.into())))
+    Err(origin.error(at, message, Some(hint.into())))
 }
 
 /// Reads a punch, or the load that is `given` in its place.
-pub(super) fn read_top(text: &str, given: bool, geometry: Geometry) -> Result<Punch, ReadError> {
+pub(super) fn read_top(node: &Node, given: bool, geometry: Geometry) -> Result<Punch, ReadError> {
     match (geometry, given) {
-        (Geometry::Axisymmetric, true) => read_ron::<RoundLoad>(text).map(|load| Punch::Given(load.into())),
-        (Geometry::Axisymmetric, false) => read_ron::<RoundPunch>(text).map(Punch::from),
-        (_, true) => read_ron(text).map(Punch::Given),
-        (_, false) => read_ron(text),
+        (Geometry::Axisymmetric, true) => node.read::<RoundLoad>().map(|load| Punch::Given(load.into())),
+        (Geometry::Axisymmetric, false) => node.read::<RoundPunch>().map(Punch::from),
+        (_, true) => node.read().map(Punch::Given),
+        (_, false) => node.read(),
     }
 }
 
@@ -363,38 +362,33 @@ fn form_of_top(given: bool, geometry: Geometry) -> Value {
 }
 
 /// Reads the item that is, or would be, layer `number`.
-pub(super) fn read_item(item: Part, number: usize, origin: &Origin, registry: &Registry) -> Result<Item, SceneError> {
+pub(super) fn read_item(item: &Node, number: usize, origin: &Origin) -> Result<Item, SceneError> {
+    let registry = &origin.registry;
     let names = || Item::names(registry);
-    let Some((name, fields)) = name_and_rest(item.text) else {
-        let message = format!("a layer or an interface is expected, found {}", token(&origin.text[item.name_at..]));
-        let hint = format!("allowed are {}", quoted_list(&names()));
-        return Err(origin.error(Some(item.name_at), message, Some(hint)));
+    let error = |at: usize, message, hint| Err(origin.error(Some(at), message, hint));
+    let start = item.place.start;
+    let Some(name) = item.name.as_deref() else {
+        let message = format!("a layer or an interface is expected, found {}", token(&origin.text[start..]));
+        return error(start, message, Some(format!("allowed are {}", quoted_list(&names()))));
     };
     if let Some(plain) = Item::plain(name) {
-        let fields = without_comments(fields);
-        if fields.is_empty() {
+        if item.kind == Kind::Nothing {
             return Ok(plain);
         }
-        let at = item.offset + item.text.len() - fields.len();
-        let message = format!("`{name}` has no fields, found {}", token(fields));
-        return Err(origin.error(Some(at), message, Some(format!("write `{name}` alone"))));
+        let message = format!("`{name}` has no fields, found {}", token(&origin.text[item.inner..]));
+        return error(item.inner, message, Some(format!("write `{name}` alone")));
     }
-    let fields = |owner: String| {
-        let offset = item.offset + item.text.len() - fields.len();
-        Part { text: fields, offset, name_at: item.name_at, owner }
-    };
     if name == SPRING {
-        let fields = fields(format!("the springs below layer {}", number - 1));
-        let form = || Value::of::<Spring>();
-        return read_ron(fields.text).map(Item::Spring).map_err(|error| fields.error_of(Some(&form()), origin, error));
+        let owner = format!("the springs below layer {}", number - 1);
+        let part = Part { node: item, owner: &owner };
+        let read = item.read_inner().map(Item::Spring);
+        return read.map_err(|error| part.error_of(Some(&Value::of::<Spring>()), origin, error));
     }
     let Some(entry) = registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
-        return Err(origin.error(Some(item.name_at), message, instead_of(name, &names())));
+        return error(start, message, instead_of(name, &names()));
     };
-    let fields = fields(format!("layer {number} ({name})"));
-    match (entry.read)(fields.text) {
-        Ok(body) => Ok(Item::of(body)),
-        Err(error) => Err(fields.error_of(entry.describe().as_ref(), origin, error)),
-    }
+    let owner = format!("layer {number} ({name})");
+    let part = Part { node: item, owner: &owner };
+    (entry.read)(item).map(Item::of).map_err(|error| part.error_of(entry.describe().as_ref(), origin, error))
 }

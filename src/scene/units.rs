@@ -253,12 +253,12 @@ pub(super) fn has_unit(text: &str) -> bool {
     number.parse::<f64>().is_ok() && !rest.trim().is_empty()
 }
 
-/// A number with a unit, in the units of a scene, as text; or why it is none, and what to do.
+/// A number with a unit, in the units of a scene; or why it is none, and what to do.
 pub(super) fn converted(
     text: &str,
     expected: Option<Dimension>,
     units: Option<&Units>,
-) -> Result<String, (String, String)> {
+) -> Result<f64, (String, String)> {
     let (allowed, example) = expected.map_or(("a number with a unit", "\"12.5 um\""), Dimension::name);
     let end = number_end(text);
     let (number, name) = (&text[..end], text[end..].trim());
@@ -301,11 +301,11 @@ pub(super) fn converted(
 }
 
 /// A decimal number times factor · 10^exponent; exactly, if the factor is 1.
-fn scaled(number: &str, factor: f64, exponent: i32) -> String {
+fn scaled(number: &str, factor: f64, exponent: i32) -> f64 {
     let (digits, own) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let exponent = i64::from(exponent) + own.parse::<i64>().unwrap_or(0);
     let value: f64 = format!("{digits}e{exponent}").parse().unwrap_or(f64::NAN);
-    format!("{:?}", value * factor)
+    value * factor
 }
 
 /// Where the number ends with which a text begins.
@@ -374,7 +374,7 @@ mod tests {
             ("0.5rad", Dimension::ANGLE, 0.5),
         ] {
             let converted = converted(text, Some(dimension), Some(&metric)).unwrap();
-            assert_eq!(converted.parse::<f64>().unwrap(), expected, "{text}: {converted}");
+            assert_eq!(converted, expected, "{text}");
         }
     }
 

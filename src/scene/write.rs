@@ -36,7 +36,7 @@ impl Scene {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
         field("geometry", self.geometry.name().to_owned());
-        field(if self.punch.load().is_some() { "load" } else { "punch" }, self.punch.written_in(self.geometry));
+        field(self.punch.field(), self.punch.written_in(self.geometry));
         field(self.force.field(), format!("{:?}", self.force.number()));
         text += "    stack: [\n";
         for item in &self.stack {

@@ -15,7 +15,7 @@ use std::ops::Range;
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
-use recede_layers::ReadError;
+use recede_layers::tree::ReadError;
 
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;

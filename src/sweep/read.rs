@@ -4,13 +4,14 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use recede_layers::Registry;
+use recede_layers::tree::first_name;
 use serde::Deserialize;
 
 use super::Sweep;
 use crate::axis::Axis;
 use crate::errors::Error;
 use crate::options::Options;
-use crate::scene::{Scene, SceneError, first_name, read_document};
+use crate::scene::{Scene, SceneError, read_document};
 
 /// The whole of it.
 #[derive(Deserialize)]
