@@ -31,6 +31,7 @@ mod hard_scenes;
 mod help;
 mod hostile;
 mod input;
+mod install;
 mod interfaces;
 mod intervals;
 mod invariance;
