@@ -262,7 +262,8 @@ fn thin_coating() -> Scene {
 }
 
 fn examples() -> impl Iterator<Item = Scene> {
-    let files = fs::read_dir("examples/scenes").unwrap();
+    let folders = ["examples/scenes", "examples/axisymmetric"];
+    let files = folders.into_iter().flat_map(|folder| fs::read_dir(folder).unwrap());
     files.map(|entry| Scene::read(entry.unwrap().path()).unwrap())
 }
 
@@ -376,6 +377,26 @@ fn uniform_loads_have_upright_sides_and_punches_no_brim() {
     let right: Vec<f64> = steep.iter().skip(steep.len() / 2 + 1).map(|(_, y)| *y).collect();
     let from = right.iter().rposition(|y| *y == right[0]).unwrap();
     assert!(right[from..].is_sorted_by(|a, b| a > b), "{right:?}");
+}
+
+#[test]
+fn a_narrow_load_has_an_arrow_in_its_middle() {
+    let arrows = |half_width: f64| {
+        let scene = scene(&format!(
+            "load: Uniform(half_width: {half_width}), force: 1, stack: [
+                Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 1, poisson: 0.25)]"
+        ));
+        let svg = stack(&scene).svg();
+        let paths =
+            svg.lines().filter(|line| line.contains("stroke-width=\"1\"")).filter_map(|line| line.split('"').nth(1));
+        let points = paths.map(|path| {
+            let numbers = path.trim_start_matches('M').split(' ').filter_map(|number| number.parse().ok());
+            numbers.collect::<Vec<f64>>()
+        });
+        points.filter(|path| path.len() == 4 && path[0] == path[2]).count()
+    };
+    let counts = [2.0, 0.5, 0.1, 0.02].map(arrows);
+    assert!(counts.is_sorted_by(|a, b| a >= b) && counts[0] > 4 && counts[3] == 1, "{counts:?}");
 }
 
 #[test]

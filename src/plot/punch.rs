@@ -100,7 +100,8 @@ impl Punch<'_> {
             picture.area(&outline, PUNCH);
             picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
             let (Some((from, _)), Some((to, _))) = (outline.first(), outline.last()) else { continue };
-            let count = ((to - from) / ARROWS) as usize;
+            // one in the middle of a narrow load, none where it is out of sight
+            let count = (((to - from) / ARROWS) as usize).max(usize::from(to > from));
             for x in (1..=count).map(|i| from + (to - from) * (i as f64 - 0.5) / count as f64) {
                 let next = outline.partition_point(|(at, _)| *at < x).min(outline.len() - 1);
                 let length = self.top - 3.0 - outline[next].1;
