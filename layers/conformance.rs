@@ -7,7 +7,7 @@
 //! recede_layers::layer_laws!(strip, Homogeneous::new(1.0, 1.0, 0.25).expect("legal numbers"));
 //! ```
 //!
-//! Four properties make a layer what it is, and each law looks at one of them from one side: the fields obey the state
+//! Four properties make a layer, and each law looks at one of them from one side: the fields obey the state
 //! equations of its [`Layer::material`] ([`general_body`], [`inside`], [`split_in_two`], [`continues`], [`mirror`],
 //! [`long_wave`], [`short_wave`]), the material is elastic and smooth at its faces ([`reciprocity`],
 //! [`positive_energy`], [`smooth_faces`]), numbers keep their digits
@@ -57,7 +57,7 @@ pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
     "{law}: {quantity} at wavenumber {wavenumber:e}, plane {plane:?}, is {found:e}, not {expected:e} ± {tolerance:e}"
 )]
 pub struct Violation {
-    /// The law's name, which is that of its function.
+    /// The law's name, which is the name of its function.
     pub law: &'static str,
     /// What was compared.
     pub quantity: &'static str,

@@ -9,7 +9,7 @@ impl dyn Layer {
     }
 
     /// States at the faces and at `depths` below the top face, in ascending order from 0 to the thickness, in amplitudes
-    /// common to all of them; they need not be those of [`face_states`](#method.face_states). The layer's closed form, or
+    /// common to all of them; they need not be the amplitudes of [`face_states`](#method.face_states). The layer's closed form, or
     /// [`graded::states`].
     pub fn states(&self, wave: &Wave, depths: &[f64]) -> LayerStates {
         let closed = self.closed_form().and_then(|closed| closed.states(wave, depths));

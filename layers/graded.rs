@@ -61,7 +61,7 @@ pub fn face_states(layer: &(impl Layer + ?Sized), wave: &Wave) -> FaceStates {
     of_layer(layer, wave, &Tree::default())
 }
 
-/// `tree` is that of the layer in the plane of the wave.
+/// `tree` has the parts of the layer in the plane of the wave.
 pub(crate) fn of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) -> FaceStates {
     let material = |depth| layer.material(depth, wave.plane);
     Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() }.face_states(wave, tree)
@@ -73,7 +73,7 @@ pub fn flexibility(layer: &(impl Layer + ?Sized), wave: &Wave) -> Option<Flexibi
     flexibility_of_layer(layer, wave, &Tree::default())
 }
 
-/// `tree` is that of the layer in the plane of the wave.
+/// `tree` has the parts of the layer in the plane of the wave.
 pub(crate) fn flexibility_of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) -> Option<Flexibility> {
     let material = |depth| layer.material(depth, wave.plane);
     let profile = Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() };
@@ -89,7 +89,7 @@ pub fn states(layer: &(impl Layer + ?Sized), wave: &Wave, depths: &[f64]) -> Lay
     states_of_layer(layer, wave, &Tree::default(), depths, depths)
 }
 
-/// `tree` is that of the layer in the plane of the wave, cut at `cuts`, of which `depths` are some.
+/// `tree` has the parts of the layer in the plane of the wave, cut at `cuts`, of which `depths` are some.
 pub(crate) fn states_of_layer(
     layer: &(impl Layer + ?Sized),
     wave: &Wave,

@@ -141,7 +141,7 @@ pub trait ClosedForm {
     fn face_states(&self, wave: &Wave) -> FaceStates;
 
     /// States at the faces and at `depths` below the top face, in ascending order from 0 to the thickness, in amplitudes
-    /// common to all of them, which need not be those of [`face_states`](ClosedForm::face_states): what the fields inside a
+    /// common to all of them, which need not be the amplitudes of [`face_states`](ClosedForm::face_states): what the fields inside a
     /// stack are made of. `None`, as is provided, leaves them to the general body.
     fn states(&self, wave: &Wave, depths: &[f64]) -> Option<LayerStates> {
         let _ = (wave, depths);

@@ -17,7 +17,8 @@ pub enum Plane {
     Stress,
 }
 
-/// Roots this close to 1 are those of an isotropic material: what is rounded away there appears in them as its root.
+/// Roots this close to 1 are the roots of an isotropic material: rounding of the coefficients moves a double
+/// root by its square root.
 const DOUBLE: f64 = 1e-6;
 
 /// The four coefficients of the state equations at one depth, and what they do not tell of the stress out of the plane.
@@ -44,7 +45,7 @@ pub struct Material {
 const SAME: f64 = 1e-9;
 
 impl Material {
-    /// Whether it is that of an isotropic material in plane strain: the four coefficients follow from two of them.
+    /// Whether these are the coefficients of an isotropic material in plane strain: the four coefficients follow from two of them.
     pub fn is_isotropic(&self) -> bool {
         let [stiffness, compliance] = [2.0 * (1.0 + self.coupling), 0.5 * (1.0 - self.coupling)];
         (self.axial_stiffness * self.shear_compliance - stiffness).abs() <= SAME * stiffness
@@ -52,7 +53,7 @@ impl Material {
     }
 
     /// How fast the slowest field decays with λ·depth, dimensionless: the smaller real part of the roots of
-    /// s⁴ − (em − 2c) s² + c² + ed = 0, in which the coefficients are those of this material in the order m, d, c, e. 1 for
+    /// s⁴ − (em − 2c) s² + c² + ed = 0, in which m, d, c, e are the coefficients of this material, in their order. 1 for
     /// any isotropic material, less for one that is stiff along the layers.
     ///
     /// ```

@@ -136,7 +136,7 @@ impl EngineeringConstants {
         (ex - ez).abs() <= SAME * ex && (xy * ey - yz * ex).abs() <= SAME * ex
     }
 
-    /// Any deformation takes work, or at least, like that of an incompressible material, gives none back.
+    /// Any deformation takes work, or at least, like a pure change of volume of an incompressible material, gives none back.
     fn check(self) -> Result<Self, LayerError> {
         let ([ex, ey, ez], [xy, xz, yz]) = self.numbers();
         for (field, found, ratio) in
@@ -154,7 +154,7 @@ impl EngineeringConstants {
 
 /// Homogeneous orthotropic layer with axes along and across it.
 ///
-/// It is left to the general body, in which roots that coincide, as those of an isotropic material do, are nothing special.
+/// It is left to the general body, in which roots that coincide, as the roots of an isotropic material do, are nothing special.
 ///
 /// ```
 /// use recede_layers::{EngineeringConstants, Layer, Orthotropic};

@@ -207,7 +207,7 @@ impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
         Ok(Self::Table(checked.collect::<Result<Vec<_>, LayerError>>()?.try_into()?))
     }
 
-    /// The value at depth d in a layer of thickness h; below the last row of a table, that of the last row.
+    /// The value at depth d in a layer of thickness h; below the last row of a table, the value of the last row.
     pub fn at(&self, depth: f64, thickness: f64) -> f64 {
         let between = |above: Q, below: Q, part: f64| {
             let (above, below): (f64, f64) = (above.into(), below.into());

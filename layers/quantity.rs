@@ -111,7 +111,7 @@ quantity!(
     Carrying, "a finite number > -1 (a half-plane that softens faster carries no force)", {"exclusiveMinimum": -1},
     |x| x > -1.0 && x.is_finite());
 quantity!(
-    /// An exponent, such as that of a profile |x|^n.
+    /// An exponent, such as n of a profile |x|^n.
     Exponent, "a number from 1 to 100", {"minimum": 1, "maximum": 100}, |x| (1.0..=100.0).contains(&x));
 quantity!(
     /// Half of the angle at the tip of a wedge or a cone, in radians.

@@ -44,7 +44,7 @@ pub type ReadBody = fn(&Node) -> Result<Body, ReadError>;
 pub struct Entry {
     /// The name in the scene file, e.g. `Homogeneous`.
     pub name: &'static str,
-    /// One line on what it is.
+    /// One line on the layer, interface or base of this name.
     pub summary: &'static str,
     /// Reads the fields.
     pub read: ReadBody,

@@ -12,8 +12,8 @@ use crate::{Key, LayerError, Notation, Positive, State, Support, Wave};
 /// They push and pull with σ_yy = k v, where v is the displacement of the layer's bottom face. Along the face they either
 /// resist nothing, σ_xy = 0, or, with a shear stiffness, σ_xy = k_t u.
 ///
-/// A layer has to be bonded to them: a loose one, or a punch, would have a pressure on them that is not that of an elastic
-/// body, p = −k v place by place.
+/// A layer has to be bonded to them: a loose one, or a punch, would press on them with p = −k v place by place,
+/// which is not the pressure on an elastic body.
 ///
 /// ```
 /// use recede_layers::{Plane, Winkler, conformance};

@@ -51,7 +51,7 @@ class Form(NamedTuple):
 
 
 def named(schemas: list[dict[str, Any]], geometry: str = "", known: dict[str, Form] | None = None) -> dict[str, Form]:
-    """Forms by name; those of one name, of different geometries, are put together."""
+    """Forms by name; forms of one name, of different geometries, are put together."""
     names = {} if known is None else known
 
     def add(name: str, description: str, fields: dict[str, Any], required: set[str]) -> None:

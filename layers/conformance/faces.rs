@@ -12,8 +12,8 @@ const LEAST: f64 = 1e-11;
 const WHOLE: f64 = 1e-6;
 /// Distances from the bottom face are known to 1e-4 of themselves from this part of the thickness on.
 const KNOWN: f64 = 1e-12;
-/// So many steps towards a face in a row have to tell of the same: a coefficient that turns round close to a face, and is there
-/// what it is at the face, spoils two.
+/// So many steps towards a face in a row have to tell of the same: a coefficient that turns round close to a face, and has there
+/// its value at the face, spoils two.
 const STEPS: usize = 3;
 /// Exponents up to this are less than 1: their rounding is 1e-3, since changes are known to as much of themselves.
 const ALMOST: f64 = 0.99;

@@ -61,7 +61,7 @@ fn fields(states: &InnerStates) -> Vec<State> {
     columns.chain([State::z() + states.uniform]).collect()
 }
 
-/// Between two depths the layer's fields do, by reciprocity, no net work with those of the general body. [`UNFELT`] of a
+/// Between two depths the layer's fields do, by reciprocity, no net work with the fields of the general body. [`UNFELT`] of a
 /// field's values at the layer's faces is granted.
 fn part(
     trial: &Trial,

@@ -90,7 +90,7 @@ pub fn positive_energy(layer: &dyn Layer, plane: Plane) -> Result<(), Violation>
     Ok(())
 }
 
-/// [`crate::ClosedForm::face_states`] and [`crate::ClosedForm::flexibility`], if given, are those of the state equations as
+/// [`crate::ClosedForm::face_states`] and [`crate::ClosedForm::flexibility`], if given, follow from the state equations as
 /// [`graded::face_states`] integrates them from [`Layer::material`].
 ///
 /// # Errors
@@ -100,7 +100,7 @@ pub fn general_body(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
     let tree = Tree::default();
     for wave in USUAL.map(|z| trial.wave(z)) {
         let (states, general) = (layer.face_states(&wave), graded::of_layer(layer, &wave, &tree));
-        trial.members(&wave, "face states: work with those of the general body", &states, &general)?;
+        trial.members(&wave, "face states: work with the face states of the general body", &states, &general)?;
         if trial.thickness.is_none() {
             let [found, expected] = [trial.surface(&wave, &states)?, trial.surface(&wave, &general)?];
             trial.same_surface(&wave, &found, &expected)?;

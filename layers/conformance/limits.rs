@@ -17,10 +17,10 @@ pub fn free_body(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
     let tolerance = DIGITS * c.top.abs();
     trial.equal("C_tb", &wave, -c.coupling, c.top, tolerance)?;
     trial.equal("C_bb", &wave, -c.bottom, c.top, tolerance)?;
-    trial.equal("λμ₀C_tt against that of half the wavenumber", &wave, 8.0 * c.top, long.top, DIGITS * long.top)?;
+    trial.equal("λμ₀C_tt against its value at half the wavenumber", &wave, 8.0 * c.top, long.top, DIGITS * long.top)?;
     for (quantity, x, y) in [
-        ("λμ₀(C_tt + C_tb) against that of half the wavenumber", c.equal_top, long.equal_top),
-        ("λμ₀(C_bt + C_bb) against that of half the wavenumber", c.equal_bottom, long.equal_bottom),
+        ("λμ₀(C_tt + C_tb) against its value at half the wavenumber", c.equal_top, long.equal_top),
+        ("λμ₀(C_bt + C_bb) against its value at half the wavenumber", c.equal_bottom, long.equal_bottom),
     ] {
         // λ⁻¹, or a smaller power where it is absent; what rounding leaves of the larger response is no response
         let largest = 2.0 * x.abs() * (1.0 + DIGITS) + beam.equal_loads_resolution();
@@ -33,7 +33,7 @@ pub fn free_body(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
 /// ∫ c (y − y₀) p dy of their transverse strain.
 ///
 /// # Errors
-/// The first number that is not that of the beam.
+/// The first number that differs from the number of the beam.
 pub fn long_wave(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
     let Some(trial) = Trial::new("long_wave", layer, plane) else { return Ok(()) };
     let Some(beam) = trial.beam() else { return Ok(()) };

@@ -15,8 +15,8 @@ use crate::{FaceStates, Flexibility, InnerStates, LayerStates, Material, State, 
 const SERIES: f64 = 0.5;
 /// (1/2)^18/18! is below rounding.
 const TERMS: u32 = 9;
-/// Above this thickness, in decay lengths of the slower field, amplitudes are those of fields that decay from one face. Below
-/// it these are too similar; far above it, the difference of symmetric and antisymmetric fields would be rounding.
+/// Above this thickness, in decay lengths of the slower field, amplitudes multiply fields that decay from one face. Below
+/// it these fields are too similar; far above it, the difference of symmetric and antisymmetric fields would be rounding.
 const DECAYING: f64 = 1.0;
 
 /// one + adjugate · adj K, a function of the matrix K.
@@ -281,7 +281,7 @@ mod tests {
                 for (found, expected) in entries(&found).into_iter().zip(entries(&expected)) {
                     // the coupling of faces that do not feel each other
                     let unfelt = 100.0 * (-2.0 * FELT).exp() / material.axial_stiffness;
-                    // of e^(−z) the relative error is that of z times z
+                    // e^(−z) has the relative error of z, times z
                     let rounding = 1e-13 + 4.0 * f64::EPSILON * z.min(100.0);
                     assert!((found - expected).abs() <= rounding * expected.abs() + unfelt, "{poisson} {z:e}");
                 }
@@ -328,8 +328,8 @@ mod tests {
             }
         }
 
-        /// Amplitudes of all three kinds make the same fields: those that the closed flexibility tells, and, with mid-depth as a face,
-        /// those of two halves on each other.
+        /// Amplitudes of all three kinds make the same fields: the fields that the closed flexibility tells, and, with mid-depth as a face,
+        /// the fields of two halves on each other.
         #[test]
         fn states_are_those_of_the_flexibility(material in materials()) {
             for z in lengths() {

@@ -33,6 +33,6 @@ def solution(found: Any) -> str:
         text += f"<p>force {found.force:.8g}, approach {found.approach:.8g}{stiffness}</p>"
     notes = "".join(f"<li>{escape(message)}</li>" for _, message in found.warnings)
     text += f"<ul>{notes}</ul>" if notes else ""
-    # as an image, so that names within one picture are not those of another
+    # as an image, so that names within one picture do not meet the names of another
     picture = b64encode(found.svg().encode()).decode()
     return text + f'<img alt="{escape(repr(found))}" src="data:image/svg+xml;base64,{picture}">'

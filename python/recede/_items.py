@@ -187,7 +187,7 @@ def named(base: type[Item], data: Any) -> Item:
 def _value(data: Any, hint: Any) -> Any:
     """A value in JSON, of a field of this type."""
     bases = [kind for kind in members(hint) if isinstance(kind, type) and issubclass(kind, Item)]
-    # what stands in rows has no type: names there are those of loads, punches or layers
+    # what stands in rows has no type: names there are names of loads, punches or layers
     bases = bases if bases or hint is not object else [Load, Punch, StackItem]
     is_item = isinstance(data, str) or isinstance(data, dict) and len(data) == 1 and next(iter(data))[0].isupper()
     if is_item:

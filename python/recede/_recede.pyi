@@ -41,7 +41,7 @@ class Scene:
         load: a pressure that is given, in place of the punch.
         half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
         depth: in place of the force: how far the punch sinks, in length.
-        geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; that of the stack if it is a `Stack`.
+        geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; a `Stack` brings its own.
         name: a name for reports.
         description: what the scene shows.
         units: labels of the units of length and force, such as `Units("mm", "N")`, `("mm", "N")` or

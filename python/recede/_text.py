@@ -65,7 +65,7 @@ class Stack:
     def __init__(self, items: Iterable[Item], geometry: str = "PlaneStrain") -> None:
         self._items = tuple(items)
         self._geometry = geometry
-        # punch and force are those of whoever presses
+        # who presses brings punch and force
         self._scene = Scene(self._items, ANY_PUNCH, 1.0, geometry=geometry)
 
     @property
@@ -137,7 +137,7 @@ def scene(
     """The text of a scene, what each line of it is about, and which items of the stack are functions."""
     items = stack.items if isinstance(stack, Stack) else tuple(stack)
     if isinstance(stack, Stack) and geometry not in (None, stack.geometry):
-        raise ValueError(f"`geometry` is {geometry!r}, but that of the stack is {stack.geometry!r}")
+        raise ValueError(f"`geometry` is {geometry!r}, but the geometry of the stack is {stack.geometry!r}")
     for item in items:
         if not isinstance(item, Item):
             raise TypeError(f"{item!r} is no item of a stack, such as `Homogeneous(...)`, `Receding()` or `HalfPlane(...)`")

@@ -17,7 +17,7 @@ pub const PATIENCE: Duration = Duration::from_millis(100);
 
 /// A scene's stack with its kernels.
 pub struct Solver {
-    /// The scene; its punch and force are those of whoever asks.
+    /// The scene; each question brings a punch and a force in place of the ones in it.
     pub scene: recede::Scene,
     pub model: recede::Model,
     pub source: Source,

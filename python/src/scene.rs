@@ -32,7 +32,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// The exception for an error of the scene; that of a function in a layer, if it has raised one.
+    /// The exception for an error of the scene, or the exception that a function in a layer has raised.
     pub fn failed(&self, py: Python<'_>, error: &recede::Error) -> PyErr {
         let failure = self.functions.iter().find_map(|layer| layer.failure.take());
         failure.unwrap_or_else(|| raised_about(py, error, self.objects.as_deref()))
@@ -72,7 +72,7 @@ impl Source {
 ///     load: a pressure that is given, in place of the punch.
 ///     half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
 ///     depth: in place of the force: how far the punch sinks, in length.
-///     geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; that of the stack if it is a `Stack`.
+///     geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; a `Stack` brings its own.
 ///     name: a name for reports.
 ///     description: what the scene shows.
 ///     units: labels of the units of length and force, such as `Units("mm", "N")`, `("mm", "N")` or

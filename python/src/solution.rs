@@ -22,7 +22,7 @@ pub struct Pressed {
     pub tolerance: f64,
 }
 
-/// A solution with what it is one of.
+/// A solution with the solver and the punch or load that it belongs to.
 pub struct Solved {
     pub solver: Arc<Solver>,
     pub pressed: Pressed,

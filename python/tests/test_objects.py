@@ -178,7 +178,7 @@ def test_errors_have_place_and_hint():
     # the item in question
     assert error.excerpt == "HalfPlane(poisson=0.25, shear_modulus=1.0)"
     assert str(pickle.loads(pickle.dumps(error))) == str(error) and isinstance(error, ValueError)
-    # that of a model has no line: the punch is in no text
+    # an error of a model has no line: the punch is in no text
     with pytest.raises(recede.InputError, match="cannot carry") as caught:
         Model(Stack([HalfPlane(shear_modulus=1.0, poisson=0.25)])).press(Cylinder(radius=1.0), 1e6)
     assert caught.value.line is None
