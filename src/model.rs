@@ -224,10 +224,15 @@ pub fn solve(scene: &Scene) -> Result<Solution, Error> {
 
 #[cfg(test)]
 mod tests {
-    use recede_layers::{Graded, HalfPlane, Homogeneous, Isotropic, Layer, Material, Plane};
+    use recede_layers::{
+        EngineeringConstants, Exponential, Graded, HalfPlane, Homogeneous, Isotropic, Layer, Material, Orthotropic,
+        Plane,
+    };
 
     use super::*;
-    use crate::scene::Item;
+    use crate::field::FieldPoint;
+    use crate::scene::{Item, Load};
+    use crate::solution::Interval;
 
     #[test]
     fn a_field_is_that_of_a_solution_of_the_same_stack() {
@@ -298,6 +303,81 @@ mod tests {
         for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
             assert!((found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-12);
             assert!((found.central_pressure / expected.central_pressure - 1.0).abs() < 1e-12);
+        }
+    }
+
+    /// Stacks without contacts between layers, of all kinds of bodies.
+    fn bonded_stacks() -> Vec<Model> {
+        let ply = EngineeringConstants::new([10.0, 1.0, 1.0], [0.3, 0.3, 0.4], 0.7).unwrap();
+        let stack = || Stack::builder(Plane::Strain);
+        let (strip, ground) = (|| Homogeneous::new(0.5, 4.0, 0.3).unwrap(), || HalfPlane::new(1.0, 0.25).unwrap());
+        [
+            stack().layer(ground()),
+            stack()
+                .layer(strip())
+                .bonded()
+                .layer(Exponential::new(0.7, 2.0, 0.3, -1.0).unwrap())
+                .bonded()
+                .layer(ground()),
+            stack().layer(Orthotropic::new(0.4, ply).unwrap()).bonded().layer(strip()).bonded().rigid(),
+            stack().layer(strip()).sliding().rigid(),
+        ]
+        .map(|stack| Model::new(stack.build().unwrap()).unwrap())
+        .into()
+    }
+
+    /// The pressures and intervals of a load, moved along x.
+    fn moved(solution: &Solution, by: f64) -> Solution {
+        let mut moved = solution.clone();
+        for contact in &mut moved.contacts {
+            contact.strips.iter_mut().for_each(|strip| strip.at += by);
+            contact
+                .intervals
+                .iter_mut()
+                .for_each(|Interval { left, right, .. }| (*left, *right) = (*left + by, *right + by));
+        }
+        moved
+    }
+
+    #[test]
+    fn the_field_of_a_load_moves_with_it() {
+        for (number, model) in bonded_stacks().iter().enumerate() {
+            for load in [Load::Line, Load::uniform(0.3).unwrap(), Load::elliptic(0.4).unwrap()] {
+                let about_0 = model.press(&Punch::Given(load), 0.2).unwrap();
+                let by = 0.75;
+                let [here, there] = [0.0, by].map(|by| model.field(&moved(&about_0, by)).unwrap());
+                let origins = [(&here, 0.0), (&there, by)].map(|(field, x)| field.at(x, 0.4).unwrap());
+                for (x, depth) in [(0.1, 0.2), (-0.35, 0.0), (1.7, 0.45), (-4.0, 0.3), (0.0, 0.05), (-0.75, 0.4)] {
+                    let [expected, found] =
+                        [(&here, x), (&there, x + by)].map(|(field, x)| field.at(x, depth).unwrap());
+                    let stresses =
+                        |point: &FieldPoint| [point.sigma_xx, point.sigma_yy, point.sigma_xy, point.sigma_zz];
+                    // displacements are known up to a motion of the whole
+                    let beside =
+                        |point: &FieldPoint, origin: &FieldPoint| [point.u - origin.u, point.v - origin.v, point.slope];
+                    let pairs = stresses(&found).into_iter().zip(stresses(&expected));
+                    let displacements = beside(&found, &origins[1]).into_iter().zip(beside(&expected, &origins[0]));
+                    for (found, expected) in pairs.chain(displacements) {
+                        assert!((found - expected).abs() < 1e-10, "{number} {x} {depth}: {found} {expected}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_on_one_side_is_the_mirror_image_of_what_is_on_the_other() {
+        for model in &bonded_stacks() {
+            let about_0 = model.press(&Punch::Given(Load::uniform(0.3).unwrap()), 0.2).unwrap();
+            let [left, right] = [-0.6, 0.6].map(|by| model.field(&moved(&about_0, by)).unwrap());
+            for (x, depth) in [(0.1, 0.2), (-0.35, 0.0), (1.7, 0.45)] {
+                let [found, image] = [left.at(x, depth).unwrap(), right.at(-x, depth).unwrap()];
+                let turned = FieldPoint { x, u: -image.u, slope: -image.slope, sigma_xy: -image.sigma_xy, ..image };
+                let off = |of: fn(&FieldPoint) -> f64| (of(&found) - of(&turned)).abs();
+                for off in [off(|p| p.sigma_xx), off(|p| p.sigma_yy), off(|p| p.sigma_xy), off(|p| p.u), off(|p| p.v)] {
+                    assert!(off < 1e-12, "{x} {depth}: {found:?} {turned:?}");
+                }
+            }
         }
     }
 }

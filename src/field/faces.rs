@@ -41,6 +41,7 @@ impl Field {
             return vec![0.0; xs.len()];
         };
         surface.shift = f64::INFINITY;
-        xs.iter().map(|x| -surface.closed(pressure, &At { x: x.abs(), depth: 0.0, displacements: true })[4]).collect()
+        let at = |x: &f64| At { x: self.place(*x), depth: 0.0, displacements: true };
+        xs.iter().map(|x| -surface.closed(pressure, &at(x))[4]).collect()
     }
 }

@@ -10,7 +10,7 @@ use recede_layers::{Isotropic, State, Wave};
 use super::Field;
 use super::body::Body;
 use super::error::FieldError;
-use super::pressure::Transform;
+use super::pressure::{Parity, Transform};
 use super::sum::load;
 use super::surface::Surface;
 use super::waves::{self, CutOff, Panel};
@@ -78,7 +78,7 @@ impl Field {
         let is_round = self.geometry.is_axisymmetric();
         let mut sums = [0.0; 2];
         for panel in &panels {
-            let waves = self.waves(panel, &ends);
+            let waves = self.waves(Parity::Even, panel, &ends);
             let of = |window: &Window| window.of_waves(is_round, &waves.wavenumbers);
             let means: Vec<Vec<[f64; 2]>> = windows.iter().map(of).collect();
             for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {

@@ -91,7 +91,9 @@ pub struct Field {
     layers: Vec<PlacedLayer>,
     bodies: Vec<Body>,
     pressures: Vec<Pressure>,
-    /// For each contact a place x ≥ 0 at which the bodies touch: 0 unless they are apart there.
+    /// Whether the field is its own mirror image about x = 0: it is computed for x ≥ 0 then.
+    is_even: bool,
+    /// For each contact a place at which the bodies touch: 0 unless they are apart there.
     joints: Vec<f64>,
     /// μ₀, by which displacements are multiplied.
     modulus: f64,
@@ -110,7 +112,9 @@ impl Field {
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
         let (geometry, plane) = (stack.geometry(), stack.plane());
         let layers = body::layers(stack);
-        let pressures: Vec<Pressure> = solution.contacts().iter().map(Pressure::new).collect();
+        let is_even = solution.is_even();
+        let pressure = |contact: &Contact| Pressure::new(contact, is_even);
+        let pressures: Vec<Pressure> = solution.contacts().iter().map(pressure).collect();
         let stiffness: Vec<f64> = layers
             .iter()
             .flat_map(|placed| {
@@ -134,6 +138,7 @@ impl Field {
             layers,
             bodies,
             pressures,
+            is_even,
             joints,
             modulus,
             contrast,
@@ -205,7 +210,7 @@ impl Field {
         let mut sets = Vec::with_capacity(requested.len());
         for point in requested {
             rows.push(self.row(point, sets.len())?);
-            sets.push(vec![point.x.abs()]);
+            sets.push(vec![self.place(point.x)]);
         }
         let values = self.sum(&rows, &sets, &waves::FULL)?;
         let of = |((point, row), values): ((&Point, &Row), Vec<_>)| {
@@ -284,11 +289,11 @@ impl Field {
         if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
             return Err(self.outside(&Point { x: *x, depth: 0.0, layer: None }));
         }
-        // positive and negative places share their tables
-        let mut places: Vec<f64> = xs.iter().map(|x| x.abs()).collect();
+        // in an even field positive and negative places share their tables
+        let mut places: Vec<f64> = xs.iter().map(|x| self.place(*x)).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
-        let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < x.abs())).collect();
+        let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < self.place(*x))).collect();
         let values = self.sum(rows, &[places], &waves::FULL)?;
         let points = rows.iter().zip(&values).flat_map(|(row, values)| {
             xs.iter().zip(&of).filter_map(|(x, k)| Some(self.point(*x, row, *values.get(*k)?)))
@@ -307,6 +312,11 @@ impl Field {
     /// Depths at which layers begin and end, with the layers' numbers, from the top down; a half-plane ends at infinity.
     pub fn layers(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         self.layers.iter().map(|placed| (placed.number, [placed.top, placed.bottom()]))
+    }
+
+    /// The place at which the components of a field at x are computed, see [`Self::point`].
+    fn place(&self, x: f64) -> f64 {
+        if self.is_even { x.abs() } else { x }
     }
 
     /// The layer of a point, and its depth in it.

@@ -207,12 +207,12 @@ impl Grid {
 }
 
 impl Field {
-    /// A point from the components at |x|.
+    /// A point from the components at its place, which is |x| in an even field.
     pub(super) fn point(&self, x: f64, row: &Row, components: Components) -> FieldPoint {
         let placed = &self.layers[row.layer];
         let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v, mut slope] = components;
         let material = placed.layer.material(row.depth, self.plane);
-        if x < 0.0 {
+        if x < 0.0 && self.is_even {
             (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
         let strains = self.geometry.is_axisymmetric().then(|| strains(&material, x.abs(), &components));

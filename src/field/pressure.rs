@@ -8,30 +8,49 @@ use crate::solution::{Contact, Form, Strip};
 /// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
 
-/// A sum of strips for x ≥ 0, each with its mirror image.
+/// A sum of strips.
 #[derive(Clone, Debug)]
 pub(super) struct Pressure {
-    /// The end of the farthest strip.
+    /// The distance of the farthest end from x = 0.
     pub(super) half_length: f64,
+    /// The strips with their middles; of an even pressure those for x ≥ 0, each of which has a mirror image.
     strips: Vec<(f64, StripPressure)>,
+    is_even: bool,
 }
 
-/// The transform of a pressure at a wavenumber, eq. (22).
+/// The part of a pressure that is even about x = 0, which loads the bodies like cos λx, or the odd part, which loads them like sin λx.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Parity {
+    Even,
+    Odd,
+}
+
+/// The transform of a pressure at a wavenumber, eq. (22): ∫ p cos λx dx, or of the odd part ∫ p sin λx dx.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Transform {
     /// p̂
     pub(super) value: f64,
-    /// p̂ − P, which is O(λ²), accurate to rounding.
+    /// p̂ − P, which is O(λ²), accurate to rounding; an odd pressure has no resultant.
     pub(super) variation: f64,
 }
 
 impl Pressure {
-    /// The pressure of a contact that is its own mirror image.
-    pub(super) fn new(contact: &Contact) -> Self {
-        let right = || contact.strips.iter().filter(|strip| strip.at >= 0.0);
-        let end = |strip: &Strip| strip.at + strip.extent;
-        let half_length = right().map(end).fold(0.0, f64::max);
-        Self { half_length, strips: right().map(|strip| (strip.at, StripPressure::new(strip))).collect() }
+    /// The pressure of a contact, which is even if `is_even`.
+    pub(super) fn new(contact: &Contact, is_even: bool) -> Self {
+        let strips = || contact.strips.iter().filter(|strip| !is_even || strip.at >= 0.0);
+        let end = |strip: &Strip| strip.at.abs() + strip.extent;
+        let half_length = strips().map(end).fold(0.0, f64::max);
+        Self { half_length, strips: strips().map(|strip| (strip.at, StripPressure::new(strip))).collect(), is_even }
+    }
+
+    /// The place at which the pressure is looked at: an even pressure is known for x ≥ 0.
+    fn place(&self, x: f64) -> f64 {
+        if self.is_even { x.abs() } else { x }
+    }
+
+    /// How many strips a strip with this middle stands for, with its mirror image.
+    fn images(&self, at: f64) -> f64 {
+        if self.is_even && at != 0.0 { 2.0 } else { 1.0 }
     }
 
     /// Without the last terms of each series, as long as together they stay below this part of the largest one. The
@@ -46,7 +65,7 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| (*at, strip.half_length))
     }
 
-    /// The places x ≥ 0 at which the pressure ends; where it ends abruptly, next to them on both sides, at which stresses are the limits from
+    /// The places at which the pressure ends, of an even one those x ≥ 0; where it ends abruptly, next to them on both sides, at which stresses are the limits from
     /// there.
     pub(super) fn ends(&self) -> Vec<f64> {
         let of = |(at, strip): &(f64, StripPressure)| {
@@ -54,26 +73,27 @@ impl Pressure {
             let beside = |end: f64| [end * (1.0 - 2.0 * AT), end * (1.0 + 2.0 * AT)];
             if strip.is_abrupt() { ends.map(beside).concat() } else { ends.to_vec() }
         };
-        self.strips.iter().flat_map(of).filter(|end| *end >= 0.0).collect()
+        self.strips.iter().flat_map(of).filter(|end| !self.is_even || *end >= 0.0).collect()
     }
 
-    /// The places x > 0 at which the pressure jumps from one finite value to another.
+    /// The places at which the pressure jumps from one finite value to another, of an even pressure those x > 0.
     pub(super) fn jumps(&self) -> impl Iterator<Item = f64> {
         let uniform = self.strips.iter().filter(|(_, strip)| strip.form == Form::Uniform);
-        uniform.flat_map(|(at, strip)| [at - strip.half_length, at + strip.half_length]).filter(|end| *end > 0.0)
+        let ends = uniform.flat_map(|(at, strip)| [at - strip.half_length, at + strip.half_length]);
+        ends.filter(|end| !self.is_even || *end > 0.0)
     }
 
-    /// The places x ≥ 0 at which stresses on the face are infinite, and the kind of the singularity.
+    /// The places at which stresses on the face are infinite, of an even pressure those x ≥ 0, and the kind of the singularity.
     pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
         let of = |(at, strip): &(f64, StripPressure)| {
             strip.singular_points().map(|(x, kind)| (at + x, kind)).collect::<Vec<_>>()
         };
-        self.strips.iter().flat_map(of).map(|(x, kind)| (x.abs(), kind))
+        self.strips.iter().flat_map(of).map(|(x, kind)| (self.place(x), kind))
     }
 
     /// The strongest singularity of stresses on the face at a place.
     pub(super) fn singularity(&self, x: f64) -> Option<Singularity> {
-        let here = self.singular_points().filter(|(at, _)| (x.abs() - at).abs() <= AT * at);
+        let here = self.singular_points().filter(|(at, _)| (self.place(x) - at).abs() <= AT * at.abs());
         here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
     }
 
@@ -81,13 +101,12 @@ impl Pressure {
     pub(super) fn distance(&self, x: f64) -> f64 {
         let ends = self.strips().flat_map(|(at, a)| [at - a, at + a]);
         let points = ends.chain(self.singular_points().map(|(at, _)| at));
-        points.map(|at| (at.abs() - x.abs()).abs()).fold(f64::INFINITY, f64::min)
+        points.map(|at| (self.place(at) - self.place(x)).abs()).fold(f64::INFINITY, f64::min)
     }
 
     /// An amplitude of p̂ at a wavenumber.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
-        let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };
-        self.strips.iter().map(|(at, strip)| images(*at) * strip.envelope(wavenumber)).sum()
+        self.strips.iter().map(|(at, strip)| self.images(*at) * strip.envelope(wavenumber)).sum()
     }
 
     /// The mean pressure if it were spread over this half-length.
@@ -105,34 +124,42 @@ impl Pressure {
 
     /// p̂(0).
     pub(super) fn resultant(&self) -> f64 {
-        let images = |at: f64| if at == 0.0 { 1.0 } else { 2.0 };
-        self.strips.iter().map(|(at, strip)| images(*at) * strip.resultant()).sum()
+        self.strips.iter().map(|(at, strip)| self.images(*at) * strip.resultant()).sum()
     }
 
-    /// The transforms at some wavenumbers.
-    pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+    /// The resultant of the even part, which is the resultant of the pressure, or of the odd part.
+    pub(super) fn resultant_of(&self, parity: Parity) -> f64 {
+        if parity == Parity::Even { self.resultant() } else { 0.0 }
+    }
+
+    /// The transforms of the even or of the odd part at some wavenumbers.
+    pub(super) fn transforms(&self, parity: Parity, wavenumbers: &[f64]) -> Vec<Transform> {
         let mut sums = vec![Transform::default(); wavenumbers.len()];
         for (at, strip) in &self.strips {
-            let resultant = strip.resultant();
-            for ((sum, variation), wavenumber) in
-                sums.iter_mut().zip(strip.minus_resultant(wavenumbers)).zip(wavenumbers)
-            {
-                if *at == 0.0 {
-                    sum.value += resultant + variation;
-                    sum.variation += variation;
-                } else {
-                    // 2 cos λx (P + variation) − 2P
-                    let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
-                    let both = 2.0 * (cos * cos - sin * sin);
-                    sum.value += both * (resultant + variation);
-                    sum.variation += both * variation - 4.0 * sin * sin * resultant;
-                }
-            }
-            if strip.is_skew() {
-                for ((sum, odd), wavenumber) in sums.iter_mut().zip(strip.sines(wavenumbers)).zip(wavenumbers) {
-                    let odd = -2.0 * (wavenumber * at).sin() * odd;
-                    sum.value += odd;
-                    sum.variation += odd;
+            let (images, resultant) = (self.images(*at), strip.resultant());
+            let sines = if strip.is_skew() { strip.sines(wavenumbers) } else { Vec::new() };
+            let variations = strip.minus_resultant(wavenumbers);
+            for (q, ((sum, variation), wavenumber)) in sums.iter_mut().zip(variations).zip(wavenumbers).enumerate() {
+                let odd = sines.get(q).copied().unwrap_or(0.0);
+                match parity {
+                    Parity::Even if *at == 0.0 => {
+                        sum.value += resultant + variation;
+                        sum.variation += variation;
+                    }
+                    Parity::Even => {
+                        // cos λx (P + variation) − P, and the part that is odd about the middle
+                        let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
+                        let wave = images * (cos * cos - sin * sin);
+                        let odd = -images * (wavenumber * at).sin() * odd;
+                        sum.value += wave * (resultant + variation) + odd;
+                        sum.variation += wave * variation - 2.0 * images * sin * sin * resultant + odd;
+                    }
+                    Parity::Odd => {
+                        let (sin, cos) = (wavenumber * at).sin_cos();
+                        let value = sin * (resultant + variation) + cos * odd;
+                        sum.value += value;
+                        sum.variation += value;
+                    }
                 }
             }
         }
@@ -172,7 +199,7 @@ impl Pressure {
     fn each_strip(&self, x: f64, mut each: impl FnMut(&StripPressure, f64, f64)) {
         for (at, strip) in &self.strips {
             each(strip, x - at, 1.0);
-            if *at != 0.0 {
+            if self.is_even && *at != 0.0 {
                 each(strip, x + at, -1.0);
             }
         }

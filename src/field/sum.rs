@@ -10,7 +10,7 @@ use super::body::{Body, Face, PlacedLayer, components};
 use super::error::FieldError;
 use super::joints::Joint;
 use super::potentials::{At, COMPONENTS, Components};
-use super::pressure::{Pressure, Transform};
+use super::pressure::{Parity, Pressure, Transform};
 use super::strip::Singularity;
 use super::tables::tables;
 use super::waves::{self, CutOff, Panel, Precision};
@@ -25,7 +25,7 @@ pub(super) struct Row {
     pub(super) layer: usize,
     /// Depth below its top face.
     pub(super) depth: f64,
-    /// Index of the list of places x ≥ 0.
+    /// Index of the list of places.
     pub(super) set: usize,
 }
 
@@ -36,7 +36,7 @@ struct Active {
     index: usize,
     /// Its cut-off wavenumber.
     end: f64,
-    /// ∫ (V at the depth − V at the reference point) dλ/π
+    /// ∫ (V at the depth − V at the reference point) dλ/π; in an odd field of U.
     lift: f64,
 }
 
@@ -102,7 +102,7 @@ impl Field {
         Ok(values)
     }
 
-    /// The closed forms of the loaded faces, with v counted from the reference point of the body, if displacements are wanted.
+    /// The closed forms of the loaded faces, with u and v counted from the reference point of the body, if displacements are wanted.
     pub(super) fn closed(&self, row: &Row, set: &[f64], displacements: bool) -> Vec<Components> {
         let placed = &self.layers[row.layer];
         let body = &self.bodies[placed.body];
@@ -123,13 +123,17 @@ impl Field {
             }
             sum
         };
-        let origin = body.reference.filter(|_| displacements).map_or(0.0, |(place, depth)| {
+        let origin = body.reference.filter(|_| displacements).map_or([0.0; 2], |(place, depth)| {
             let mut layers = self.layers.iter();
             let placed = layers.find(|other| other.body == placed.body && other.place == place);
-            placed.map_or(0.0, |placed| at(placed, depth, 0.0)[4])
+            let [.., u, v, _] = placed.map_or(Components::default(), |placed| at(placed, depth, 0.0));
+            [u, v]
         });
         let mut values: Vec<Components> = set.iter().map(|x| at(placed, row.depth, *x)).collect();
-        values.iter_mut().for_each(|value| value[4] -= origin);
+        for value in &mut values {
+            value[3] -= origin[0];
+            value[4] -= origin[1];
+        }
         values
     }
 
@@ -141,7 +145,20 @@ impl Field {
         precision: &Precision,
         values: &mut [Vec<Components>],
     ) -> Result<(), FieldError> {
-        let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(*y));
+        let parities = if self.is_even { &[Parity::Even][..] } else { &[Parity::Even, Parity::Odd] };
+        parities.iter().try_for_each(|parity| self.integrate_part(*parity, rows, sets, precision, values))
+    }
+
+    /// Adds the integrals for the even or for the odd part of the pressures.
+    fn integrate_part(
+        &self,
+        parity: Parity,
+        rows: &[Row],
+        sets: &[Vec<f64>],
+        precision: &Precision,
+        values: &mut [Vec<Components>],
+    ) -> Result<(), FieldError> {
+        let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(y.abs()));
         let CutOffs { pressures: cut_offs, origins, mut active } = self.cut_offs(rows, sets, precision, farthest);
         if active.is_empty() {
             return Ok(());
@@ -152,16 +169,16 @@ impl Field {
             waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar { x: farthest })?;
         let mut sums: Vec<Sums> =
             sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
-        // ∫ V at the reference points, panel by panel
+        // ∫ V, or ∫ U, at the reference points, panel by panel
         let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
         for (k, panel) in panels.iter().enumerate() {
-            let waves = self.waves(panel, &cut_offs);
+            let waves = self.waves(parity, panel, &cut_offs);
             let mut block = Block { values: vec![0.0; COMPONENTS * waves.count() * active.len()] };
             for (body, references) in references.iter_mut().enumerate() {
-                references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
+                references[k] = self.add_body(parity, body, &waves, &mut active, origins[body], &mut block)?;
             }
             for sum in &mut sums {
-                sum.add(self.geometry, panel, &waves, &block, &active);
+                sum.add(self.geometry, parity, panel, &waves, &block, &active);
             }
         }
         for sum in &sums {
@@ -171,7 +188,8 @@ impl Field {
             let body = self.layers[active.row.layer].body;
             let beyond: f64 =
                 panels.iter().zip(&references[body]).filter(|(p, _)| p.lo >= active.end).map(|(_, v)| v).sum();
-            values[active.index].iter_mut().for_each(|value| value[4] += active.lift - beyond);
+            let (component, sign) = parity.counted();
+            values[active.index].iter_mut().for_each(|value| value[component] += sign * (active.lift - beyond));
         }
         Ok(())
     }
@@ -209,27 +227,28 @@ impl Field {
     }
 
     /// The wavenumbers of a panel, with the transforms of the pressures there.
-    pub(super) fn waves(&self, panel: &Panel, cut_offs: &[CutOff]) -> Waves {
+    pub(super) fn waves(&self, parity: Parity, panel: &Panel, cut_offs: &[CutOff]) -> Waves {
         let (wavenumbers, weights) = panel.points();
         let of = |(pressure, cut_off): (&Pressure, &CutOff)| match cut_off.end > panel.lo {
-            true => pressure.transforms(&wavenumbers),
-            false => vec![Transform { value: 0.0, variation: -pressure.resultant() }; wavenumbers.len()],
+            true => pressure.transforms(parity, &wavenumbers),
+            false => vec![Transform { value: 0.0, variation: -pressure.resultant_of(parity) }; wavenumbers.len()],
         };
         let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
         Waves { from: panel.lo, wavenumbers, weights, transforms }
     }
 
-    /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and ∫ V at the
-    /// reference point of the body.
+    /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and ∫ V, or ∫ U, at
+    /// the reference point of the body.
     fn add_body(
         &self,
+        parity: Parity,
         index: usize,
         waves: &Waves,
         active: &mut [Active],
         origin: f64,
         block: &mut Block,
     ) -> Result<f64, FieldError> {
-        let body = &self.bodies[index];
+        let (body, (counted, _)) = (&self.bodies[index], parity.counted());
         let n = waves.count();
         // (depth, row or `None` for the reference point), layer by layer
         let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
@@ -269,9 +288,9 @@ impl Field {
                             for (c, value) in remainder.into_iter().enumerate() {
                                 block.values[(COMPONENTS * k + c) * n + q] = value;
                             }
-                            lifts.push((*k, remainder[4]));
+                            lifts.push((*k, remainder[counted]));
                         }
-                        None => at_reference = remainder[4],
+                        None => at_reference = remainder[counted],
                     }
                 }
             }
@@ -301,6 +320,24 @@ impl Field {
         remainder[4] *= displacement;
         remainder[5] /= -self.modulus;
         remainder
+    }
+}
+
+impl Parity {
+    /// For each component the table of [`tables`] and the sign of its wave: the odd part is the even part a quarter of a wave to the right.
+    fn tables(self) -> [(usize, f64); COMPONENTS] {
+        match self {
+            Self::Even => [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)],
+            Self::Odd => [(0, 1.0), (0, 1.0), (1, -1.0), (2, -1.0), (0, 1.0), (1, -1.0)],
+        }
+    }
+
+    /// The displacement that does not vanish at x = 0, and is counted from the reference point of its body, with the sign of its wave.
+    fn counted(self) -> (usize, f64) {
+        match self {
+            Self::Even => (4, 1.0),
+            Self::Odd => (3, -1.0),
+        }
     }
 }
 
@@ -355,7 +392,15 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds a panel.
-    fn add(&mut self, geometry: Geometry, panel: &Panel, waves: &Waves, block: &Block, active: &[Active]) {
+    fn add(
+        &mut self,
+        geometry: Geometry,
+        parity: Parity,
+        panel: &Panel,
+        waves: &Waves,
+        block: &Block,
+        active: &[Active],
+    ) {
         let (n, m) = (waves.count(), self.places.len());
         let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
         if count == 0 || m == 0 {
@@ -368,7 +413,7 @@ impl<'a> Sums<'a> {
             (false, Geometry::Axisymmetric) => 4,
             (false, _) => 3,
         };
-        for (component, table) in [1, 1, 0, 0, 2, 0].into_iter().enumerate().take(wanted) {
+        for (component, (table, sign)) in parity.tables().into_iter().enumerate().take(wanted) {
             let places = MatRef::from_column_major_slice(&tables[table], m, n);
             let mut coefficients = Vec::with_capacity(n * count);
             for k in self.rows.start..self.rows.start + count {
@@ -376,7 +421,7 @@ impl<'a> Sums<'a> {
             }
             let coefficients = MatRef::from_column_major_slice(&coefficients, n, count);
             let sums = MatMut::from_column_major_slice_mut(&mut self.values[component][..m * count], m, count);
-            matmul(sums, Accum::Add, places, coefficients, 1.0, Par::Seq);
+            matmul(sums, Accum::Add, places, coefficients, sign, Par::Seq);
         }
     }
 

@@ -133,7 +133,7 @@ impl Panel {
     /// phases λx then cancels. With h_k the spherical Hankel functions, S_k = i^(k+1) ω e^(−iω) h_k obeys S_(k+1) = S_(k−1) + i (2k + 1)/ω S_k.
     pub(super) fn wave(&self, x: f64) -> Option<Vec<Complex64>> {
         let half = 0.5 * (self.hi - self.lo);
-        if !self.far || 2.0 * half * x <= PHASE {
+        if !self.far || 2.0 * half * x.abs() <= PHASE {
             return None;
         }
         let [lo, hi] = [self.lo, self.hi].map(|end| Complex64::cis(end * x));

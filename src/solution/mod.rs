@@ -159,6 +159,11 @@ impl Solution {
         &self.contacts
     }
 
+    /// Whether all contacts are their own mirror images about x = 0.
+    pub(crate) fn is_even(&self) -> bool {
+        self.contacts.iter().all(Contact::is_even)
+    }
+
     /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on
     /// x = 0 is all that presses.
     pub fn extent(&self) -> Option<f64> {
