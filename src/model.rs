@@ -344,12 +344,12 @@ mod tests {
         for (number, model) in bonded_stacks().iter().enumerate() {
             for load in [Load::Line, Load::uniform(0.3).unwrap(), Load::elliptic(0.4).unwrap()] {
                 let about_0 = model.press(&Punch::Given(load), 0.2).unwrap();
-                let by = 0.75;
-                let [here, there] = [0.0, by].map(|by| model.field(&moved(&about_0, by)).unwrap());
-                let origins = [(&here, 0.0), (&there, by)].map(|(field, x)| field.at(x, 0.4).unwrap());
+                // not above x = 0, from where displacements are counted
+                let [here, there] = [-0.5, 0.75].map(|by| (model.field(&moved(&about_0, by)).unwrap(), by));
+                let at = |(field, by): &(Field, f64), x: f64, depth: f64| field.at(x + by, depth).unwrap();
+                let origins = [&here, &there].map(|field| at(field, 0.0, 0.4));
                 for (x, depth) in [(0.1, 0.2), (-0.35, 0.0), (1.7, 0.45), (-4.0, 0.3), (0.0, 0.05), (-0.75, 0.4)] {
-                    let [expected, found] =
-                        [(&here, x), (&there, x + by)].map(|(field, x)| field.at(x, depth).unwrap());
+                    let [expected, found] = [&here, &there].map(|field| at(field, x, depth));
                     let stresses =
                         |point: &FieldPoint| [point.sigma_xx, point.sigma_yy, point.sigma_xy, point.sigma_zz];
                     // displacements are known up to a motion of the whole

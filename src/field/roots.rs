@@ -63,35 +63,21 @@ impl Roots {
         let mut sum = Components::default();
         for Term { root, components } in &self.0 {
             // e^(−sλd) with a complex s moves waves along x
-            let (depth, beside) = (root.re * depth, root.im * depth);
-            let integral = |x: f64| {
-                let from = if shift.is_finite() { pressure.integral(x, depth + shift) } else { Complex64::ZERO };
-                pressure.integral(x, depth) - from
-            };
-            let stress = |x: f64| {
-                let Potentials([zeroth, ..]) = pressure.potentials(x, depth);
-                zeroth
-            };
-            let pair = |wave: &dyn Fn(f64) -> Complex64| [wave(x - beside), wave(-x - beside)];
-            // of the slope, which is a derivative of the displacement
-            let slope = |x: f64| {
-                let from = if displacements && shift.is_finite() {
-                    pressure.potentials(x, depth + shift).0[0]
-                } else {
-                    Complex64::ZERO
-                };
-                stress(x) - from
-            };
-            let (stresses, integrals, slopes) = (pair(&stress), pair(&integral), pair(&slope));
-            for (i, (sum, component)) in sum.iter_mut().zip(components).enumerate() {
-                let [there, back] = [stresses, stresses, stresses, integrals, integrals, slopes][i];
-                // cos λx, or sin λx
-                let wave = match i {
-                    2 | 3 => Complex64::I * (back - there),
-                    5 => Complex64::I * (there - back),
-                    _ => there + back,
-                };
-                let factor = if i < 3 { 0.5 } else { 0.5 / modulus };
+            let (x, depth) = (x - root.im * depth, root.re * depth);
+            let Potentials([stress, ..]) = pressure.potentials(x, depth);
+            let (mut integral, mut slope) = (Complex64::ZERO, stress);
+            if displacements {
+                integral = pressure.integral(x, depth);
+                if shift.is_finite() {
+                    integral -= pressure.integral(x, depth + shift);
+                    slope -= pressure.potentials(x, depth + shift).0[0];
+                }
+            }
+            // cos λx, or sin λx; the slope is a derivative of the displacement
+            let turned = -Complex64::I;
+            let waves = [stress, stress, turned * stress, turned * integral, integral, -turned * slope];
+            for (i, (sum, (component, wave))) in sum.iter_mut().zip(components.iter().zip(waves)).enumerate() {
+                let factor = if i < 3 { 1.0 } else { modulus.recip() };
                 *sum += factor * (component * wave).re;
             }
         }
