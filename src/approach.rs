@@ -8,7 +8,7 @@
 //! placed, since they touch there.
 //!
 //! The stiffness is dP/dδ. Contact pressures vanish at the ends of their contacts, so that to first order the contacts stay as long as they
-//! are while the force grows: the derivative of the pressures with respect to the force is that of a flat punch, and of layers that are
+//! are while the force grows: the derivative of the pressures with respect to the force is the pressure of a flat punch, and of layers that are
 //! joined, on contacts of these half-lengths.
 use crate::contact::{self, ContactError, Measured};
 use crate::field::{FLAT, Field, FieldError, Window};

@@ -128,7 +128,7 @@ impl Error {
 
 impl Scene {
     /// Adds to an error the place in the scene's text that it is about: the stack's offending item, or the punch
-    /// where it cannot carry the force. Other errors, and those of a scene not read from a text, are left as they are.
+    /// where it cannot carry the force. Other errors, and errors of a scene not read from a text, are left as they are.
     pub fn locate(&self, error: Error) -> Error {
         let located = match &error {
             Error::Stack(cause) => self.error_at_item(cause.item(), cause.hint(), cause),

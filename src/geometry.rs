@@ -21,7 +21,7 @@ pub enum Geometry {
 }
 
 impl Geometry {
-    /// Of which plane problem the transformed equations are. Those of an axisymmetric one are those of plane strain, with Bessel functions
+    /// The plane problem whose transformed equations hold. Axisymmetric problems have the equations of plane strain, with Bessel functions
     /// J₀ and J₁ in place of cosine and sine.
     pub fn plane(self) -> Plane {
         match self {
@@ -72,7 +72,7 @@ impl Geometry {
 }
 
 /// What quantities are called in tables, pictures and messages. Keys of JSON and columns of CSV are the same in all geometries, but for
-/// [those of fields](crate::FieldQuantity::name_in).
+/// [the names of fields](crate::FieldQuantity::name_in).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Words {
     /// The coordinate along the layers. About an axis it is counted along a diameter: at negative r, vectors have the same directions as at

@@ -60,7 +60,7 @@ impl Model {
     /// The same model for many loads: it keeps a table of solutions to start others from, each of them computed when it is
     /// first needed. Pressing cylinders and parabolas then takes about half the time.
     ///
-    /// Numbers differ from those of the model as it was in digits beyond the tolerance only, and like those they depend
+    /// Numbers differ from the numbers of the model as it was in digits beyond the tolerance only, and like them they depend
     /// neither on what was pressed before nor on threads that share the model.
     #[must_use]
     pub fn for_many_loads(self) -> Self {

@@ -13,13 +13,13 @@ const BEYOND: f64 = 2.0;
 /// Pressures, gaps, displacements and slopes at places along x; made by [`Model::profile`](crate::Model::profile).
 #[derive(Clone, Debug)]
 pub struct Profile {
-    /// That of the stack, by which displacements are named.
+    /// The geometry of the stack, by which displacements are named.
     pub geometry: Geometry,
     /// The places x, in length.
     pub x: Vec<f64>,
     /// Each contact from the top down, the punch first.
     pub contacts: Vec<ContactProfile>,
-    /// The faces of the layers from the top down; those of a layer that is bonded to the next one lie on each other.
+    /// The faces of the layers from the top down; where layers are bonded, the lower face of one lies on the upper face of the next.
     pub faces: Vec<FaceProfile>,
 }
 

@@ -1,6 +1,6 @@
 //! The force under which the contact of the punch has a prescribed half-length, or the punch has sunk by a prescribed depth.
 //!
-//! Both grow with the force: the logarithm of the one is found as a function of that of the other by the secant method, kept between
+//! Both grow with the force: the logarithm of the force is found as a function of the logarithm of what is prescribed by the secant method, kept between
 //! forces known to be too small and too large. A force at which the solver fails says nothing: another one is tried.
 use std::f64::consts::LN_2;
 

@@ -1,6 +1,6 @@
 //! The contact problem: half-lengths and pressures of all contacts, for one punch and force on prepared kernels.
 //!
-//! The way an answer takes is that of the rooms: [`problem`], start ([`starts`]), Newton's method on the ends ([`ends`], with the
+//! An answer goes through the rooms in order: [`problem`], start ([`starts`]), Newton's method on the ends ([`ends`], with the
 //! [`equations`] and their [`integrals`]) over refinement levels and the sign check ([`quality`]), and the one assembly of a
 //! solution ([`answer`]). Where Newton's method fails, the quadratic programme is asked ([`programme`], [`parts`]).
 pub(crate) mod answer;

@@ -1,6 +1,6 @@
 //! How the pressures of an answer grow with the force.
 //!
-//! They vanish at the ends of their contacts, or are those of a flat punch: to first order the contacts stay as long as they are. What a unit
+//! They vanish at the ends of their contacts, or are the pressures of a flat punch: to first order the contacts stay as long as they are. What a unit
 //! force adds is the pressure of contacts of these half-lengths that are joined, singular at their ends.
 use crate::contact::ends::newton::Work;
 use crate::contact::error::ContactError;
@@ -20,7 +20,7 @@ const TOLERANCE: f64 = 1e-9;
 /// Twice as many give no digit more, half as many lose up to two.
 const MOST: f64 = 2e10;
 
-/// The pressures that a unit force adds to those of a solution; `None` where a contact is not one interval about x = 0.
+/// The pressures that a unit force adds to the pressures of a solution; `None` where a contact is not one interval about x = 0.
 pub(crate) fn tangent(kernel: &Kernel, punch: &Punch, solution: &Solution) -> Option<Result<Solution, ContactError>> {
     let contacts = solution.contacts();
     let half_lengths: Vec<f64> = contacts.iter().map(Contact::half_length).collect::<Option<_>>()?;

@@ -152,7 +152,7 @@ impl Thin {
         Ok(())
     }
 
-    /// Which of the stack's contacts are those of the kernel.
+    /// The stack's contacts that the kernel has, too.
     fn interfaces(&self, all: &[Interface]) -> Vec<Interface> {
         let joined = |contact: usize| self.joined.iter().any(|(lower, _)| *lower == contact);
         all.iter().enumerate().filter(|(contact, _)| !joined(*contact)).map(|(_, interface)| *interface).collect()

@@ -14,7 +14,7 @@ const NEGLIGIBLE: f64 = 1e-13;
 /// The lowest wavenumber, over the shift of a [`Surface`], at which the remainder is examined, and how often it is doubled.
 const SHORT: f64 = 36.0;
 const DOUBLINGS: i32 = 4;
-/// The depth over which a material varies is that of a relative change by this. It is a length scale only: twice as large a
+/// A material varies over the depth within which it changes by this part. It is a length scale only: twice as large a
 /// change makes it twice as long.
 const CHANGE: f64 = 0.1;
 /// Most doublings, or halvings, of a length in the search for it.
@@ -26,7 +26,7 @@ pub(super) struct PlacedLayer {
     /// Number from the top as written in the scene.
     pub(super) number: usize,
     pub(super) layer: Arc<dyn Layer>,
-    /// Depth of its top face below that of the stack.
+    /// Depth of its top face below the top face of the stack.
     pub(super) top: f64,
     /// `None` for a half-plane.
     pub(super) thickness: Option<f64>,
@@ -84,7 +84,7 @@ pub(super) struct Remainder {
 }
 
 impl Remainder {
-    /// That of a homogeneous material.
+    /// The remainder of a homogeneous material.
     const NONE: Self = Self { size: 0.0, power: 2.0 };
 }
 
@@ -183,7 +183,7 @@ impl Body {
         Some(Face { surface, remainder: Remainder { size: size.fold(0.0, f64::max), power } })
     }
 
-    /// The remainder of the stresses next to a face, per unit load on it: their largest difference from those of the surface.
+    /// The remainder of the stresses next to a face, per unit load on it: the largest difference between the stresses of the body and of the surface.
     fn remainder(
         &self,
         surface: &Surface,

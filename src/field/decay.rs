@@ -149,7 +149,7 @@ impl Field {
         between.sum::<f64>() + placed.slowest * within
     }
 
-    /// Half-length of a contact. A line load has none: in its place that of the longest contact or, under line loads alone, the thickness of
+    /// Half-length of a contact. A line load has none: in its place the half-length of the longest contact or, under line loads alone, the thickness of
     /// what lies on the base; 0 on a half-plane, where no length occurs.
     pub(super) fn length(&self, contact: usize) -> f64 {
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));

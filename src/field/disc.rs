@@ -61,7 +61,7 @@ impl StripPressure {
         arguments.iter().enumerate().map(of).collect()
     }
 
-    /// The potentials at a distance r from the axis and a depth, those of J₁ odd in r; those with n > 0 are not asked for on the face.
+    /// The potentials at a distance r from the axis and a depth; potentials of J₁ are odd in r, and n > 0 is not asked for on the face.
     pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> Closed {
         if self.form == Form::Line {
             return point(self.resultant(), r, depth);
@@ -97,7 +97,7 @@ impl StripPressure {
         self.series.iter().zip(jacobi_weights()).map(|(c, weight)| c / weight).collect()
     }
 
-    /// h(s) ds/dθ with s = sin θ, without that of a series.
+    /// h(s) ds/dθ with s = sin θ, without the part of a series.
     fn source(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let mean = self.resultant() / (self.half_length * self.half_length);

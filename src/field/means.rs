@@ -1,6 +1,6 @@
 //! Means of displacements over the middle of contacts, from their transforms.
 //!
-//! With the weights (1 − t²)ⁿ the mean of cos λx over |x| < a, t = x/a, is Γ(ν + 1) (2/z)^ν J_ν(z), z = λa, with ν = n + 1/2; that of
+//! With the weights (1 − t²)ⁿ the mean of cos λx over |x| < a, t = x/a, is Γ(ν + 1) (2/z)^ν J_ν(z), z = λa, with ν = n + 1/2; the mean of
 //! J₀(λr) over a disc is the same with ν = n + 1. Both fall so fast that a mean takes no part of waves that are short compared with the
 //! contact, which singular pressures and graded faces are rich in, and needs no closed forms. Source: Abramowitz and Stegun 1964, 9.1.20.
 use std::f64::consts::PI;

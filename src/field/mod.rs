@@ -99,7 +99,7 @@ pub struct Field {
     modulus: f64,
     /// Ratio of the largest to the smallest stiffness in the stack.
     contrast: f64,
-    /// Ratio of the largest stiffness in the stack to that of a support over the thickness of the stack; 0 without one.
+    /// Ratio of the largest stiffness in the stack to the stiffness of a support over the thickness of the stack; 0 without one.
     over_support: f64,
     /// Number of the rigid base or support to which the last layer is joined, if there is one.
     base: Option<usize>,
@@ -156,7 +156,7 @@ impl Field {
         Self { pressures: self.pressures.iter().map(change).collect(), ..self.clone() }
     }
 
-    /// Stresses and displacements at a point; on an interface, those of the layer below.
+    /// Stresses and displacements at a point; on an interface, of the layer below.
     ///
     /// # Errors
     /// [`FieldError::Outside`] if there is no layer at this depth.
@@ -177,7 +177,7 @@ impl Field {
         points.into_iter().next().ok_or_else(|| self.outside(&point))
     }
 
-    /// The estimated error of the stresses at a point, in stress: that of the pressures, and the truncation error of the sums over
+    /// The estimated error of the stresses at a point, in stress: the error of the pressures, and the truncation error of the sums over
     /// wavenumbers. Infinite where stresses are.
     ///
     /// Next to the ends of contacts the pressure itself is less accurate, by the square root of the error of the half-length. Next to a contact
@@ -349,7 +349,7 @@ impl Field {
         layers.collect::<Vec<_>>().join(", ")
     }
 
-    /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; those of a graded
+    /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; fields of a graded
     /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs but the depth down to which it is asked for.
     fn origin(&self, deepest: f64) -> Origin {
         // an empty sum would be -0
@@ -376,7 +376,7 @@ fn support_stiffness(stack: &Stack, modulus: f64) -> f64 {
 
 /// The error estimate of the pressure of a contact inside it, in stress; rounding of the mean pressure at least.
 fn pressure_error(contact: &Contact, mean: f64) -> f64 {
-    // the pressure at x = 0 is extrapolated from the series, the field is that of the series itself
+    // the pressure at x = 0 is extrapolated from the series, the field belongs to the series itself
     let error = |peak: f64| contact.central_pressure_error + (contact.pressure(0.0) - peak).abs();
     let peak = if contact.central_pressure.is_finite() { error(contact.central_pressure) } else { 0.0 };
     let ends = contact.innermost().end_error();

@@ -166,7 +166,7 @@ impl Pressure {
         sums
     }
 
-    /// The potentials at a depth, eq. (25), and if it is wanted their [`Self::integral`]: those of a disc are known together. G_1 and G_2 are
+    /// The potentials at a depth, eq. (25), and if it is wanted their [`Self::integral`]: for a disc both are known together. G_1 and G_2 are
     /// infinite at the ends of the contact.
     pub(super) fn closed(&self, x: f64, depth: f64, integral: bool) -> Closed {
         let mut sums = Closed { potentials: Potentials([Complex64::ZERO; 3]), integral: Complex64::ZERO };

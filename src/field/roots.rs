@@ -1,4 +1,4 @@
-//! The fields of a half-plane whose characteristic equation has two different roots, as that of orthotropic material.
+//! The fields of a half-plane whose characteristic equation has two different roots, as for orthotropic material.
 //!
 //! Its fields are sums of two terms e^(−sλd), each with a closed form in x: see [`super::pressure`].
 use num_complex::Complex64;

@@ -21,7 +21,7 @@ pub(super) fn sources(s: f64, r: f64, depth: f64) -> [Complex64; 4] {
     pairs.map(|(zeroth, first)| Complex64::new(zeroth.im, first.im))
 }
 
-/// The square root with a positive real part; next to the negative axis the imaginary part has the sign of that of the square.
+/// The square root with a positive real part; next to the negative axis its imaginary part has the sign of the imaginary part of the square.
 fn root(square: Complex64) -> Complex64 {
     let larger = (0.5 * (square.norm() + square.re.abs())).sqrt();
     let smaller = if larger > 0.0 { 0.5 * square.im / larger } else { 0.0 };
@@ -32,7 +32,7 @@ fn root(square: Complex64) -> Complex64 {
     }
 }
 
-/// Those of a force P on the axis, p̂ = P/2π everywhere.
+/// The potentials of a force P on the axis, p̂ = P/2π everywhere.
 pub(super) fn point(transform: f64, r: f64, depth: f64) -> Closed {
     let distance = r.hypot(depth);
     let over = distance.recip();

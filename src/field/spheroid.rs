@@ -4,8 +4,8 @@
 //!
 //! ∫ j_n(λa) J₀(λr) e^(−λd) dλ = P_n(η) q_n(ξ)/a,  ∫ j_n(λa) J₁(λr) e^(−λd) dλ = −r P_n'(η) q_n'(ξ)/(n(n + 1)a²).
 //!
-//! Powers of λ are derivatives with respect to the depth and to r; j_n(z)/z = (j_(n−1) + j_(n+1))/(2n + 1) is one power less. The time is
-//! that of a recurrence over the orders. Source: Hobson 1931, chapters V and X.
+//! Powers of λ are derivatives with respect to the depth and to r; j_n(z)/z = (j_(n−1) + j_(n+1))/(2n + 1) is one power less. It takes
+//! as long as a recurrence over the orders. Source: Hobson 1931, chapters V and X.
 use num_complex::Complex64;
 
 use super::potentials::{Closed, Potentials};

@@ -78,7 +78,7 @@ impl Field {
             self.integrate(rows, sets, precision, &mut values)?;
             return Ok(values);
         }
-        // v of a body is counted from that of the body below, where they touch
+        // v of a body is counted from v of the body below, where they touch
         let mut rows = rows.to_vec();
         let mut sets = sets.to_vec();
         let asked = rows.len();
@@ -113,7 +113,7 @@ impl Field {
                 let closed = face.surface.closed(pressure, &At { x, depth: distance, displacements });
                 sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
                 if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
-                    // the limits along the loaded face; those of the shear stress and of the slope depend on the direction
+                    // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
                     [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
                     sum[5] = f64::NAN;
                     if kind == Singularity::Line {
@@ -300,7 +300,7 @@ impl Field {
         Ok(reference)
     }
 
-    /// The components of a state at a depth, minus those of the closed forms of the faces.
+    /// The components of a state at a depth, minus the closed forms of the faces.
     fn remainder(
         &self,
         body: &Body,

@@ -1,7 +1,7 @@
 //! The fields next to a loaded face for short waves: the slowly converging part of the fields of a body.
 //!
 //! For short waves a body is a half-plane of the material at the face, whose modulus may vary. Per unit of p̂ the fields at the
-//! depth d are e^(−t) times polynomials in t = λd, and those of the variation have a factor 1/λ more. Each term has a
+//! depth d are e^(−t) times polynomials in t = λd, and the terms of the variation have a factor 1/λ more. Each term has a
 //! closed form in x, see [`super::pressure`]; the remainder is small and integrated: eq. (24).
 use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use num_complex::Complex64;

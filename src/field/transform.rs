@@ -27,7 +27,7 @@ impl StripPressure {
         (0..SAMPLES).map(sample).collect()
     }
 
-    /// An amplitude of p̂ at a wavenumber; that of a line load is the same at all of them.
+    /// An amplitude of p̂ at a wavenumber; the amplitude of a line load is the same at all wavenumbers.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
         let sample = (wavenumber * self.half_length).log2() * 2.0;
         let Some(last) = self.envelope.len().checked_sub(1).filter(|_| sample >= 0.0) else { return self.resultant() };
@@ -87,7 +87,7 @@ impl StripPressure {
     }
 }
 
-/// The number of orders, from 0 on, that are above rounding at these arguments, three at least; no more than those of the series, unless
+/// The number of orders, from 0 on, that are above rounding at these arguments, three at least; no more than the series has, unless
 /// there is a tip, whose series does not end.
 fn orders(arguments: &[f64], of_series: usize, endless: bool) -> usize {
     let largest = arguments.iter().fold(0.0, |largest: f64, z| largest.max(*z));

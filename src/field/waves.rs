@@ -171,7 +171,7 @@ pub(super) struct CutOff {
 }
 
 /// Panels from 0 to the largest cut-off of all pressures. Their width grows as far as the oscillation of cos λx and of the transforms of
-/// pressures below their cut-off allows, and that of the latter alone where λx is large; `None` if there would be too many.
+/// pressures below their cut-off allows, and where λx is large the oscillation of the transforms alone; `None` if there would be too many.
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.

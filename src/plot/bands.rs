@@ -153,7 +153,7 @@ fn lines(ring: &[(f64, f64)], values: &[f64], columns: usize) -> Vec<Vec<(f64, f
     lines
 }
 
-/// The value at a place between those of a list.
+/// The value at a place between the values of a list.
 fn between(list: &[f64], at: f64) -> f64 {
     let last = list.len() - 1;
     let at = at.clamp(0.0, last as f64);

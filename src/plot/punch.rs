@@ -73,7 +73,7 @@ impl Punch<'_> {
         let mut outline: Vec<(f64, f64)> = (0..=2 * POINTS).map(x).map(place).collect();
         let corners = [to, from].map(|x| (self.middle + scale * x, roof));
         picture.area(&outline.iter().copied().chain(corners).collect::<Vec<_>>(), PUNCH);
-        // its own sides are drawn, not those of the drawing
+        // its own sides are drawn, not the sides of the drawing
         if seen == edge && to == edge {
             outline.push(corners[0]);
         }
@@ -141,7 +141,7 @@ fn times(rise: f64) -> f64 {
     round.filter(|times| *times <= 1e6).unwrap_or(1.0)
 }
 
-/// Where a height first exceeds that of the drawing, or `end`.
+/// Where a height first exceeds the height of the drawing, or `end`.
 fn end_below(height: &impl Fn(f64) -> f64, end: f64) -> f64 {
     let step = |i: usize| end * i as f64 / POINTS as f64;
     let Some(beyond) = (1..=POINTS).find(|i| height(step(*i)) > HIGHEST) else { return end };

@@ -28,7 +28,7 @@ struct Family {
 
 /// Most points of a curve, four to a point of the picture's width.
 const POINTS: usize = 1000;
-/// Most curves: those of more can hardly be told apart.
+/// Most curves: more can hardly be told apart.
 const CURVES: usize = 200;
 
 /// Whether a picture of a sweep needs the row with this number: of a large grid equally spaced ones are drawn, at most a
@@ -64,7 +64,7 @@ fn along(sweep: &Sweep) -> Option<usize> {
 /// each combination of the others. Points with a warning have a circle, those without a solution a cross, and where a curve
 /// jumps it is dotted.
 ///
-/// `points` are those of the sweep in order, as [`SweepCsv::point`](crate::report::SweepCsv::point) has them; those that
+/// `points` are the points of the sweep in order, as [`SweepCsv::point`](crate::report::SweepCsv::point) has them; points that
 /// [are not drawn](is_drawn) may be left out.
 ///
 /// # Errors

@@ -16,7 +16,7 @@ impl Digits {
         if !(error > 0.0 && error.is_finite() && value.is_finite()) {
             return self.exact(value);
         }
-        // the last digit shown is that of the error's first
+        // the last digit shown stands where the first digit of the error does
         let last = exponent(error);
         let first = exponent(value);
         let digits = (first - last).clamp(0, ALL - 1) as usize;

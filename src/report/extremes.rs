@@ -10,7 +10,7 @@ use crate::scene::{Item, Scene};
 
 /// Columns of a sweep for one stress: where it is largest, and the layer where that is not known from the name.
 const PLACE: [&str; 4] = ["error", "x", "depth", "layer"];
-/// Those of a stress on an interface, the depth of which is known.
+/// The columns for a stress on an interface, the depth of which is known.
 const ALONG: [&str; 2] = ["error", "x"];
 
 #[derive(Serialize)]

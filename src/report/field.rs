@@ -23,7 +23,7 @@ pub enum FieldFormat {
     Csv,
 }
 
-/// Names that are columns, and keys, in every geometry before and after those of the quantities.
+/// Names that are columns, and keys, in every geometry before and after the names of the quantities.
 const PLACE: [&str; 3] = ["x", "depth", "layer"];
 const STRAINS: [&str; 3] = ["eps_rr", "eps_tt", "eps_zz"];
 
@@ -74,7 +74,7 @@ impl Serialize for Point<'_> {
 /// ```
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_field(
     points: &[FieldPoint],
     geometry: Geometry,

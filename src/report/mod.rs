@@ -89,7 +89,7 @@ impl Report<'_> {
     /// Writes the report.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
         match format {
             Format::Table => table::write(self, out),

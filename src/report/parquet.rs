@@ -44,7 +44,7 @@ impl<W: Write + Send> SweepParquet<W> {
     /// A file for lines of a sweep, in the order in which they come.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn new(csv: &SweepCsv, out: W) -> io::Result<Self> {
         let header = csv.header()?;
         let names: Vec<&str> = header.trim_end().split(',').collect();
@@ -78,7 +78,7 @@ impl<W: Write + Send> SweepParquet<W> {
     /// Adds the row of a line.
     ///
     /// # Errors
-    /// Those of the writer, and [`io::ErrorKind::InvalidData`] if the line has other columns.
+    /// Errors of the writer, and [`io::ErrorKind::InvalidData`] if the line has other columns.
     pub fn write(&mut self, line: &str) -> io::Result<()> {
         let mut record = csv::StringRecord::new();
         let mut reader =
@@ -104,7 +104,7 @@ impl<W: Write + Send> SweepParquet<W> {
     /// Completes the file.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn finish(mut self) -> io::Result<W> {
         self.write_group()?;
         self.writer.into_inner().map_err(failed)

@@ -47,7 +47,7 @@ pub fn profile_columns(profile: &Profile) -> Vec<(String, Vec<f64>)> {
 /// ```
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_profile(profile: &Profile, out: &mut dyn io::Write) -> io::Result<()> {
     let columns = profile_columns(profile);
     let names: Vec<&str> = columns.iter().map(|(name, _)| &name[..]).collect();

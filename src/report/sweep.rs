@@ -143,7 +143,7 @@ impl<'a> SweepCsv<'a> {
         self.sweep.axes().len() + of_contacts + self.of_all().count()
     }
 
-    /// The number of the row of which this is a line, by its values; `None` if these are not those of one row of the sweep.
+    /// The number of the row of which this is a line, by its values; `None` if no row of the sweep has these.
     ///
     /// ```
     /// use recede::{Scene, Sweep, report::SweepCsv};
@@ -160,7 +160,7 @@ impl<'a> SweepCsv<'a> {
         self.sweep.index_of(&values.collect::<Option<Vec<f64>>>()?)
     }
 
-    /// The numbers of a row: its values, then those of each contact, NaN for a contact that it does not have; the force with its error,
+    /// The numbers of a row: its values, then the numbers of each contact, NaN for a contact that it does not have; the force with its error,
     /// if it is found; the approach and the stiffness with theirs, and the stresses by which layers and bonds break, if they were asked for.
     pub fn numbers(&self, row: &Row) -> Vec<f64> {
         let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());

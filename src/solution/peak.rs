@@ -4,7 +4,7 @@ use super::{Contact, Form, Interval, Strip};
 /// A strip is looked at in this many places for each term of its series: the highest term is seen at three places of each of its
 /// arches. Between them the largest pressure is found by golden sections.
 const PER_TERM: usize = 3;
-/// In no fewer places, and in no more: the last terms of long series are those of corners, and fall.
+/// In no fewer places, and in no more: the last terms of long series belong to corners, and fall.
 const PLACES: [usize; 2] = [24, 192];
 /// Golden sections: the place is found to a millionth of the distance of two places, the pressure to the square of that.
 const SECTIONS: usize = 28;

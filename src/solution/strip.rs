@@ -1,4 +1,4 @@
-//! Pressures on strips, of which that of a contact is the sum.
+//! Pressures on strips, whose sum is the pressure of a contact.
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -26,7 +26,7 @@ pub(crate) struct Strip {
     pub(crate) tip: f64,
     /// What else is known of it.
     pub(crate) form: Form,
-    /// Whether it is a disc about the axis x = 0: then its series are those of [`jacobi_sum`], with the same singular parts, s = |x|/a.
+    /// Whether it is a disc about the axis x = 0: then its series is summed by [`jacobi_sum`], with the same singular parts, s = |x|/a.
     pub(crate) is_round: bool,
 }
 

@@ -125,7 +125,7 @@ pub enum StackProblem {
     /// All thicknesses together are not finite.
     #[error("the layers together are thicker than the largest number, about 1.8e308")]
     TooThick,
-    /// Moduli that differ by more than those of any two materials do.
+    /// Moduli that differ by more than the moduli of any two materials do.
     #[error("{stiff} is {ratio:.1e} times as stiff as {soft}; allowed is a ratio of at most {MAX_CONTRAST:e}")]
     Contrast {
         /// The stiffest layer or the punch.

@@ -135,7 +135,7 @@ fn strip(thickness: f64) -> Option<Item> {
     Homogeneous::new(thickness, 1.0, 0.25).ok().map(Item::layer)
 }
 
-/// An item with which the same layers are in contact, whatever its numbers: those of one row say nothing of the others.
+/// An item with which the same layers are in contact, whatever its numbers: the numbers of one row say nothing of other rows.
 fn stand_in(item: &Item) -> Item {
     let plain = match item {
         Item::Layer(layer) => match layer.thickness() {

@@ -36,7 +36,7 @@ use crate::stack::Stack;
 /// Most rows of a sweep.
 const MOST_ROWS: usize = 1_000_000_000;
 
-/// A scene and the axes of a grid: every combination of values is solved, that of the last axis changing first.
+/// A scene and the axes of a grid: every combination of values is solved, the value of the last axis changing first.
 ///
 /// A stack is evaluated once, when the first row needs it, however many loads and punches press on it. The numbers of a row
 /// depend on the grid alone, not on who computes them, how many at a time, or where one begins; and of the grid
@@ -264,7 +264,7 @@ impl Sweep {
         self.rows_in(0..self.rows)
     }
 
-    /// The rows with these numbers, from 0; those of a [`Part`], say. They are the same, bit by bit, as among all rows.
+    /// The rows with these numbers, from 0, such as the rows of a [`Part`]. They are the same, bit by bit, as among all rows.
     pub fn rows_in(&self, rows: Range<usize>) -> impl Iterator<Item = Row> {
         (rows.start..rows.end.min(self.rows)).map(|index| self.row(index))
     }

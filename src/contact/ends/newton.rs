@@ -33,7 +33,7 @@ const STRONG: f64 = 1e4;
 pub(crate) struct Work {
     /// Steps and sweeps on each level.
     pub(crate) steps: Vec<usize>,
-    /// Wavenumbers of all layouts, those of tails included.
+    /// Wavenumbers of all layouts, tails included.
     pub(crate) interpolated: usize,
     /// Systems factorised.
     pub(crate) factorisations: usize,

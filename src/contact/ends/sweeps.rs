@@ -270,7 +270,7 @@ impl<'a> Sweeps<'a> {
         is_done(enough).then(|| if is_done(wanted) { Stopped::Converged } else { Stopped::Truncated })
     }
 
-    /// Whether the modes of contact i fall until there are none: those of smooth pressures do, but what strongly coupled contacts
+    /// Whether the modes of contact i fall until there are none: modes of smooth pressures do, but what strongly coupled contacts
     /// miss grows.
     fn falls(&self, i: usize) -> bool {
         let is_smooth = self.problem.sides[i].is_smooth();

@@ -97,12 +97,12 @@ impl<'a> Equations<'a> {
         self.modes[i]
     }
 
-    /// Whether mode m of contact i + 1 is counted from that of contact i.
+    /// Whether mode m of contact i + 1 is counted from mode m of contact i.
     fn links(&self, i: usize, m: usize) -> bool {
         m == 0 || self.strong[i] && m < self.modes[i].min(self.modes[i + 1])
     }
 
-    /// The contacts whose mode m is part of that of contact i.
+    /// The contacts whose mode m is part of mode m of contact i.
     fn chain(&self, i: usize, m: usize) -> Range<usize> {
         let mut first = i;
         while first > 0 && self.links(first - 1, m) {
@@ -194,14 +194,14 @@ impl<'a> Equations<'a> {
         self.layout.twin.diagonal(self.layout.own[i].limit, m, self.bases[i].half_length)
     }
 
-    /// Whether all modes of some contact are counted from those of the contact above.
+    /// Whether all modes of some contact are counted from the modes of the contact above.
     pub(crate) fn has_strong(&self) -> bool {
         self.strong.contains(&true)
     }
 
     /// How large the terms are of which the differences of modes that are counted from those above consist, in a sum of rows
     /// with these weights: a laminate that bends easily makes much of what rounding leaves of the differences. `diagonal` is
-    /// that of the matrix.
+    /// the diagonal of the matrix.
     pub(crate) fn difference_rounding(&self, weights: &[f64], modes: &[Vec<f64>], diagonal: &[f64]) -> f64 {
         let laminate = |i: usize| {
             let below = |m: usize| self.place(i + 1, m);

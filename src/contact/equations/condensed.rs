@@ -31,7 +31,7 @@ pub(crate) struct Linearised {
 pub(crate) struct Influences {
     /// What rounding may change in the logarithms of the half-lengths.
     pub(crate) rounding: Vec<f64>,
-    /// By how much the logarithm of each half-length changes with that of each other, if it alone gives way to it.
+    /// By how much the logarithm of each half-length changes with the logarithm of each other one, if it alone gives way to it.
     pub(crate) lengths: Vec<Vec<f64>>,
     /// The same for the logarithm of the pressure in the middle of each contact.
     pub(crate) peaks: Vec<Vec<f64>>,

@@ -9,7 +9,7 @@ const SHARE: f64 = 2.0 / 3.0;
 pub(crate) struct Progress {
     /// Length of the last step, infinite before the first.
     pub(crate) last: f64,
-    /// That of the shortest one.
+    /// Length of the shortest one.
     shortest: f64,
     /// How many more steps there may be without a shorter one.
     patience: usize,

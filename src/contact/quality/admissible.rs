@@ -130,7 +130,7 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
             continue;
         }
         let least = Least::of(problem.twin(), level, i);
-        // where a pressure decays there is no tension but that of truncation
+        // where a pressure decays, any tension is a truncation error
         let most = if level.support.decay(i).is_some() { most.min(NO_GAP) } else { most };
         if least.pressure < -ZERO * least.largest - (UNRESOLVED * least.uncertainty).min(most * least.largest) {
             return Err(least.tension(problem, level, i));

@@ -24,7 +24,7 @@ pub(crate) const UNKNOWN: f64 = 0.03;
 /// The relative error of the half-length of a decaying contact, no end of which is found.
 pub(crate) const ENDLESS: f64 = 1.0;
 
-/// The error of a half-length is at least this part of that of its pressure, whatever the last modes say.
+/// The error of a half-length is at least this part of the error of its pressure, whatever the last modes say.
 const LEAST_LENGTH: f64 = 1e-3;
 
 /// What the last terms of an alternating sum count if its partial sums are averaged six times, term by term.
@@ -88,7 +88,7 @@ impl Level {
         Self { support, modes, apexes, counts, peaks, sizes, swept, errors, own_errors, tails, remainders }
     }
 
-    /// Where sweeps have not converged, nothing is known better than by how much half-lengths differ from those of fewer modes.
+    /// Where sweeps have not converged, nothing is known better than by how much half-lengths differ from half-lengths found with fewer modes.
     pub(crate) fn doubt(&mut self, coarse: &[f64]) {
         for (i, error) in self.errors.iter_mut().enumerate() {
             if self.swept[i] || self.support.decay(i).is_some() || error.length <= MINOR * COARSE {
@@ -101,7 +101,7 @@ impl Level {
         }
     }
 
-    /// The largest of the error estimates, those of half-lengths that are not known aside.
+    /// The largest of the error estimates, but for half-lengths that are not known.
     pub(crate) fn worst_error(&self) -> f64 {
         let of_contact = |error: &Estimate| if error.length > UNKNOWN { error.pressure } else { error.worst() };
         numeric::largest(self.errors.iter().map(of_contact))
@@ -192,7 +192,7 @@ impl Truncation {
             },
             arithmetic,
             is_swept: left.length < 0.1 * length && is_peak_swept,
-            // compared with that of a mean pressure where there is hardly any in the middle
+            // compared with the mean pressure where there is hardly any in the middle
             tail: weight(&own, half..own.len()) / (PI * size).max(1.0),
             remainder: (local.is_some() || intensity.is_some())
                 .then(|| [vec![0.0; half], own[half..].to_vec()].concat()),
@@ -205,7 +205,7 @@ impl Truncation {
     }
 }
 
-/// How the errors of contacts come about from those of all.
+/// How the errors of each contact come about from the errors of all.
 struct Propagation<'a> {
     found: &'a Converged,
     problem: &'a Problem<'a>,
@@ -266,7 +266,7 @@ impl<'a> Propagation<'a> {
                 error.length = ENDLESS;
             }
             if self.found.support.intensity(i).is_some() {
-                // the half-length is that of the punch
+                // the half-length is the half-width of the punch
                 error.length = 0.0;
             }
         }
@@ -311,7 +311,7 @@ impl<'a> Propagation<'a> {
     }
 }
 
-/// Modes less those of the asymptotic part.
+/// Modes less the modes of the asymptotic part.
 fn without(modes: &[f64], local: Option<&Local>) -> Vec<f64> {
     let Some(local) = local else { return modes.to_vec() };
     modes.iter().zip(&local.modes).map(|(y, local)| y - local).collect()

@@ -15,7 +15,7 @@ use crate::system::{BlockSystem, Component, Side};
 /// that nothing presses on from below.
 #[derive(Clone, Debug)]
 pub struct BaseChain {
-    /// Those of finite thickness.
+    /// The layers of finite thickness.
     pub(super) layers: Vec<Arc<dyn Layer>>,
     /// Between each layer and the next, and above an elastic foundation.
     pub(super) junctions: Vec<Junction>,

@@ -56,7 +56,7 @@ impl Half {
     }
 
     /// One layer more: `near` is its face at the present interface, `far` the one that becomes the interface. `across` are the
-    /// rows at the present one, for the states on this side and on that of the layer; `None` if these are the same.
+    /// rows at the present one, for the states on this side and on the side of the layer; `None` if these are the same.
     pub(super) fn through(
         &self,
         across: Option<[Matrix4<f64>; 2]>,

@@ -107,7 +107,7 @@ fn index(side: Side) -> usize {
     }
 }
 
-/// The same rows with stresses of the near side replaced by those of the far side, where a row says that both are equal. The
+/// The same rows with stresses of the near side replaced by stresses of the far side, where a row says that both are equal. The
 /// stress of springs then follows from the jump: the stress on the near side, computed from a stiffness and a load, would
 /// cancel where the springs are soft.
 fn with_far_stresses(mut rows: Rows<4>, near: Side) -> Rows<4> {

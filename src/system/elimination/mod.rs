@@ -3,7 +3,7 @@
 //!
 //! The connected components of the matrix are *chains*: free laminates, and the base with all that is joined to it. In a
 //! chain each layer's four amplitudes follow from two conditions at the face next to its neighbour and the two displacements
-//! (or stresses) of its far face. No exponential grows: the amplitudes of every layer are those of states that decay from a face.
+//! (or stresses) of its far face. No exponential grows: every amplitude belongs to a state that decays from a face.
 mod base;
 mod cut_off;
 mod free;

@@ -17,7 +17,7 @@ use super::junction::Junction;
 const LONGEST: usize = 16;
 /// Fewer repetitions save nothing.
 const FEWEST: usize = 4;
-/// Largest trace of P^m, 4 cosh 1, that of a homogeneous layer with λh = 1: beyond it, rounding errors of growing solutions exceed the
+/// Largest trace of P^m, 4 cosh 1, which a homogeneous layer has at λh = 1: beyond it, rounding errors of growing solutions exceed the
 /// decaying solutions. Laminates of unlike layers have solutions that grow much faster.
 const LARGEST: f64 = 6.2;
 /// Relative tolerance within which the amplitudes of a layer have to be states inside it.
