@@ -92,13 +92,13 @@ pub use axis::{Axis, AxisError};
 pub use contact::{ContactError, Controlled, NoSolution};
 pub use errors::Error;
 pub use field::{
-    BondExtremes, Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes, MaxShear,
-    Point, Side as FaceSide,
+    BondExtremes, Extreme, Extremes, FaceSide, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes,
+    MaxShear, Point,
 };
 pub use geometry::{Geometry, Words};
 pub use model::{Model, solve};
 pub use options::{Method, Options, OptionsError};
-pub use profile::{ContactProfile, FaceProfile, Profile as FaceProfiles, profile_places};
+pub use profile::{ContactProfile, FaceProfile, FaceProfiles, profile_places};
 /// The crate of the layers: for user-defined layer types, and the laws that they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{

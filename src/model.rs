@@ -8,7 +8,7 @@ use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options, OptionsError};
-use crate::profile::{self, Profile as FaceProfiles};
+use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Punch, Scene};
 use crate::solution::{Contact, Interface, Owner, Solution};
 use crate::stack::Stack;

@@ -1,7 +1,7 @@
 //! What is seen along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
 use std::f64::consts::PI;
 
-use crate::field::{Field, FieldError, FieldPoint, Side};
+use crate::field::{FaceSide, Field, FieldError, FieldPoint};
 use crate::geometry::Geometry;
 use crate::scene::Punch;
 use crate::solution::{Contact, Interface, Solution};
@@ -12,7 +12,7 @@ const BEYOND: f64 = 2.0;
 
 /// Pressures, gaps, displacements and slopes at places along x; made by [`Model::profile`](crate::Model::profile).
 #[derive(Clone, Debug)]
-pub struct Profile {
+pub struct FaceProfiles {
     /// The geometry of the stack, by which displacements are named.
     pub geometry: Geometry,
     /// The places x, in length.
@@ -40,7 +40,7 @@ pub struct FaceProfile {
     /// Number of the layer, from the top as written in the scene, starting at 1.
     pub layer: usize,
     /// Which of its faces.
-    pub side: Side,
+    pub side: FaceSide,
     /// Stresses, displacements and the slope there.
     pub points: Vec<FieldPoint>,
 }
@@ -75,7 +75,12 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
 }
 
 /// The profile of a solution at places along x.
-pub(crate) fn profile(punch: &Punch, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<Profile, FieldError> {
+pub(crate) fn profile(
+    punch: &Punch,
+    stack: &Stack,
+    solution: &Solution,
+    x: &[f64],
+) -> Result<FaceProfiles, FieldError> {
     let field = Field::new(stack, solution);
     // a place more, in each contact, from which its gap is counted
     let mut places = x.to_vec();
@@ -90,7 +95,7 @@ pub(crate) fn profile(punch: &Punch, stack: &Stack, solution: &Solution, x: &[f6
     });
     let contacts = contacts.collect();
     faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
-    Ok(Profile { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
+    Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
 }
 
 /// What gaps are made of.
@@ -105,7 +110,7 @@ impl Seen<'_> {
     /// How far the bodies of contact i are apart; `None` under a given pressure. At place number `inside` they touch.
     fn gap(&self, contact: &Contact, i: usize, inside: usize) -> Option<Vec<f64>> {
         let Self { punch, field, faces, x } = self;
-        let face = |layer: usize, side: Side| faces.iter().find(|face| face.layer == layer && face.side == side);
+        let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
         let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
         let apart: Vec<f64> = match contact.interface {
             Interface::Punch if punch.load().is_some() => return None,
@@ -119,7 +124,7 @@ impl Seen<'_> {
             }
             Interface::Between { above, below } => {
                 // a rigid base without layers has no face, and stays where it is
-                let (above, below) = (face(above, Side::Bottom), face(below, Side::Top));
+                let (above, below) = (face(above, FaceSide::Bottom), face(below, FaceSide::Top));
                 (0..x.len()).map(|k| v(above, k) - v(below, k)).collect()
             }
         };

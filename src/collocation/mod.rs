@@ -19,7 +19,7 @@ use crate::scene::Punch;
 use crate::solution::{Interface, Solution, Stats, Strip, Warning, WarningCode};
 
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::even::Part;
+use crate::contact::even::RightInterval;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::{Problem, Side};
@@ -49,7 +49,7 @@ const ROUNDING: f64 = 1e-12;
 const ZERO: f64 = 1e-5;
 
 /// Half-lengths and pressures for one number of nodes.
-struct Level {
+struct Discretised {
     half_lengths: Vec<f64>,
     pressures: Pressures,
     /// p(0) per unit of P'.
@@ -135,7 +135,7 @@ impl Collocation<'_> {
         nodes: &Nodes,
         mut half_lengths: Vec<f64>,
         jacobian: &mut Option<Mat<f64>>,
-    ) -> Result<Level, ContactError> {
+    ) -> Result<Discretised, ContactError> {
         let mut last = f64::INFINITY;
         self.steps.push(0);
         for _ in 0..STEPS {
@@ -156,7 +156,7 @@ impl Collocation<'_> {
             if longest < CONVERGED || last < SHORT && longest > 0.5 * last {
                 *jacobian = Some(derivatives);
                 let peaks = pressures.phi.iter().zip(&half_lengths).map(|(phi, a)| peak(nodes, phi) / a).collect();
-                return Ok(Level { half_lengths, pressures, peaks, last_step: longest });
+                return Ok(Discretised { half_lengths, pressures, peaks, last_step: longest });
             }
             // derivatives with which steps no longer become shorter are computed anew
             *jacobian = (longest < 0.1 * last && longest < 0.1).then_some(derivatives);
@@ -202,7 +202,7 @@ impl Collocation<'_> {
     fn solution(
         &mut self,
         nodes: &Nodes,
-        level: &Level,
+        level: &Discretised,
         errors: &[Estimate],
         warnings: Vec<Warning>,
     ) -> Result<Solution, ContactError> {
@@ -219,7 +219,7 @@ impl Collocation<'_> {
             let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a).collect();
             let peak = if problem.sides[i].is_sharp() { f64::INFINITY } else { level.peaks[i] };
             contacts.push(Found {
-                parts: vec![Part { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a }],
+                parts: vec![RightInterval { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a }],
                 peak,
                 peak_error: error.pressure * peak,
                 strips: vec![Strip::series(a, coefficients)],
@@ -236,7 +236,7 @@ impl Collocation<'_> {
     }
 
     /// The smallest pressure at the nodes of contact i; an error if it is negative.
-    fn least_pressure(&self, nodes: &Nodes, level: &Level, i: usize) -> Result<f64, ContactError> {
+    fn least_pressure(&self, nodes: &Nodes, level: &Discretised, i: usize) -> Result<f64, ContactError> {
         let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
         let mut least = 0.0f64;
         for (phi, s) in phi.iter().zip(&nodes.s) {
@@ -253,7 +253,7 @@ impl Collocation<'_> {
     }
 
     /// The smallest gap outside contact i; an error if it is negative.
-    fn least_gap(&self, nodes: &Nodes, level: &Level, i: usize, extent: f64) -> Result<f64, ContactError> {
+    fn least_gap(&self, nodes: &Nodes, level: &Discretised, i: usize, extent: f64) -> Result<f64, ContactError> {
         let side = &self.problem.sides[i];
         let gaps = gaps::gaps(&self.spatial, nodes, side, &level.half_lengths, &level.pressures, (i, extent));
         let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));

@@ -31,7 +31,7 @@ pub(super) struct Spatial {
     /// Per contact.
     pub(super) diagonals: Vec<Diagonal>,
     /// Per pair of neighbours.
-    coupling: Vec<(Spectrum, Table)>,
+    coupling: Vec<(Spectrum, Samples)>,
 }
 
 /// The kernel of one contact with itself.
@@ -43,7 +43,7 @@ pub(super) struct Diagonal {
     spectrum: Spectrum,
     asymptote: Asymptote,
     /// R(u).
-    regular: Table,
+    regular: Samples,
 }
 
 /// sign(u) E(u) + ln|u| O(u), E and O bounded, with the singular terms up to u³ of the kernel.
@@ -90,10 +90,10 @@ impl Spatial {
                 jump: Jump::new(asymptote.powers()),
                 spectrum,
                 asymptote,
-                regular: Table::default(),
+                regular: Samples::default(),
             })
         };
-        let coupling = |i: usize| Ok((Spectrum::coupling(kernel, i)?, Table::default()));
+        let coupling = |i: usize| Ok((Spectrum::coupling(kernel, i)?, Samples::default()));
         Ok(Self {
             diagonals: (0..n).map(diagonal).collect::<Result<_, ContactError>>()?,
             coupling: (0..n - 1).map(coupling).collect::<Result<_, ContactError>>()?,
@@ -176,12 +176,12 @@ fn sine_minus_argument(z: f64) -> f64 {
 
 /// A function of u ≥ 0 in pieces that double in length.
 #[derive(Default)]
-struct Table {
+struct Samples {
     pieces: Vec<Series>,
     end: f64,
 }
 
-impl Table {
+impl Samples {
     /// Adds pieces up to `u`. `sampler` makes the function for distances up to its argument. The function is added to
     /// `scale`/u, and need not be more accurate than that.
     fn extend<F: Fn(f64) -> f64>(&mut self, u: f64, scale: f64, sampler: impl Fn(f64) -> F) {

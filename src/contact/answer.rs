@@ -1,5 +1,5 @@
 //! The one assembly of a solution: what was found of each contact, put into the units of the scene.
-use crate::contact::even::{Part, whole};
+use crate::contact::even::{RightInterval, whole};
 use crate::contact::problem::load;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::{self, Kernel};
@@ -8,7 +8,7 @@ use crate::solution::{Contact, Interface, Solution, Stats, Strip, Warning};
 /// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
 pub(crate) struct Found {
     /// Where the bodies touch for x ≥ 0, one part at least, from the middle outwards.
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<RightInterval>,
     /// Pressure at x = 0, and its absolute error.
     pub(crate) peak: f64,
     pub(crate) peak_error: f64,
@@ -54,7 +54,7 @@ impl Answer {
 
 impl Found {
     fn into_contact(self, interface: Interface, length: f64, unit: f64) -> Contact {
-        let scaled = |Part { from, from_error, to, to_error }| Part {
+        let scaled = |RightInterval { from, from_error, to, to_error }| RightInterval {
             from: from * length,
             from_error: from_error * length,
             to: to * length,
@@ -77,7 +77,7 @@ impl Found {
 
 /// What it took to evaluate the stack.
 pub(crate) fn stats(kernel: &Kernel) -> Stats {
-    let kernel::Work { wavenumbers, layers, repeated, below_decay_depth } = kernel.work();
+    let kernel::Evaluations { wavenumbers, layers, repeated, below_decay_depth } = kernel.work();
     let (dropped, merged) = (kernel.dropped(), kernel.merged());
     Stats {
         dropped,

@@ -50,8 +50,8 @@ pub(super) fn solve(
     for _ in 0..JUDGED {
         let Some(thin) = Thin::new(problem, half_lengths.clone())? else { break };
         match thin.solve(problem, &solve)? {
-            Found::Whole(solution) => return Ok(solution),
-            Found::Without(solution) => {
+            Thinned::Whole(solution) => return Ok(solution),
+            Thinned::Without(solution) => {
                 let length = problem.kernel.length();
                 let found: Vec<f64> =
                     solution.contacts.iter().map(|contact| contact.innermost().right / length).collect();
@@ -66,7 +66,7 @@ pub(super) fn solve(
 }
 
 /// A solution for the whole stack, or without what is thin.
-enum Found {
+enum Thinned {
     Whole(Solution),
     Without(Solution),
 }
@@ -109,7 +109,7 @@ impl Thin {
         &self,
         problem: &Problem,
         solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
-    ) -> Result<Found, ContactError> {
+    ) -> Result<Thinned, ContactError> {
         let without = |operations: f64| {
             let interfaces = self.interfaces(problem.interfaces);
             // no more digits are of use than are left
@@ -120,17 +120,17 @@ impl Thin {
         };
         if self.error <= problem.tolerance || self.is_unresolved() {
             let found = without(problem.operations);
-            return found.map(Found::Without).or_else(|_: ContactError| solve(problem).map(Found::Whole));
+            return found.map(Thinned::Without).or_else(|_: ContactError| solve(problem).map(Thinned::Whole));
         }
         let found = solve(problem);
         if found.as_ref().is_ok_and(|all| worst(all) <= self.error) {
-            return found.map(Found::Whole);
+            return found.map(Thinned::Whole);
         }
         // both together take half as long again as one at most
         match (&found, without(0.5 * problem.operations)) {
-            (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found.map(Found::Whole),
-            (_, Ok(without)) => Ok(Found::Without(without)),
-            (_, Err(_)) => found.map(Found::Whole),
+            (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found.map(Thinned::Whole),
+            (_, Ok(without)) => Ok(Thinned::Without(without)),
+            (_, Err(_)) => found.map(Thinned::Whole),
         }
     }
 

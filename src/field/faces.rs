@@ -10,7 +10,7 @@ use super::{Field, PlacedLayer};
 
 /// A face of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum FaceSide {
     /// The upper one.
     Top,
     /// The lower one, which a half-plane does not have.
@@ -19,13 +19,13 @@ pub enum Side {
 
 impl Field {
     /// The faces of all layers from the top down, each with its layer's number, at these places.
-    pub(crate) fn faces(&self, xs: &[f64]) -> Result<Vec<(usize, Side, Vec<FieldPoint>)>, FieldError> {
+    pub(crate) fn faces(&self, xs: &[f64]) -> Result<Vec<(usize, FaceSide, Vec<FieldPoint>)>, FieldError> {
         let sides = |(layer, placed): (usize, &PlacedLayer)| {
-            let top = (layer, placed.number, Side::Top, 0.0);
-            let bottom = placed.thickness.map(|depth| (layer, placed.number, Side::Bottom, depth));
+            let top = (layer, placed.number, FaceSide::Top, 0.0);
+            let bottom = placed.thickness.map(|depth| (layer, placed.number, FaceSide::Bottom, depth));
             [Some(top), bottom].into_iter().flatten()
         };
-        let faces: Vec<(usize, usize, Side, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
+        let faces: Vec<(usize, usize, FaceSide, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
         let rows: Vec<Row> =
             faces.iter().map(|(layer, _, _, depth)| Row { layer: *layer, depth: *depth, set: 0 }).collect();
         let points = self.in_rows(xs, &rows)?;

@@ -32,7 +32,7 @@ mod waves;
 use recede_layers::{Plane, Wave};
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes};
-pub use faces::Side;
+pub use faces::FaceSide;
 pub(crate) use means::{FLAT, Window};
 pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};

@@ -2,7 +2,7 @@
 use crate::numeric::chebyshev::{self, Series};
 use crate::system::Unresolved;
 
-use super::{Chains, Sample, Work};
+use super::{Chains, Evaluations, Sample};
 
 /// Points of the fit.
 const POINTS: usize = 17;
@@ -25,7 +25,12 @@ pub(crate) struct Asymptote {
 
 impl Asymptote {
     /// Fits the diagonal of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
-    pub(super) fn fit(chains: &Chains, contact: usize, from: f64, work: &mut Work) -> Result<Option<Self>, Unresolved> {
+    pub(super) fn fit(
+        chains: &Chains,
+        contact: usize,
+        from: f64,
+        work: &mut Evaluations,
+    ) -> Result<Option<Self>, Unresolved> {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
         let mut sample = Sample::new(chains.contacts());
         let mut values = Vec::with_capacity(POINTS);

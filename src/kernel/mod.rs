@@ -21,7 +21,7 @@ use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
 pub(crate) use asymptote::Asymptote;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
-pub(crate) use work::Work;
+pub(crate) use work::Evaluations;
 
 /// Beyond this λh the two faces of a layer do not interact: e^(−2·18.5) is below rounding.
 pub(crate) const DECAYED: f64 = 18.5;
@@ -45,7 +45,7 @@ pub(crate) struct Kernel {
     panels: Vec<Panel>,
     /// The diagonals for large wavenumbers, one for each contact.
     asymptotes: Vec<Asymptote>,
-    work: Work,
+    work: Evaluations,
     /// Layers of thickness 0, and layers that were merged with a neighbour.
     dropped: usize,
     merged: usize,
@@ -98,7 +98,13 @@ impl Chains {
     }
 
     /// All components at one wavenumber for the contacts that are `wanted`.
-    fn sample(&self, zeta: f64, wanted: &[bool], sample: &mut Sample, work: &mut Work) -> Result<(), Unresolved> {
+    fn sample(
+        &self,
+        zeta: f64,
+        wanted: &[bool],
+        sample: &mut Sample,
+        work: &mut Evaluations,
+    ) -> Result<(), Unresolved> {
         let Sample { components, bent } = sample;
         let wave = self.wave(zeta);
         let n = self.contacts();
@@ -168,7 +174,7 @@ impl Kernel {
     /// Samples chains until every component is resolved to rounding.
     fn sampled(chains: Chains) -> Result<Self, Unresolved> {
         let n = chains.contacts();
-        let (panels, asymptotes, work) = (Vec::new(), Vec::new(), Work::default());
+        let (panels, asymptotes, work) = (Vec::new(), Vec::new(), Evaluations::default());
         let mut kernel = Self { panels, asymptotes, work, dropped: 0, merged: 0, punch: 0.0, chains };
         let mut asymptotes: Vec<Option<Asymptote>> = vec![None; n];
         let mut edge = 0.0;
@@ -273,7 +279,7 @@ impl Kernel {
     }
 
     /// How much was evaluated for the stack.
-    pub(crate) fn work(&self) -> Work {
+    pub(crate) fn work(&self) -> Evaluations {
         self.work
     }
 

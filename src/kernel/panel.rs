@@ -6,7 +6,7 @@ use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 use crate::system::Unresolved;
 
-use super::{Asymptote, Chains, Sample, Work};
+use super::{Asymptote, Chains, Evaluations, Sample};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
@@ -68,7 +68,7 @@ pub(super) fn resolve(
     expected: bool,
     wanted: &[bool],
     panels: &mut Vec<Panel>,
-    work: &mut Work,
+    work: &mut Evaluations,
 ) -> Result<bool, Unresolved> {
     if !expected {
         let panel = Panel::new(chains, from, to, wanted, work)?;
@@ -130,7 +130,7 @@ fn interpolation(x: f64) -> [f64; POINTS] {
 }
 
 impl Panel {
-    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Work) -> Result<Self, Unresolved> {
+    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Evaluations) -> Result<Self, Unresolved> {
         let contacts = chains.contacts();
         let mut sample = Sample::new(contacts);
         let mut values = vec![[0.0; POINTS]; sample.components.len()];
@@ -328,7 +328,7 @@ impl At<'_> {
 mod tests {
     use recede_layers::{HalfPlane, Homogeneous, Plane};
 
-    use crate::kernel::{Kernel, Sample, Work};
+    use crate::kernel::{Evaluations, Kernel, Sample};
     use crate::stack::Stack;
 
     /// Next to a loose thin layer that bends very easily equal-pressure responses keep their accuracy.
@@ -344,7 +344,7 @@ mod tests {
             let mut exact = Sample::new(2);
             for k in 1..400 {
                 let zeta = 0.01 * 1.02f64.powi(k);
-                kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Work::default()).unwrap();
+                kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Evaluations::default()).unwrap();
                 for i in 0..2 {
                     let found = kernel.remainder(i, zeta) + kernel.asymptote(i).limit;
                     // the longer the waves, the less accurate they need be

@@ -3,7 +3,7 @@ use crate::system::Taken;
 
 /// How much was evaluated for a stack.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Work {
+pub(crate) struct Evaluations {
     /// Number of wavenumbers.
     pub(crate) wavenumbers: usize,
     /// Layers evaluated, summed over the wavenumbers.
@@ -14,7 +14,7 @@ pub(crate) struct Work {
     pub(crate) below_decay_depth: usize,
 }
 
-impl Work {
+impl Evaluations {
     /// Counts the layers of one chain at one wavenumber, of `layers` in all.
     pub(super) fn add(&mut self, taken: Taken, layers: usize) {
         self.layers += taken.evaluated;

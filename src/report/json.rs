@@ -147,24 +147,7 @@ struct Contact {
     peak_at: f64,
     peak_at_error: f64,
     resultant: f64,
-    intervals: Vec<Interval>,
-}
-
-#[derive(Serialize)]
-struct Interval {
-    left: f64,
-    right: f64,
-    left_error: f64,
-    right_error: f64,
-    force: f64,
-    centroid: f64,
-}
-
-impl Interval {
-    fn of(interval: &solution::Interval) -> Self {
-        let solution::Interval { left, left_error, right, right_error, force, centroid } = *interval;
-        Self { left, right, left_error, right_error, force, centroid }
-    }
+    intervals: Vec<solution::Interval>,
 }
 
 impl Contact {
@@ -181,7 +164,7 @@ impl Contact {
             peak_at: peak.x,
             peak_at_error: peak.x_error,
             resultant: contact.resultant,
-            intervals: contact.intervals().iter().map(Interval::of).collect(),
+            intervals: contact.intervals().to_vec(),
         }
     }
 }

@@ -2,14 +2,14 @@
 use std::io;
 
 use super::sweep::{number, owner};
-use crate::field::{FieldPoint, FieldQuantity, Side};
-use crate::profile::{ContactProfile, FaceProfile, Profile};
+use crate::field::{FaceSide, FieldPoint, FieldQuantity};
+use crate::profile::{ContactProfile, FaceProfile, FaceProfiles};
 
 /// The displacements of a face, in the order of the columns.
 const DISPLACEMENTS: [FieldQuantity; 2] = [FieldQuantity::U, FieldQuantity::V];
 
 /// The columns of a profile by name: x, then pressure and gap of each contact, displacements and slope of each face.
-pub fn profile_columns(profile: &Profile) -> Vec<(String, Vec<f64>)> {
+pub fn profile_columns(profile: &FaceProfiles) -> Vec<(String, Vec<f64>)> {
     let mut columns = vec![("x".to_owned(), profile.x.clone())];
     for ContactProfile { interface, pressure, gap } in &profile.contacts {
         let owner = owner(interface);
@@ -18,8 +18,8 @@ pub fn profile_columns(profile: &Profile) -> Vec<(String, Vec<f64>)> {
     }
     for FaceProfile { layer, side, points } in &profile.faces {
         let side = match side {
-            Side::Top => "top",
-            Side::Bottom => "bottom",
+            FaceSide::Top => "top",
+            FaceSide::Bottom => "bottom",
         };
         let mut add = |what: &str, of: &dyn Fn(&FieldPoint) -> f64| {
             columns.push((format!("layer_{layer}_{side}_{what}"), points.iter().map(of).collect()));
@@ -48,7 +48,7 @@ pub fn profile_columns(profile: &Profile) -> Vec<(String, Vec<f64>)> {
 ///
 /// # Errors
 /// Errors of the writer.
-pub fn write_profile(profile: &Profile, out: &mut dyn io::Write) -> io::Result<()> {
+pub fn write_profile(profile: &FaceProfiles, out: &mut dyn io::Write) -> io::Result<()> {
     let columns = profile_columns(profile);
     let names: Vec<&str> = columns.iter().map(|(name, _)| &name[..]).collect();
     writeln!(out, "{}", names.join(","))?;

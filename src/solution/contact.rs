@@ -1,4 +1,6 @@
 //! One contact of a solved scene.
+use serde::Serialize;
+
 use super::{Interface, Strip};
 
 /// One contact of a solved scene. Lengths and stresses are in the units of the scene.
@@ -31,14 +33,14 @@ pub struct Contact {
 /// assert!((receding[0].force - 0.002).abs() < 1e-12 && receding[0].left == -receding[0].right);
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Interval {
     /// Where it begins.
     pub left: f64,
-    /// The solver's estimate of the absolute error of `left`.
-    pub left_error: f64,
     /// Where it ends.
     pub right: f64,
+    /// The solver's estimate of the absolute error of `left`.
+    pub left_error: f64,
     /// The solver's estimate of the absolute error of `right`.
     pub right_error: f64,
     /// Resultant of the pressure on it, force per unit length out of plane; about an axis the force of a disc, or of each half of a ring.

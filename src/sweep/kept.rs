@@ -133,9 +133,9 @@ mod tests {
     use super::*;
 
     #[derive(Debug)]
-    struct Table(usize);
+    struct Numbers(usize);
 
-    impl Size for Table {
+    impl Size for Numbers {
         fn numbers(&self) -> usize {
             self.0
         }
@@ -146,7 +146,7 @@ mod tests {
         for (numbers, most) in [(1, KEPT), (MOST_NUMBERS / 10, 12), (2 * MOST_NUMBERS, 1)] {
             let kept = Kept::default();
             for key in 0..2 * KEPT {
-                assert_eq!(kept.get(key, || Ok(Table(numbers))).unwrap().0, numbers);
+                assert_eq!(kept.get(key, || Ok(Numbers(numbers))).unwrap().0, numbers);
                 assert!(kept.0.lock().unwrap().len() <= most);
             }
             // the last one is there

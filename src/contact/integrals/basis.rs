@@ -6,7 +6,7 @@
 //! J_n = z (J_(n−1) + J_(n+1))/(2n), but for J_0.
 use num_complex::Complex64;
 
-use crate::contact::integrals::columns::{Columns, Part};
+use crate::contact::integrals::columns::{ColumnRange, Columns};
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::Tail;
 use crate::contact::problem::Problem;
@@ -147,7 +147,7 @@ impl Basis {
     }
 
     /// ψ of the first `count` modes, and of one more that may be asked for.
-    pub(crate) fn values(&self, count: usize) -> Part<'_> {
+    pub(crate) fn values(&self, count: usize) -> ColumnRange<'_> {
         self.table.part(1..count + 1)
     }
 

@@ -39,21 +39,21 @@ impl Columns {
     }
 
     /// Some of them.
-    pub(crate) fn part(&self, columns: Range<usize>) -> Part<'_> {
+    pub(crate) fn part(&self, columns: Range<usize>) -> ColumnRange<'_> {
         let values = &self.values[columns.start * self.rows..columns.end * self.rows];
-        Part { rows: self.rows, count: columns.len(), values }
+        ColumnRange { rows: self.rows, count: columns.len(), values }
     }
 }
 
 /// Some of the columns of a table.
 #[derive(Clone, Copy)]
-pub(crate) struct Part<'a> {
+pub(crate) struct ColumnRange<'a> {
     rows: usize,
     count: usize,
     values: &'a [f64],
 }
 
-impl<'a> Part<'a> {
+impl<'a> ColumnRange<'a> {
     pub(crate) fn count(self) -> usize {
         self.count
     }

@@ -3,7 +3,7 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::{Accum, MatMut, Par};
 
-use crate::contact::integrals::columns::{Columns, Part};
+use crate::contact::integrals::columns::{ColumnRange, Columns};
 use crate::contact::integrals::tail::Weights;
 
 /// A matrix to be written.
@@ -13,7 +13,7 @@ fn written(matrix: &mut Columns, columns: usize) -> MatMut<'_, f64> {
 }
 
 /// Weights times some columns, over the rows that they cover.
-fn weighted(weights: &Weights, columns: Part<'_>) -> Columns {
+fn weighted(weights: &Weights, columns: ColumnRange<'_>) -> Columns {
     let mut weighted = Columns::new(weights.rows(), columns.count());
     for m in 0..columns.count() {
         weights.times(columns.column(m), weighted.column_mut(m));
@@ -22,7 +22,7 @@ fn weighted(weights: &Weights, columns: Part<'_>) -> Columns {
 }
 
 /// leftᵀ · weights · right.
-pub(crate) fn product(left: Part<'_>, weights: &Weights, right: Part<'_>) -> Columns {
+pub(crate) fn product(left: ColumnRange<'_>, weights: &Weights, right: ColumnRange<'_>) -> Columns {
     let (count, rows) = (right.count(), left.matrix(weights.rows()).transpose());
     let mut product = Columns::new(left.count(), count);
     let right = weighted(weights, right);
@@ -32,7 +32,7 @@ pub(crate) fn product(left: Part<'_>, weights: &Weights, right: Part<'_>) -> Col
 }
 
 /// columnsᵀ · weights · columns, its lower half at least.
-pub(crate) fn symmetric_product(columns: Part<'_>, weights: &Weights) -> Columns {
+pub(crate) fn symmetric_product(columns: ColumnRange<'_>, weights: &Weights) -> Columns {
     let count = columns.count();
     let mut product = Columns::new(count, count);
     let right = weighted(weights, columns);

@@ -11,7 +11,7 @@ mod newton;
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::LAYOUT_SERVES;
-use crate::contact::even::Part;
+use crate::contact::even::RightInterval;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
@@ -295,7 +295,7 @@ fn found(level: &Level, errors: &Errors) -> Vec<Found> {
     let mut peaks = level.peaks().zip(&errors.peaks);
     for ((interval, coefficients), [from_error, to_error]) in all {
         let (from, to) = (interval.from(), interval.to());
-        let part = Part { from, from_error: from_error * from, to, to_error: to_error * to };
+        let part = RightInterval { from, from_error: from_error * from, to, to_error: to_error * to };
         let strip = if interval.is_central() {
             Strip::series(interval.half, coefficients.clone())
         } else {

@@ -1,7 +1,7 @@
 //! A given pressure on top, in place of what a punch would do: its transform is known for any wavenumber.
 use std::f64::consts::PI;
 
-use crate::contact::even::{Part, whole};
+use crate::contact::even::{RightInterval, whole};
 use crate::numeric::bessel;
 use crate::scene::Load;
 use crate::solution::{Contact, Form, Interface, Strip};
@@ -142,15 +142,15 @@ pub(crate) fn contact(load: &Load, interface: Interface, force: f64, twin: Twin)
 }
 
 /// Where a load presses for x ≥ 0, what overlaps as one.
-fn parts(load: &Load) -> Vec<Part> {
+fn parts(load: &Load) -> Vec<RightInterval> {
     let end = |(at, _, part): (f64, f64, &Load)| [(at - part.half_width()).max(0.0), at + part.half_width()];
     let mut ends: Vec<[f64; 2]> = load.parts().into_iter().map(end).collect();
     ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<RightInterval> = Vec::new();
     for [from, to] in ends {
         match parts.last_mut().filter(|last| from <= last.to) {
             Some(last) => last.to = last.to.max(to),
-            None => parts.push(Part { from, to, ..Part::default() }),
+            None => parts.push(RightInterval { from, to, ..RightInterval::default() }),
         }
     }
     parts

@@ -3,7 +3,7 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::even::Part;
+use crate::contact::even::RightInterval;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
@@ -63,7 +63,7 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
 }
 
 /// Where contact i of the programme touches, from the middle outwards.
-fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
+fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<RightInterval>> {
     let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
     let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { last.resolution(end) };
@@ -71,15 +71,15 @@ fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Part>> {
     let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
     // a decaying contact is given as far as it carries one, and an end beyond is not known
     let end = last.decays(i);
-    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| Part {
+    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| RightInterval {
         from: *from,
         from_error: error(*from),
         to: if to.is_finite() { *to } else { end },
         to_error: if to.is_finite() { error(*to).max(to - end) } else { ENDLESS * end },
     });
-    let parts: Vec<Part> = parts.collect();
+    let parts: Vec<RightInterval> = parts.collect();
     // a gap about x = 0 counts if it is longer than artefacts of the grid
-    let is_open = |first: &Part| last.grid.edges().partition_point(|edge| *edge < first.from) > 3 * UNRESOLVED;
+    let is_open = |first: &RightInterval| last.grid.edges().partition_point(|edge| *edge < first.from) > 3 * UNRESOLVED;
     parts.first().is_some_and(|first| first.from == 0.0 || is_open(first)).then_some(parts)
 }
 

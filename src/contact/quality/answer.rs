@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::Work;
-use crate::contact::even::Part;
+use crate::contact::even::RightInterval;
 use crate::contact::problem::Problem;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible::{Check, Recontact};
@@ -52,7 +52,7 @@ fn found(twin: Twin, level: &Level, i: usize) -> Found {
     let (error, peak, size) = (level.errors[i], level.peaks[i] * unit, level.sizes[i] * unit);
     let to_error = error.length * half_length;
     Found {
-        parts: vec![Part { from: 0.0, from_error: 0.0, to: half_length, to_error }],
+        parts: vec![RightInterval { from: 0.0, from_error: 0.0, to: half_length, to_error }],
         peak,
         peak_error: if peak.is_finite() { error.pressure * size } else { f64::INFINITY },
         strips: vec![Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) }],
