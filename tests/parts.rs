@@ -102,7 +102,7 @@ fn parts_share_the_force_and_push() {
         // by a rule that knows nothing of series
         let all: f64 = contact
             .intervals()
-            .into_iter()
+            .iter()
             .map(|Interval { left: from, right: to, force, centroid, .. }| {
                 let count = 4000;
                 let place = |k: usize| std::f64::consts::PI * (k as f64 + 0.5) / count as f64;

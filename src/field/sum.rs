@@ -175,10 +175,10 @@ impl Field {
             let waves = self.waves(parity, panel, &cut_offs);
             let mut block = Block { values: vec![0.0; COMPONENTS * waves.count() * active.len()] };
             for (body, references) in references.iter_mut().enumerate() {
-                references[k] = self.add_body(parity, body, &waves, &mut active, origins[body], &mut block)?;
+                references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
             }
             for sum in &mut sums {
-                sum.add(self.geometry, parity, panel, &waves, &block, &active);
+                sum.add(self.geometry, panel, &waves, &block, &active);
             }
         }
         for sum in &sums {
@@ -234,21 +234,20 @@ impl Field {
             false => vec![Transform { value: 0.0, variation: -pressure.resultant_of(parity) }; wavenumbers.len()],
         };
         let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
-        Waves { from: panel.lo, wavenumbers, weights, transforms }
+        Waves { parity, from: panel.lo, wavenumbers, weights, transforms }
     }
 
     /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and ∫ V, or ∫ U, at
     /// the reference point of the body.
     fn add_body(
         &self,
-        parity: Parity,
         index: usize,
         waves: &Waves,
         active: &mut [Active],
         origin: f64,
         block: &mut Block,
     ) -> Result<f64, FieldError> {
-        let (body, (counted, _)) = (&self.bodies[index], parity.counted());
+        let (body, (counted, _)) = (&self.bodies[index], waves.parity.counted());
         let n = waves.count();
         // (depth, row or `None` for the reference point), layer by layer
         let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
@@ -353,8 +352,9 @@ pub(super) fn load(body: &Body, wavenumber: f64, transform: impl Fn(usize) -> Tr
     }
 }
 
-/// The wavenumbers of one panel.
+/// The wavenumbers of one panel, with the transforms of the even or of the odd parts of the pressures.
 pub(super) struct Waves {
+    parity: Parity,
     /// Where the panel begins.
     from: f64,
     pub(super) wavenumbers: Vec<f64>,
@@ -392,15 +392,7 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds a panel.
-    fn add(
-        &mut self,
-        geometry: Geometry,
-        parity: Parity,
-        panel: &Panel,
-        waves: &Waves,
-        block: &Block,
-        active: &[Active],
-    ) {
+    fn add(&mut self, geometry: Geometry, panel: &Panel, waves: &Waves, block: &Block, active: &[Active]) {
         let (n, m) = (waves.count(), self.places.len());
         let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
         if count == 0 || m == 0 {
@@ -413,7 +405,7 @@ impl<'a> Sums<'a> {
             (false, Geometry::Axisymmetric) => 4,
             (false, _) => 3,
         };
-        for (component, (table, sign)) in parity.tables().into_iter().enumerate().take(wanted) {
+        for (component, (table, sign)) in waves.parity.tables().into_iter().enumerate().take(wanted) {
             let places = MatRef::from_column_major_slice(&tables[table], m, n);
             let mut coefficients = Vec::with_capacity(n * count);
             for k in self.rows.start..self.rows.start + count {

@@ -91,7 +91,7 @@ pub(super) fn of_contact(scene: &Scene, interface: Interface) -> String {
 pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
     let length = after(scene, Dimension::LENGTH);
     let intervals = contact.intervals();
-    match (&intervals[..], contact.half_length()) {
+    match (intervals, contact.half_length()) {
         (_, Some(half_length)) if half_length > 0.0 => format!("{symbol} = {}{length}", short(half_length)),
         ([one], _) if one.left == one.right => {
             format!("{} = {}{length}", italic(scene.geometry.words().along), short(one.left + 0.0))
