@@ -14,38 +14,34 @@ pub(super) fn without_units(scene: &mut Node, origin: &Origin) -> Result<(), Sce
         // the numbers of a punch that say nothing else, those of its table, are lengths
         let own = if &**name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) };
         let dimension = own.or((&**name == "punch").then_some(Dimension::LENGTH));
-        convert(value, dimension, &|text, dimension| converted(text, dimension, units.as_ref()), origin)?;
+        convert(value, dimension, units.as_ref(), origin)?;
     }
     Ok(())
 }
-
-/// A number with a unit in the units of the scene; or why it is none, and what to do.
-type Converter<'a> = dyn Fn(&str, Option<Dimension>) -> Result<f64, (String, String)> + 'a;
 
 /// Converts the numbers with a unit within a value, which are to be measured in `dimension` unless their field says more.
 fn convert(
     node: &mut Node,
     dimension: Option<Dimension>,
-    converter: &Converter,
+    units: Option<&Units>,
     origin: &Origin,
 ) -> Result<(), SceneError> {
     let is_row = node.name.is_none() && matches!(node.kind, Kind::Row(_));
     match &mut node.kind {
         Kind::Text(text) if has_unit(text) => {
-            let number = converter(text, dimension);
             let failed = |(message, hint)| origin.error(Some(node.place.start), message, Some(hint));
-            node.kind = Kind::Number(number.map_err(failed)?);
+            node.kind = Kind::Number(converted(text, dimension, units).map_err(failed)?);
         }
         Kind::Fields(fields) => {
             for Entry { name, value, .. } in fields {
-                convert(value, Dimension::of_field(name).or(dimension), converter, origin)?;
+                convert(value, Dimension::of_field(name).or(dimension), units, origin)?;
             }
         }
         Kind::List(members) | Kind::Row(members) => {
             for (index, member) in members.iter_mut().enumerate() {
                 // of the rows of a table, the first number is a place
                 let dimension = if is_row && index == 0 { Some(Dimension::LENGTH) } else { dimension };
-                convert(member, dimension, converter, origin)?;
+                convert(member, dimension, units, origin)?;
             }
         }
         Kind::Nothing | Kind::Number(_) | Kind::Text(_) => {}

@@ -31,6 +31,11 @@ impl Origin {
         std::path::Path::new(&self.file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
     }
 
+    /// The text from a byte on.
+    pub(super) fn rest(&self, at: usize) -> &str {
+        self.text.get(at..).unwrap_or_default()
+    }
+
     /// An error at a byte of the text, or about the file as a whole.
     pub(super) fn error(&self, at: Option<usize>, message: String, hint: Option<String>) -> SceneError {
         SceneError {

@@ -220,7 +220,7 @@ impl Part<'_> {
         // what is wrong with all of it is told at its name
         let is_whole = error.field.is_none() && matches!(error.fault, Fault::Reason(_) | Fault::Missing(_));
         let at = error.at.filter(|_| !is_whole).unwrap_or(self.node.place.start);
-        let (message, hint) = explain(&error.fault, &subject, &origin.text[at..]);
+        let (message, hint) = explain(&error.fault, &subject, origin.rest(at));
         origin.error(Some(at), message, hint).because(error)
     }
 }
@@ -368,14 +368,14 @@ pub(super) fn read_item(item: &Node, number: usize, origin: &Origin) -> Result<I
     let error = |at: usize, message, hint| Err(origin.error(Some(at), message, hint));
     let start = item.place.start;
     let Some(name) = item.name.as_deref() else {
-        let message = format!("a layer or an interface is expected, found {}", token(&origin.text[start..]));
+        let message = format!("a layer or an interface is expected, found {}", token(origin.rest(start)));
         return error(start, message, Some(format!("allowed are {}", quoted_list(&names()))));
     };
     if let Some(plain) = Item::plain(name) {
         if item.kind == Kind::Nothing {
             return Ok(plain);
         }
-        let message = format!("`{name}` has no fields, found {}", token(&origin.text[item.inner..]));
+        let message = format!("`{name}` has no fields, found {}", token(origin.rest(item.inner)));
         return error(item.inner, message, Some(format!("write `{name}` alone")));
     }
     if name == SPRING {
