@@ -35,7 +35,6 @@ use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
 use problem::iteration::Operations;
-use problem::twin::Twin;
 use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
@@ -95,10 +94,7 @@ fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactEr
     solve_in_order(
         problem,
         |start| solve_from(problem, start, &mut work),
-        |expected, far| match problem.twin() {
-            Twin::Plane => programme::answer(problem, expected, far),
-            Twin::Round => None,
-        },
+        |expected, far| programme::answer(problem, expected, far),
     )
 }
 

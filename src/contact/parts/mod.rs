@@ -16,6 +16,7 @@ use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
+use crate::contact::problem::twin::Twin;
 use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
@@ -60,7 +61,8 @@ struct Level {
 /// Presses a punch on a stack some contacts of which have several parts, about where `active` says; `None` if no
 /// admissible answer was found, or the pressure under the punch is of another kind.
 pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Solution> {
-    if problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
+    let is_plane = problem.twin() == Twin::Plane;
+    if !is_plane || problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
         return None;
     }
     let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;

@@ -114,6 +114,11 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
     Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect()) }
 }
 
+/// A pressure on a disc.
+pub(crate) fn disc(radius: f64, pressure: f64) -> Strip {
+    round(strip(Form::Uniform, 0.0, radius, 1.0), PI * radius * radius * pressure)
+}
+
 /// The same about the axis: a series of one term, an ellipse, has the resultant; forms are known by it.
 fn round(strip: Strip, force: f64) -> Strip {
     let first = if strip.form == Form::Line { force } else { 1.5 * force / (PI * strip.extent.powi(2)) };

@@ -5,6 +5,7 @@
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::even::RightInterval;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
+use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
@@ -86,8 +87,7 @@ fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<RightInterval>> {
 impl Cycle {
     /// On an element of contact i.
     fn pressure(&self, i: usize, e: usize) -> f64 {
-        let [from, to] = self.grid.element(e);
-        self.forces[i][e] / (2.0 * (to - from))
+        self.forces[i][e] / self.grid.resultant(e)
     }
 
     /// How far an end may be off since elements have a length.
@@ -101,6 +101,9 @@ impl Cycle {
 
     /// The pressures of contact i, element by element, over its resultant.
     fn strips(&self, i: usize, force: f64) -> Vec<Strip> {
+        if self.grid.twin() == Twin::Round {
+            return self.discs(i, force);
+        }
         let pressing = self.forces[i].iter().enumerate().filter(|(_, force)| **force > 0.0);
         let strip = |(e, own): (usize, &f64)| {
             let [from, to] = self.grid.element(e);
@@ -109,6 +112,13 @@ impl Cycle {
             load::strip(Form::Uniform, at, extent, own / force / images)
         };
         pressing.map(strip).collect()
+    }
+
+    /// The same as discs, one for each step of the pressure from an element to the next.
+    fn discs(&self, i: usize, force: f64) -> Vec<Strip> {
+        let pressure = |e: usize| if e < self.grid.elements() { self.pressure(i, e).max(0.0) / force } else { 0.0 };
+        let steps = (0..self.grid.elements()).map(|e| (self.grid.element(e)[1], pressure(e) - pressure(e + 1)));
+        steps.filter(|(_, step)| *step != 0.0).map(|(radius, step)| load::disc(radius, step)).collect()
     }
 
     /// Up to where contact i carries all but a small part of the force.

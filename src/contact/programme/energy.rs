@@ -1,20 +1,16 @@
 //! The elastic energy of pressures that are constant on elements, ½ Σ p_iᵀ U_i p_i + ½ Σ (p_i − p_(i+1))ᵀ C_i (p_i −
 //! p_(i+1)) + Σ b_iᵀ p_i, per unit of P'.
 //!
-//! A pressure 1 on [x_e, x_(e+1)] and its mirror image has the transform (2/ζ) (sin ζx_(e+1) − sin ζx_e). The energy is
-//! the quadratic form of the Galerkin equations. Resultants are given, so every pressure is taken less a uniform one of the same resultant
+//! A pressure 1 on [x_e, x_(e+1)] and its mirror image has the transform (2/ζ) (sin ζx_(e+1) − sin ζx_e), on a ring about an axis
+//! (x_(e+1) J₁(ζx_(e+1)) − x_e J₁(ζx_e))/ζ. The energy is the quadratic form of the Galerkin equations. Resultants are given, so every pressure is taken less a uniform one of the same resultant
 //! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
-//! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form: −g/π ln |x| responds
-//! to a line load. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
+//! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
 //! where they are too few for the elements far out.
-use std::f64::consts::PI;
-
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::grid::Grid;
-use crate::numeric::bessel;
 use crate::numeric::quadrature::rule;
 
 /// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for eight more. Twice as many
@@ -50,19 +46,18 @@ impl Energy {
         if contacts.saturating_mul(elements).saturating_mul(elements) > MOST_ENTRIES {
             return None;
         }
-        let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let mut energy = Self {
             unit: vec![Mat::zeros(elements, elements); contacts],
             coupling: vec![Mat::zeros(elements, elements); contacts - 1],
             linear: vec![vec![0.0; elements]; contacts],
-            resultants: widths.iter().map(|width| 2.0 * width).collect(),
+            resultants: (0..elements).map(|e| grid.resultant(e)).collect(),
             inadmissible: vec![vec![false; elements]; contacts],
         };
-        let waves = Waves::new(grid, &widths);
+        let waves = Waves::new(grid);
         let least = waves.least(kernel);
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
-        energy.add_resultants(kernel);
+        energy.add_resultants(kernel, grid);
         energy.add_punches(kernel, grid);
         Some(energy)
     }
@@ -76,55 +71,58 @@ impl Energy {
     }
 
     fn add_half_planes(&mut self, least: &[f64], grid: &Grid) {
-        let (elements, reference) = (self.elements(), grid.shortest());
-        // ∬ of ln|x|, in any unit of length
-        let twice = |x: f64| if x == 0.0 { 0.0 } else { x * x * (0.5 * (x.abs() / reference).ln() - 0.75) };
-        let both = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
-            let at = |x: f64, y: f64| twice(x + y) - twice(x - y);
-            2.0 * (at(b, d) - at(a, d) - at(b, c) + at(a, c))
+        let (elements, reference, twin) = (self.elements(), grid.shortest(), grid.twin());
+        let patches = |x: f64, y: f64| twin.patches(x, y, reference);
+        let edges = grid.edges();
+        let of_edges =
+            Mat::from_fn(elements + 1, elements + 1, |e, f| if f <= e { patches(edges[e], edges[f]) } else { 0.0 });
+        // the elements before a pair of edges
+        let both = |e: usize, f: usize| {
+            let at = |e: usize, f: usize| of_edges[(e.max(f), e.min(f))];
+            at(e + 1, f + 1) - at(e, f + 1) - at(e + 1, f) + at(e, f)
         };
-        let whole = [0.0, reference];
         // per unit of the resultant
-        let with_it: Vec<f64> = (0..elements).map(|e| both(grid.element(e), whole) / (2.0 * reference)).collect();
-        let itself = both(whole, whole) / (2.0 * reference).powi(2);
+        let whole = twin.patch(reference);
+        let to_edge: Vec<f64> = edges.iter().map(|edge| patches(*edge, reference)).collect();
+        let with_it: Vec<f64> = to_edge.windows(2).map(|pair| (pair[1] - pair[0]) / whole).collect();
+        let itself = patches(reference, reference) / whole.powi(2);
         for e in 0..elements {
             let own = self.resultants[e];
             for f in 0..=e {
                 let other = self.resultants[f];
-                let both = both(grid.element(e), grid.element(f)) - own * with_it[f] - other * with_it[e]
-                    + own * other * itself;
+                let both = both(e, f) - own * with_it[f] - other * with_it[e] + own * other * itself;
                 for (unit, least) in self.unit.iter_mut().zip(least) {
-                    unit[(e, f)] = -least / PI * both;
+                    unit[(e, f)] = twin.half_space(*least) * both;
                     unit[(f, e)] = unit[(e, f)];
                 }
             }
             for (linear, least) in self.linear.iter_mut().zip(least) {
-                linear[e] = -least / PI * (with_it[e] - own * itself);
+                linear[e] = twin.half_space(*least) * (with_it[e] - own * itself);
             }
         }
     }
 
     fn add_waves(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, waves: &Waves) {
-        let elements = self.elements();
+        let (elements, twin) = (self.elements(), grid.twin());
+        let whole = twin.patch(grid.shortest());
         for (from, to) in waves.octaves() {
-            let zeta: Vec<(f64, f64)> = rule(waves.nodes).on(from, to).collect();
+            let (zeta, widths): (Vec<f64>, Vec<f64>) = rule(waves.nodes).on(from, to).unzip();
             let mut transforms = Mat::<f64>::zeros(zeta.len(), elements);
-            let beyond: Vec<f64> =
-                zeta.iter().map(|(zeta, _)| transform_minus_width(*zeta, grid.shortest()) / grid.shortest()).collect();
+            let reference = twin.patch_transform(&zeta, grid.shortest());
+            let beyond: Vec<f64> = reference.iter().map(|transform| transform / whole).collect();
             let mut edge = vec![0.0; zeta.len()];
             for e in 0..elements {
-                let x = grid.edges()[e + 1];
+                let next = twin.patch_transform(&zeta, grid.edges()[e + 1]);
                 let column = transforms.col_as_slice_mut(e);
-                for (k, (zeta, _)) in zeta.iter().enumerate() {
-                    let next = transform_minus_width(*zeta, x);
-                    column[k] = 2.0 * (next - edge[k]) - self.resultants[e] * beyond[k];
-                    edge[k] = next;
+                for (k, next) in next.iter().enumerate() {
+                    column[k] = next - edge[k] - self.resultants[e] * beyond[k];
                 }
+                edge = next;
             }
             for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
                 let (mut weights, mut forces) = (Vec::new(), Vec::new());
-                for ((zeta, w), beyond) in zeta.iter().zip(&beyond) {
-                    let w = w / (PI * zeta);
+                for ((zeta, w), beyond) in zeta.iter().zip(&widths).zip(&beyond) {
+                    let w = w / twin.over_waves(*zeta);
                     let (own, coupled) = (kernel.own(i, *zeta) - least[i], kernel.coupled(i, *zeta));
                     weights.push(w * (own + coupled));
                     // a given neighbour counts by what it differs from the pressure that all are compared with
@@ -136,8 +134,11 @@ impl Energy {
                 }
             }
             for (i, coupling) in self.coupling.iter_mut().enumerate() {
-                let weights: Vec<f64> =
-                    zeta.iter().map(|(zeta, w)| w / (PI * zeta) * kernel.coupling(i, *zeta)).collect();
+                let weights: Vec<f64> = zeta
+                    .iter()
+                    .zip(&widths)
+                    .map(|(zeta, w)| w / twin.over_waves(*zeta) * kernel.coupling(i, *zeta))
+                    .collect();
                 if weights.iter().any(|weight| *weight != 0.0) {
                     add_gram(&transforms, &weights, coupling);
                 }
@@ -147,11 +148,12 @@ impl Energy {
 
     /// Adds multiples of the squares of the resultants, which are given: a pressure like that which all are compared with has no
     /// energy otherwise.
-    fn add_resultants(&mut self, kernel: &Compliances) {
+    fn add_resultants(&mut self, kernel: &Compliances, grid: &Grid) {
+        let unit_length = grid.twin().measure(grid.shortest().recip());
         for (i, unit) in self.unit.iter_mut().enumerate() {
             for e in 0..self.resultants.len() {
                 for f in 0..self.resultants.len() {
-                    unit[(e, f)] += kernel.limit(i) * self.resultants[e] * self.resultants[f];
+                    unit[(e, f)] += unit_length * kernel.limit(i) * self.resultants[e] * self.resultants[f];
                 }
             }
         }
@@ -165,7 +167,9 @@ impl Energy {
                 let [from, to] = grid.element(e);
                 self.inadmissible[i][e] = to > last;
                 if !self.inadmissible[i][e] {
-                    let heights = rule(8).on(from, to).map(|(x, weight)| 2.0 * weight * profile.height(x));
+                    let heights = rule(8)
+                        .on(from, to)
+                        .map(|(x, weight)| grid.twin().patch_measure(x) * weight * profile.height(x));
                     self.linear[i][e] += heights.sum::<f64>();
                 }
             }
@@ -182,9 +186,10 @@ struct Waves {
 }
 
 impl Waves {
-    fn new(grid: &Grid, widths: &[f64]) -> Self {
+    fn new(grid: &Grid) -> Self {
+        let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
-        let fineness = grid.edges()[1..].iter().zip(widths).map(|(x, width)| x / width).fold(0.0, f64::max);
+        let fineness = grid.edges()[1..].iter().zip(&widths).map(|(x, width)| x / width).fold(0.0, f64::max);
         Self {
             first: LONGEST_WAVE / grid.edges()[widths.len()],
             last: SHORTEST_WAVE / shortest,
@@ -235,11 +240,6 @@ fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
         above = if own + coupled > 0.0 { own * coupled / (own + coupled) } else { 0.0 };
         own + coupled >= 0.0
     })
-}
-
-/// x (sin ζx/(ζx) − 1).
-pub(super) fn transform_minus_width(zeta: f64, x: f64) -> f64 {
-    x * bessel::sinc_minus_one(zeta * x)
 }
 
 /// Adds transformsᵀ diag(weights) transforms.

@@ -1,4 +1,5 @@
 //! Elements on which pressures are constant.
+use crate::contact::problem::twin::Twin;
 use crate::contact::programme::UNRESOLVED;
 
 /// Elements grow by this factor from the middle outwards.
@@ -13,12 +14,13 @@ const MOST: usize = 2000;
 pub(super) struct Grid {
     edges: Vec<f64>,
     shortest: f64,
+    twin: Twin,
 }
 
 impl Grid {
     /// For contacts from a length to another; the punch may have an edge. `None` if the lengths are no positive, finite
     /// numbers, or so different that there would be too many elements.
-    pub(super) fn new(shortest: f64, end: f64, edge: Option<f64>) -> Option<Self> {
+    pub(super) fn new(shortest: f64, end: f64, edge: Option<f64>, twin: Twin) -> Option<Self> {
         let first = FIRST * shortest;
         if !(first.is_normal() && first > 0.0 && end.is_finite()) {
             return None;
@@ -34,7 +36,7 @@ impl Grid {
             }
             edges.push(edge + width);
         }
-        let mut grid = Self { edges, shortest };
+        let mut grid = Self { edges, shortest, twin };
         if let Some(edge) = edge {
             grid.insert(edge);
         }
@@ -62,6 +64,16 @@ impl Grid {
 
     pub(super) fn edges(&self) -> &[f64] {
         &self.edges
+    }
+
+    /// Strips, or rings about an axis.
+    pub(super) fn twin(&self) -> Twin {
+        self.twin
+    }
+
+    /// The resultant of a pressure 1 on an element.
+    pub(super) fn resultant(&self, e: usize) -> f64 {
+        self.twin.element(self.element(e))
     }
 
     pub(super) fn element(&self, e: usize) -> [f64; 2] {
@@ -111,11 +123,11 @@ mod tests {
 
     #[test]
     fn a_grid_ends_whatever_it_is_made_for() {
-        assert!(Grid::new(1e-3, 1e3, Some(2.0)).is_some());
+        assert!(Grid::new(1e-3, 1e3, Some(2.0), Twin::Plane).is_some());
         for (shortest, end) in
             [(0.0, 1.0), (1.0, f64::INFINITY), (f64::NAN, 1.0), (1.0, f64::NAN), (1e-300, 1e300), (f64::INFINITY, 1.0)]
         {
-            assert!(Grid::new(shortest, end, None).is_none(), "{shortest} {end}");
+            assert!(Grid::new(shortest, end, None, Twin::Plane).is_none(), "{shortest} {end}");
         }
     }
 }

@@ -10,6 +10,7 @@ mod compliances;
 mod energy;
 mod equilibrium;
 mod grid;
+mod patch;
 #[cfg(test)]
 mod tests;
 
@@ -125,7 +126,7 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
     let lengths = || problem.unknown().map(|i| expected[i]);
     let (longest, shortest) = (lengths().fold(0.0, f64::max), lengths().fold(f64::INFINITY, f64::min));
     let edge = problem.sides.iter().find_map(Side::edge);
-    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge) else { return cycles };
+    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge, problem.twin()) else { return cycles };
     let mut longer = LONGER;
     let most = grid.elements() + resolution.elements;
     for _ in 0..CYCLES {

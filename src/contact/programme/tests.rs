@@ -3,8 +3,8 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::SAFETY;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
-use crate::selftest::{Ranges, scene};
-use crate::{Load, Model, Options, Punch, Solution};
+use crate::selftest::{Ranges, about_axis, scene};
+use crate::{Geometry, Load, Model, Options, Punch, Scene, Solution};
 
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::energy::Energy;
@@ -12,11 +12,17 @@ use crate::contact::programme::equilibrium::{Equilibrium, State};
 use crate::contact::programme::grid::Grid;
 use crate::contact::programme::{COARSE, active, answer};
 
+/// In the plane, or the like about an axis.
+fn drawn(geometry: Geometry, seed: u64, number: u64) -> Scene {
+    let scene = scene(&Ranges::moderate(), seed, number).scene().unwrap();
+    if geometry.is_axisymmetric() { about_axis(scene) } else { scene }
+}
+
 /// Calls back with so many random scenes, the kernels of each, what is expected of it, and the solver's answer.
-fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f64], &Solution)) {
+fn each_solved(geometry: Geometry, seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f64], &Solution)) {
     let options = Options { tolerance: 1e-6, ..Options::default() };
     let solved = (0..).filter_map(|number| {
-        let scene = scene(&Ranges::moderate(), seed, number).scene().unwrap();
+        let scene = drawn(geometry, seed, number);
         let stack = scene.stack().unwrap();
         let solution = Model::new(stack.clone()).unwrap().press_with(&scene.punch, scene.force, &options).ok()?;
         Some((number, scene, stack, solution))
@@ -32,34 +38,38 @@ fn each_solved(seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f6
 
 #[test]
 fn half_lengths_are_those_of_the_quadratic_programme() {
-    each_solved(5, 100, |number, problem, expected, solution| {
-        let active = active(problem, expected, 0.0).unwrap();
-        for (active, contact) in active.iter().zip(solution.contacts()) {
-            assert_eq!(active.separate.len(), 1, "{number}: {active:?}");
-            let error = active.end() * problem.kernel.length() / contact.innermost().right - 1.0;
-            assert!(error.abs() < SAFETY * COARSE.ends, "{number}, {}: {error}", contact.interface);
-        }
-    });
+    for (geometry, count) in [(Geometry::PlaneStrain, 100), (Geometry::Axisymmetric, 30)] {
+        each_solved(geometry, 5, count, |number, problem, expected, solution| {
+            let active = active(problem, expected, 0.0).unwrap();
+            for (active, contact) in active.iter().zip(solution.contacts()) {
+                assert_eq!(active.separate.len(), 1, "{number}: {active:?}");
+                let error = active.end() * problem.kernel.length() / contact.innermost().right - 1.0;
+                assert!(error.abs() < SAFETY * COARSE.ends, "{geometry:?}, {number}, {}: {error}", contact.interface);
+            }
+        });
+    }
 }
 
 #[test]
 fn its_own_answer_is_as_good_as_it_says() {
-    each_solved(6, 20, |number, problem, expected, solution| {
-        let coarse = answer(problem, expected, 0.0).unwrap();
-        for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
-            assert!((coarse.resultant / fine.resultant - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
-            assert!(
-                (coarse.innermost().right - fine.innermost().right).abs() < coarse.innermost().right_error,
-                "{number}: {coarse:?}"
-            );
-            let pressure = (coarse.central_pressure - fine.central_pressure).abs();
-            assert!(pressure < coarse.central_pressure_error, "{number}, {}: {pressure}", coarse.interface);
-            // and so is the pressure elsewhere, on average
-            let off = (0..50).map(|k| 0.9 * fine.innermost().right * (f64::from(k) + 0.5) / 50.0);
-            let off: f64 = off.map(|x| (coarse.pressure(x) - fine.pressure(x)).abs() / 50.0).sum();
-            assert!(off < 0.1 * fine.central_pressure, "{number}, {}: {off}", coarse.interface);
-        }
-    });
+    for (geometry, count) in [(Geometry::PlaneStrain, 20), (Geometry::Axisymmetric, 10)] {
+        each_solved(geometry, 6, count, |number, problem, expected, solution| {
+            let coarse = answer(problem, expected, 0.0).unwrap();
+            for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
+                assert!((coarse.resultant / fine.resultant - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
+                assert!(
+                    (coarse.innermost().right - fine.innermost().right).abs() < coarse.innermost().right_error,
+                    "{number}: {coarse:?}"
+                );
+                let pressure = (coarse.central_pressure - fine.central_pressure).abs();
+                assert!(pressure < coarse.central_pressure_error, "{number}, {}: {pressure}", coarse.interface);
+                // and so is the pressure elsewhere, on average
+                let off = (0..50).map(|k| 0.9 * fine.innermost().right * (f64::from(k) + 0.5) / 50.0);
+                let off: f64 = off.map(|x| (coarse.pressure(x) - fine.pressure(x)).abs() / 50.0).sum();
+                assert!(off < 0.1 * fine.central_pressure, "{number}, {}: {off}", coarse.interface);
+            }
+        });
+    }
 }
 
 #[test]
@@ -110,11 +120,12 @@ fn corners_tips_and_given_loads_are_known_as_well() {
 
 #[test]
 fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
-    for number in 0..6 {
-        let scene = scene(&Ranges::moderate(), 8, number).scene().unwrap();
+    for number in 0..8 {
+        let geometry = if number < 6 { Geometry::PlaneStrain } else { Geometry::Axisymmetric };
+        let scene = drawn(geometry, 8, number);
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
         let problem = Problem::new(&kernel, &[], &scene.punch, scene.force.number(), 1e-10);
-        let grid = Grid::new(0.5, 20.0, None).unwrap();
+        let grid = Grid::new(0.5, 20.0, None, problem.twin()).unwrap();
         let energy = Energy::new(&Compliances::new(&problem), &grid).unwrap();
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact

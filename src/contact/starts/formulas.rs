@@ -48,8 +48,7 @@ pub(crate) fn half_lengths(problem: &Problem) -> Vec<f64> {
     half_lengths_on(problem, Kernel::closed)
 }
 
-/// Half-lengths if the contact under the punch is as short as on the stiffest that the waves in it meet: no contact is shorter. Newton's method
-/// that leaves for longer and longer contacts from where formulas expect the ends converges from shorter ones.
+/// Half-lengths if the contact under the punch is as short as on the stiffest that the waves in it meet: no contact is shorter.
 pub(crate) fn shortest(problem: &Problem) -> Vec<f64> {
     half_lengths_on(problem, Kernel::stiffest)
 }

@@ -3,15 +3,12 @@
 //! 1. Closed-form estimates of the half-lengths ([`super::formulas`]).
 //! 2. The coarse quadratic programme, asked once the former have failed: it cannot converge to a non-physical root. Where it
 //!    sees several intervals in a contact, [`parts`] solves for these; else Newton's method begins at its ends.
-//!    Where it has no answer, as about an axis, Newton's method begins once more as expected, with more modes, and then from the shortest
-//!    contact there can be ([`formulas::shortest`]).
 //! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning, unless there is
 //!    a solution with a large error estimate that has the same pressures.
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::parts;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
-use crate::contact::problem::twin::Twin;
 use crate::contact::programme::{self, ActiveIntervals};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::contact::quality::levels::Start;
@@ -104,21 +101,17 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             solved => return Ok(solved),
         };
         let mut active: Option<Vec<ActiveIntervals>> = None;
-        // once more if there is penetration farther out than the grid reached, or without an answer of the quadratic programme
+        // once more if there is penetration farther out than the grid reached
         for attempt in 0..2 {
             let penetration = match *failure {
                 ContactError::NoSolution(NoSolution::Penetration { x, .. }) => x / self.problem.kernel.length(),
                 _ => 0.0,
             };
-            if active.is_some() && penetration <= self.far {
+            if attempt > 0 && penetration <= self.far {
                 break;
             }
             self.far = penetration;
-            active = match self.problem.twin() {
-                Twin::Plane => programme::active(self.problem, &self.expected, penetration),
-                // the quadratic programme is that of plane problems
-                Twin::Round => None,
-            };
+            active = programme::active(self.problem, &self.expected, penetration);
             let all = active.as_deref().unwrap_or_default();
             let certain = several(self.problem, all, true);
             // intervals of re-contact that a solution leaves out may be short
@@ -134,8 +127,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             if let Some(solution) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(solution)));
             }
-            let ends = if active.is_none() && attempt > 0 { formulas::shortest(self.problem) } else { self.ends(all) };
-            match self.solve_from_ends(ends, failure)? {
+            match self.solve_from_ends(self.ends(all), failure)? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
             }
