@@ -12,6 +12,7 @@ use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
 use crate::contact::problem::profile::Slopes;
 use crate::contact::problem::support::{Support, longest};
+use crate::kernel::DECAYED;
 use crate::solution::Stopped;
 
 impl Newton<'_> {
@@ -280,8 +281,9 @@ impl<'a> Sweeps<'a> {
     /// Takes what is left of the steps; whether sweeps have converged.
     fn finish(&mut self, stopped: Stopped) -> bool {
         self.linearised.follow(&mut self.modes, &self.step);
+        let beyond: Vec<f64> = (0..self.residuals.len()).map(|i| self.beyond_drift(i)).collect();
         for (i, left) in self.residuals.iter_mut().enumerate() {
-            left.length += MINOR * self.step[i].abs() + self.drift.shift[i] * self.drift.shift[i];
+            left.length += MINOR * self.step[i].abs() + beyond[i];
         }
         self.support.advance(&self.drift.shift);
         self.support.advance(&self.step);
@@ -296,6 +298,13 @@ impl<'a> Sweeps<'a> {
             *own = Estimate::new(own.length.max(left.length), own.pressure.max(left.pressure));
         }
         converged
+    }
+
+    /// What rows linear in the way of the end of contact i leave out: the square of the way over the length along which pressures and
+    /// displacements vary there, the contact itself or the thickness of the layers at its faces.
+    fn beyond_drift(&self, i: usize) -> f64 {
+        let thin = self.problem.kernel.asymptote(i).from * self.support.half_lengths[i] / DECAYED;
+        (self.drift.shift[i] * thin.max(1.0)).powi(2)
     }
 
     /// What sweeps have left of contact i if it goes on as slowly as a neighbour that still changes more.
