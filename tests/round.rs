@@ -436,7 +436,7 @@ fn a_tip_on_a_plate_touches_in_a_disc_and_in_a_ring() {
             let solution = model.press(&scene.punch, force).unwrap_or_else(|error| panic!("{text}, {force}: {error}"));
             let contact = &solution.contacts()[0];
             let intervals = contact.intervals();
-            let [_, disc, ring] = &intervals[..] else { panic!("{text}, {force}: {intervals:?}") };
+            let [_, disc, ring] = intervals else { panic!("{text}, {force}: {intervals:?}") };
             assert!(disc.right < ring.left && before < ring.right, "{text}, {force}: {intervals:?}");
             before = ring.right;
             close(contact.resultant, force, 1e-9);
