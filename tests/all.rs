@@ -53,6 +53,7 @@ mod profile;
 mod punches;
 mod reference;
 mod rejected;
+mod rings;
 mod rival;
 mod round;
 mod round_reports;

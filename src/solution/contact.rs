@@ -108,9 +108,14 @@ impl Contact {
 
     /// Whether the contact is its own mirror image about x = 0.
     pub(crate) fn is_even(&self) -> bool {
-        let strips = self.strips.iter().zip(self.strips.iter().rev());
+        // strips in the middle are their own images, and of the others those on the left are in the order of those on the right
+        let [left, right]: [Vec<&Strip>; 2] =
+            [-1.0, 1.0].map(|side| self.strips.iter().filter(|strip| side * strip.at > 0.0).collect());
         let intervals = self.intervals.iter().zip(self.intervals.iter().rev());
-        strips.into_iter().all(|(strip, other)| strip.is_image_of(other))
+        let in_the_middle = self.strips.iter().filter(|strip| strip.at == 0.0);
+        left.len() == right.len()
+            && left.into_iter().zip(right.into_iter().rev()).all(|(strip, other)| strip.is_image_of(other))
+            && in_the_middle.into_iter().all(|strip| strip.is_image_of(strip))
             && intervals.into_iter().all(|(interval, other)| interval.left == -other.right)
     }
 
