@@ -11,8 +11,6 @@ use super::{Field, FieldPoint, PlacedLayer};
 const BESIDE: [f64; 15] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96, 1.0, 1.05, 1.15, 1.4];
 const BELOW: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 0.8, 1.3];
 const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
-/// Most strips of one pressure that have points of their own.
-const APART: usize = 16;
 /// Where a pressure jumps stresses depend on the direction: they are searched at this part of the narrowest load from there, at these parts of
 /// that distance along x and in depth.
 const CLOSE: f64 = 1e-8;
@@ -189,7 +187,7 @@ fn beside(field: &Field, contact: usize) -> Vec<f64> {
         [-1.0, 1.0].into_iter().flat_map(move |side| BESIDE.map(|part| at + side * part * a))
     };
     // many strips are taken as one
-    let strips: Vec<(f64, f64)> = pressure.strips().filter(|_| pressure.strips().count() <= APART).collect();
+    let strips: Vec<(f64, f64)> = pressure.strips().filter(|_| !pressure.is_of_many()).collect();
     let all = strips.into_iter().chain([(0.0, field.length(contact))]).flat_map(about);
     all.chain(pressure.ends()).filter(|x| *x >= 0.0).collect()
 }

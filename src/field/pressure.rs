@@ -7,6 +7,8 @@ use crate::solution::{Contact, Form, Strip};
 
 /// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
+/// Most strips of one pressure that have places of their own where stresses are searched.
+const APART: usize = 16;
 
 /// A sum of strips.
 #[derive(Clone, Debug)]
@@ -65,9 +67,18 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| (*at, strip.half_length))
     }
 
+    /// Whether the strips are so many that a step from one to the next tells nothing: they are elements of an answer of low accuracy, or one
+    /// load among very many.
+    pub(super) fn is_of_many(&self) -> bool {
+        self.strips.len() > APART
+    }
+
     /// The places at which the pressure ends, of an even one those x ≥ 0; where it ends abruptly, next to them on both sides, at which stresses are the limits from
     /// there.
     pub(super) fn ends(&self) -> Vec<f64> {
+        if self.is_of_many() {
+            return vec![self.half_length];
+        }
         let of = |(at, strip): &(f64, StripPressure)| {
             let ends = [at - strip.half_length, at + strip.half_length];
             let beside = |end: f64| [end * (1.0 - 2.0 * AT), end * (1.0 + 2.0 * AT)];
@@ -78,7 +89,7 @@ impl Pressure {
 
     /// The places at which the pressure jumps from one finite value to another, of an even pressure those x > 0.
     pub(super) fn jumps(&self) -> impl Iterator<Item = f64> {
-        let uniform = self.strips.iter().filter(|(_, strip)| strip.form == Form::Uniform);
+        let uniform = self.strips.iter().filter(|(_, strip)| strip.form == Form::Uniform && !self.is_of_many());
         let ends = uniform.flat_map(|(at, strip)| [at - strip.half_length, at + strip.half_length]);
         ends.filter(|end| !self.is_even || *end > 0.0)
     }
