@@ -15,7 +15,7 @@ use crate::field::{FLAT, Field, FieldError, Window};
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature;
-use crate::scene::Punch;
+use crate::scene::{Punch, Top};
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 
@@ -94,23 +94,22 @@ impl ApproachError {
     }
 }
 
-/// Whether an approach is defined for a punch on a stack.
-pub(crate) fn defined(punch: &Punch, stack: &Stack) -> Result<(), ApproachError> {
-    if punch.load().is_some() {
-        return Err(ApproachError::Load);
-    }
+/// The punch, if an approach is defined for it on a stack.
+pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, ApproachError> {
+    let punch = top.punch().ok_or(ApproachError::Load)?;
     // displacements vanish far from a force that does not act on a whole line
     if stack.geometry().is_axisymmetric() {
-        return Ok(());
+        return Ok(punch);
     }
     if stack.base().foundation().half_plane().is_some() {
         return Err(ApproachError::HalfPlane);
     }
-    if punch.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(()) }
+    if punch.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(punch) }
 }
 
 /// The approach alone, with its error.
-pub(crate) fn depth(punch: &Punch, stack: &Stack, solution: &Solution) -> Result<Measured, ApproachError> {
+pub(crate) fn depth(top: &Top, stack: &Stack, solution: &Solution) -> Result<Measured, ApproachError> {
+    let punch = defined(top, stack)?;
     let lowest = punch.lowest();
     let [value, second] = sunk(|x| punch.profile(x) - lowest, punch, stack, solution)?;
     let relative = ROUNDING + relative_error(solution, true);
@@ -119,14 +118,14 @@ pub(crate) fn depth(punch: &Punch, stack: &Stack, solution: &Solution) -> Result
 
 /// The approach and the stiffness.
 pub(crate) fn approach(
-    punch: &Punch,
+    top: &Top,
     stack: &Stack,
     kernel: &Kernel,
     solution: &Solution,
 ) -> Result<Approach, ApproachError> {
-    defined(punch, stack)?;
-    let Measured { value, error } = depth(punch, stack, solution)?;
-    let stiffness = match contact::tangent(kernel, punch, solution) {
+    let punch = defined(top, stack)?;
+    let Measured { value, error } = depth(top, stack, solution)?;
+    let stiffness = match contact::tangent(kernel, top, solution) {
         Some(Ok(tangent)) => stiffness(punch, stack, kernel, solution, &tangent)?,
         Some(Err(ContactError::Unresolved(cause))) => return Err(FieldError::Unresolved(cause).into()),
         Some(Err(_)) | None => Stiffness::NotComputed,

@@ -134,9 +134,12 @@ impl Scene {
             Error::Stack(cause) => self.error_at_item(cause.item(), cause.hint(), cause),
             Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
                 let hint = "a larger punch or a smaller force keeps the contact within the punch";
-                self.error_at_punch(hint.to_owned(), cause)
+                self.error_at_top(hint.to_owned(), cause)
             }
             Error::NoSolution(cause @ NoSolution::Unreachable { .. }) => self.error_at_force(cause.hint(), cause),
+            Error::Contact(cause @ (ContactError::UnevenLoads | ContactError::LoadsUnknown { .. })) => {
+                self.error_at_top(cause.hint().unwrap_or_default(), cause)
+            }
             Error::Approach(cause) => self.error_at_force(Some(cause.hint()), cause),
             _ => None,
         };

@@ -107,8 +107,8 @@ pub use recede_layers::{
     PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
-    ElasticCylinder, Force, HeightsError, Item, Load, LoadsError, MAX_BYTES, MAX_ITEMS, Punch, Scene, SceneError,
-    Spring, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
+    ElasticCylinder, Force, HeightsError, Item, Load, Loads, LoadsError, MAX_BYTES, MAX_ITEMS, PlacedLoad, Punch,
+    Scene, SceneError, Spring, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
 };
 pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
 pub use stack::{

@@ -9,7 +9,7 @@ use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::{Method, Options, OptionsError};
 use crate::profile::{self, FaceProfiles};
-use crate::scene::{Force, Punch, Scene};
+use crate::scene::{Force, Scene, Top};
 use crate::solution::{Contact, Interface, Owner, Solution};
 use crate::stack::Stack;
 use crate::validity;
@@ -72,49 +72,55 @@ impl Model {
         &self.stack
     }
 
-    /// Presses a punch with a force (per unit length out of plane) on the stack, to ten digits. The force is a number, or
-    /// [`Force::ForHalfLength`] or [`Force::ForDepth`].
+    /// Presses a punch or loads with a force (per unit length out of plane) on the stack, to ten digits. The force is a number, or, under a
+    /// punch, [`Force::ForHalfLength`] or [`Force::ForDepth`].
     ///
     /// # Errors
     /// As [`Self::press_with`].
-    pub fn press(&self, punch: &Punch, force: impl Into<Force>) -> Result<Solution, Error> {
-        self.press_with(punch, force, &Options::default())
+    pub fn press(&self, top: impl Into<Top>, force: impl Into<Force>) -> Result<Solution, Error> {
+        self.press_with(top, force, &Options::default())
     }
 
-    /// Presses a punch with a force (per unit length out of plane) on the stack.
+    /// Presses a punch or loads with a force (per unit length out of plane) on the stack.
     ///
     /// # Errors
     /// [`Error::Value`] or [`Error::Options`] if a number is not legal; [`Error::Stack`] if an elastic punch is stiffer
     /// or softer than the layers beyond [`MAX_CONTRAST`](crate::MAX_CONTRAST); [`Error::NoSolution`] if no contact
     /// lengths were found that satisfy the Signorini conditions (no tension, no penetration).
-    pub fn press_with(&self, punch: &Punch, force: impl Into<Force>, options: &Options) -> Result<Solution, Error> {
+    pub fn press_with(
+        &self,
+        top: impl Into<Top>,
+        force: impl Into<Force>,
+        options: &Options,
+    ) -> Result<Solution, Error> {
+        let top = &top.into();
         let force = force.into().checked()?;
         options.check()?;
         if options.method == Method::Collocation && self.stack.geometry().is_axisymmetric() {
             return Err(OptionsError::CollocationIsPlane.into());
         }
-        if let Some(material) = punch.material() {
+        if let Some(material) = top.material() {
             self.stack.check_punch(&material)?;
         }
         let (kernel, table) = (&self.kernel, self.table.as_deref());
         let press = |force: f64| match options.method {
-            Method::Galerkin => contact::press(kernel, table, &self.interfaces, punch, force, options),
-            Method::Collocation => collocation::press(kernel, &self.interfaces, punch, force, options),
+            Method::Galerkin => contact::press(kernel, table, &self.interfaces, top, force, options),
+            Method::Collocation => collocation::press(kernel, &self.interfaces, top, force, options),
         };
         let solution = match force {
             Force::Given(force) => press(force)?,
             Force::ForHalfLength(wanted) => {
                 let wanted = (Controlled::HalfLength, wanted);
-                contact::press_to(kernel, punch, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))?
+                contact::press_to(kernel, top, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))?
             }
             Force::ForDepth(wanted) => {
-                approach::defined(punch, &self.stack)?;
-                let depth = |found: &Solution| Ok::<_, Error>(approach::depth(punch, &self.stack, found)?);
-                contact::press_to(kernel, punch, (Controlled::Approach, wanted), options, press, depth)?
+                approach::defined(top, &self.stack)?;
+                let depth = |found: &Solution| Ok::<_, Error>(approach::depth(top, &self.stack, found)?);
+                contact::press_to(kernel, top, (Controlled::Approach, wanted), options, press, depth)?
             }
         };
         let mut solution = Solution { stack: Some(self.key.clone()), ..solution };
-        solution.warnings.extend(validity::warnings(punch, kernel, &solution));
+        solution.warnings.extend(validity::warnings(top, kernel, &solution));
         Ok(solution)
     }
 
@@ -154,11 +160,11 @@ impl Model {
     ///
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
-    pub fn profile(&self, punch: &Punch, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
+    pub fn profile(&self, top: impl Into<Top>, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
         if !self.is_of(solution) {
             return Err(FieldError::OtherStack);
         }
-        profile::profile(punch, &self.stack, solution, x)
+        profile::profile(&top.into(), &self.stack, solution, x)
     }
 
     /// How far the punch has sunk into the stack since it touched it first, and the stiffness dP/dδ, for a solution of this model.
@@ -168,24 +174,24 @@ impl Model {
     /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, punch: Flat(half_width: 0.5), force: 0.01, stack: [
     ///     Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Bonded, Rigid])")?;
     /// let model = Model::new(scene.stack()?)?;
-    /// let approach = model.approach(&scene.punch, &model.press(&scene.punch, scene.force)?)?;
+    /// let approach = model.approach(&scene.top, &model.press(&scene.top, scene.force)?)?;
     /// // under a flat punch the force is proportional to the approach
     /// assert!((approach.stiffness.value().unwrap() * approach.value / 0.01 - 1.0).abs() < 1e-9);
     ///
     /// let half_plane = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
-    /// let solution = half_plane.press(&scene.punch, 0.01)?;
-    /// assert_eq!(half_plane.approach(&scene.punch, &solution), Err(ApproachError::HalfPlane));
+    /// let solution = half_plane.press(&scene.top, 0.01)?;
+    /// assert_eq!(half_plane.approach(&scene.top, &solution), Err(ApproachError::HalfPlane));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined;
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
-    pub fn approach(&self, punch: &Punch, solution: &Solution) -> Result<Approach, ApproachError> {
+    pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
         if !self.is_of(solution) {
             return Err(FieldError::OtherStack.into());
         }
-        approach::approach(punch, &self.stack, &self.kernel, solution)
+        approach::approach(&top.into(), &self.stack, &self.kernel, solution)
     }
 }
 
@@ -219,7 +225,7 @@ impl Scene {
 /// # Errors
 /// As [`Scene::stack`], [`Model::new`] and [`Model::press`].
 pub fn solve(scene: &Scene) -> Result<Solution, Error> {
-    Model::new(scene.stack()?).and_then(|model| model.press(&scene.punch, scene.force)).map_err(|e| scene.locate(e))
+    Model::new(scene.stack()?).and_then(|model| model.press(&scene.top, scene.force)).map_err(|e| scene.locate(e))
 }
 
 #[cfg(test)]
@@ -231,7 +237,7 @@ mod tests {
 
     use super::*;
     use crate::field::FieldPoint;
-    use crate::scene::{Item, Load};
+    use crate::scene::{Item, Load, Loads, Punch};
     use crate::solution::Interval;
 
     #[test]
@@ -242,7 +248,7 @@ mod tests {
             });
             Model::new(layers.layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap()).unwrap()
         };
-        let press = |model: &Model| model.press(&Punch::parabola(500.0).unwrap(), 2e-3).unwrap();
+        let press = |model: &Model| model.press(Punch::parabola(500.0).unwrap(), 2e-3).unwrap();
         let own = model(&[1.0, 1.0], 1.0);
         for other in [model(&[], 1.0), model(&[1.0], 1.0), model(&[1.0, 1.0], 2.0), model(&[1.0, 1.5], 1.0)] {
             for (model, solution) in [(&own, press(&other)), (&other, press(&own))] {
@@ -278,7 +284,7 @@ mod tests {
             let material = move |depth: f64| Isotropic { shear_modulus: shear_modulus + depth, poisson: 0.3 };
             Item::layer(Graded::with(1.0, material).unwrap())
         };
-        let press = |model: &Model| model.press(&Punch::parabola(500.0).unwrap(), 2e-3).unwrap();
+        let press = |model: &Model| model.press(Punch::parabola(500.0).unwrap(), 2e-3).unwrap();
         for (one, other) in [(function(1.0), function(2.0)), (Item::layer(Plain), Item::layer(Plain))] {
             let stack_of_one = stack(one);
             let [own, again] = [stack_of_one.clone(), stack_of_one].map(|stack| Model::new(stack).unwrap());
@@ -298,8 +304,7 @@ mod tests {
         let all = Model { kernel: model.kernel.with_all_couplings(), ..model.clone() };
         assert!(model.kernel.uncoupled_values() > 0);
         assert_eq!(all.kernel.uncoupled_values(), 0);
-        let [found, expected] =
-            [&model, &all].map(|model| model.press(&Punch::parabola(500.0).unwrap(), 2e-3).unwrap());
+        let [found, expected] = [&model, &all].map(|model| model.press(Punch::parabola(500.0).unwrap(), 2e-3).unwrap());
         for (found, expected) in found.contacts().iter().zip(expected.contacts()) {
             assert!((found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-12);
             assert!((found.central_pressure / expected.central_pressure - 1.0).abs() < 1e-12);
@@ -343,7 +348,7 @@ mod tests {
     fn the_field_of_a_load_moves_with_it() {
         for (number, model) in bonded_stacks().iter().enumerate() {
             for load in [Load::Line, Load::uniform(0.3).unwrap(), Load::elliptic(0.4).unwrap()] {
-                let about_0 = model.press(&Punch::Given(load), 0.2).unwrap();
+                let about_0 = model.press(load, 0.2).unwrap();
                 // not above x = 0, from where displacements are counted
                 let [here, there] = [-0.5, 0.75].map(|by| (model.field(&moved(&about_0, by)).unwrap(), by));
                 let at = |(field, by): &(Field, f64), x: f64, depth: f64| field.at(x + by, depth).unwrap();
@@ -366,9 +371,54 @@ mod tests {
     }
 
     #[test]
+    fn loads_anywhere_are_the_sums_of_loads_that_were_moved() {
+        let parts = [(Load::Line, -0.5, 0.2), (Load::uniform(0.2).unwrap(), 1.0, 0.8)];
+        for model in &bonded_stacks() {
+            let loads = Loads::new(&parts).unwrap();
+            let all = model.press(&loads, loads.force()).unwrap();
+            let each = parts.clone().map(|(load, at, force)| moved(&model.press(load, force).unwrap(), at));
+            let [all, one, other] = [&all, &each[0], &each[1]].map(|solution| model.field(solution).unwrap());
+            for (x, depth) in [(0.1, 0.2), (-0.5, 0.3), (1.1, 0.0), (-4.0, 0.45), (0.0, 0.1)] {
+                let [found, one, other] = [&all, &one, &other].map(|field| field.at(x, depth).unwrap());
+                for (found, sum) in [
+                    (found.sigma_xx, one.sigma_xx + other.sigma_xx),
+                    (found.sigma_yy, one.sigma_yy + other.sigma_yy),
+                    (found.sigma_xy, one.sigma_xy + other.sigma_xy),
+                    (found.v, one.v + other.v),
+                ] {
+                    assert!((found - sum).abs() < 1e-10, "{x} {depth}: {found} {sum}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_largest_stresses_move_with_the_loads() {
+        for model in &bonded_stacks() {
+            let solve = |at: f64| {
+                let loads =
+                    [(Load::elliptic(0.2).unwrap(), 0.1 + at, 0.7), (Load::elliptic(0.3).unwrap(), 0.6 + at, 0.3)];
+                model.field(&model.press(Loads::new(&loads).unwrap(), 1.0).unwrap()).unwrap()
+            };
+            let [here, left] = [0.0, -2.0].map(solve);
+            let [expected, found] = [&here, &left].map(|field| field.extremes().unwrap());
+            let von_mises = |extremes: &crate::field::Extremes| {
+                let of = |layer: &crate::field::LayerExtremes| layer.von_mises;
+                extremes.layers.iter().filter_map(of).collect::<Vec<_>>()
+            };
+            for (found, expected) in von_mises(&found).iter().zip(von_mises(&expected)) {
+                assert!((found.value / expected.value - 1.0).abs() < 1e-6, "{found:?} {expected:?}");
+                assert!((found.x + 2.0 - expected.x).abs() < 2e-2, "{found:?} {expected:?}");
+            }
+            let [here, left] = [here, left].map(|field| field.max_shear().unwrap());
+            assert!((left.value / here.value - 1.0).abs() < 1e-6 && (left.x + 2.0 - here.x).abs() < 2e-2);
+        }
+    }
+
+    #[test]
     fn what_is_on_one_side_is_the_mirror_image_of_what_is_on_the_other() {
         for model in &bonded_stacks() {
-            let about_0 = model.press(&Punch::Given(Load::uniform(0.3).unwrap()), 0.2).unwrap();
+            let about_0 = model.press(Load::uniform(0.3).unwrap(), 0.2).unwrap();
             let [left, right] = [-0.6, 0.6].map(|by| model.field(&moved(&about_0, by)).unwrap());
             for (x, depth) in [(0.1, 0.2), (-0.35, 0.0), (1.7, 0.45)] {
                 let [found, image] = [left.at(x, depth).unwrap(), right.at(-x, depth).unwrap()];

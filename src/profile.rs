@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 use crate::field::{FaceSide, Field, FieldError, FieldPoint};
 use crate::geometry::Geometry;
-use crate::scene::Punch;
+use crate::scene::Top;
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
 
@@ -61,33 +61,34 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
     let to = to.unwrap_or_else(|| BEYOND * solution.extent().unwrap_or(1.0));
     let ends =
         solution.contacts().iter().flat_map(Contact::intervals).flat_map(|interval| [interval.left, interval.right]);
-    let mut breaks: Vec<f64> = ends.filter(|x| *x > 0.0 && *x < to).chain([0.0, to]).collect();
-    breaks.sort_by(f64::total_cmp);
-    breaks.dedup();
-    let steps = (count / (2 * (breaks.len() - 1))).max(4);
-    let mut right: Vec<f64> = Vec::new();
-    for pair in breaks.windows(2) {
-        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
-        right.extend((1..steps).map(|k| middle - half * (PI * k as f64 / steps as f64).cos()));
-        right.push(pair[1]);
-    }
-    right.iter().rev().map(|x| -x).chain([0.0]).chain(right.iter().copied()).collect()
+    let ends: Vec<f64> = ends.collect();
+    // the places on one side of x = 0, from there outwards
+    let beside = |side: f64| {
+        let mut breaks: Vec<f64> =
+            ends.iter().map(|x| side * x).filter(|x| *x > 0.0 && *x < to).chain([0.0, to]).collect();
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        let steps = (count / (2 * (breaks.len() - 1))).max(4);
+        let mut places: Vec<f64> = Vec::new();
+        for pair in breaks.windows(2) {
+            let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+            places.extend((1..steps).map(|k| middle - half * (PI * k as f64 / steps as f64).cos()));
+            places.push(pair[1]);
+        }
+        places
+    };
+    beside(-1.0).iter().rev().map(|x| -x).chain([0.0]).chain(beside(1.0)).collect()
 }
 
 /// The profile of a solution at places along x.
-pub(crate) fn profile(
-    punch: &Punch,
-    stack: &Stack,
-    solution: &Solution,
-    x: &[f64],
-) -> Result<FaceProfiles, FieldError> {
+pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
     let field = Field::new(stack, solution);
     // a place more, in each contact, from which its gap is counted
     let mut places = x.to_vec();
     places.extend(solution.contacts().iter().map(Contact::inside));
     let mut faces: Vec<FaceProfile> =
         field.faces(&places)?.into_iter().map(|(layer, side, points)| FaceProfile { layer, side, points }).collect();
-    let seen = Seen { punch, field: &field, faces: &faces, x: &places };
+    let seen = Seen { top, field: &field, faces: &faces, x: &places };
     let contacts = solution.contacts().iter().enumerate().map(|(i, contact)| {
         let gap = seen.gap(contact, i, x.len() + i).map(|gap| gap.into_iter().take(x.len()).collect());
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
@@ -100,7 +101,7 @@ pub(crate) fn profile(
 
 /// What gaps are made of.
 struct Seen<'a> {
-    punch: &'a Punch,
+    top: &'a Top,
     field: &'a Field,
     faces: &'a [FaceProfile],
     x: &'a [f64],
@@ -109,12 +110,12 @@ struct Seen<'a> {
 impl Seen<'_> {
     /// How far the bodies of contact i are apart; `None` under a given pressure. At place number `inside` they touch.
     fn gap(&self, contact: &Contact, i: usize, inside: usize) -> Option<Vec<f64>> {
-        let Self { punch, field, faces, x } = self;
+        let Self { top, field, faces, x } = self;
         let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
         let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
         let apart: Vec<f64> = match contact.interface {
-            Interface::Punch if punch.load().is_some() => return None,
             Interface::Punch => {
+                let punch = top.punch()?;
                 let flattened = punch.material().map(|material| field.flattening(i, &material, x));
                 // nothing is above the stack beyond the edge of a punch
                 let edge = punch.max_half_length().unwrap_or(f64::INFINITY);

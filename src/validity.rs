@@ -1,7 +1,7 @@
 //! The limits of linear elasticity: warnings where strains or slopes are no longer small.
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
-use crate::scene::Punch;
+use crate::scene::{Punch, Top};
 use crate::solution::{Contact, Interval, Solution, Warning, WarningCode};
 
 /// A contact longer than this part of the radius of its punch is long: strains under a cylinder are about a/(4R).
@@ -14,15 +14,15 @@ const LARGE: f64 = 0.1;
 const PLACES: usize = 32;
 
 /// What is to be said of a solution for a stack with this kernel.
-pub(crate) fn warnings(punch: &Punch, kernel: &Kernel, solution: &Solution) -> Vec<Warning> {
-    let Some(top) = solution.contacts().first() else { return Vec::new() };
-    let shape = match radius(punch) {
-        Some(radius) => long(top.reach() / radius, kernel.geometry()),
-        None => steep(punch, top),
-    };
-    let (contacts, material) = (solution.contacts().iter().enumerate(), punch.material());
+pub(crate) fn warnings(top: &Top, kernel: &Kernel, solution: &Solution) -> Vec<Warning> {
+    let Some(first) = solution.contacts().first() else { return Vec::new() };
+    let shape = top.punch().and_then(|punch| match radius(punch) {
+        Some(radius) => long(first.reach() / radius, kernel.geometry()),
+        None => steep(punch, first),
+    });
+    let (contacts, material) = (solution.contacts().iter().enumerate(), top.material());
     let pressures = contacts.filter_map(|(i, contact)| {
-        let name = if i == 0 && punch.load().is_some() { "load".to_owned() } else { contact.interface.to_string() };
+        let name = if i == 0 && top.loads().is_some() { "load".to_owned() } else { contact.interface.to_string() };
         large(&name, contact, kernel.geometry(), kernel.contact_modulus(i, material.as_ref()))
     });
     shape.into_iter().chain(pressures).collect()
@@ -50,7 +50,7 @@ fn long(ratio: f64, geometry: Geometry) -> Option<Warning> {
 
 /// The steepest place of a punch that is not round, in its contact.
 fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
-    if punch.load().is_some() || punch.is_singular() && !punch.is_sharp() {
+    if punch.is_singular() && !punch.is_sharp() {
         return None;
     }
     let places = |&Interval { left, right, .. }: &Interval| {

@@ -9,7 +9,7 @@ fn scene(punch: &str, force: f64, stack: &str) -> Scene {
 fn approach_to(scene: &Scene, tolerance: f64) -> Approach {
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let options = Options { tolerance, ..Options::default() };
-    model.approach(&scene.punch, &model.press_with(&scene.punch, scene.force, &options).unwrap()).unwrap()
+    model.approach(&scene.top, &model.press_with(&scene.top, scene.force, &options).unwrap()).unwrap()
 }
 
 fn approach(scene: &Scene) -> Approach {
@@ -152,7 +152,7 @@ fn springs_give_way_in_closed_form() {
 fn an_approach_is_defined_where_the_base_stays() {
     let undefined = |scene: &Scene| {
         let model = Model::new(scene.stack().unwrap()).unwrap();
-        model.approach(&scene.punch, &model.press(&scene.punch, scene.force).unwrap()).unwrap_err()
+        model.approach(&scene.top, &model.press(&scene.top, scene.force).unwrap()).unwrap_err()
     };
     let layer = "Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded";
     let ground = format!("{layer}, HalfPlane(shear_modulus: 1, poisson: 0.25)");
@@ -173,7 +173,7 @@ fn the_approach_is_that_of_the_lowest_point() {
     assert!(found.value > 0.0 && found.value < 1e-5, "{found:?}");
     assert_eq!(found.stiffness, Stiffness::NotComputed);
     let model = Model::new(double.stack().unwrap()).unwrap();
-    let solution = model.press(&double.punch, double.force).unwrap();
+    let solution = model.press(&double.top, double.force).unwrap();
     assert_eq!(solution.contacts()[0].intervals().len(), 2);
 }
 
@@ -185,7 +185,7 @@ fn a_prescribed_depth_is_met() {
                 let pressed = scene(punch, force, stack);
                 let model = Model::new(pressed.stack().unwrap()).unwrap();
                 let depth = approach(&pressed).value;
-                let found = model.press(&pressed.punch, Force::ForDepth(depth)).unwrap();
+                let found = model.press(&pressed.top, Force::ForDepth(depth)).unwrap();
                 let missed = found.force() / force - 1.0;
                 assert!(missed.abs() < 1e-9, "{missed:e} {force} {punch} {stack}");
                 assert!(found.force_error() > 0.0 && found.force_error() < 1e-9 * force, "{found:?}");
@@ -205,7 +205,7 @@ fn a_scene_has_a_depth_where_one_is_defined() {
     assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().force, scene.force);
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let solution = recede::solve(&scene).unwrap();
-    assert!((model.approach(&scene.punch, &solution).unwrap().value / 0.01 - 1.0).abs() < 1e-10);
+    assert!((model.approach(&scene.top, &solution).unwrap().value / 0.01 - 1.0).abs() < 1e-10);
 
     let both = Scene::from_ron(&text("force: 1, depth: 0.01", "Rigid")).unwrap_err().to_string();
     assert!(both.contains("the scene has `force` and `depth`"), "{both}");

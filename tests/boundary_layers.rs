@@ -20,7 +20,7 @@ fn solve(top: &str, tolerance: f64) -> Solution {
     );
     let scene = Scene::from_ron(&text).unwrap();
     let options = Options { tolerance, ..Options::default() };
-    Model::new(scene.stack().unwrap()).unwrap().press_with(&scene.punch, scene.force, &options).unwrap()
+    Model::new(scene.stack().unwrap()).unwrap().press_with(&scene.top, scene.force, &options).unwrap()
 }
 
 #[test]
@@ -57,7 +57,7 @@ fn a_long_contact_far_below_takes_no_waves_from_a_short_one() {
         );
         let scene = Scene::from_ron(&text).unwrap();
         let model = Model::new(Stack::from_items(scene.geometry, &scene.stack).unwrap()).unwrap();
-        let solution = model.press(&scene.punch, 7e-5).unwrap();
+        let solution = model.press(&scene.top, 7e-5).unwrap();
         let points = [(0.0, 0.0), (0.03, 0.0), (0.07, 0.0), (0.2, 0.0), (0.05, 0.01), (0.0, 0.03)];
         let points = points.map(|(x, depth)| Point { x, depth, layer: Some(1) });
         let far = Point { x: 2000.0, depth: 0.0, layer: None };
@@ -92,7 +92,7 @@ fn the_errors_of_stresses_are_estimated() {
         let model = Model::new(Stack::from_items(scene.geometry, &scene.stack).unwrap()).unwrap();
         let solved = |tolerance: f64| {
             let options = Options { tolerance, ..Options::default() };
-            model.press_with(&scene.punch, scene.force, &options).unwrap()
+            model.press_with(&scene.top, scene.force, &options).unwrap()
         };
         let (best, rough) = (solved(1e-12), solved(1e-4));
         let mean = 0.5 * 0.002 / best.contacts()[0].half_length().unwrap();

@@ -25,8 +25,8 @@ fn refused(arguments: &[&str]) -> String {
 
 #[test]
 fn open_middles_and_re_contacts_stand_under_the_table() {
-    let apart =
-        "Scene(geometry: PlaneStrain, load: Several([(at: 30.0, share: 1.0, load: Uniform(half_width: 0.5))]), force: 0.01,
+    let apart = "Scene(geometry: PlaneStrain, loads: [(load: Uniform(half_width: 0.5), at: -30, force: 0.005),
+        (load: Uniform(half_width: 0.5), at: 30, force: 0.005)],
         stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
         HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     let again = fs::read_to_string("tests/data/hard/seed_23_number_1121.ron").unwrap();

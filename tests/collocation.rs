@@ -23,7 +23,7 @@ fn solve(name: &str, method: Method) -> Solution {
     let scene = Scene::read(scene_file(name)).unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let options = Options { tolerance: 1e-9, method };
-    model.press_with(&scene.punch, scene.force, &options).unwrap_or_else(|error| panic!("{name}: {error}"))
+    model.press_with(&scene.top, scene.force, &options).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 /// Values and absolute errors: half-lengths and pressures at x = 0, contact by contact.
@@ -72,6 +72,6 @@ fn a_force_beyond_the_punch_is_refused() {
     let scene = Scene::read(scene_file("strip_on_rigid")).unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let options = Options { method: Method::Collocation, ..Options::default() };
-    let error = model.press_with(&recede::Punch::cylinder(0.1).unwrap(), 10.0, &options).unwrap_err();
+    let error = model.press_with(recede::Punch::cylinder(0.1).unwrap(), 10.0, &options).unwrap_err();
     assert!(error.is_input(), "{error}");
 }

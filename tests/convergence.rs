@@ -31,7 +31,7 @@ fn read(name: &str) -> Scene {
 }
 
 fn press(scene: &Scene, model: &Model, tolerance: f64) -> Solution {
-    model.press_with(&scene.punch, scene.force, &Options { tolerance, ..Options::default() }).unwrap()
+    model.press_with(&scene.top, scene.force, &Options { tolerance, ..Options::default() }).unwrap()
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn a_used_model_answers_like_a_fresh_one() {
         let fresh = || Model::new(scene.stack().unwrap()).unwrap();
         let used = fresh();
         for (radius, force) in [(10.0, 0.001), (1000.0, 0.01), (250.0, 0.0001)] {
-            used.press(&Punch::parabola(radius).unwrap(), force).unwrap();
+            used.press(Punch::parabola(radius).unwrap(), force).unwrap();
         }
         assert_eq!(press(&scene, &used, 1e-10), press(&scene, &fresh(), 1e-10), "{name}");
         // asking for less in between changes nothing either

@@ -45,7 +45,7 @@ fn bits(answer: &Result<Solution, Error>) -> Vec<u64> {
 }
 
 fn press(model: &Model, scene: &Scene, force: f64) -> Vec<u64> {
-    bits(&model.press(&scene.punch, force * scene.force.given().unwrap()))
+    bits(&model.press(&scene.top, force * scene.force.given().unwrap()))
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn what_was_solved_before_leaves_no_trace() {
 fn what_is_kept_for_many_loads_leaves_no_trace() {
     for scene in scenes() {
         let force = scene.force.given().unwrap();
-        for punch in [&scene.punch, &Punch::parabola(30.0).unwrap()] {
+        for punch in [&scene.top, &Punch::parabola(30.0).unwrap().into()] {
             let press = |model: &Model, part: f64| bits(&model.press(punch, part * force));
             let many = || model(&scene).for_many_loads();
             let alone: Vec<Vec<u64>> = FORCES.iter().map(|part| press(&many(), *part)).collect();

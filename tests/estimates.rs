@@ -25,7 +25,7 @@ fn cautions_of(scene: &Scene, tolerances: &[f64]) -> Vec<f64> {
     let mut cautions = Vec::new();
     for tolerance in tolerances {
         let options = Options { tolerance: *tolerance, ..Options::default() };
-        let solution = model.press_with(&scene.punch, scene.force, &options).unwrap();
+        let solution = model.press_with(&scene.top, scene.force, &options).unwrap();
         let all = compare(scene, &solution).unwrap();
         for one in &all {
             assert!(one.excess() < MOST, "tolerance {tolerance:e}: {one:?}\n{}", scene.to_ron());

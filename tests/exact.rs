@@ -102,7 +102,7 @@ fn tension_begins_where_the_integral_of_filon_vanishes() {
     };
     let stack = Stack::builder(Plane::Strain).layer(strip((3.0, 0.3))).sliding().rigid().build().unwrap();
     let model = Model::new(stack).unwrap();
-    let solution = model.press(&Punch::Given(Load::Line), 1.0).unwrap();
+    let solution = model.press(recede::Top::from(Load::Line), 1.0).unwrap();
     let field = model.field(&solution).unwrap();
     for x in [0.0, 0.5, 1.337_922, 2.0] {
         let (found, expected) = (field.at(x, 1.0).unwrap().sigma_yy, stress(x));
@@ -206,7 +206,7 @@ fn a_strip_that_bends_down_enough_never_lifts_off() {
         let layer = Exponential::new(1.0, 1.0, 0.5, beta).unwrap();
         Stack::builder(Plane::Strain).layer(layer).receding().rigid().build().unwrap()
     };
-    let press = |beta| Model::new(graded(beta)).unwrap().press(&Punch::parabola(100.0).unwrap(), 1e-6);
+    let press = |beta| Model::new(graded(beta)).unwrap().press(Punch::parabola(100.0).unwrap(), 1e-6);
     assert!(smallest_pressure_without_lifting(&graded(1.5)) < -1e-5);
     assert!(press(1.5).is_ok());
     assert!(smallest_pressure_without_lifting(&graded(1.8)) > 0.0);

@@ -22,7 +22,7 @@ fn pressed(stack: Stack, punch: &Punch, force: f64) -> (Solution, Field) {
 fn of_scene(path: &str) -> (Solution, Field) {
     let scene = Scene::read(path).expect("legal");
     let model = Model::new(scene.stack().expect("legal")).expect("resolved");
-    let solution = model.press(&scene.punch, scene.force).expect("solved");
+    let solution = model.press(&scene.top, scene.force).expect("solved");
     let field = model.field(&solution).expect("its own");
     (solution, field)
 }

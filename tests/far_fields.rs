@@ -1,6 +1,6 @@
 //! Fields far from the loads, and next to layers much thinner than contacts: what Saint-Venant, Flamant and Boussinesq demand, and errors
 //! that are no larger than their estimates.
-use recede::{Field, FieldPoint, Geometry, HalfPlane, Homogeneous, Load, Model, Point, Punch, Stack};
+use recede::{Field, FieldPoint, Geometry, HalfPlane, Homogeneous, Load, Model, Point, Stack};
 
 const FORCE: f64 = 1e-3;
 
@@ -14,7 +14,7 @@ fn ground(modulus: f64) -> HalfPlane {
 
 fn loaded(stack: Stack, load: Load) -> Field {
     let model = Model::new(stack).unwrap();
-    let solution = model.press(&Punch::Given(load), FORCE).unwrap();
+    let solution = model.press(recede::Top::from(load), FORCE).unwrap();
     model.field(&solution).unwrap()
 }
 

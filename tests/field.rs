@@ -19,7 +19,7 @@ struct Case {
 impl Case {
     fn new(name: &'static str, stack: Stack, radius: f64, force: f64) -> Self {
         let model = Model::new(stack).expect("resolved");
-        let solution = model.press(&Punch::parabola(radius).expect("legal"), force).expect("solved");
+        let solution = model.press(Punch::parabola(radius).expect("legal"), force).expect("solved");
         Self { name, field: model.field(&solution).unwrap(), stack: model.stack().clone(), solution }
     }
 
@@ -304,7 +304,7 @@ fn on_faces_stresses_are_the_limits_from_inside_whatever_the_layer() {
         let path = entry.expect("a file").path();
         let scene = Scene::read(&path).expect("legal");
         let model = Model::new(scene.stack().expect("legal")).expect("resolved");
-        let solution = model.press(&scene.punch, scene.force).expect("solved");
+        let solution = model.press(&scene.top, scene.force).expect("solved");
         let field = model.field(&solution).unwrap();
         // a line load has no length, and stresses under it are infinite
         let lengths = solution.contacts().iter().map(recede::Contact::reach).filter(|a| *a > 0.0);
@@ -352,7 +352,7 @@ fn nowhere_is_the_shear_stress_larger_than_the_largest() {
 fn places_that_are_not_there_are_refused() {
     let scene = Scene::read("examples/scenes/strip_on_rigid.ron").expect("legal");
     let model = Model::new(scene.stack().expect("legal")).expect("resolved");
-    let field = model.field(&model.press(&scene.punch, scene.force).expect("solved")).expect("its own");
+    let field = model.field(&model.press(&scene.top, scene.force).expect("solved")).expect("its own");
     for (x, depth, layer) in
         [(0.0, 1.1, None), (0.0, -0.1, None), (f64::NAN, 0.5, None), (0.0, 0.5, Some(2)), (0.0, 1.0, Some(0))]
     {

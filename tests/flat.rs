@@ -44,7 +44,7 @@ fn layered() -> Vec<(f64, Model)> {
 }
 
 fn press(model: &Model, half_width: f64) -> Solution {
-    model.press(&Punch::flat(half_width).unwrap(), 0.01).unwrap()
+    model.press(Punch::flat(half_width).unwrap(), 0.01).unwrap()
 }
 
 fn close(found: f64, expected: f64, error: f64, what: &str) {
@@ -109,7 +109,7 @@ fn the_face_under_the_punch_stays_flat() {
 fn ever_sharper_corners_come_to_those() {
     for (i, (_, model)) in layered().into_iter().enumerate() {
         let expected = press(&model, 0.6);
-        let with_radius = |radius: f64| model.press(&Punch::rounded_flat(0.6, radius).unwrap(), 0.01).unwrap();
+        let with_radius = |radius: f64| model.press(Punch::rounded_flat(0.6, radius).unwrap(), 0.01).unwrap();
         let errors = |radius: f64| {
             let found = with_radius(radius);
             let pairs = found.contacts().iter().zip(expected.contacts());
@@ -133,7 +133,7 @@ fn ever_sharper_corners_come_to_those() {
 #[test]
 fn loose_layers_do_not_care_how_hard_the_punch_is_pressed() {
     let (_, model) = layered().remove(1);
-    let [light, heavy] = [1e-9, 3.0].map(|force| model.press(&Punch::flat(0.5).unwrap(), force).unwrap());
+    let [light, heavy] = [1e-9, 3.0].map(|force| model.press(Punch::flat(0.5).unwrap(), force).unwrap());
     for (light, heavy) in light.contacts().iter().zip(heavy.contacts()) {
         close(heavy.half_length().unwrap(), light.half_length().unwrap(), 1e-12, "half-length");
         close(heavy.central_pressure, 3e9 * light.central_pressure, 1e-12, "pressure");
@@ -147,15 +147,15 @@ fn loose_layers_do_not_care_how_hard_the_punch_is_pressed() {
 #[test]
 fn a_thin_strip_is_bent_away_from_the_middle_of_a_wide_punch() {
     let thin = model(stack().layer(strip(1.0)).receding().layer(ground(1e-3)));
-    let wide = thin.press(&Punch::flat(3.0).unwrap(), 0.01).unwrap();
+    let wide = thin.press(Punch::flat(3.0).unwrap(), 0.01).unwrap();
     assert!(wide.warnings()[0].message.contains("constant pressures on each of"));
     let [punch, ground] = wide.contacts() else { panic!("two contacts") };
     let [edge] = outwards(punch)[..] else { panic!("{punch:?}") };
     assert_eq!((edge.right, edge.right_error), (3.0, 0.0));
     assert!(0.95 < edge.left / 3.0 && edge.left + edge.left_error < 3.0, "{edge:?}");
     // far down it does not matter how narrow the strips are
-    let lines = Load::several(&[(3.0, 1.0, Load::Line)]).unwrap();
-    let lines = thin.press(&Punch::Given(lines), 0.01).unwrap();
+    let lines = crate::support::mirrored(&[(3.0, 1.0, Load::Line)]).unwrap();
+    let lines = thin.press(recede::Top::from(lines), 0.01).unwrap();
     let off = (ground.half_length().unwrap() - lines.contacts()[1].half_length().unwrap()).abs();
     assert!(off < ground.half_length_error().unwrap(), "{off}");
 }
@@ -164,7 +164,7 @@ fn a_thin_strip_is_bent_away_from_the_middle_of_a_wide_punch() {
 fn where_it_cannot_be_it_is_said() {
     let (_, model) = layered().remove(0);
     let options = Options { method: Method::Collocation, ..Options::default() };
-    let refused = model.press_with(&Punch::flat(0.5).unwrap(), 0.01, &options).unwrap_err();
+    let refused = model.press_with(Punch::flat(0.5).unwrap(), 0.01, &options).unwrap_err();
     assert!(
         matches!(refused, Error::Contact(ContactError::FlatByCollocation))
             && refused.hint().unwrap().contains("RoundedFlat")
@@ -177,7 +177,7 @@ fn the_command_solves_and_draws_it() {
     let text = "Scene(geometry: PlaneStrain, punch: Flat(half_width: 0.5), force: 0.002, stack: [
         Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
     let scene = Scene::from_ron(text).unwrap();
-    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().punch, scene.punch);
+    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().top, scene.top);
     let run = support::recede(&["solve", "-", "--format", "json"], text.as_bytes());
     assert_eq!(run.status, Some(0), "{}", run.stderr);
     assert!(

@@ -99,7 +99,7 @@ fn what_no_force_brings_about_is_refused() {
         let error = refused(punch.unwrap(), half_length);
         assert!(matches!(error, Error::NoSolution(NoSolution::Unreachable { .. })) && error.is_input(), "{error}");
     }
-    let load = refused(Punch::Given(Load::Line), 1.0);
+    let load = model.press(Load::Line, Force::ForHalfLength(1.0)).unwrap_err();
     assert!(matches!(load, Error::Contact(ContactError::LoadControlled(_))) && load.is_input());
     assert!(refused(Punch::parabola(1.0).unwrap(), -1.0).to_string().starts_with("half_length: found -1.0"));
 }
@@ -111,12 +111,12 @@ fn a_force_that_is_not_solved_for_does_not_end_the_search() {
     let scene = Scene::from_ron(&text).unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
     for half_length in [0.3, 0.79, 0.8] {
-        let solution = model.press(&scene.punch, Force::ForHalfLength(half_length)).unwrap();
+        let solution = model.press(&scene.top, Force::ForHalfLength(half_length)).unwrap();
         let top = &solution.contacts()[0];
         let (found, error) = innermost_end(top);
         let allowed = 1.1e-11 + error / half_length;
         assert!((found / half_length - 1.0).abs() < allowed, "{half_length} {top:?}");
-        let again = model.press(&scene.punch, solution.force()).unwrap();
+        let again = model.press(&scene.top, solution.force()).unwrap();
         assert_eq!(again.contacts(), solution.contacts());
     }
 }

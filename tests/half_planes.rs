@@ -42,7 +42,7 @@ impl Layer for PowerLayer {
 
 fn pressed(stack: Stack) -> (Model, Solution) {
     let model = Model::new(stack).expect("resolved");
-    let solution = model.press(&Punch::parabola(40.0).expect("legal"), 0.02).expect("solved");
+    let solution = model.press(Punch::parabola(40.0).expect("legal"), 0.02).expect("solved");
     (model, solution)
 }
 

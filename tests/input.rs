@@ -53,7 +53,7 @@ fn youngs_modulus_stands_for_the_shear_modulus_wherever_that_is_read() {
             scene(&punch(&format!("{name}: {value}")), "0.01", &layers)
         };
         let (shear, young) = (of(&shear, "shear_modulus", 4.0), of(&young, "young", 10.0));
-        assert_eq!(shear.punch.material(), young.punch.material());
+        assert_eq!(shear.top.material(), young.top.material());
         for (a, b) in coefficients(&shear).iter().zip(coefficients(&young)) {
             assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs()), "{a:?} {b:?}");
         }

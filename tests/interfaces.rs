@@ -188,7 +188,7 @@ fn plates_that_slide_bend_each_by_itself() {
 
 fn solve(stack: StackBuilder) -> (Model, Solution) {
     let model = Model::new(stack.build().unwrap()).unwrap();
-    let solution = model.press(&Punch::cylinder(100.0).unwrap(), 0.01).unwrap();
+    let solution = model.press(Punch::cylinder(100.0).unwrap(), 0.01).unwrap();
     assert_eq!(solution.warnings(), []);
     (model, solution)
 }

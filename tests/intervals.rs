@@ -50,9 +50,16 @@ fn intervals_carry_the_force_in_balance() {
         let force: f64 = intervals.iter().map(|interval| interval.force).sum();
         let moment: f64 = intervals.iter().map(|interval| interval.force * interval.centroid).sum();
         assert!((force / contact.resultant - 1.0).abs() < 1e-12, "{name}: {force} {}", contact.resultant);
-        assert!(moment.abs() <= 1e-12 * contact.resultant * contact.reach(), "{name}: {moment:e}");
-        let whole = contact.half_length().is_some();
-        assert_eq!(whole, intervals.len() == 1, "{name}");
+        // loads on joined layers need not be symmetric
+        let mean = contact.resultant / contact.reach();
+        let is_mirrored = |x: f64| (contact.pressure(x) - contact.pressure(-x)).abs() < 1e-9 * mean;
+        if [0.1, 0.3, 0.6, 0.9].into_iter().all(|part| is_mirrored(part * contact.reach())) {
+            assert!(moment.abs() <= 1e-12 * contact.resultant * contact.reach(), "{name}: {moment:e}");
+            let whole = contact.half_length().is_some();
+            assert_eq!(whole, intervals.len() == 1, "{name}");
+        } else {
+            assert_eq!(contact.interface, recede::Interface::Punch, "{name}");
+        }
         for interval in intervals {
             assert!((interval.left..=interval.right).contains(&interval.centroid), "{name}: {interval:?}");
             // a singular pressure has a part of the force next to its singularity that this rule sees slowly
@@ -119,10 +126,10 @@ fn largest_pressures_are_those_of_closed_forms() {
 fn a_load_presses_in_intervals_too() {
     let pair = |half_width: f64| {
         let load = Load::uniform(half_width).unwrap();
-        Load::several(&[(2.0, 0.75, load), (0.0, 0.25, Load::Line)]).unwrap()
+        crate::support::mirrored(&[(2.0, 0.75, load), (0.0, 0.25, Load::Line)]).unwrap()
     };
     let stack = || Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap();
-    let solution = Model::new(stack()).unwrap().press(&Punch::Given(pair(0.5)), 4.0).unwrap();
+    let solution = Model::new(stack()).unwrap().press(recede::Top::from(pair(0.5)), 4.0).unwrap();
     let found: Vec<_> =
         solution.contacts()[0].intervals().iter().map(|i| [i.left, i.right, i.force, i.centroid]).collect();
     assert_eq!(found, [[-2.5, -1.5, 1.5, -2.0], [0.0, 0.0, 1.0, 0.0], [1.5, 2.5, 1.5, 2.0]]);

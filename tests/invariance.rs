@@ -261,7 +261,7 @@ fn scenes_of_all_kinds_are_the_same_in_all_units() {
     let ranges = Ranges::moderate();
     let solve = |number: u64, units: Units| {
         let scene = scene_of_any_kind_in_units(&ranges, 11, number, units).unwrap();
-        (Model::new(scene.stack().unwrap()).and_then(|model| model.press(&scene.punch, scene.force)), scene)
+        (Model::new(scene.stack().unwrap()).and_then(|model| model.press(&scene.top, scene.force)), scene)
     };
     for number in 0..60 {
         let (expected, _) = solve(number, Units::default());
@@ -331,7 +331,7 @@ fn a_half_plane_is_solved_however_large_or_small_the_contact() {
     for (radius, force, modulus) in
         [(1e10, 1e10, 1.0), (1e100, 1e60, 1e-30), (1e-200, 1e-190, 1.0), (1e-100, 1e140, 1e150), (1e150, 1e130, 1.0)]
     {
-        let solution = model(modulus).press(&Punch::parabola(radius).unwrap(), force).unwrap();
+        let solution = model(modulus).press(Punch::parabola(radius).unwrap(), force).unwrap();
         // a² = 4 P R (1 − ν)/(2πμ), without a number beyond those of doubles
         let expected = radius.sqrt() * (force / modulus * 1.5 / PI).sqrt();
         let found = solution.contacts()[0].half_length().unwrap();

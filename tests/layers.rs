@@ -22,7 +22,7 @@ fn stack() -> StackBuilder {
 
 fn half_lengths(stack: StackBuilder) -> Vec<f64> {
     let model = Model::new(stack.build().expect("a legal stack")).expect("a kernel");
-    let solution = model.press(&Punch::parabola(300.0).expect("legal"), 0.003).expect("a solution");
+    let solution = model.press(Punch::parabola(300.0).expect("legal"), 0.003).expect("a solution");
     solution.contacts().iter().map(|contact| contact.half_length().unwrap()).collect()
 }
 
@@ -159,7 +159,7 @@ fn long_contacts_on_soil_follow_a_power_law() {
         let model = Model::new(stack().layer(base).build().expect("legal")).expect("kernels");
         let force = |half_length: f64| {
             let force = Force::ForHalfLength(half_length);
-            model.press(&Punch::parabola(1e3).expect("legal"), force).expect("a contact").force()
+            model.press(Punch::parabola(1e3).expect("legal"), force).expect("a contact").force()
         };
         let power = (force(40.0) / force(20.0)).log2();
         assert!((power - 2.0 - exponent).abs() < 1e-3, "{exponent}: {power}");

@@ -21,9 +21,14 @@ fn scene_with(field: &str, text: &str) -> String {
         ("force", "1.0"),
         ("stack", "[HalfPlane(shear_modulus: 1.0, poisson: 0.25)]"),
     ];
-    // a load takes the place of a punch
-    let replaced = if field == "load" { "punch" } else { field };
-    let others = fields.iter().filter(|(name, _)| *name != replaced).map(|(name, value)| format!("{name}: {value}"));
+    // a load takes the place of a punch, and several loads have forces of their own
+    let replaced: &[&str] = match field {
+        "load" => &["punch"],
+        "loads" => &["punch", "force"],
+        own => &[own],
+    };
+    let others =
+        fields.iter().filter(|(name, _)| !replaced.contains(name)).map(|(name, value)| format!("{name}: {value}"));
     let all: Vec<String> = [format!("{field}: {text}")].into_iter().chain(others).collect();
     format!("Scene({})", all.join(", "))
 }

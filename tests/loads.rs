@@ -9,8 +9,8 @@ use crate::support;
 use crate::closed_forms::line_load;
 use crate::support::outwards;
 use recede::{
-    ContactError, Error, Exponential, HalfPlane, Homogeneous, Interval, Load, Method, Model, Options, Plane, Punch,
-    Scene, Solution, Stack, StackBuilder,
+    ContactError, Error, Exponential, HalfPlane, Homogeneous, Interval, Load, Loads, Method, Model, Options, Plane,
+    Punch, Scene, Solution, Stack, StackBuilder, Top,
 };
 
 fn strip() -> StackBuilder {
@@ -21,14 +21,14 @@ fn ground(modulus: f64) -> HalfPlane {
     HalfPlane::new(modulus, 0.25).unwrap()
 }
 
-fn press(stack: StackBuilder, load: Load, force: f64) -> (Model, Solution) {
+fn press(stack: StackBuilder, load: impl Into<Top>, force: f64) -> (Model, Solution) {
     let model = Model::new(stack.build().unwrap()).unwrap();
-    let solution = model.press(&Punch::Given(load), force).unwrap();
+    let solution = model.press(load, force).unwrap();
     assert!(solution.warnings().iter().all(|warning| warning.code.is_about_theory()), "{:?}", solution.warnings());
     (model, solution)
 }
 
-fn receding(stack: StackBuilder, load: Load, force: f64) -> f64 {
+fn receding(stack: StackBuilder, load: impl Into<Top>, force: f64) -> f64 {
     let (_, solution) = press(stack, load, force);
     let contact = &solution.contacts()[1];
     assert!(contact.half_length_error().unwrap() < 1e-10 * contact.half_length().unwrap(), "{contact:?}");
@@ -73,7 +73,7 @@ fn narrow_loads_are_line_loads() {
 fn a_punch_pressed_ever_more_lightly_is_a_line_load() {
     let model = Model::new(strip().layer(ground(1.0)).build().unwrap()).unwrap();
     let line = 2.0 * line_load::EQUAL_MODULI;
-    let solution = model.press(&Punch::parabola(1.0).unwrap(), 1e-9).unwrap();
+    let solution = model.press(Punch::parabola(1.0).unwrap(), 1e-9).unwrap();
     close(solution.contacts()[1].half_length().unwrap(), line, 1e-8);
 }
 
@@ -84,7 +84,12 @@ fn fields_are_those_of_the_given_pressure() {
         let (model, solution) = press(strip().layer(ground(0.5)), load.clone(), 0.01);
         let top = &solution.contacts()[0];
         assert_eq!((top.half_length().unwrap(), top.half_length_error().unwrap()), (0.8, 0.0));
-        assert_eq!(top.central_pressure, load.central_pressure(0.01));
+        let over_mean = match load {
+            Load::Uniform { .. } => 1.0,
+            Load::Parabolic { .. } => 1.5,
+            _ => 4.0 / std::f64::consts::PI,
+        };
+        close(top.central_pressure, over_mean * 0.01 / 1.6, 1e-15);
         let shape = |s: f64| match load {
             Load::Uniform { .. } => 1.0,
             Load::Parabolic { .. } => 1.0 - s * s,
@@ -110,10 +115,10 @@ fn fields_are_those_of_the_given_pressure() {
 }
 
 /// A uniform load as a number of narrower ones next to each other.
-fn slices(half_width: f64, count: usize) -> Load {
+fn slices(half_width: f64, count: usize) -> Loads {
     let width = half_width / count as f64;
     let slice = |k: usize| ((k as f64 + 0.5) * width, 1.0, Load::uniform(0.5 * width).unwrap());
-    Load::several(&(0..count).map(slice).collect::<Vec<_>>()).unwrap()
+    crate::support::mirrored(&(0..count).map(slice).collect::<Vec<_>>()).unwrap()
 }
 
 /// Two stacks with a receding contact, one of them next to a graded face, and one without.
@@ -127,8 +132,9 @@ fn stacks() -> [StackBuilder; 3] {
 }
 
 /// Contacts, fields inside and on the face.
-fn assert_same(stack: StackBuilder, found: Load, expected: Load, error: f64) {
-    let shifted = (found.half_width() / expected.half_width() - 1.0).abs();
+fn assert_same(stack: StackBuilder, found: impl Into<Loads>, expected: Load, error: f64) {
+    let found = found.into();
+    let shifted = (found.reach() / expected.half_width() - 1.0).abs();
     let (found, expected) = (press(stack.clone(), found, 0.01), press(stack, expected, 0.01));
     for (found, expected) in found.1.contacts().iter().zip(expected.1.contacts()) {
         close(found.reach(), expected.reach(), error.max(shifted));
@@ -155,10 +161,10 @@ fn assert_same(stack: StackBuilder, found: Load, expected: Load, error: f64) {
 fn several_loads_at_one_place_are_one() {
     for stack in stacks() {
         let elliptic = |a| Load::elliptic(a).unwrap();
-        let halves = Load::several(&[(0.0, 2.0, elliptic(0.7)), (0.0, 1.0, elliptic(0.7))]).unwrap();
+        let halves = crate::support::mirrored(&[(0.0, 2.0, elliptic(0.7)), (0.0, 1.0, elliptic(0.7))]).unwrap();
         assert_same(stack.clone(), halves, elliptic(0.7), 1e-13);
         // and of a pair whose distance vanishes nothing but the square of the distance is left
-        let pair = |at| Load::several(&[(at, 1.0, elliptic(0.7))]).unwrap();
+        let pair = |at| crate::support::mirrored(&[(at, 1.0, elliptic(0.7))]).unwrap();
         assert_same(stack.clone(), pair(1e-7), elliptic(0.7), 1e-12);
     }
 }
@@ -176,7 +182,7 @@ fn slices_of_a_uniform_load_are_that_load() {
 fn many_lines_come_to_a_uniform_load() {
     let lines = |count: usize| {
         let line = |k: usize| ((k as f64 + 0.5) * 0.6 / count as f64, 1.0, Load::Line);
-        Load::several(&(0..count).map(line).collect::<Vec<_>>()).unwrap()
+        crate::support::mirrored(&(0..count).map(line).collect::<Vec<_>>()).unwrap()
     };
     for stack in stacks().into_iter().take(2) {
         let expected = receding(stack.clone(), Load::uniform(0.6).unwrap(), 1.0);
@@ -189,7 +195,7 @@ fn many_lines_come_to_a_uniform_load() {
 #[test]
 fn the_pressure_of_a_punch_in_slices_makes_the_contact_of_the_punch() {
     let model = Model::new(strip().layer(ground(0.5)).build().unwrap()).unwrap();
-    let punch = model.press(&Punch::parabola(100.0).unwrap(), 0.05).unwrap();
+    let punch = model.press(Punch::parabola(100.0).unwrap(), 0.05).unwrap();
     let [top, below] = punch.contacts() else { panic!("two contacts") };
     let sliced = |count: usize| {
         let width = top.half_length().unwrap() / count as f64;
@@ -197,8 +203,8 @@ fn the_pressure_of_a_punch_in_slices_makes_the_contact_of_the_punch() {
             let x = (k as f64 + 0.5) * width;
             (x, top.pressure(x), Load::uniform(0.5 * width).unwrap())
         };
-        let load = Load::several(&(0..count).map(slice).collect::<Vec<_>>()).unwrap();
-        model.press(&Punch::Given(load), 0.05).unwrap().contacts()[1].half_length().unwrap()
+        let load = crate::support::mirrored(&(0..count).map(slice).collect::<Vec<_>>()).unwrap();
+        model.press(load, 0.05).unwrap().contacts()[1].half_length().unwrap()
     };
     close(sliced(400), below.half_length().unwrap(), 1e-5);
     assert!(
@@ -215,9 +221,9 @@ fn fields_of_several_loads_are_sums() {
         (0.3, 0.5, Load::elliptic(0.1).unwrap()),
     ];
     let model = Model::new(bonded.build().unwrap()).unwrap();
-    let solve = |load: Load, force| model.press(&Punch::Given(load), force).unwrap();
-    let all = solve(Load::several(&parts).unwrap(), 0.07);
-    let each = parts.map(|part| solve(Load::several(std::slice::from_ref(&part)).unwrap(), 0.02 * part.1));
+    let solve = |load: Loads, force| model.press(load, force).unwrap();
+    let all = solve(crate::support::mirrored(&parts).unwrap(), 0.07);
+    let each = parts.map(|part| solve(crate::support::mirrored(std::slice::from_ref(&part)).unwrap(), 0.02 * part.1));
     close(all.contacts()[0].central_pressure, 0.04 * 0.75 / 0.4, 1e-14);
     assert_eq!((all.contacts()[0].half_length().unwrap(), all.contacts()[0].resultant), (0.7, 0.07));
     for x in [0.0, 0.25, 0.35, 0.6, 0.71] {
@@ -237,7 +243,7 @@ fn fields_of_several_loads_are_sums() {
 #[test]
 fn two_lines_on_a_half_plane_are_those_of_flamant() {
     let at = 0.8;
-    let pair = Load::several(&[(at, 1.0, Load::Line)]).unwrap();
+    let pair = crate::support::mirrored(&[(at, 1.0, Load::Line)]).unwrap();
     let (model, solution) = press(Stack::builder(Plane::Strain).layer(ground(1.0)), pair, 3.0);
     assert_eq!((solution.contacts()[0].reach(), solution.contacts()[0].central_pressure), (at, 0.0));
     assert_eq!(solution.contacts()[0].pressure(at), f64::INFINITY);
@@ -263,9 +269,9 @@ fn loads_far_apart_open_the_contact_between_them() {
     let alone = alone.contacts()[1].half_length().unwrap();
     let mut before = f64::INFINITY;
     for at in [30.0, 120.0] {
-        let far = Load::several(&[(at, 1.0, load())]).unwrap();
+        let far = crate::support::mirrored(&[(at, 1.0, load())]).unwrap();
         let model = Model::new(strip().layer(ground(1.0)).build().unwrap()).unwrap();
-        let solution = model.press(&Punch::Given(far), 0.01).unwrap();
+        let solution = model.press(far, 0.01).unwrap();
         let contact = &solution.contacts()[1];
         close(contact.resultant, 0.01, 1e-9);
         // each is pressed as by itself, the farther apart the more so
@@ -291,7 +297,7 @@ fn loads_far_apart_open_the_contact_between_them() {
         }
     }
     // near each other they are pressed by one
-    let near = Load::several(&[(0.9, 1.0, load())]).unwrap();
+    let near = crate::support::mirrored(&[(0.9, 1.0, load())]).unwrap();
     let (_, solution) = press(strip().layer(ground(1.0)), near, 0.01);
     assert!(solution.contacts()[1].half_length().unwrap() > 1.4 && solution.min_pressure() >= 0.0);
 }
@@ -310,16 +316,28 @@ const SCENE: &str = "Scene(geometry: PlaneStrain, load: Uniform(half_width: 0.5)
 #[test]
 fn scenes_have_a_load_or_a_punch() {
     let scene = Scene::from_ron(SCENE).unwrap();
-    assert_eq!(scene.punch.load(), Some(&Load::uniform(0.5).unwrap()));
+    assert_eq!(scene.top.loads().unwrap().alone(), Some(&Load::uniform(0.5).unwrap()));
     assert_eq!(scene.paths()[..2], ["force", "load.half_width"]);
-    assert_eq!(scene.with("load.half_width", 0.75).unwrap().punch.to_string(), "Uniform(half_width: 0.75)");
-    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().punch, scene.punch);
-    let several = SCENE.replace("Uniform(half_width: 0.5)", "Several([(at: 1, share: 2, load: Line)])");
-    let several = Scene::from_ron(&several).unwrap();
-    assert_eq!(several.paths()[..3], ["force", "load[1].at", "load[1].share"]);
-    assert_eq!(several.with("load[1].at", 0.5).unwrap().punch.load().unwrap().half_width(), 0.5);
-    assert_eq!(several.punch.to_string(), "Several([(at: 1.0, share: 2.0, load: Line)])");
-    assert_eq!(Scene::from_ron(&several.to_ron()).unwrap().punch, several.punch);
+    let written = |scene: &Scene| scene.top.written_in(scene.geometry);
+    assert_eq!(written(&scene.with("load.half_width", 0.75).unwrap()), "Uniform(half_width: 0.75)");
+    assert_eq!(Scene::from_ron(&scene.to_ron()).unwrap().top, scene.top);
+    let list = "loads: [(load: Line, at: -1, force: 0.5), (load: Line, at: 1, force: 0.25)]";
+    let several = Scene::from_ron(
+        &SCENE.replace("load: Uniform(half_width: 0.5), force: 0.002", list).replace("Receding", "Bonded"),
+    )
+    .unwrap();
+    assert_eq!(several.force, recede::Force::Given(0.75));
+    assert_eq!(several.paths()[..4], ["loads[1].at", "loads[1].force", "loads[2].at", "loads[2].force"]);
+    assert_eq!(several.with("loads[2].at", 2.5).unwrap().top.loads().unwrap().reach(), 2.5);
+    let written = "[(load: Line, at: -1.0, force: 0.5), (load: Line, at: 1.0, force: 0.25)]";
+    assert_eq!(several.top.written_in(several.geometry), written);
+    for again in [several.to_ron(), several.to_json()] {
+        assert_eq!(Scene::from_ron(&again).unwrap().top, several.top);
+    }
+    // the force of a sweep is the sum of the forces of its loads
+    let sweep = recede::Sweep::new(several, vec!["loads[1].force=[0.25,1]".parse().unwrap()]).unwrap();
+    let forces: Vec<f64> = sweep.rows().map(|row| row.result.unwrap().force()).collect();
+    assert_eq!(forces[0], 0.5);
 }
 
 #[test]
@@ -339,6 +357,6 @@ fn the_command_solves_them() {
     assert_eq!(collocation.status, Some(2), "{}", collocation.stdout);
     let model = Model::new(strip().rigid().build().unwrap()).unwrap();
     let options = Options { method: Method::Collocation, ..Options::default() };
-    let refused = model.press_with(&Punch::Given(Load::Line), 1.0, &options);
+    let refused = model.press_with(Load::Line, 1.0, &options);
     assert!(matches!(refused, Err(Error::Contact(ContactError::LoadByCollocation))));
 }

@@ -38,7 +38,7 @@ fn answers_are_those_of_any_model_in_fewer_steps() {
         let for_many = model.clone().for_many_loads();
         for part in PARTS {
             let force = part * scene.force.given().unwrap();
-            let [expected, found] = [&model, &for_many].map(|model| model.press(&scene.punch, force).unwrap());
+            let [expected, found] = [&model, &for_many].map(|model| model.press(&scene.top, force).unwrap());
             many += factorisations(&expected);
             few += factorisations(&found);
             assert_eq!(found.warnings(), expected.warnings(), "{name}, {force}");

@@ -10,7 +10,7 @@ fn solved(name: &str, tolerance: f64) -> (Model, Solution) {
     let scene = Scene::read(Path::new(&path)).unwrap();
     let options = Options { tolerance, ..Options::default() };
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press_with(&scene.punch, scene.force, &options).unwrap();
+    let solution = model.press_with(&scene.top, scene.force, &options).unwrap();
     (model, solution)
 }
 
@@ -143,16 +143,15 @@ fn estimates_cover_what_a_tighter_tolerance_changes() {
 
 /// Pairs of uniform loads of equal resultant, each of half-width 1/2, on a loose strip of thickness 1.
 fn pairs_on_a_loose_strip(places: &[f64]) -> (Model, Solution) {
-    let load = |at: &f64| format!("(at: {at:?}, share: 1, load: Uniform(half_width: 0.5))");
+    let load = |at: f64| format!("(load: Uniform(half_width: 0.5), at: {at:?}, force: 0.005)");
     let text = format!(
-        "Scene(geometry: PlaneStrain, load: Several([{}]), force: {:?}, stack: [
+        "Scene(geometry: PlaneStrain, loads: [{}], stack: [
             Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.3), Receding, HalfPlane(shear_modulus: 1, poisson: 0.3)])",
-        places.iter().map(load).collect::<Vec<_>>().join(", "),
-        0.01 * places.len() as f64
+        places.iter().flat_map(|at| [-at, *at]).map(load).collect::<Vec<_>>().join(", ")
     );
     let scene = Scene::from_ron(&text).unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press_with(&scene.punch, scene.force, &Options::default()).unwrap();
+    let solution = model.press_with(&scene.top, scene.force, &Options::default()).unwrap();
     (model, solution)
 }
 

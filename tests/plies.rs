@@ -36,7 +36,7 @@ fn resolved(stack: Stack, what: &str) -> Model {
 }
 
 fn half_lengths(model: &Model) -> Vec<f64> {
-    let solution = model.press(&Punch::parabola(1000.0).unwrap(), 1e-3).unwrap();
+    let solution = model.press(Punch::parabola(1000.0).unwrap(), 1e-3).unwrap();
     solution.contacts().iter().map(|contact| contact.reach()).collect()
 }
 

@@ -269,7 +269,7 @@ fn examples() -> impl Iterator<Item = Scene> {
 
 fn stack(scene: &Scene) -> Picture {
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    plot::stack(scene, model.stack(), &model.press(&scene.punch, scene.force).unwrap())
+    plot::stack(scene, model.stack(), &model.press(&scene.top, scene.force).unwrap())
 }
 
 fn fit_to_print(picture: &Picture, what: &str) {
@@ -287,9 +287,7 @@ fn stacks_are_fit_to_print() {
         thin_coating(),
         scene(&format!("punch: Cylinder(radius: 0.6), force: 0.3, {base}")),
         scene(&format!("punch: Table([(0, 0), (0.5, 0.1), (1, 0.5)]), force: 0.3, {base}, {long_units}")),
-        scene(&format!(
-            "load: Several([(at: 1, share: 1, load: Line), (at: 3, share: 1, load: Line)]), force: 1, {base}"
-        )),
+        scene(&format!("loads: [(load: Line, at: -1, force: 1), (load: Line, at: 3, force: 1)], {base}")),
     ];
     for scene in examples().chain(others) {
         let what = scene.title().to_owned();
@@ -303,7 +301,7 @@ fn maps_are_fit_to_print() {
     let quantities = [FieldQuantity::MaxShear, FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::V];
     for (i, scene) in examples().chain([thin_coating(), many_layers(20)]).enumerate() {
         let model = Model::new(scene.stack().unwrap()).unwrap();
-        let solution = model.press(&scene.punch, scene.force).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
         let field = model.field(&solution).unwrap();
         let longest = solution.extent().unwrap_or(1.0);
         let (_, [_, bottom]) = field.layers().last().unwrap();
@@ -312,7 +310,7 @@ fn maps_are_fit_to_print() {
             field.by_layer(&steps(-2.0 * longest, 2.0 * longest), &steps(0.0, bottom.min(3.0 * longest))).unwrap();
         // under a line load on a half-plane displacements are infinite
         let quantity =
-            if scene.punch.load().is_some() { FieldQuantity::MaxShear } else { quantities[i % quantities.len()] };
+            if scene.top.loads().is_some() { FieldQuantity::MaxShear } else { quantities[i % quantities.len()] };
         let picture = plot::map(&scene, &solution, &field, &grids, quantity).unwrap();
         fit_to_print(&picture, &format!("{} {}", scene.title(), quantity.name()));
     }

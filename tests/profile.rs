@@ -12,8 +12,8 @@ fn scene(text: &str) -> Scene {
 
 fn profile(scene: &Scene, x: &dyn Fn(&Solution) -> Vec<f64>) -> (Solution, FaceProfiles) {
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
-    let profile = model.profile(&scene.punch, &solution, &x(&solution)).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
+    let profile = model.profile(&scene.top, &solution, &x(&solution)).unwrap();
     (solution, profile)
 }
 
@@ -61,7 +61,7 @@ fn pressures_come_to_the_force() {
             let force: f64 = pairs.map(|(x, p)| 0.5 * (x[1] - x[0]) * (p[0] + p[1])).sum();
             let off = force / contact.resultant - 1.0;
             // a uniform load ends with a jump
-            let allowed = if scene.punch.load().is_some() { 2e-2 } else { 1e-4 };
+            let allowed = if scene.top.loads().is_some() { 2e-2 } else { 1e-4 };
             assert!(off.abs() < allowed, "{}, {}: {off:e}", scene.title(), contact.interface);
         }
     }
@@ -96,15 +96,15 @@ fn slopes_are_derivatives_of_displacements() {
 
 #[test]
 fn the_top_face_follows_the_punch() {
-    for scene in scenes().iter().filter(|scene| scene.punch.load().is_none() && scene.punch.material().is_none()) {
+    for scene in scenes().iter().filter(|scene| scene.top.loads().is_none() && scene.top.material().is_none()) {
         let inside = |solution: &Solution| {
             let interval = *solution.contacts()[0].intervals().last().unwrap();
             [0.2, 0.55, 0.8].map(|s| interval.left + s * (interval.right - interval.left)).to_vec()
         };
         let (solution, profile) = profile(scene, &inside);
-        let steepest = scene.punch.slope(0.999 * solution.contacts()[0].reach()).abs();
+        let steepest = scene.top.punch().unwrap().slope(0.999 * solution.contacts()[0].reach()).abs();
         for point in &profile.faces[0].points {
-            let off = (point.slope - scene.punch.slope(point.x)).abs();
+            let off = (point.slope - scene.top.punch().unwrap().slope(point.x)).abs();
             assert!(off <= 1e-7 * steepest + 1e-10, "{}: {off:e} of {steepest:e} at {}", scene.title(), point.x);
         }
     }

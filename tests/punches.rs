@@ -139,7 +139,8 @@ fn a_half_angle_is_the_slope_that_is_its_cotangent() {
             ] {
                 let by_angle = scene(geometry, &format!("{name}(half_angle: {angle})"));
                 for x in [0.1, 1.0, 30.0] {
-                    let (found, expected) = (by_angle.punch.profile(x), by_slope.punch.profile(x));
+                    let (found, expected) =
+                        (by_angle.top.punch().unwrap().profile(x), by_slope.top.punch().unwrap().profile(x));
                     assert!((found / expected - 1.0).abs() < 1e-13, "{angle}: {found} {expected}");
                 }
                 // as it was written, and so again
@@ -147,7 +148,7 @@ fn a_half_angle_is_the_slope_that_is_its_cotangent() {
                 for again in
                     [Scene::from_ron(&by_angle.to_ron()).unwrap(), Scene::from_json(&by_angle.to_json()).unwrap()]
                 {
-                    assert_eq!((&again.punch, again.to_ron()), (&by_angle.punch, by_angle.to_ron()));
+                    assert_eq!((&again.top, again.to_ron()), (&by_angle.top, by_angle.to_ron()));
                 }
                 assert!(by_angle.paths().contains(&"punch.half_angle".to_owned()));
                 assert_eq!(by_angle.with("punch.half_angle", 1.0).unwrap().number("punch.half_angle").unwrap(), 1.0);
@@ -176,7 +177,7 @@ fn flat_punches_with_round_corners_are_those_of_schubert() {
     for model in half_planes() {
         for (flat, a) in [(0.0, 0.4), (0.1, 0.4), (0.5, 0.8), (1.0, 1.05), (2.0, 2.001), (1e-4, 0.7)] {
             let force = punches::rounded_flat_force(MATERIAL, flat, 50.0, a);
-            let solution = model.press(&Punch::rounded_flat(flat, 50.0).unwrap(), force).unwrap();
+            let solution = model.press(Punch::rounded_flat(flat, 50.0).unwrap(), force).unwrap();
             let at = |x: f64| punches::rounded_flat_pressure(MATERIAL, flat, 50.0, a, x);
             assert_contact(&solution, a, at(0.0), &format!("flat to {flat} of {a}"));
             for s in [0.2, 0.77, 0.97] {
@@ -208,8 +209,8 @@ fn elastic_cylinders_share_the_flattening() {
         }
     }
     for model in layered() {
-        let rigid = model.press(&Punch::cylinder(100.0).unwrap(), 0.01).unwrap();
-        let stiff = model.press(&Punch::elastic_cylinder(100.0, 1e14, 0.3).unwrap(), 0.01).unwrap();
+        let rigid = model.press(Punch::cylinder(100.0).unwrap(), 0.01).unwrap();
+        let stiff = model.press(Punch::elastic_cylinder(100.0, 1e14, 0.3).unwrap(), 0.01).unwrap();
         assert_same(&stiff, &rigid, 1e-11, "stiff cylinder");
     }
 }
@@ -287,7 +288,7 @@ fn a_profile_that_falls_farther_out_touches_there_as_well_or_is_refused_at_its_e
         let both = model.press(&twice, 0.5).unwrap();
         assert_eq!(outwards(&both.contacts()[0]).len(), 2, "{both:?}");
         // next to no force: at the lowest place only, wherever that is
-        let outside = model.press(&Punch::table(&rows(-0.05)).unwrap(), 1e-4).unwrap();
+        let outside = model.press(Punch::table(&rows(-0.05)).unwrap(), 1e-4).unwrap();
         let [Interval { left, .. }] = outwards(&outside.contacts()[0])[..] else { panic!("{outside:?}") };
         assert!((1.5..2.5).contains(&left), "{outside:?}");
         let falling = Punch::table(&[(0.0, 0.0), (1.0, 0.5), (2.0, -1.0)]).unwrap();
@@ -301,7 +302,7 @@ fn a_profile_that_falls_farther_out_touches_there_as_well_or_is_refused_at_its_e
 #[test]
 fn punches_depend_continuously_on_their_form() {
     for model in layered() {
-        let parabola = model.press(&Punch::parabola(50.0).unwrap(), 0.02).unwrap();
+        let parabola = model.press(Punch::parabola(50.0).unwrap(), 0.02).unwrap();
         for (error, punch) in [
             (1e-5, Punch::power(2.000_001, 1.0, 0.01).unwrap()),
             (1e-5, Punch::rounded_flat(1e-6, 50.0).unwrap()),

@@ -76,7 +76,7 @@ fn sliced(beta: f64, slices: usize) -> f64 {
         stack = stack.bonded().layer(Homogeneous::new(slice, modulus, 0.25).unwrap());
     }
     let stack = stack.receding().layer(HalfPlane::new(1.0, 0.25).unwrap()).build().unwrap();
-    let solution = Model::new(stack).unwrap().press(&Punch::cylinder(500.0).unwrap(), 0.002).unwrap();
+    let solution = Model::new(stack).unwrap().press(Punch::cylinder(500.0).unwrap(), 0.002).unwrap();
     solution.contacts()[1].half_length().unwrap()
 }
 

@@ -13,7 +13,7 @@ fn radii(punch: &str, stack: &str, forces: std::ops::Range<f64>, count: usize) -
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let force = |k: usize| forces.start * (forces.end / forces.start).powf(k as f64 / (count - 1) as f64);
     let radius = |force: f64| {
-        let solution = model.press(&scene.punch, force);
+        let solution = model.press(&scene.top, force);
         solution.unwrap_or_else(|error| panic!("{punch}, {stack}, {force}: {error}")).contacts()[0].reach()
     };
     (0..count).map(|k| radius(force(k))).collect()
@@ -54,7 +54,7 @@ fn a_tip_on_a_plate_touches_in_a_disc_and_in_a_ring() {
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let mut before = 0.0;
         for force in forces {
-            let solution = model.press(&scene.punch, force).unwrap_or_else(|error| panic!("{text}, {force}: {error}"));
+            let solution = model.press(&scene.top, force).unwrap_or_else(|error| panic!("{text}, {force}: {error}"));
             let contact = &solution.contacts()[0];
             let intervals = contact.intervals();
             let [_, disc, ring] = intervals else { panic!("{text}, {force}: {intervals:?}") };

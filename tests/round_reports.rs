@@ -23,10 +23,10 @@ fn rows_of_sweeps_are_single_solutions() {
     for row in sweep.rows() {
         let scene = sweep.scene_at(row.index).unwrap();
         let model = Model::new(scene.stack().unwrap()).unwrap();
-        let alone = model.press(&scene.punch, scene.force).unwrap();
+        let alone = model.press(&scene.top, scene.force).unwrap();
         let solution = row.result.unwrap();
         close(solution.contacts()[0].reach(), alone.contacts()[0].reach(), 1e-10);
-        let approach = model.approach(&scene.punch, &alone).unwrap().value;
+        let approach = model.approach(&scene.top, &alone).unwrap().value;
         close(row.approach.unwrap().unwrap().value, approach, 1e-9);
         let [found, expected] = [row.extremes.unwrap().unwrap(), model.field(&alone).unwrap().extremes().unwrap()];
         close(found.layers[0].von_mises.unwrap().value, expected.layers[0].von_mises.unwrap().value, 1e-8);
@@ -37,7 +37,7 @@ fn rows_of_sweeps_are_single_solutions() {
 fn maps_are_symmetric_about_the_axis() {
     let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
     let field = model.field(&solution).unwrap();
     let (xs, depths) = ([-2.0, -0.7, 0.0, 0.7, 2.0], [0.0, 0.5, 1.0]);
     let grids = field.by_layer(&xs, &depths).unwrap();
@@ -60,14 +60,14 @@ fn maps_are_symmetric_about_the_axis() {
 fn profiles_are_in_cylindrical_coordinates() {
     let scene = Scene::read("examples/axisymmetric/sphere_on_layer.ron").unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
-    let profile = model.profile(&scene.punch, &solution, &[0.0]).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
+    let profile = model.profile(&scene.top, &solution, &[0.0]).unwrap();
     let mut text = Vec::new();
     recede::report::write_profile(&profile, &mut text).unwrap();
     let text = String::from_utf8(text).unwrap();
     let [header, numbers] = [0, 1].map(|line| text.lines().nth(line).unwrap().split(',').collect::<Vec<_>>());
     let column = header.iter().position(|name| *name == "layer_1_top_u_z").unwrap();
-    let sunk = model.approach(&scene.punch, &solution).unwrap().value;
+    let sunk = model.approach(&scene.top, &solution).unwrap().value;
     close(numbers[column].parse().unwrap(), sunk, 1e-8);
 }
 
@@ -194,7 +194,7 @@ fn pictures_have_the_units_and_symbols_of_an_axis() {
     let written = texts(plot::sweep(&sweep, &points).unwrap().svg().as_bytes());
     assert!(written.contains("force P, nN|") && written.contains("contact radius a, um"), "{written}");
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
     let field = model.field(&solution).unwrap();
     let grids = field.by_layer(&[-1.0, 0.0, 1.0], &[0.0, 0.5, 1.0]).unwrap();
     for (quantity, symbol) in [
@@ -206,7 +206,7 @@ fn pictures_have_the_units_and_symbols_of_an_axis() {
         assert!(written.contains(symbol), "{written}");
     }
     let pressed = Scene::from_ron(&scene.to_ron().replace("force: 20.0", "force: 13.5714285714")).unwrap();
-    let solution = model.press(&pressed.punch, pressed.force).unwrap();
+    let solution = model.press(&pressed.top, pressed.force).unwrap();
     let written = texts(plot::stack(&pressed, model.stack(), &solution).svg().as_bytes());
     assert!(written.contains("P = 13.57 nN"), "{written}");
 }
@@ -219,7 +219,7 @@ fn maps_do_not_show_rounding() {
 
     let scene = Scene::read("examples/axisymmetric/wheel_on_slab.ron").unwrap();
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
     let field = model.field(&solution).unwrap();
     // whether a largest value is marked, and how many lines have more than a few corners: axes and marks do not
     let drawn = |xs: [f64; 2], quantity| {
@@ -251,11 +251,11 @@ fn scenes_are_read_and_written() {
         let scene = Scene::read(&path).unwrap();
         assert_eq!(scene.geometry, Geometry::Axisymmetric);
         let again = Scene::from_ron(&scene.to_ron()).unwrap();
-        assert_eq!((again.punch.clone(), again.force), (scene.punch.clone(), scene.force), "{}", path.display());
+        assert_eq!((again.top.clone(), again.force), (scene.top.clone(), scene.force), "{}", path.display());
         let outcome = Check::run(&scene, &Options::default(), true).outcome;
         assert!(outcome.solution().is_some(), "{}: {}", path.display(), outcome.reason());
         let json = Scene::from_json(&scene.to_json()).unwrap();
-        assert_eq!(json.punch, scene.punch);
+        assert_eq!(json.top, scene.top);
         scenes += 1;
     }
     assert!(scenes >= 2);

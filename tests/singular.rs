@@ -21,7 +21,7 @@ fn strip(thickness: f64, modulus: f64) -> Homogeneous {
     Homogeneous::new(thickness, modulus, 0.3).unwrap()
 }
 
-fn press(stack: StackBuilder, punch: &Punch, force: f64) -> (Solution, Field) {
+fn press(stack: StackBuilder, punch: impl Into<recede::Top>, force: f64) -> (Solution, Field) {
     let model = Model::new(stack.build().unwrap()).unwrap();
     let solution = model.press(punch, force).unwrap();
     let field = model.field(&solution).unwrap();
@@ -35,7 +35,7 @@ fn close(found: f64, expected: f64, error: f64, what: &str) {
 #[test]
 fn the_largest_shear_stress_under_a_uniform_load_is_that_of_a_half_plane_however_narrow_it_is() {
     for (half_width, force) in [1e-3, 1e-8, 1e-12, 1e-14, 1e-100].into_iter().flat_map(|a| [(a, 1.0), (1e6 * a, 1e3)]) {
-        let load = Punch::Given(Load::uniform(half_width).unwrap());
+        let load = recede::Top::from(Load::uniform(half_width).unwrap());
         let found = press(stack().layer(ground(1.0)), &load, force).1.max_shear().unwrap();
         let expected = 0.5 * force / half_width / std::f64::consts::PI;
         close(found.value, expected, 1e-6 * expected, &format!("{half_width:e}"));
@@ -50,9 +50,9 @@ fn narrow_loads_are_line_loads_everywhere_but_below_them() {
         stack().layer(strip(0.3, 2.0)).bonded().layer(recede::GradedHalfPlane::new(1.0, 0.3, 0.5).unwrap()),
     ];
     for (i, stack) in stacks.into_iter().enumerate() {
-        let (line, expected) = press(stack.clone(), &Punch::Given(Load::Line), 1.0);
+        let (line, expected) = press(stack.clone(), recede::Top::from(Load::Line), 1.0);
         for half_width in [1e-8, 1e-11, 1e-14] {
-            let (narrow, found) = press(stack.clone(), &Punch::Given(Load::uniform(half_width).unwrap()), 1.0);
+            let (narrow, found) = press(stack.clone(), recede::Top::from(Load::uniform(half_width).unwrap()), 1.0);
             for (narrow, line) in narrow.contacts().iter().zip(line.contacts()).skip(1) {
                 close(narrow.half_length().unwrap(), line.half_length().unwrap(), 1e-10, "half-length");
             }
@@ -69,12 +69,12 @@ fn narrow_loads_are_line_loads_everywhere_but_below_them() {
 
 #[test]
 fn singular_points_are_infinite_and_nothing_else_is() {
-    let pair = Load::several(&[(0.7, 1.0, Load::Line), (0.1, 1.0, Load::uniform(0.1).unwrap())]).unwrap();
+    let pair = crate::support::mirrored(&[(0.7, 1.0, Load::Line), (0.1, 1.0, Load::uniform(0.1).unwrap())]).unwrap();
     for (punch, at, shear) in [
-        (Punch::Given(Load::Line), 0.0, true),
-        (Punch::Given(pair), 0.7, true),
-        (Punch::flat(0.6).unwrap(), 0.6, true),
-        (Punch::wedge(0.01).unwrap(), 0.0, false),
+        (recede::Top::from(Load::Line), 0.0, true),
+        (recede::Top::from(pair), 0.7, true),
+        (Punch::flat(0.6).unwrap().into(), 0.6, true),
+        (Punch::wedge(0.01).unwrap().into(), 0.0, false),
     ] {
         for (i, stack) in [
             stack().layer(ground(1.0)),
@@ -121,7 +121,7 @@ fn the_stress_out_of_the_plane_follows_from_all_constants() {
     let ([ex, ey, ez], [_, xz, yz]) = ([14.0, 1.0, 3.0], [0.3, 0.25, 0.2]);
     for plane in [Plane::Strain, Plane::Stress] {
         let layers = Stack::builder(plane).layer(Orthotropic::new(0.5, ply()).unwrap()).receding();
-        let (_, field) = press(layers.layer(OrthotropicHalfPlane::new(ply())), &Punch::parabola(100.0).unwrap(), 0.01);
+        let (_, field) = press(layers.layer(OrthotropicHalfPlane::new(ply())), Punch::parabola(100.0).unwrap(), 0.01);
         for (x, depth) in [(0.0, 0.0), (0.2, 0.3), (0.1, 0.9)] {
             let FieldPoint { sigma_xx, sigma_yy, sigma_zz, .. } = field.at(x, depth).unwrap();
             if plane == Plane::Stress {
@@ -152,7 +152,7 @@ impl Layer for Plain {
 fn a_stress_that_is_not_known_is_no_number() {
     for (plane, known) in [(Plane::Strain, false), (Plane::Stress, true)] {
         let stack = Stack::builder(plane).layer(Plain).bonded().layer(ground(1.0));
-        let (_, field) = press(stack, &Punch::parabola(100.0).unwrap(), 0.01);
+        let (_, field) = press(stack, Punch::parabola(100.0).unwrap(), 0.01);
         let [above, below] = [0.2, 0.7].map(|depth| field.at(0.1, depth).unwrap());
         assert_eq!((above.sigma_zz.is_finite(), above.von_mises().is_finite()), (known, known));
         assert!(below.von_mises().is_finite() && above.max_shear().is_finite());
@@ -165,13 +165,13 @@ fn a_stress_that_is_not_known_is_no_number() {
 
 #[test]
 fn interfaces_and_faces_keep_their_conditions_next_to_any_pressure() {
-    let punches = [
-        Punch::parabola(100.0).unwrap(),
-        Punch::wedge(0.01).unwrap(),
-        Punch::flat(0.3).unwrap(),
-        Punch::rounded_flat(0.2, 5.0).unwrap(),
-        Punch::Given(Load::uniform(0.2).unwrap()),
-        Punch::Given(Load::Line),
+    let punches: [recede::Top; 6] = [
+        Punch::parabola(100.0).unwrap().into(),
+        Punch::wedge(0.01).unwrap().into(),
+        Punch::flat(0.3).unwrap().into(),
+        Punch::rounded_flat(0.2, 5.0).unwrap().into(),
+        Load::uniform(0.2).unwrap().into(),
+        Load::Line.into(),
     ];
     let graded = |h: f64, beta: f64| Exponential::new(h, 1.0, 0.3, beta).unwrap();
     let stacks = || {

@@ -7,7 +7,7 @@ use recede::{Extreme, Extremes, Field, Model, Point, Scene, Solution};
 
 fn solved(scene: &Scene) -> (Solution, Field) {
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let solution = model.press(&scene.punch, scene.force).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
     let field = model.field(&solution).unwrap();
     (solution, field)
 }
@@ -157,7 +157,7 @@ fn nowhere_in_random_scenes_are_stresses_larger_than_the_largest() {
     let mut compared = 0;
     for scene in scenes {
         let Ok(model) = scene.stack().and_then(Model::new) else { continue };
-        let Ok(solution) = model.press(&scene.punch, scene.force) else { continue };
+        let Ok(solution) = model.press(&scene.top, scene.force) else { continue };
         let field = model.field(&solution).unwrap();
         let found = field.extremes().unwrap();
         let within = |found: Option<Extreme>, here: f64, point: &recede::FieldPoint, what: &str| {

@@ -51,7 +51,7 @@ fn ground() -> HalfPlane {
 
 fn press(stack: StackBuilder) -> Solution {
     let model = Model::new(stack.build().expect("a stack")).expect("a model");
-    model.press(&Punch::parabola(500.0).expect("a punch"), 0.002).expect("a solution")
+    model.press(Punch::parabola(500.0).expect("a punch"), 0.002).expect("a solution")
 }
 
 fn builder() -> StackBuilder {
@@ -128,7 +128,7 @@ fn what_is_merged_is_shown_as_written() {
     let model = Model::new(stack().build().expect("a stack")).expect("a model");
     assert_eq!(model.stack().base().layers().len(), 2);
     assert!(model.stack().to_string().contains("2 Homogeneous(thickness: 0.25"));
-    let solution = model.press(&Punch::parabola(500.0).expect("a punch"), 0.002).expect("a solution");
+    let solution = model.press(Punch::parabola(500.0).expect("a punch"), 0.002).expect("a solution");
     let field = model.field(&solution).unwrap();
     let layers: Vec<(usize, [f64; 2])> = field.layers().collect();
     assert_eq!(layers[..2], [(1, [0.0, 0.5]), (2, [0.5, 0.75])]);

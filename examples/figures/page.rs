@@ -63,7 +63,7 @@ impl Page {
     /// Draws the largest shear stress inside the scene.
     pub fn map(&self, file: &str) -> Result<(), Box<dyn Error>> {
         let model = Model::new(self.scene.stack()?)?;
-        let solution = model.press(&self.scene.punch, self.scene.force)?;
+        let solution = model.press(&self.scene.top, self.scene.force)?;
         let field = model.field(&solution)?;
         let steps = |from: f64, to: f64, count: i32| -> Vec<f64> {
             (0..=count).map(|k| from + (to - from) * f64::from(k) / f64::from(count)).collect()

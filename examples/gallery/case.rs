@@ -107,7 +107,7 @@ impl Case {
 
     fn found(&self, label: String, scene: &Scene) -> Outcome<Found> {
         let model = Model::new(scene.stack()?)?;
-        let solution = model.press(&scene.punch, scene.force)?;
+        let solution = model.press(&scene.top, scene.force)?;
         let field = model.field(&solution)?;
         let units = scene.units.as_ref().ok_or("a scene of the gallery has units")?;
         let (length, stress) = (&units.length, units.stress());
@@ -123,7 +123,7 @@ impl Case {
         if scene.force.given().is_none() {
             numbers.push((format!("force, {force}"), Value::of(solution.force())));
         }
-        for contact in solution.contacts().iter().skip(usize::from(scene.punch.load().is_some())) {
+        for contact in solution.contacts().iter().skip(usize::from(scene.top.loads().is_some())) {
             let peak = contact.peak();
             numbers.push((format!("{}: width, {length}", contact.interface), Value::of(width(contact))));
             let pressure = largest(peak.pressure, peak.x);
@@ -137,7 +137,7 @@ impl Case {
                 numbers.push((format!("{}, {stress}", spot.name(scene.geometry)), Value::of(value)));
             }
         }
-        if let Ok(approach) = model.approach(&scene.punch, &solution) {
+        if let Ok(approach) = model.approach(&scene.top, &solution) {
             numbers.push((format!("approach, {length}"), Value::of(approach.value)));
             let value = approach.stiffness.value().map(Value::of);
             numbers.extend(value.map(|value| (format!("stiffness, {stiffness}"), value)));

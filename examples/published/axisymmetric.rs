@@ -101,7 +101,7 @@ pub fn amadeus() -> Result<Table, Error> {
         let stack = stack.layer(layer(500.0, 200.0, 0.4)?).bonded();
         let stack = stack.layer(HalfPlane::new(shear(50.0, 0.45), 0.45)?).build()?;
         let (model, radius) = (Model::new(stack)?, 150.8);
-        let solution = model.press(&Punch::Given(Load::uniform(radius)?), 0.7 * PI * radius * radius)?;
+        let solution = model.press(recede::Top::from(Load::uniform(radius)?), 0.7 * PI * radius * radius)?;
         let field = model.field(&solution)?;
         let places = [(260.0, 1, 5000.0), (260.0, 2, 200.0), (760.0, 3, 50.0)];
         for (i, ((depth, layer, young), published)) in places.into_iter().zip(published).enumerate() {

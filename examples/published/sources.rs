@@ -89,9 +89,9 @@ fn stack() -> StackBuilder {
     Stack::builder(Plane::Strain)
 }
 
-fn press(stack: StackBuilder, punch: &Punch, force: f64) -> Result<(Solution, Field), Error> {
+fn press(stack: StackBuilder, top: impl Into<recede::Top>, force: f64) -> Result<(Solution, Field), Error> {
     let model = Model::new(stack.build()?)?;
-    let solution = model.press(punch, force)?;
+    let solution = model.press(top, force)?;
     let field = model.field(&solution)?;
     Ok((solution, field))
 }
@@ -99,7 +99,7 @@ fn press(stack: StackBuilder, punch: &Punch, force: f64) -> Result<(Solution, Fi
 fn filon() -> Result<Table, Error> {
     // a layer that slides on a rigid base without opening is the upper half of one twice as thick
     let layer = stack().layer(Homogeneous::new(1.0, 1.0, 0.25)?).sliding().rigid();
-    let (_, field) = press(layer, &Punch::Given(Load::Line), 1.0)?;
+    let (_, field) = press(layer, recede::Top::from(Load::Line), 1.0)?;
     let stress = |x: f64| field.at(x, 1.0).map(|point| point.sigma_yy);
     let (mut compressed, mut stretched) = (1.0, 2.0);
     while stretched - compressed > 1e-12 {
@@ -271,8 +271,8 @@ const STRIP: [Printed; 8] = [
 
 fn das() -> Result<Table, Error> {
     let ground = || -> Result<StackBuilder, Error> { Ok(stack().layer(HalfPlane::new(1.0, 0.3)?)) };
-    let (_, line) = press(ground()?, &Punch::Given(Load::Line), 1.0)?;
-    let (_, strip) = press(ground()?, &Punch::Given(Load::uniform(1.0)?), 2.0)?;
+    let (_, line) = press(ground()?, recede::Top::from(Load::Line), 1.0)?;
+    let (_, strip) = press(ground()?, recede::Top::from(Load::uniform(1.0)?), 2.0)?;
     let stress = |field: &Field, x: f64, depth: f64| -> Result<(f64, f64), Error> {
         let error = field.stress_error(&Point { x, depth, layer: None })?;
         Ok((-field.at(x, depth)?.sigma_yy, error))

@@ -38,6 +38,7 @@ from ._sweep import sweep as sweep
 from ._table import Columns as Columns
 from ._text import FunctionLayer as FunctionLayer
 from ._text import Stack as Stack
+from ._values import PlacedLoad as PlacedLoad
 from ._values import Units as Units
 from .items import *  # noqa: F403
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from ._errors import InputError
-from ._recede import CompiledPunch, Scene
+from ._recede import CompiledTop, Scene
 from ._values import Written, hints, is_record, kept, members, written
 
 #: What the reader of scenes calls the item that it reads.
@@ -28,7 +28,7 @@ class Item(Written):
     """
 
     __slots__ = ("_compiled",)
-    _compiled: CompiledPunch
+    _compiled: CompiledTop
     #: What stands before its name in Python.
     _module: ClassVar[str] = ""
 

@@ -12,10 +12,10 @@ from ._items import Item, Load, Punch
 from ._solutions import Contacts, Interval, Solutions
 from ._table import Columns
 from ._text import Stack
-from ._values import Units
+from ._values import PlacedLoad, Units
 
 __all__ = [
-    "CompiledPunch",
+    "CompiledTop",
     "Contact",
     "Field",
     "Model",
@@ -39,6 +39,8 @@ class Scene:
         punch: such as `Cylinder(radius=500)`; its tip is at x = 0.
         force: the force, per unit length out of the plane, or the whole force in axisymmetric scenes; a number > 0.
         load: a pressure that is given, in place of the punch.
+        loads: in place of punch and force: several loads, each with the place of its middle on x and its force, such as
+            `[(Line(), -0.5, 0.2), (Uniform(half_width=0.2), 1.0, 0.8)]`.
         half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
         depth: in place of the force: how far the punch sinks, in length.
         geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; a `Stack` brings its own.
@@ -58,6 +60,7 @@ class Scene:
         force: float | str | None = None,
         *,
         load: Load | None = None,
+        loads: Iterable[PlacedLoad | tuple[Load, float, float] | Mapping[str, object]] | None = None,
         half_length: float | str | None = None,
         depth: float | str | None = None,
         geometry: str | None = None,
@@ -111,6 +114,9 @@ class Scene:
     @property
     def load(self) -> Load | None:
         """The load in place of a punch, or None."""
+    @property
+    def loads(self) -> tuple[PlacedLoad, ...] | None:
+        """The loads in place of a punch, where they are several, with their places and forces; or None."""
     @property
     def force(self) -> float | None:
         """The force; None where a half-length or a depth is given."""
@@ -416,7 +422,7 @@ class Rows:
         """Some rows, by this many threads. When interrupted it returns those that are complete."""
 
 @final
-class CompiledPunch:
+class CompiledTop:
     """A punch or load as the library knows it; kept by the object of Python for the geometry in which it was used."""
 
 def examine(thickness: float, function: Callable[[float], tuple[float, float]]) -> None:

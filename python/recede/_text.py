@@ -10,7 +10,7 @@ import numpy as np
 
 from ._items import Item, Load, Punch, StackItem, named
 from ._recede import Model, Scene, Solution
-from ._values import Units, kept, written
+from ._values import PlacedLoad, Units, kept, written
 
 INDENT = "    "
 KINDS_OF_FORCE = ("force", "half_length", "depth")
@@ -127,6 +127,7 @@ def scene(
     force: Any,
     *,
     load: Any = None,
+    loads: Any = None,
     half_length: Any = None,
     depth: Any = None,
     geometry: str | None = None,
@@ -155,7 +156,8 @@ def scene(
             text.add(f"{INDENT}{called}: {written(label)},", f"{called}={label!r}")
     chosen = geometry or (stack.geometry if isinstance(stack, Stack) else "PlaneStrain")
     text.add(f"{INDENT}geometry: {chosen},", f"geometry={chosen!r}")
-    for called, one in {"punch": punch, "load": load, **numbers}.items():
+    placed = None if loads is None else kept(loads, tuple[PlacedLoad, ...], "loads")
+    for called, one in {"punch": punch, "load": load, "loads": placed, **numbers}.items():
         if one is not None:
             value = kept(one, object, called)
             text.add(f"{INDENT}{called}: {written(value)},", one if isinstance(one, Item) else f"{called}={value!r}")
@@ -211,6 +213,8 @@ def parts(text: str) -> dict[str, Any]:
     found["units"] = Units(**data["units"]) if data.get("units") else None
     found["stack"] = Stack([named(StackItem, one) for one in data["stack"]], data["geometry"])
     found |= {name: part(text, name) for name in ("punch", "load")}
+    loads = data.get("loads")
+    found["loads"] = loads and tuple(PlacedLoad(named(Load, one["load"]), one["at"], one["force"]) for one in loads)
     return found
 
 

@@ -30,6 +30,20 @@ class Units(NamedTuple):
     force: str
 
 
+class PlacedLoad(NamedTuple):
+    """One of several loads of a scene, such as `PlacedLoad(Uniform(half_width=0.2), at=1.0, force=0.8)`.
+
+    Args:
+        load: what presses there.
+        at: where its middle is on x, in length.
+        force: its resultant, force per unit length out of the plane.
+    """
+
+    load: Written
+    at: Number
+    force: Number
+
+
 class Written:
     """What has a text of its own in a scene."""
 

@@ -584,7 +584,7 @@ class ElasticSphere(Punch):
 
 
 class Line(Load):
-    """The whole force on the line x = 0."""
+    """The whole force on a line."""
 
     __slots__ = ()
     _geometries = {"PlaneStrain": ()}
@@ -594,7 +594,7 @@ class Line(Load):
 
 
 class Uniform(Load):
-    """The same pressure everywhere on |x| < half_width.
+    """The same pressure everywhere on |x| < half_width, x from the middle of the load.
 
     Args:
         half_width: Half-width of the loaded strip, in length. Allowed: a finite number > 0.
@@ -642,23 +642,6 @@ class Elliptic(Load):
 
     def __init__(self, *, half_width: Number | None = None, radius: Number | None = None) -> None:
         self._set(half_width=half_width, radius=radius)
-
-
-class Several(Load):
-    """Several of these at once, each at a distance from x = 0 and, beyond 0, with its mirror image. The force is
-    divided among them in the ratio of their shares, a share being that of both images together. They may overlap.
-
-    Args:
-        rows: Allowed: [(at: x, share: s, load: ...), ...], one or more loads with their distances x >= 0 and shares s >
-            0.
-    """
-
-    __slots__ = ("rows",)
-    _geometries = {"PlaneStrain": ("rows",)}
-    rows: tuple[Row, ...]
-
-    def __init__(self, rows: Rows) -> None:
-        self._set(rows=rows)
 
 
 class Point(Load):
@@ -718,7 +701,6 @@ __all__ = [
     "Rigid",
     "Ring",
     "RoundedFlat",
-    "Several",
     "Sliding",
     "Sphere",
     "Spring",

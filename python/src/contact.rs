@@ -26,7 +26,7 @@ impl Contact {
 
     /// As in reports: a load is no punch.
     fn name(&self) -> String {
-        match (self.inner().interface, self.solved.pressed.punch.load()) {
+        match (self.inner().interface, self.solved.pressed.top.loads()) {
             (recede::Interface::Punch, Some(_)) => "load".to_owned(),
             (interface, _) => interface.to_string(),
         }
@@ -116,7 +116,7 @@ impl Contact {
     fn gap<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let Solved { solver, pressed, solution, .. } = &*self.solved;
         at_places(py, x, |places| {
-            let profile = py.detach(|| solver.model.profile(&pressed.punch, solution, places));
+            let profile = py.detach(|| solver.model.profile(&pressed.top, solution, places));
             let mut profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
             profile.contacts.swap_remove(self.index).gap.ok_or_else(|| {
                 let error = Error::Approach(ApproachError::Load);

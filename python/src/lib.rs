@@ -22,7 +22,7 @@ fn _recede(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<contact::Contact>()?;
     module.add_class::<field::Field>()?;
     module.add_class::<sweep::Rows>()?;
-    module.add_class::<scene::CompiledPunch>()?;
+    module.add_class::<scene::CompiledTop>()?;
     module.add_function(wrap_pyfunction!(files::replace, module)?)?;
     module.add_function(wrap_pyfunction!(function::examine, module)?)?;
     module.add_function(wrap_pyfunction!(scene::schema, module)?)

@@ -48,7 +48,7 @@ impl Solver {
 
     /// The same for the punch and the force of the scene, whose text has a place for an error.
     pub fn solve(self: &Arc<Self>, py: Python<'_>, tolerance: f64) -> PyResult<Solution> {
-        let pressed = Pressed { punch: self.scene.punch.clone(), force: self.scene.force, tolerance };
+        let pressed = Pressed { top: self.scene.top.clone(), force: self.scene.force, tolerance };
         let solution = self.press_located(py, pressed, |error| self.scene.locate(error))?;
         solution.warn(py)?;
         Ok(solution)
@@ -62,7 +62,7 @@ impl Solver {
     ) -> Result<Solution, PyErr> {
         let options = Options { tolerance: pressed.tolerance, ..Options::default() };
         let begun = Instant::now();
-        let solved = py.detach(|| self.model.press_with(&pressed.punch, pressed.force, &options));
+        let solved = py.detach(|| self.model.press_with(&pressed.top, pressed.force, &options));
         match solved {
             Ok(solution) => Ok(Solution::new(Arc::clone(self), pressed, solution, begun.elapsed().as_secs_f64())),
             Err(error) => Err(self.failed(py, &locate(error))),
@@ -133,8 +133,8 @@ impl Model {
                 return Err(pyo3::exceptions::PyTypeError::new_err(why));
             }
         };
-        let punch = scene::punch(&self.solver.scene, punch)?;
-        let one = |number: f64| Pressed { punch: punch.clone(), force: force_of(kind, number), tolerance };
+        let top = scene::top(&self.solver.scene, punch)?;
+        let one = |number: f64| Pressed { top: top.clone(), force: force_of(kind, number), tolerance };
         let alone = |number: f64| -> PyResult<Bound<'py, PyAny>> {
             let solution = self.solver.press(py, one(number))?;
             solution.warn(py)?;

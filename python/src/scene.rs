@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString};
-use recede::{Geometry, Item, Punch, Registry};
+use recede::{Geometry, Item, Registry, Top};
 
 use crate::errors::{file_error, raised, raised_about};
 use crate::function::{self, Failure};
@@ -70,6 +70,8 @@ impl Source {
 ///     punch: such as `Cylinder(radius=500)`; its tip is at x = 0.
 ///     force: the force, per unit length out of the plane, or the whole force in axisymmetric scenes; a number > 0.
 ///     load: a pressure that is given, in place of the punch.
+///     loads: in place of punch and force: several loads, each with the place of its middle on x and its force, such as
+///         `[(Line(), -0.5, 0.2), (Uniform(half_width=0.2), 1.0, 0.8)]`.
 ///     half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
 ///     depth: in place of the force: how far the punch sinks, in length.
 ///     geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; a `Stack` brings its own.
@@ -136,7 +138,7 @@ impl Scene {
 #[pymethods]
 impl Scene {
     #[new]
-    #[pyo3(signature = (stack, punch=None, force=None, *, load=None, half_length=None, depth=None, geometry=None, name=None, description=None, units=None))]
+    #[pyo3(signature = (stack, punch=None, force=None, *, load=None, loads=None, half_length=None, depth=None, geometry=None, name=None, description=None, units=None))]
     #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
     fn new(
         py: Python<'_>,
@@ -144,6 +146,7 @@ impl Scene {
         punch: Option<&Bound<'_, PyAny>>,
         force: Option<&Bound<'_, PyAny>>,
         load: Option<&Bound<'_, PyAny>>,
+        loads: Option<&Bound<'_, PyAny>>,
         half_length: Option<&Bound<'_, PyAny>>,
         depth: Option<&Bound<'_, PyAny>>,
         geometry: Option<&Bound<'_, PyAny>>,
@@ -154,6 +157,7 @@ impl Scene {
         let fields = PyDict::new(py);
         let given = [
             ("load", load),
+            ("loads", loads),
             ("half_length", half_length),
             ("depth", depth),
             ("geometry", geometry),
@@ -257,6 +261,12 @@ impl Scene {
         self.part(py, "load")
     }
 
+    /// The loads in place of a punch, where they are several, with their places and forces; or None.
+    #[getter]
+    fn loads<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "loads")
+    }
+
     /// The force; None where a half-length or a depth is given.
     #[getter]
     fn force<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -338,20 +348,20 @@ pub fn geometry_name(geometry: Geometry) -> String {
 
 /// A punch or load as the library knows it; kept by the object of Python for the geometry in which it was used.
 #[pyclass(frozen, module = "recede._recede")]
-pub struct CompiledPunch {
+pub struct CompiledTop {
     geometry: Geometry,
-    punch: Punch,
+    top: Top,
 }
 
 /// The punch of an object of `recede.items`.
-pub fn punch(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Punch> {
+pub fn top(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Top> {
     let py = item.py();
     let is_labelled = scene.units.is_some();
-    if let Ok(known) = item.getattr("_compiled").and_then(|known| Ok(known.cast_into::<CompiledPunch>()?))
+    if let Ok(known) = item.getattr("_compiled").and_then(|known| Ok(known.cast_into::<CompiledTop>()?))
         && known.get().geometry == scene.geometry
         && !is_labelled
     {
-        return Ok(known.get().punch.clone());
+        return Ok(known.get().top.clone());
     }
     let units = scene.units.as_ref().map(|units| (units.length.clone(), units.force.clone()));
     let name = geometry_name(scene.geometry);
@@ -360,13 +370,11 @@ pub fn punch(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Punch> 
     let read = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
     if !is_labelled {
         let compiled = PyDict::new(py);
-        compiled.set_item(
-            "_compiled",
-            Py::new(py, CompiledPunch { geometry: scene.geometry, punch: read.punch.clone() })?,
-        )?;
+        compiled
+            .set_item("_compiled", Py::new(py, CompiledTop { geometry: scene.geometry, top: read.top.clone() })?)?;
         item.call_method1("_keep", (compiled,))?;
     }
-    Ok(read.punch)
+    Ok(read.top)
 }
 
 /// The items of a stack as written, for messages.

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use recede::report::{Format, Report};
-use recede::{Approach, ApproachError, FieldError, Force, Punch};
+use recede::{Approach, ApproachError, FieldError, Force, Top};
 
 use crate::arrays;
 use crate::contact::Contact;
@@ -17,7 +17,7 @@ use crate::scene::{Scene, Source};
 /// What a stack is pressed by.
 #[derive(Clone)]
 pub struct Pressed {
-    pub punch: Punch,
+    pub top: Top,
     pub force: Force,
     pub tolerance: f64,
 }
@@ -56,7 +56,7 @@ impl Solution {
 
     fn approach_of(&self, py: Python<'_>) -> Result<Approach, ApproachError> {
         let Solved { solver, pressed, solution, approach, .. } = &*self.0;
-        py.detach(|| approach.get_or_init(|| solver.model.approach(&pressed.punch, solution)).clone())
+        py.detach(|| approach.get_or_init(|| solver.model.approach(&pressed.top, solution)).clone())
     }
 
     /// A number of the approach, if there is one.
@@ -72,7 +72,7 @@ impl Solution {
     fn written_scene(&self) -> recede::Scene {
         let Solved { solver, pressed, .. } = &*self.0;
         let mut scene = solver.scene.clone();
-        (scene.punch, scene.force) = (pressed.punch.clone(), pressed.force);
+        (scene.top, scene.force) = (pressed.top.clone(), pressed.force);
         scene
     }
 
@@ -207,7 +207,7 @@ impl Solution {
     fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
         let Solved { solver, pressed, .. } = &*self.0;
         let own = &solver.scene;
-        if own.punch == pressed.punch && own.force == pressed.force {
+        if own.top == pressed.top && own.force == pressed.force {
             return Ok(Scene::of(own.clone(), solver.source.clone()));
         }
         solver.text()?;
@@ -249,7 +249,7 @@ impl Solution {
         }
         let profile = py.detach(|| {
             let places = recede::profile_places(solution, to, points);
-            solver.model.profile(&pressed.punch, solution, &places)
+            solver.model.profile(&pressed.top, solution, &places)
         });
         let profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
         let columns = PyDict::new(py);

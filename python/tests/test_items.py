@@ -23,10 +23,6 @@ TABLES = {
     "[(x, height), ...]": [[0.0, 0.0], [0.5, 0.01], [1.0, 0.05]],
     "[(depth, value), ...]": [[0.0, 0.2], [0.6, 0.3], [2.0, 0.25]],
     "[height, height, ...]": [0.1, 0.0, 0.02],
-    "[(at: x, share: s, load: ...), ...]": [
-        {"at": 0.0, "share": 1.0, "load": "Line"},
-        {"at": 1.5, "share": 2.0, "load": {"Uniform": {"half_width": 0.5}}},
-    ],
 }
 
 
@@ -318,3 +314,18 @@ def test_classes_follow_from_any_schema(monkeypatch):
     assert one.points[1].share == 0.5 and one.strain.y == 2 and isinstance(one.tilt, module.Tilt)
     assert module.Novel(points=(), tilt=module.Free()).ron() == "Novel(points: [], tilt: Free)"
     assert eval(repr(one), vars(module)) == one
+
+
+def test_several_loads_have_places_and_forces():
+    stack = Stack([Homogeneous(thickness=1.0, young=200.0, poisson=0.3), recede.Bonded(), recede.HalfPlane(young=70.0, poisson=0.3)])
+    line, strip = recede.Line(), recede.Uniform(half_width=0.2)
+    placed = (recede.PlacedLoad(line, at=-0.5, force=0.2), recede.PlacedLoad(strip, at=1.0, force=0.8))
+    named = [{"load": line, "at": -0.5, "force": 0.2}, {"load": strip, "at": 1.0, "force": 0.8}]
+    for loads in (placed, named, [(line, -0.5, 0.2), (strip, 1.0, 0.8)]):
+        scene = Scene(stack, loads=loads)
+        assert scene.loads == placed and scene.punch is scene.load is scene.force is None
+        assert eval(repr(scene), vars(recede)) == scene and pickle.loads(pickle.dumps(scene)) == scene
+        (contact,) = scene.solve().contacts
+        assert [(one.left, one.right, one.force) for one in contact.intervals] == [(-0.5, -0.5, 0.2), (0.8, 1.2, 0.8)]
+    with pytest.raises(recede.InputError, match="`loads` and `force`"):
+        Scene(stack, force=1.0, loads=placed)

@@ -20,7 +20,7 @@ impl Check {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
         let stack = scene.stack()?;
-        let label = format!("{}, {}", scene.punch.label(scene.geometry), scene.force.label(scene.geometry));
+        let label = format!("{}, {}", scene.top.label(scene.geometry), scene.force.label(scene.geometry));
         let columns = terminal_size().map(|(width, _)| usize::from(width.0));
         writeln!(out, "{}", stack.drawing(Some(&label), columns))?;
         Ok(())

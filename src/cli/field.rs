@@ -135,7 +135,7 @@ impl Field {
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
-        let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
+        let solution = model.press_with(&scene.top, scene.force, &options).map_err(|error| scene.locate(error))?;
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }

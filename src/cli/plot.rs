@@ -53,7 +53,7 @@ impl Plot {
         let scene = self.file.read_for(&[&self.out])?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
-        let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
+        let solution = model.press_with(&scene.top, scene.force, &options).map_err(|error| scene.locate(error))?;
         let picture = plot::stack(&scene, model.stack(), &solution);
         Ok(plot::save(&self.out, &self.title.above(picture, &scene))?)
     }

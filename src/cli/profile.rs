@@ -47,12 +47,12 @@ impl Profile {
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
         let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
-        let solution = model.press_with(&scene.punch, scene.force, &options).map_err(|error| scene.locate(error))?;
+        let solution = model.press_with(&scene.top, scene.force, &options).map_err(|error| scene.locate(error))?;
         for warning in solution.warnings() {
             tell(&format!("warning: {warning}\n"));
         }
         let places = profile_places(&solution, self.to, self.points as usize);
-        let profile = model.profile(&scene.punch, &solution, &places)?;
+        let profile = model.profile(&scene.top, &solution, &places)?;
         match &self.out {
             Some(path) => {
                 files::replace(path, |out| write_profile(&profile, out)).map_err(|cause| Failure::file(path, cause))

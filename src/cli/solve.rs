@@ -83,10 +83,10 @@ impl Solve {
         let options = Options { tolerance: self.tolerance, method };
         let start = Instant::now();
         let (model, solution) = Model::new(scene.stack()?)
-            .and_then(|model| model.press_with(&scene.punch, scene.force, &options).map(|solution| (model, solution)))
+            .and_then(|model| model.press_with(&scene.top, scene.force, &options).map(|solution| (model, solution)))
             .map_err(|error| scene.locate(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        let approach = measures(format).then(|| model.approach(&scene.punch, &solution));
+        let approach = measures(format).then(|| model.approach(&scene.top, &solution));
         let max_shear = if self.searches(format) { max_shear(&model, &solution) } else { None };
         let extremes = if self.extremes { extremes(format, &model, &solution)? } else { None };
         for warning in solution.warnings() {

@@ -15,7 +15,7 @@ use faer::linalg::solvers::Solve;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::options::Options;
-use crate::scene::Punch;
+use crate::scene::Top;
 use crate::solution::{Interface, Solution, Stats, Strip, Warning, WarningCode};
 
 use crate::contact::answer::{Answer, Found, stats};
@@ -62,12 +62,12 @@ struct Discretised {
 pub(crate) fn press(
     kernel: &Kernel,
     interfaces: &[Interface],
-    punch: &Punch,
+    top: &Top,
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
-    let kernel = &*kernel_under(kernel, punch, force);
-    let problem = Problem::new(kernel, interfaces, punch, force, options.tolerance);
+    let kernel = &*kernel_under(kernel, top, force);
+    let problem = Problem::new(kernel, interfaces, top, force, options.tolerance);
     if (0..problem.contacts()).any(|i| problem.is_known(i)) {
         return Err(ContactError::LoadByCollocation);
     }

@@ -35,7 +35,7 @@ impl Answer {
         let force = problem.total_force();
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
-            Some(given) => Some(load::contact(given.load, *interface, force, problem.twin())),
+            Some(given) => Some(load::contact(&given.loads, *interface, force, problem.twin())),
             None => found.next().map(|found| found.into_contact(*interface, length, unit)),
         };
         let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();

@@ -11,7 +11,7 @@ use crate::contact::quality::estimates::BEST;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::options::{Method, Options};
-use crate::scene::Punch;
+use crate::scene::{Punch, Top};
 use crate::solution::{Solution, Stats};
 
 /// The half-length is met to this part of the tolerance, or of its own error where that is larger.
@@ -31,17 +31,15 @@ pub(crate) struct Measured {
 /// then.
 pub(crate) fn press_to<E: From<ContactError>>(
     kernel: &Kernel,
-    punch: &Punch,
+    top: &Top,
     (controlled, wanted): (Controlled, f64),
     options: &Options,
     press: impl Fn(f64) -> Result<Solution, ContactError>,
     measure: impl Fn(&Solution) -> Result<Measured, E>,
 ) -> Result<Solution, E> {
-    if punch.load().is_some() {
-        return Err(ContactError::LoadControlled(controlled).into());
-    }
+    let punch = top.punch().ok_or(ContactError::LoadControlled(controlled))?;
     let unreachable = |below, above| {
-        let punch = punch.label(kernel.geometry());
+        let punch = top.label(kernel.geometry());
         ContactError::from(NoSolution::Unreachable { controlled, punch, wanted, below, above })
     };
     let is_length = controlled == Controlled::HalfLength;
@@ -86,7 +84,7 @@ pub(crate) fn press_to<E: From<ContactError>>(
         None if search.is_narrow() => Err(unreachable(below, above).into()),
         failure => {
             let cause = failure.map(Box::new);
-            let punch = punch.label(kernel.geometry());
+            let punch = top.label(kernel.geometry());
             Err(ContactError::from(NoSolution::ForceNotFound { controlled, punch, wanted, below, above, cause }).into())
         }
     }

@@ -1,4 +1,5 @@
 //! Why a contact problem has no solution that could be found.
+use crate::geometry::Geometry;
 use crate::solution::Interface;
 use crate::system::Unresolved;
 
@@ -14,9 +15,19 @@ pub enum ContactError {
     /// A given pressure, and a half-length of the contact under a punch, or its approach.
     #[error("{}: under a given pressure there is nothing that a force could be found for", .0.field())]
     LoadControlled(Controlled),
-    /// A given pressure that is not known about an axis.
-    #[error("the load {0} is not known about an axis")]
-    LoadAboutAxis(String),
+    /// A given pressure that is not known in a geometry.
+    #[error("the load {loads} is not known in this geometry, {}", .geometry.name())]
+    LoadsUnknown {
+        /// The loads as they are written in a scene.
+        loads: String,
+        /// The geometry.
+        geometry: Geometry,
+    },
+    /// Loads that are not symmetric, and layers that may lift off.
+    #[error(
+        "the loads are not symmetric about x = 0, and the stack has receding interfaces: their contacts would not be symmetric, and only symmetric ones are solved for"
+    )]
+    UnevenLoads,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -29,9 +40,11 @@ impl ContactError {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::LoadByCollocation | Self::FlatByCollocation | Self::LoadControlled(_) | Self::LoadAboutAxis(_) => {
-                true
-            }
+            Self::LoadByCollocation
+            | Self::FlatByCollocation
+            | Self::LoadControlled(_)
+            | Self::LoadsUnknown { .. }
+            | Self::UnevenLoads => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -45,8 +58,18 @@ impl ContactError {
                 Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
             }
             Self::LoadControlled(_) => Some("give the force instead, the resultant of the pressure".to_owned()),
-            Self::LoadAboutAxis(_) => Some(
-                "what presses off the axis is one `Ring`, whose half_width is at least a ten-thousandth of its radius"
+            Self::LoadsUnknown { geometry, .. } => Some(
+                match geometry {
+                    Geometry::Axisymmetric => {
+                        "about an axis every load is in the middle, and the half_width of a `Ring` is at least a ten-thousandth \
+                         of its radius"
+                    }
+                    _ => "a ring is known about an axis only: in the plane give a load on either side",
+                }
+                .to_owned(),
+            ),
+            Self::UnevenLoads => Some(
+                "add the mirror image of each load, or join the layers: `Bonded`, `Sliding` or `Spring(...)` in place of `Receding`"
                     .to_owned(),
             ),
             Self::Unresolved(cause) => Some(cause.hint()),

@@ -1,4 +1,4 @@
-//! The contact problem: half-lengths and pressures of all contacts, for one punch and force on prepared kernels.
+//! The contact problem: half-lengths and pressures of all contacts, for one punch, or given loads, and one force on prepared kernels.
 //!
 //! An answer goes through the rooms in order: [`problem`], start ([`starts`]), Newton's method on the ends ([`ends`], with the
 //! [`equations`] and their [`integrals`]) over refinement levels and the sign check ([`quality`]), and the one assembly of a
@@ -22,7 +22,7 @@ use std::borrow::Cow;
 
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::scene::Punch;
+use crate::scene::{Loads, Top};
 use crate::solution::{Interface, Solution, Stats};
 
 pub(crate) use controlled::{Measured, press_to};
@@ -40,38 +40,44 @@ use quality::{admissible, estimates};
 use starts::formulas;
 use starts::order::{Attempt, solve_in_order};
 
-/// Presses a punch with a force on a stack: the answer in the units of the scene. It may start from a table of solutions for
+/// Presses a punch or loads with a force on a stack: the answer in the units of the scene. It may start from a table of solutions for
 /// this kernel.
 pub(crate) fn press(
     kernel: &Kernel,
     table: Option<&Table>,
     interfaces: &[Interface],
-    punch: &Punch,
+    top: &Top,
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
-    if let Some(load) = punch.load()
-        && kernel.geometry().is_axisymmetric()
-        && !load.is_known_about_axis()
-    {
-        return Err(ContactError::LoadAboutAxis(punch.label(kernel.geometry())));
+    if let Some(loads) = top.loads() {
+        are_solvable(loads, kernel)?;
     }
-    let table = table.filter(|_| punch.material().is_none());
-    let own = &*kernel_under(kernel, punch, force);
-    let problem = Problem::new(own, interfaces, punch, force, options.tolerance);
+    let table = table.filter(|_| top.material().is_none());
+    let own = &*kernel_under(kernel, top, force);
+    let problem = Problem::new(own, interfaces, top, force, options.tolerance);
     // a table is for one kernel
     let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
     let solution = thin::solve(&problem, |problem| solve(problem, table_of(problem)))?;
     Ok(Solution { force, ..solution })
 }
 
+/// Whether the pressures of loads are known, and the contacts below them even.
+fn are_solvable(loads: &Loads, kernel: &Kernel) -> Result<(), ContactError> {
+    let geometry = kernel.geometry();
+    if !loads.are_known_in(geometry) {
+        return Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry });
+    }
+    if kernel.contacts() > 1 && !loads.is_even() { Err(ContactError::UnevenLoads) } else { Ok(()) }
+}
+
 /// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
-pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, punch: &Punch, force: f64) -> Cow<'a, Kernel> {
-    let kernel = match punch.material() {
+pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, top: &Top, force: f64) -> Cow<'a, Kernel> {
+    let kernel = match top.material() {
         Some(material) => Cow::Owned(kernel.under_half_plane(&material)),
         None => Cow::Borrowed(kernel),
     };
-    match formulas::length(&kernel, punch, force) {
+    match formulas::length(&kernel, top, force) {
         Some(length) => Cow::Owned(kernel.measured_in(length)),
         None => kernel,
     }
@@ -122,6 +128,7 @@ mod tests {
     use super::*;
     use crate::contact::problem::Side;
     use crate::contact::problem::load::Given;
+    use crate::scene::Punch;
     use crate::stack::Stack;
 
     #[test]
@@ -135,7 +142,7 @@ mod tests {
         ] {
             let stack = stack.build().unwrap();
             let (kernel, interfaces, options) = (Kernel::new(&stack).unwrap(), stack.contacts(), Options::default());
-            let punch = Punch::parabola(100.0).unwrap();
+            let punch = Top::from(Punch::parabola(100.0).unwrap());
             for force in [1e-4, 0.02] {
                 let expected = press(&kernel, None, &interfaces, &punch, force, &options).unwrap();
                 let top = &expected.contacts[0];

@@ -11,7 +11,7 @@ use crate::contact::quality::answer::answer;
 use crate::contact::quality::levels::{Start, refine};
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
-use crate::scene::Punch;
+use crate::scene::Top;
 use crate::solution::{Contact, Interface, Solution};
 
 /// Relative error of the pressures that a unit force adds; a hundredth of it takes ten times as long next to graded faces.
@@ -21,11 +21,11 @@ const TOLERANCE: f64 = 1e-9;
 const MOST: f64 = 2e10;
 
 /// The pressures that a unit force adds to the pressures of a solution; `None` where a contact is not one interval about x = 0.
-pub(crate) fn tangent(kernel: &Kernel, punch: &Punch, solution: &Solution) -> Option<Result<Solution, ContactError>> {
+pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option<Result<Solution, ContactError>> {
     let contacts = solution.contacts();
     let half_lengths: Vec<f64> = contacts.iter().map(Contact::half_length).collect::<Option<_>>()?;
     let interfaces: Vec<Interface> = contacts.iter().map(|contact| contact.interface).collect();
-    Some(solve(&Problem::joined(kernel, &interfaces, punch, &half_lengths, TOLERANCE)))
+    Some(solve(&Problem::joined(kernel, &interfaces, top, &half_lengths, TOLERANCE)))
 }
 
 fn solve(problem: &Problem) -> Result<Solution, ContactError> {

@@ -17,7 +17,7 @@ pub struct Extreme {
     pub value: f64,
     /// Estimate of its absolute error; 0 if it is infinite.
     pub error: f64,
-    /// Along the layers, x ≥ 0; by symmetry it is found at −x, too.
+    /// Along the layers; of contacts that are symmetric about x = 0 it is found at −x, too, and x ≥ 0.
     pub x: f64,
     /// Below the top face of the stack.
     pub depth: f64,

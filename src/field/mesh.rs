@@ -55,7 +55,7 @@ impl Scale {
                 let placed = &field.layers[row.layer];
                 let (body, depth) = (&field.bodies[placed.body], placed.top + row.depth);
                 let face = (depth - body.top).min(body.bottom.map_or(f64::INFINITY, |bottom| bottom - depth));
-                SCALE * (SPREAD - 1.0) * x.max(face).max(*least)
+                SCALE * (SPREAD - 1.0) * x.abs().max(face).max(*least)
             }
         }
     }
@@ -114,6 +114,9 @@ impl Mesh {
         while x < to {
             places.push(x);
             x *= SPREAD;
+        }
+        if !field.is_even {
+            places = places[1..].iter().rev().map(|x| -x).chain(places.iter().copied()).collect();
         }
         let depths = |(layer, placed): (usize, &PlacedLayer)| {
             let parts: &[f64] = if placed.thickness.is_some() { &LAYER } else { &HALF_PLANE };
@@ -189,7 +192,7 @@ fn beside(field: &Field, contact: usize) -> Vec<f64> {
     // many strips are taken as one
     let strips: Vec<(f64, f64)> = pressure.strips().filter(|_| !pressure.is_of_many()).collect();
     let all = strips.into_iter().chain([(0.0, field.length(contact))]).flat_map(about);
-    all.chain(pressure.ends()).filter(|x| *x >= 0.0).collect()
+    all.chain(pressure.ends()).filter(|x| !field.is_even || *x >= 0.0).collect()
 }
 
 fn ascending(mut list: Vec<f64>) -> Vec<f64> {

@@ -1,6 +1,6 @@
 //! The highest place of a parabola through values at three by three points.
-use super::FieldPoint;
 use super::measure::{Peak, Seen};
+use super::{Field, FieldPoint};
 
 /// By how much the highest place of a parabola may be higher than its middle and count as that.
 #[derive(Clone, Copy)]
@@ -18,7 +18,8 @@ const SHORTER: f64 = 0.25;
 const SIDES: [f64; 3] = [-1.0, 0.0, 1.0];
 
 /// Three by three points of a layer about a place, or three on a face.
-pub(super) struct Stencil {
+pub(super) struct Stencil<'a> {
+    field: &'a Field,
     /// The place in the middle; the points above and below are in the layer, too.
     peak: Peak,
     along: f64,
@@ -26,13 +27,13 @@ pub(super) struct Stencil {
     deepest: f64,
 }
 
-impl Stencil {
-    /// About a peak of a layer that is searched down to `deepest`, with points at the distance `step` in parts of the scale of the peak.
-    pub(super) fn new(peak: &Peak, step: f64, deepest: f64) -> Self {
-        let along = step * peak.scale;
+impl<'a> Stencil<'a> {
+    /// About a peak, with points at the distance `step` in parts of the scale of the peak.
+    pub(super) fn new(field: &'a Field, peak: &Peak, step: f64) -> Self {
+        let (along, deepest) = (step * peak.scale, field.deepest(peak.layer));
         let across = if peak.measure.is_on_face() { 0.0 } else { along.min(0.25 * deepest) };
         let depth = peak.depth.clamp(across, deepest - across);
-        Self { peak: Peak { depth, ..*peak }, along, across, deepest }
+        Self { field, peak: Peak { depth, ..*peak }, along, across, deepest }
     }
 
     /// The index of its layer.
@@ -50,7 +51,7 @@ impl Stencil {
     /// The places of the points of a row.
     pub(super) fn places(&self) -> Vec<f64> {
         let sides: &[f64] = if self.along > 0.0 { &SIDES } else { &SIDES[1..2] };
-        sides.iter().map(|side| (self.peak.x + side * self.along).abs()).collect()
+        sides.iter().map(|side| self.field.place(self.peak.x + side * self.along)).collect()
     }
 
     /// The highest place of the parabola through the values at the points, row by row, and whether it is inside or on a face, or hardly
@@ -83,7 +84,7 @@ impl Stencil {
         };
         let ([right, down], top) = parabola.highest();
         let depth = self.peak.depth + down * self.across;
-        let x = (self.peak.x + right * self.along).abs();
+        let x = self.field.place(self.peak.x + right * self.along);
         let on_face = depth <= 0.0 || depth >= self.deepest;
         let inside = right.abs() < 1.0 && (down.abs() < 1.0 || on_face);
         let root = |value: f64| if measure.is_norm() { value.max(0.0).sqrt() } else { value };

@@ -177,8 +177,7 @@ fn climb(field: &Field, peaks: &mut [Peak], step: f64, precision: &Precision) ->
         if climbing.is_empty() {
             break;
         }
-        let stencils: Vec<Stencil> =
-            climbing.iter().map(|k| Stencil::new(&peaks[*k], step, field.deepest(peaks[*k].layer))).collect();
+        let stencils: Vec<Stencil> = climbing.iter().map(|k| Stencil::new(field, &peaks[*k], step)).collect();
         let mut rows = Vec::new();
         for (set, stencil) in stencils.iter().enumerate() {
             rows.extend(stencil.depths().map(|depth| Row { layer: stencil.layer(), depth, set }));

@@ -7,11 +7,11 @@ use super::ground::hatching;
 use super::letters::width;
 use super::names::{self, Dimension, after, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke, WHITE, italic};
-use super::punch::Punch;
+use super::punch::Presses;
 use super::scale::{Scale, short};
 use super::style::{FAINT, INK, SMALL, hair};
 use crate::field::{Field, FieldPoint, FieldQuantity, Grid, Point};
-use crate::scene::Scene;
+use crate::scene::{Punch, Scene};
 use crate::solution::{Contact, Interface, Interval, Solution};
 
 /// Width of the map, and its least and greatest height, in points.
@@ -145,7 +145,7 @@ fn rises(scene: &Scene, solution: &Solution, quantity: FieldQuantity) -> bool {
     match quantity {
         FieldQuantity::U | FieldQuantity::V => false,
         // under a tip, stresses along the face and across it are the same
-        FieldQuantity::SigmaXy | FieldQuantity::MaxShear => infinite && !scene.punch.is_sharp(),
+        FieldQuantity::SigmaXy | FieldQuantity::MaxShear => infinite && !scene.top.punch().is_some_and(Punch::is_sharp),
         _ => infinite,
     }
 }
@@ -222,7 +222,7 @@ impl Map<'_> {
         if from <= 0.0 {
             let (middle, _) = self.chart.place((0.0, 0.0));
             let (scene, force, contact) = (self.scene, self.solution.force(), self.contacts.first());
-            Punch { scene, force, contact, scale: self.along, middle, top, ends: (left, right) }.draw(&mut picture);
+            Presses { scene, force, contact, scale: self.along, middle, top, ends: (left, right) }.draw(&mut picture);
         }
         if self.on_ground {
             hatching(&mut picture, (left, right), bottom);

@@ -4,7 +4,7 @@ use super::scale::short;
 use crate::field::FieldQuantity;
 use crate::geometry::{Geometry, Words};
 pub(super) use crate::scene::Dimension;
-use crate::scene::{Load, Punch, Scene, Units};
+use crate::scene::{Load, Loads, Punch, Scene, Top, Units};
 use crate::solution::{Contact, Interface};
 
 /// Small figures, for indices.
@@ -32,14 +32,18 @@ fn distance(scene: &Scene) -> String {
 }
 
 /// What presses on the stack, in short lines: its kind, then its sizes.
-pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
+pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     let length = after(scene, Dimension::LENGTH);
     let radius = |radius: f64| format!("{} = {}{length}", italic("R"), short(radius));
-    let Words { half_width, cylinder, wedge, corners, line_load, .. } = scene.geometry.words();
+    let Words { half_width, cylinder, wedge, corners, .. } = scene.geometry.words();
     let distance = distance(scene);
     let half_width = |width: f64| format!("{half_width} {}{length}", short(width));
     let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
-    match &scene.punch {
+    let punch = match &scene.top {
+        Top::Punch(punch) => punch,
+        Top::Loads(loads) => return of_loads(scene, loads),
+    };
+    match punch {
         Punch::Cylinder { radius: r } => lines(cylinder, &[radius(r.get())]),
         Punch::Parabola { radius: r } => lines("parabola", &[radius(r.get())]),
         Punch::Power { exponent, half_width, height } => {
@@ -58,30 +62,31 @@ pub(super) fn of_punch(scene: &Scene) -> Vec<String> {
             let modulus = short(elastic.material().shear_modulus) + &after(scene, Dimension::STRESS);
             lines(&format!("elastic {cylinder}"), &[radius(elastic.radius()), format!("{} = {modulus}", italic("μ"))])
         }
-        Punch::Given(load) => match load {
-            Load::Line => lines(line_load, &[]),
-            Load::Uniform { half_width: w } => lines("uniform load", &[half_width(w.get())]),
-            Load::Parabolic { half_width: w } => lines("parabolic load", &[half_width(w.get())]),
-            Load::Elliptic { half_width: w } => lines("elliptic load", &[half_width(w.get())]),
-            Load::Several(_) if scene.geometry.is_axisymmetric() => {
-                let parts = load.parts();
-                let sizes = |(at, _, part): &(f64, f64, &Load)| {
-                    format!("{} … {}{length}", short((at - part.half_width()).max(0.0)), short(at + part.half_width()))
-                };
-                lines("ring load", &parts.iter().map(sizes).collect::<Vec<_>>())
-            }
-            Load::Several(_) => {
-                let images = |(at, _, _): &(f64, f64, &Load)| if *at > 0.0 { 2 } else { 1 };
-                lines(&format!("{} loads", load.parts().iter().map(images).sum::<usize>()), &[])
-            }
-        },
+    }
+}
+
+/// The same of loads: of one about x = 0 its kind and sizes, of several how many they are.
+fn of_loads(scene: &Scene, loads: &Loads) -> Vec<String> {
+    let length = after(scene, Dimension::LENGTH);
+    let Words { half_width, line_load, .. } = scene.geometry.words();
+    let wide =
+        |kind: &str, load: &Load| vec![kind.to_owned(), format!("{half_width} {}{length}", short(load.half_width()))];
+    match loads.alone() {
+        None => vec![Top::from(loads).label(scene.geometry)],
+        Some(Load::Line) => vec![(*line_load).to_owned()],
+        Some(load @ Load::Uniform { .. }) => wide("uniform load", load),
+        Some(load @ Load::Parabolic { .. }) => wide("parabolic load", load),
+        Some(load @ Load::Elliptic { .. }) => wide("elliptic load", load),
+        Some(load @ Load::Ring { .. }) => {
+            vec!["ring load".to_owned(), format!("{} … {}{length}", short(load.hole()), short(load.half_width()))]
+        }
     }
 }
 
 /// Which bodies touch there.
 pub(super) fn of_contact(scene: &Scene, interface: Interface) -> String {
     match interface {
-        Interface::Punch if scene.punch.load().is_some() => "under the load".to_owned(),
+        Interface::Punch if scene.top.loads().is_some() => "under the load".to_owned(),
         Interface::Punch => "under the punch".to_owned(),
         between => format!("contact {between}"),
     }
@@ -113,8 +118,9 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     } else {
         "∞".to_owned()
     };
-    let place = format!("at {} = {}{}", distance(scene), short(peak.x), after(scene, Dimension::LENGTH));
-    let aside = (peak.x > peak.x_error).then_some(place);
+    let along = if contact.is_even() { distance(scene) } else { italic(scene.geometry.words().along) };
+    let place = format!("at {along} = {}{}", short(peak.x), after(scene, Dimension::LENGTH));
+    let aside = (peak.x.abs() > peak.x_error).then_some(place);
     [format!("largest {value}")].into_iter().chain(aside).collect()
 }
 
@@ -211,7 +217,8 @@ mod tests {
     fn scene(geometry: &str, punch: &str) -> Scene {
         let stack = "stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]";
         let units = "units: (length: \"mm\", force: \"N\")";
-        Scene::from_ron(&format!("Scene(geometry: {geometry}, {punch}, force: 0.01, {stack}, {units})")).unwrap()
+        let force = if punch.starts_with("loads") { "" } else { "force: 0.01," };
+        Scene::from_ron(&format!("Scene(geometry: {geometry}, {punch}, {force} {stack}, {units})")).unwrap()
     }
 
     #[test]
@@ -229,7 +236,7 @@ mod tests {
         let round = scene("Axisymmetric", "punch: Cone(slope: 0.1)");
         assert_eq!(of_path(&round, "force").1, Dimension::FORCE);
         assert_eq!(of_path(&round, "half_length").0, format!("contact radius {}", italic("a")));
-        assert_eq!(of_punch(&round), ["cone", "slope 0.1"]);
+        assert_eq!(of_top(&round), ["cone", "slope 0.1"]);
         let name = |quantity| of_quantity(quantity, Geometry::Axisymmetric).0;
         assert_eq!(name(FieldQuantity::V), format!("displacement {}{}", italic("u"), subscript("z")));
         assert_eq!(name(FieldQuantity::SigmaXy), format!("stress {}{}", italic("τ"), subscript("rz")));
@@ -238,11 +245,10 @@ mod tests {
 
     #[test]
     fn punches_have_names_symbols_and_units() {
-        let name = |punch: &str| of_punch(&scene("PlaneStrain", punch)).join("|");
+        let name = |punch: &str| of_top(&scene("PlaneStrain", punch)).join("|");
         assert_eq!(name("punch: Cylinder(radius: 100)"), format!("cylinder|{} = 100 mm", italic("R")));
-        let several =
-            "load: Several([(at: 0, share: 1, load: Line), (at: 1, share: 1, load: Uniform(half_width: 0.1))])";
-        assert_eq!(name(several), "3 loads");
+        let several = "loads: [(load: Line, at: 0, force: 1), (load: Uniform(half_width: 0.1), at: 1, force: 1)]";
+        assert_eq!(name(several), "2 loads");
         assert_eq!(unit(&scene("PlaneStrain", "load: Line"), Dimension::STRESS).unwrap(), "MPa");
     }
 

@@ -1,5 +1,5 @@
 //! The pressure of a contact as a curve.
-use crate::scene::{Load, Scene};
+use crate::scene::{Load, Loads, Punch, Scene};
 use crate::solution::{Contact, Interface, Interval};
 
 /// Pressures that are infinite somewhere are drawn up to so many times their mean.
@@ -15,7 +15,7 @@ const INSIDE: f64 = 1e-9;
 /// The pressure on each interval of a contact, denser towards its ends, where it falls like a root, with both sides of a jump;
 /// where it rises without bound, under a sharp tip and at sharp corners, as far as a multiple of the mean.
 pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>> {
-    let rises = contact.interface == Interface::Punch && scene.punch.is_singular();
+    let rises = contact.interface == Interface::Punch && scene.top.punch().is_some_and(Punch::is_singular);
     let mean = contact.resultant / scene.geometry.size(-contact.reach(), contact.reach());
     let most = if rises { HIGHEST_DRAWN * mean } else { f64::INFINITY };
     let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);
@@ -42,24 +42,21 @@ pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>>
 
 /// Places where a given pressure jumps or begins, ascending.
 fn jumps(scene: &Scene, contact: &Contact) -> Vec<f64> {
-    let load = scene.punch.load().filter(|_| contact.interface == Interface::Punch);
-    let ends = |(at, _, part): (f64, f64, &Load)| {
-        let half = part.half_width();
-        [at - half, at + half, -at - half, half - at]
+    let loads = scene.top.loads().filter(|_| contact.interface == Interface::Punch);
+    let ends = |(load, at, _): (&Load, f64, f64)| {
+        let [inner, outer] = [load.hole(), load.half_width()];
+        [at - outer, at - inner, at + inner, at + outer]
     };
-    let mut jumps: Vec<f64> = load.map_or(Vec::new(), Load::parts).into_iter().flat_map(ends).collect();
+    let mut jumps: Vec<f64> = loads.into_iter().flat_map(Loads::parts).flat_map(ends).collect();
     jumps.sort_by(f64::total_cmp);
     jumps.dedup();
     jumps
 }
 
-/// Places of the lines on which a load presses.
+/// Places of the lines on which loads press.
 pub(super) fn lines(scene: &Scene) -> Vec<f64> {
-    let parts = scene.punch.load().map_or(Vec::new(), Load::parts);
-    let lines = parts.into_iter().filter(|(_, _, part)| **part == Load::Line);
-    let mut places: Vec<f64> = lines.flat_map(|(at, _, _)| [-at, at]).collect();
-    places.dedup();
-    places
+    let parts = scene.top.loads().into_iter().flat_map(Loads::parts);
+    parts.filter(|(load, ..)| **load == Load::Line).map(|(_, at, _)| at).collect()
 }
 
 /// The highest point of a curve, where it is finite.

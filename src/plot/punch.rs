@@ -1,11 +1,11 @@
-//! The punch above a stack, and the force on it; or the load in its place.
+//! The punch above a stack, and the force on it; or the loads in its place.
 use super::chart::APART;
-use super::names::{after, of_punch};
+use super::names::{after, of_top};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
 use super::style::{INK, PUNCH, SMALL, TEXT};
-use crate::scene::{Load, Scene};
+use crate::scene::{Loads, Punch, Scene, Top};
 use crate::solution::Contact;
 
 /// Greatest height of the punch, in points.
@@ -19,8 +19,8 @@ const HALVINGS: usize = 50;
 /// Distance of the arrows of a load, in points.
 const ARROWS: f64 = 13.0;
 
-/// A punch in a drawing.
-pub(super) struct Punch<'a> {
+/// What presses, in a drawing.
+pub(super) struct Presses<'a> {
     pub(super) scene: &'a Scene,
     pub(super) force: f64,
     /// What is under it: it is pressed in as far as it touches.
@@ -35,12 +35,14 @@ pub(super) struct Punch<'a> {
     pub(super) ends: (f64, f64),
 }
 
-impl Punch<'_> {
+impl Presses<'_> {
     pub(super) fn draw(&self, picture: &mut Picture) {
-        let mut names = of_punch(self.scene);
-        match self.scene.punch.load() {
-            Some(load) => self.load(load, picture),
-            None => names.extend(self.body(picture).map(|times| format!("heights drawn × {}", label(times)))),
+        let mut names = of_top(self.scene);
+        match &self.scene.top {
+            Top::Loads(loads) => self.loads(loads, picture),
+            Top::Punch(punch) => {
+                names.extend(self.body(punch, picture).map(|times| format!("heights drawn × {}", label(times))));
+            }
         }
         // the last line just above the top face
         let lowest = self.top - APART - 2.0;
@@ -51,8 +53,7 @@ impl Punch<'_> {
 
     /// What is drawn of the punch: to where it ends, or leaves the drawing at the sides or above. Returns how much higher than to
     /// scale, if it is.
-    fn body(&self, picture: &mut Picture) -> Option<f64> {
-        let punch = &self.scene.punch;
+    fn body(&self, punch: &Punch, picture: &mut Picture) -> Option<f64> {
         let scale = self.scale;
         let [left, right] = [self.ends.0, self.ends.1].map(|end| (end - self.middle) / scale);
         let edge = punch.max_half_length().unwrap_or(f64::INFINITY);
@@ -89,7 +90,7 @@ impl Punch<'_> {
     }
 
     /// Pressures as curves with arrows, lines as arrows.
-    fn load(&self, load: &Load, picture: &mut Picture) {
+    fn loads(&self, loads: &Loads, picture: &mut Picture) {
         let curves = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curves);
         let (left, right) = self.ends;
@@ -113,10 +114,7 @@ impl Punch<'_> {
         for x in lines(self.scene).into_iter().map(place).filter(|x| (left..=right).contains(x)) {
             arrow(picture, x, self.top - 3.0, HIGHEST + 8.0);
         }
-        let is_plane = !self.scene.geometry.is_axisymmetric();
-        let several =
-            is_plane && load.parts().iter().map(|(at, _, _)| if *at > 0.0 { 2 } else { 1 }).sum::<usize>() > 1;
-        self.force(picture, if several { " in all" } else { "" });
+        self.force(picture, if loads.parts().count() > 1 { " in all" } else { "" });
     }
 
     fn force(&self, picture: &mut Picture, all: &str) {

@@ -5,7 +5,7 @@ use super::ground::hatching;
 use super::names::{self, Dimension, after, index, symbols, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
-use super::punch::Punch;
+use super::punch::Presses;
 use super::scale::{Scale, short};
 use super::style::{FAINT, INK, SMALL, curve, hair};
 use crate::scene::Scene;
@@ -152,9 +152,9 @@ impl Drawing<'_> {
         format!("{thick}{}{number} = {}{until}{stress}{at}", italic("μ"), short(modulus))
     }
 
-    fn punch(&self, force: f64) -> Punch<'_> {
+    fn punch(&self, force: f64) -> Presses<'_> {
         let (scene, contact) = (self.scene, self.contacts.first());
-        Punch { scene, force, contact, scale: self.scale, middle: self.x(0.0), top: 0.0, ends: (0.0, WIDTH) }
+        Presses { scene, force, contact, scale: self.scale, middle: self.x(0.0), top: 0.0, ends: (0.0, WIDTH) }
     }
 
     /// A thick line where bodies touch, and as far as they do.

@@ -5,7 +5,6 @@ use serde::Serialize;
 use super::digits::{Digits, shown};
 use super::ruled::ruled;
 use crate::field::{BondExtremes, Extreme, Extremes, LayerExtremes};
-use crate::geometry::Geometry;
 use crate::scene::{Item, Scene};
 
 /// Columns of a sweep for one stress: where it is largest, and the layer where that is not known from the name.
@@ -69,14 +68,14 @@ fn name(bond: &BondExtremes) -> String {
     format!("{}|{}", bond.above, bond.below)
 }
 
-/// A table with a line for each stress.
-pub(super) fn table(extremes: &Extremes, geometry: Geometry, digits: Digits, [length, stress]: [&str; 2]) -> Table {
+/// A table with a line for each stress; `place` is what its place along the layers is called.
+pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, stress]: [&str; 2]) -> Table {
     let mut table = ruled();
     let header = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name},{unit}") };
     table.set_header([
         "largest".to_owned(),
         header("stress", stress),
-        header(&format!("at {}", geometry.words().distance), length),
+        header(&format!("at {place}"), length),
         header("depth", length),
     ]);
     let mut add = |what: String, found: Option<Extreme>, none: &str| {

@@ -66,7 +66,7 @@ impl Serialize for Point<'_> {
 /// use recede::{Scene, Model, report::{FieldFormat, write_field}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let model = Model::new(scene.stack()?)?;
-/// let field = model.field(&model.press(&scene.punch, scene.force)?)?;
+/// let field = model.field(&model.press(&scene.top, scene.force)?)?;
 /// let mut text = Vec::new();
 /// write_field(&[field.at(0.0, 0.5)?], scene.geometry, scene.units.as_ref(), FieldFormat::Csv, &mut text)?;
 /// assert!(text.starts_with(b"x,depth,layer,sigma_xx,"));

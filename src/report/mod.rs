@@ -68,9 +68,9 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// What a contact is called: a load in place of the punch is none.
+    /// What a contact is called: loads in place of the punch are none.
     fn name(&self, contact: &Contact) -> String {
-        match (contact.interface, self.scene.punch.load()) {
+        match (contact.interface, self.scene.top.loads()) {
             (Interface::Punch, Some(_)) => "load".to_owned(),
             (interface, _) => interface.to_string(),
         }

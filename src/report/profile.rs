@@ -38,8 +38,8 @@ pub fn profile_columns(profile: &FaceProfiles) -> Vec<(String, Vec<f64>)> {
 /// use recede::{Model, Scene, profile_places, report::write_profile};
 /// let scene = Scene::read("examples/scenes/two_strips.ron")?;
 /// let model = Model::new(scene.stack()?)?;
-/// let solution = model.press(&scene.punch, scene.force)?;
-/// let profile = model.profile(&scene.punch, &solution, &profile_places(&solution, None, 100))?;
+/// let solution = model.press(&scene.top, scene.force)?;
+/// let profile = model.profile(&scene.top, &solution, &profile_places(&solution, None, 100))?;
 /// let mut text = Vec::new();
 /// write_profile(&profile, &mut text)?;
 /// assert!(text.starts_with(b"x,punch_pressure,punch_gap,contact_1_2_pressure,contact_1_2_gap,"));

@@ -25,7 +25,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         0.0 => digits.exact(solution.force()),
         error => digits.with_error(solution.force(), error),
     };
-    writeln!(out, "{}, force {force}{line_load}", scene.punch.label(scene.geometry))?;
+    writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?;
 
     writeln!(out, "{}", contacts(report, [&length, &stress, &line_load]))?;
     notes(report, out)?;
@@ -43,7 +43,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         )?;
     }
     if let Some(extremes) = report.extremes {
-        writeln!(out, "{}", extremes::table(extremes, scene.geometry, digits, [&length, &stress]))?;
+        let Words { along, distance, .. } = scene.geometry.words();
+        let place = if solution.is_even() { distance } else { along };
+        writeln!(out, "{}", extremes::table(extremes, place, digits, [&length, &stress]))?;
     }
     writeln!(
         out,
@@ -100,13 +102,16 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     for contact in solution.contacts() {
         let name = report.name(contact);
         if contact.half_length().is_none() {
-            // x ≥ 0 only: the rest is the mirror image, or the other half of a ring
+            let is_even = contact.is_even();
+            // of an even contact x ≥ 0 only: the rest is the mirror image, or the other half of a ring
             for &Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = digits.rounded(force) + &line_load;
                 let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + &length);
                 match left + right {
                     0.0 if right > 0.0 => writeln!(out, "{name}: {distance} < {to} carries {share}")?,
                     0.0 => writeln!(out, "{name}: {along} = 0 carries {share}")?,
+                    _ if !is_even && left == right => writeln!(out, "{name}: {along} = {to} carries {share}")?,
+                    _ if !is_even => writeln!(out, "{name}: {along} from {from} to {to} carries {share}")?,
                     middle if middle < 0.0 => {}
                     _ if report.scene.geometry.is_axisymmetric() => {
                         let ring = digits.rounded(2.0 * force) + &line_load;
@@ -122,13 +127,14 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
             }
         }
         let peak = contact.peak();
-        if peak.x > peak.x_error {
+        if peak.x.abs() > peak.x_error {
+            let place = if contact.is_even() { distance } else { along };
             let x = digits.with_error(peak.x, peak.x_error) + &length;
             let pressure = match peak.pressure.is_finite() {
                 true => digits.with_error(peak.pressure, peak.error) + &stress,
                 false => "infinite".to_owned(),
             };
-            writeln!(out, "{name}: largest pressure {pressure} at {distance} = {x}")?;
+            writeln!(out, "{name}: largest pressure {pressure} at {place} = {x}")?;
         }
     }
     if solution.contacts().iter().any(|contact| contact.central_pressure.is_infinite()) {

@@ -46,7 +46,6 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["Wedge", "Cone"], &["Cone", "Wedge"]),
     (&["Line", "Concentrated"], &["Point"]),
     (&["Annulus", "Annular"], &["Ring"]),
-    (&["Ring", "Annulus", "Annular"], &["Several"]),
     (&["Disc", "Disk", "Circle"], &["Uniform"]),
     (&["Berkovich", "Vickers", "Pyramid"], &["Cone"]),
     (&["half_width", "halfwidth"], &["radius"]),
@@ -72,7 +71,7 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
         "for a sphere write `geometry: Axisymmetric`; in a plane problem all that presses is as long as the stack out of the plane",
     ),
     (
-        &["Ellipsoid", "Torus", "Several"],
+        &["Ellipsoid", "Torus"],
         "this is not supported: punches are the same along a line or about an axis, and what presses about an axis is one disc or one ring",
     ),
     (
@@ -184,7 +183,6 @@ fn how(found: &str, names: &[&str]) -> (&'static str, &'static str) {
         ("yx" | "nu_yx", _) => ", which is yx · young.x / young.y",
         ("zx" | "nu_zx", _) => ", which is zx · young.x / young.z",
         ("zy" | "nu_zy", _) => ", which is zy · young.y / young.z",
-        ("ring" | "annulus" | "annular", ["Several"]) => ", with a load on either side, or `geometry: Axisymmetric`",
         ("berkovich" | "vickers" | "pyramid", _) => ", of the same area at any depth: `half_angle: \"70.3 deg\"`",
         _ => "",
     };

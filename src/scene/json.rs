@@ -4,7 +4,7 @@ use recede_layers::description::{schema_of, without_ranges};
 use recede_layers::tree::{Kind, Node};
 use serde_json::{Value, json};
 
-use super::read::schema_of_scene;
+use super::read::{TOPS, schema_of_scene};
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Scene, Spring, visible_json};
 
@@ -72,9 +72,10 @@ pub fn scene_schema(registry: &Registry) -> Value {
     });
     let mut schema = schema_of_scene().to_value();
     // about the axis punches and loads have other names
-    let round = json!({"punch": schema_of::<RoundPunch>().to_value(), "load": schema_of::<RoundLoad>().to_value()});
+    let (punch, load) = (schema_of::<RoundPunch>().to_value(), schema_of::<RoundLoad>().to_value());
+    let round = json!({"punch": punch, "load": load, "loads": false});
     let mut plane = json!({});
-    for field in ["punch", "load"] {
+    for field in TOPS {
         plane[field] = schema["properties"][field].take();
         schema["properties"][field] = json!({});
     }
@@ -98,11 +99,11 @@ mod tests {
 
     #[test]
     fn values_of_all_kinds_have_their_forms() {
-        let text = "Several([(at: 0, share: 1e0, load: Line), (at: -1.5, load: Uniform(half_width: 2))])";
-        let expected = json!({"Several": [
-            {"at": 0, "share": 1.0, "load": "Line"},
-            {"at": -1.5, "load": {"Uniform": {"half_width": 2}}},
-        ]});
+        let text = "[(load: Line, at: 0, force: 1e0), (load: Uniform(half_width: 2), at: -1.5)]";
+        let expected = json!([
+            {"load": "Line", "at": 0, "force": 1.0},
+            {"load": {"Uniform": {"half_width": 2}}, "at": -1.5},
+        ]);
         let value = |text: &str| value(&Node::from_ron(text).unwrap(), text);
         assert_eq!(value(text), expected);
         assert_eq!(value("Table([(0, 1), (0.5, 2)])"), json!({"Table": [[0, 1], [0.5, 2]]}));

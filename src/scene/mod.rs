@@ -8,13 +8,17 @@ mod hints;
 mod item;
 mod json;
 mod load;
+mod loads;
 mod origin;
+mod part;
 mod paths;
 mod punch;
 mod read;
 mod round;
 mod shape;
 mod spring;
+mod text;
+mod top;
 mod units;
 mod value;
 mod visible;
@@ -32,9 +36,11 @@ pub use heights::HeightsError;
 pub use item::Item;
 pub use json::scene_schema;
 pub use load::Load;
+pub use loads::{Loads, PlacedLoad};
 pub use origin::SceneError;
 pub use punch::Punch;
 pub use spring::Spring;
+pub use top::Top;
 pub use units::Units;
 pub use value::{LoadsError, ValueError};
 pub use visible::visible;
@@ -50,6 +56,7 @@ pub(crate) use units::Dimension;
 pub(crate) use visible::visible_json;
 
 use origin::Origin;
+use read::TOPS;
 
 /// Largest scene text that is read, in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -87,9 +94,10 @@ pub struct Scene {
     pub units: Option<Units>,
     /// Plane, and in which way, or axisymmetric.
     pub geometry: Geometry,
-    /// The punch on top, or the pressure that is given in its place, [`Punch::Given`].
-    pub punch: Punch,
-    /// Line load P > 0 pressing the punch down: force per unit length out of plane, or the half-length that it makes.
+    /// The punch on top, or the loads that are given in its place.
+    pub top: Top,
+    /// Line load P > 0 pressing the punch down, or the resultant of the loads: force per unit length out of plane, or the half-length that
+    /// it makes.
     pub force: Force,
     /// Layers and the interfaces between them from the top down, ending in a base.
     pub stack: Vec<Item>,
@@ -99,9 +107,9 @@ pub struct Scene {
 impl Scene {
     /// A scene without name and units. Nothing is checked here: [`Scene::stack`] checks the stack and
     /// [`Model::press_with`](crate::Model::press_with) the force.
-    pub fn new(geometry: impl Into<Geometry>, punch: Punch, force: impl Into<Force>, stack: Vec<Item>) -> Self {
-        let (geometry, force) = (geometry.into(), force.into());
-        Self { name: None, description: None, units: None, geometry, punch, force, stack, origin: None }
+    pub fn new(geometry: impl Into<Geometry>, top: impl Into<Top>, force: impl Into<Force>, stack: Vec<Item>) -> Self {
+        let (geometry, top, force) = (geometry.into(), top.into(), force.into());
+        Self { name: None, description: None, units: None, geometry, top, force, stack, origin: None }
     }
 
     /// The file from which the scene was read, as it is called in messages; `None` if it was not read from a text.
@@ -138,9 +146,15 @@ impl Scene {
         self.error_at(Some(item.unwrap_or(stack)), hint, cause)
     }
 
-    /// An error about the punch, or the load in its place.
-    pub(crate) fn error_at_punch<E: Cause>(&self, hint: String, cause: &E) -> Option<SceneError> {
-        self.error_at(self.origin.as_deref()?.tree.field(self.punch.field()), Some(hint), cause)
+    /// The name under which what presses stands in the text, and its part of the text.
+    fn node_of_top(&self) -> Option<(&'static str, &Node)> {
+        let tree = &self.origin.as_deref()?.tree;
+        TOPS.into_iter().find_map(|name| Some((name, tree.field(name)?)))
+    }
+
+    /// An error about the punch, or the loads in its place.
+    pub(crate) fn error_at_top<E: Cause>(&self, hint: String, cause: &E) -> Option<SceneError> {
+        self.error_at(self.node_of_top().map(|(_, node)| node), Some(hint), cause)
     }
 
     /// An error about the number that says the force.

@@ -10,7 +10,7 @@ use recede_layers::tree::{Kind, Node};
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
 use super::read::{parse, read_item, read_top};
-use super::{Force, Item, Punch, Scene, quoted_list};
+use super::{Force, Item, Scene, Top, quoted_list};
 
 /// Most paths that a message lists.
 const LISTED: usize = 24;
@@ -28,8 +28,8 @@ pub(crate) struct Slot {
 pub(crate) enum Owner {
     /// The scene itself: it is the force, or the half-length in its place.
     Force,
-    /// The punch.
-    Punch,
+    /// The punch, or the loads in its place.
+    Top,
     /// The item of the stack with this index.
     Item(usize),
 }
@@ -58,7 +58,7 @@ impl Scene {
     /// let text = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
     ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
     /// let scene = recede::Scene::from_ron(text)?.with("punch.radius", 250.0)?;
-    /// assert_eq!(scene.punch.to_string(), "Parabola(radius: 250.0)");
+    /// assert_eq!(scene.top.written_in(scene.geometry), "Parabola(radius: 250.0)");
     /// let error = scene.with("layer[1].poisson", 0.7).unwrap_err();
     /// assert!(error.to_string().ends_with("`poisson` of layer 1 (HalfPlane): found 0.7, allowed is -1 < poisson <= 0.5"));
     /// # Ok::<(), recede::Error>(())
@@ -117,8 +117,12 @@ impl Scene {
         parse(Origin { file: origin.file.clone(), text, registry: origin.registry.clone(), ..Origin::default() })
     }
 
-    /// The force with other values; nothing but the force is read again.
+    /// The force with other values; nothing but the force is read again, or the loads whose forces it is the sum of.
     pub(crate) fn force_with(&self, changes: &[Change]) -> Result<Force, SceneError> {
+        if self.node_of_top().is_some_and(|(name, _)| name == "loads") {
+            let top = self.top_with(changes)?;
+            return Ok(top.loads().map_or(self.force, |loads| Force::Given(loads.force())));
+        }
         match changes.iter().find(|(slot, _)| slot.owner == Owner::Force) {
             Some((_, value)) => match Positive::try_from(*value) {
                 Ok(number) => Ok(self.force.with(number)),
@@ -128,15 +132,13 @@ impl Scene {
         }
     }
 
-    /// The punch with other values; nothing but the punch is read again.
-    pub(crate) fn punch_with(&self, changes: &[Change]) -> Result<Punch, SceneError> {
-        let top = self.origin.as_deref().and_then(|origin| origin.tree.field(self.punch.field()));
-        let Some(top) = top.and_then(|top| with(top, Owner::Punch, changes)) else { return Ok(self.punch.clone()) };
-        match read_top(&top, self.punch.load().is_some(), self.geometry) {
-            Ok(punch) => Ok(punch),
-            // once more, for the place of the mistake
-            Err(_) => self.with_changes(changes).map(|scene| scene.punch),
-        }
+    /// What presses with other values; nothing else is read again.
+    pub(crate) fn top_with(&self, changes: &[Change]) -> Result<Top, SceneError> {
+        let top = self.origin.as_deref().zip(self.node_of_top());
+        let changed = top.and_then(|(origin, (name, node))| Some((origin, name, with(node, Owner::Top, changes)?)));
+        let Some((origin, name, node)) = changed else { return Ok(self.top.clone()) };
+        // where it is none, once more for the place of the mistake
+        read_top(name, &node, self.geometry, origin).or_else(|_| self.with_changes(changes).map(|scene| scene.top))
     }
 
     /// The items of the stack with other values; nothing but the items that change is read again.
@@ -160,10 +162,10 @@ impl Scene {
     fn slots(&self) -> Vec<(String, Slot, f64)> {
         let Some(origin) = self.origin.as_deref() else { return Vec::new() };
         let mut slots = Vec::new();
-        for (name, owner) in [(self.force.field(), Owner::Force), (self.punch.field(), Owner::Punch)] {
-            if let Some(node) = origin.tree.field(name) {
-                add(name, owner, node, &mut slots);
-            }
+        let force = origin.tree.field(self.force.field()).map(|node| (self.force.field(), Owner::Force, node));
+        let top = self.node_of_top().map(|(name, node)| (name, Owner::Top, node));
+        for (name, owner, node) in force.into_iter().chain(top) {
+            add(name, owner, node, &mut slots);
         }
         let mut number = 0;
         let nodes = origin.tree.field("stack").map_or(&[][..], Node::members);
@@ -231,6 +233,7 @@ fn changed(text: &str, changes: &[Change]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Punch;
 
     const SCENE: &str =
         "// force: 7\nScene(\n  geometry: PlaneStrain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
@@ -246,11 +249,14 @@ mod tests {
         let values = [0.004, 250.0, 3.0, 1e-7, 0.5];
         let changes: Vec<Change> = slots.iter().zip(values).collect();
         let changed = scene.with_changes(&changes).unwrap();
-        assert_eq!((changed.force, changed.punch.clone()), (Force::Given(0.004), Punch::cylinder(250.0).unwrap()));
+        assert_eq!(
+            (changed.force, changed.top.clone()),
+            (Force::Given(0.004), Top::from(Punch::cylinder(250.0).unwrap()))
+        );
         assert_eq!(changed.paths(), paths);
         // bit by bit is the same
         assert_eq!(scene.force_with(&changes).unwrap(), changed.force);
-        assert_eq!(scene.punch_with(&changes).unwrap(), changed.punch);
+        assert_eq!(scene.top_with(&changes).unwrap(), changed.top);
         assert_eq!(format!("{:?}", scene.items_with(&changes).unwrap()), format!("{:?}", changed.stack));
         assert!(format!("{:?}", changed.stack).contains("1e-7"), "{:?}", changed.stack);
     }
@@ -262,7 +268,7 @@ mod tests {
             let slot = scene.slot(path).unwrap();
             let changes = [(&slot, -1.0)];
             let whole = scene.with_changes(&changes).unwrap_err().to_string();
-            let parts = scene.force_with(&changes).err().or(scene.punch_with(&changes).err());
+            let parts = scene.force_with(&changes).err().or(scene.top_with(&changes).err());
             assert_eq!(parts.or(scene.items_with(&changes).err()).unwrap().to_string(), whole);
             whole
         };
@@ -280,7 +286,7 @@ mod tests {
         let error = scene.with("layer[1].posson", 0.3).unwrap_err();
         assert_eq!(error.hint().unwrap(), "did you mean `layer[1].poisson`?");
         assert!(error.to_string().contains("those that can vary are `force`, `punch.radius`, `layer[1].thickness`"));
-        let scene = Scene::new(scene.geometry, scene.punch, scene.force, scene.stack);
+        let scene = Scene::new(scene.geometry, scene.top, scene.force, scene.stack);
         assert!(scene.with("force", 1.0).unwrap_err().to_string().contains("not read from a text"));
     }
 }

@@ -11,11 +11,10 @@ use serde::{Deserialize, Serialize};
 
 use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
-use super::load::Load;
 use super::shape::{Piece, Shape};
+use super::text::written;
 use super::value::ValueError;
 use super::wedge::Wedge;
-use super::write::written;
 
 /// A frictionless punch with its tip at x = 0, rigid unless it says otherwise.
 ///
@@ -79,9 +78,6 @@ pub enum Punch {
     Table(Heights),
     /// A circular cylinder of an elastic material: it is flattened like a half-plane.
     ElasticCylinder(ElasticCylinder),
-    /// No punch, but a prescribed traction; in a scene written as `load: ...` in place of `punch: ...`.
-    #[serde(skip)]
-    Given(Load),
 }
 
 impl Punch {
@@ -187,19 +183,6 @@ impl Punch {
         ElasticCylinder::new(radius, shear_modulus, poisson).map(Self::ElasticCylinder)
     }
 
-    /// The prescribed traction, if there is no punch.
-    pub fn load(&self) -> Option<&Load> {
-        match self {
-            Self::Given(load) => Some(load),
-            _ => None,
-        }
-    }
-
-    /// The name of the field of a scene in which it stands.
-    pub(super) fn field(&self) -> &'static str {
-        if self.load().is_some() { "load" } else { "punch" }
-    }
-
     /// What the profile is made of.
     pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
@@ -222,7 +205,6 @@ impl Punch {
                 Shape::Pieces { pieces: vec![flat, corner].into(), end: None }
             }
             Self::Flat { half_width } => Shape::Flat(half_width.get()),
-            Self::Given(_) => Shape::Powers { length: 1.0, terms: Vec::new(), end: None },
             Self::Table(heights) => Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), end: Some(heights.end()) },
         }
     }
@@ -283,9 +265,6 @@ impl Punch {
 impl fmt::Display for Punch {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Self::Given(load) = self {
-            return load.fmt(f);
-        }
         written(self, f)
     }
 }

@@ -16,12 +16,15 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::convert::without_units;
-use super::explain::{Subject, explain};
 use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, SceneError};
+use super::part::Part;
 use super::round::{RoundLoad, RoundPunch};
-use super::{Force, Item, Load, MAX_BYTES, MAX_ITEMS, Punch, Scene, Spring, Units, quoted_list};
+use super::value::ValueError;
+use super::{
+    Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad, Punch, Scene, Spring, Top, Units, quoted_list,
+};
 use crate::geometry::Geometry;
 
 /// The scene with punch and stack still unread.
@@ -39,7 +42,7 @@ struct Draft {
     units: Option<Units>,
     /// Plane, and in which way, or axisymmetric.
     geometry: Geometry,
-    /// The punch on top, if there is no `load`.
+    /// The punch on top, if there are no loads.
     #[serde(default)]
     #[schemars(with = "Option<Punch>")]
     punch: Option<IgnoredAny>,
@@ -47,7 +50,11 @@ struct Draft {
     #[serde(default)]
     #[schemars(with = "Option<Load>")]
     load: Option<IgnoredAny>,
-    /// Line load P that presses the punch down, or resultant of the load: force per unit length out of the plane; the whole force in axisymmetric scenes.
+    /// In place of a punch: several given pressures, each anywhere on x with a force of its own.
+    #[serde(default)]
+    #[schemars(with = "Option<Loads>")]
+    loads: Option<IgnoredAny>,
+    /// Line load P that presses the punch down, or resultant of the `load`: force per unit length out of the plane; the whole force in axisymmetric scenes.
     #[serde(default)]
     force: Option<Positive>,
     /// In place of the force: half-length of the contact under the punch, or its radius, for which the force is found; in length.
@@ -198,33 +205,6 @@ fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, SceneError> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-/// A part of a scene, and what it is called.
-struct Part<'a> {
-    node: &'a Node,
-    owner: &'a str,
-}
-
-impl Part<'_> {
-    fn error(&self, origin: &Origin, error: ReadError) -> SceneError {
-        self.error_of(None, origin, error)
-    }
-
-    /// The error, with what may be written there.
-    fn error_of(&self, form: Option<&Value>, origin: &Origin, error: ReadError) -> SceneError {
-        let name = self.node.name.as_deref().unwrap_or_default();
-        let form = form.and_then(|form| match form {
-            Value::OneOf(forms) => forms.iter().find(|form| form.name == name)?.value.as_ref(),
-            form => Some(form),
-        });
-        let subject = Subject { owner: self.owner, field: error.field.as_deref(), form: form.map(|form| (name, form)) };
-        // what is wrong with all of it is told at its name
-        let is_whole = error.field.is_none() && matches!(error.fault, Fault::Reason(_) | Fault::Missing(_));
-        let at = error.at.filter(|_| !is_whole).unwrap_or(self.node.place.start);
-        let (message, hint) = explain(&error.fault, &subject, origin.rest(at));
-        origin.error(Some(at), message, hint).because(error)
-    }
-}
-
 /// Reads the scene whose text this is.
 pub(super) fn parse(mut origin: Origin) -> Result<Scene, SceneError> {
     if origin.text.trim().is_empty() {
@@ -266,8 +246,8 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
     let whole = Part { node: tree, owner: "the scene" };
     let read = tree.read::<Draft>();
     let draft = read.map_err(|error| whole.error_of(Some(&Value::of_schema(&schema_of_scene())), origin, error))?;
-    let top = what_presses(&draft, origin)?;
-    let force = force(&draft, origin)?;
+    let top = top(&draft, origin)?;
+    let force = force(&draft, &top, origin)?;
     let list = Part { node: tree.field("stack").unwrap_or(tree), owner: "the stack" };
     let Kind::List(items) = &list.node.kind else {
         let error = Fault::Expected(Form::List).at(list.node.place.start);
@@ -277,10 +257,6 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
         return Err(origin.error(Some(list.node.place.start), message, None));
     }
-    let given = draft.load.is_some();
-    let form = || form_of_top(given, draft.geometry);
-    let punch = read_top(top.node, given, draft.geometry);
-    let punch = punch.map_err(|error| top.error_of(Some(&form()), origin, error))?;
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
     for item in items {
@@ -289,31 +265,38 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
         stack.push(item);
     }
     let Draft { name, description, units, geometry, .. } = draft;
-    Ok(Scene { name, description, units, ..Scene::new(geometry, punch, force, stack) })
+    Ok(Scene { name, description, units, ..Scene::new(geometry, top, force, stack) })
 }
 
+/// The fields of a scene one of which says what presses on top.
+pub(super) const TOPS: [&str; 3] = ["punch", "load", "loads"];
+
 /// What presses on top.
-fn what_presses<'a>(draft: &Draft, origin: &'a Origin) -> Result<Part<'a>, SceneError> {
+fn top(draft: &Draft, origin: &Origin) -> Result<Top, SceneError> {
     let tree = &origin.tree;
-    let part = |field: &str, owner| Ok(Part { node: tree.field(field).unwrap_or(tree), owner });
-    match (draft.punch, draft.load) {
-        (Some(_), None) => part("punch", "the punch"),
-        (None, Some(_)) => part("load", "the load"),
-        (Some(_), Some(_)) => {
-            let at = tree.field("load").map(|load| load.place.start);
-            let hint = "a load takes the place of a punch: remove one of them";
-            Err(origin.error(at, "the scene has `punch` and `load`".into(), Some(hint.into())))
-        }
-        (None, None) => {
-            let hint = "add `punch: ...` or, for a given pressure, `load: ...` between its parentheses";
+    let given = TOPS.into_iter().zip([&draft.punch, &draft.load, &draft.loads]);
+    let given: Vec<&str> = given.filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
+    match given[..] {
+        [name] => read_top(name, tree.field(name).unwrap_or(tree), draft.geometry, origin),
+        [] => {
+            let hint =
+                "add `punch: ...` or, for given pressures, `load: ...` or `loads: [...]` between its parentheses";
             let message = "`punch` is missing in the scene".into();
             Err(origin.error(Some(tree.place.start), message, Some(hint.into())))
+        }
+        [first, second, ..] => {
+            let at = tree.field(second).map(|node| node.place.start);
+            let hint = match first {
+                "punch" => "a load takes the place of a punch: remove one of them".to_owned(),
+                _ => "one load about x = 0 is `load`, several are `loads`: remove one of them".to_owned(),
+            };
+            Err(origin.error(at, format!("the scene has `{first}` and `{second}`"), Some(hint)))
         }
     }
 }
 
 /// The force, or what it is found for.
-fn force(draft: &Draft, origin: &Origin) -> Result<Force, SceneError> {
+fn force(draft: &Draft, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
     let given = |force: fn(f64) -> Force, number: Option<Positive>| number.map(|number| force(number.get()));
     let all = [
         given(Force::Given, draft.force),
@@ -321,16 +304,22 @@ fn force(draft: &Draft, origin: &Origin) -> Result<Force, SceneError> {
         given(Force::ForDepth, draft.depth),
     ];
     let given: Vec<Force> = all.into_iter().flatten().collect();
-    let (other, name, hint) = match given[..] {
-        [Force::Given(force)] => return Ok(Force::Given(force)),
-        [found] if draft.load.is_none() => return Ok(found),
-        [found] => ("load", found.field(), "no force changes how far a load reaches: give its resultant, `force: ...`"),
-        [] => {
+    let (other, name, hint) = match (&given[..], top) {
+        ([], Top::Loads(loads)) if draft.loads.is_some() => return Ok(Force::Given(loads.force())),
+        ([found, ..], _) if draft.loads.is_some() => {
+            ("loads", found.field(), "each of the loads has a force of its own, and theirs is the sum: remove it")
+        }
+        ([Force::Given(force)], _) => return Ok(Force::Given(*force)),
+        ([found], Top::Punch(_)) => return Ok(*found),
+        ([found], Top::Loads(_)) => {
+            ("load", found.field(), "no force changes how far a load reaches: give its resultant, `force: ...`")
+        }
+        ([], _) => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
             let message = "`force` is missing in the scene".into();
             return Err(origin.error(Some(origin.tree.place.start), message, Some(hint.into())));
         }
-        [first, second, ..] => (
+        ([first, second, ..], _) => (
             first.field(),
             second.field(),
             "`force` is given, or found for `half_length` or `depth`: remove one of them",
@@ -341,24 +330,80 @@ fn force(draft: &Draft, origin: &Origin) -> Result<Force, SceneError> {
     Err(origin.error(at, message, Some(hint.into())))
 }
 
-/// Reads a punch, or the load that is `given` in its place.
-pub(super) fn read_top(node: &Node, given: bool, geometry: Geometry) -> Result<Punch, ReadError> {
-    match (geometry, given) {
-        (Geometry::Axisymmetric, true) => node.read::<RoundLoad>().map(|load| Punch::Given(load.into())),
-        (Geometry::Axisymmetric, false) => node.read::<RoundPunch>().map(Punch::from),
-        (_, true) => node.read().map(Punch::Given),
-        (_, false) => node.read(),
+/// Reads what presses on top from the field of a scene in which it stands.
+pub(super) fn read_top(name: &str, node: &Node, geometry: Geometry, origin: &Origin) -> Result<Top, SceneError> {
+    let owner = format!("the {name}");
+    let part = &Part { node, owner: &owner };
+    let explained = |form: fn() -> Value| move |error| part.error_of(Some(&form()), origin, error);
+    match (name, geometry) {
+        ("loads", _) => loads(part, geometry, origin).map(Top::Loads),
+        ("load", _) if node.name.as_deref() == Some(SEVERAL) => Err(several(node, origin)),
+        ("load", Geometry::Axisymmetric) => {
+            node.read::<RoundLoad>().map(|load| Load::from(load).into()).map_err(explained(Value::of::<RoundLoad>))
+        }
+        ("load", _) => node.read::<Load>().map(Top::from).map_err(explained(Value::of::<Load>)),
+        (_, Geometry::Axisymmetric) => {
+            node.read::<RoundPunch>().map(|punch| Punch::from(punch).into()).map_err(explained(Value::of::<RoundPunch>))
+        }
+        _ => node.read::<Punch>().map(Top::from).map_err(explained(Value::of::<Punch>)),
     }
 }
 
-/// What may be written there.
-fn form_of_top(given: bool, geometry: Geometry) -> Value {
-    match (geometry, given) {
-        (Geometry::Axisymmetric, true) => Value::of::<RoundLoad>(),
-        (Geometry::Axisymmetric, false) => Value::of::<RoundPunch>(),
-        (_, true) => Value::of::<Load>(),
-        (_, false) => Value::of::<Punch>(),
+/// Reads a list of loads.
+fn loads(list: &Part, geometry: Geometry, origin: &Origin) -> Result<Loads, SceneError> {
+    let start = list.node.place.start;
+    if geometry.is_axisymmetric() {
+        let hint = "about an axis write `load: ...`, which is one disc, one ring, or a point force";
+        return Err(origin.error(Some(start), "`loads` are for plane scenes".into(), Some(hint.into())));
     }
+    let Kind::List(members) = &list.node.kind else {
+        return Err(list.error(origin, Fault::Expected(Form::List).at(start)));
+    };
+    let read = |(i, node): (usize, &Node)| {
+        let owner = format!("load {}", i + 1);
+        let named = node.name.as_ref().map(|_| Fault::Expected(Form::Open).at(node.place.start));
+        named
+            .map_or_else(|| node.read::<PlacedLoad>(), Err)
+            .map_err(|error| Part { node, owner: &owner }.error(origin, error))
+    };
+    let placed = members.iter().enumerate().map(read).collect::<Result<Vec<_>, SceneError>>()?;
+    placed
+        .try_into()
+        .map_err(|cause| origin.error(Some(start), ValueError::from(cause).to_string(), None).because(cause))
+}
+
+/// The name under which scenes once had several loads, each with its mirror image and a share of the force.
+const SEVERAL: &str = "Several";
+/// Most of the new lines that are shown in its place.
+const SHOWN: usize = 6;
+
+/// The error where a scene still has `Several`, with what to write in its place.
+fn several(node: &Node, origin: &Origin) -> SceneError {
+    #[derive(Deserialize)]
+    struct Shared {
+        at: f64,
+        share: f64,
+        load: Load,
+    }
+    let force = origin
+        .tree
+        .field("force")
+        .and_then(|force| if let Kind::Number(force) = force.kind { Some(force) } else { None });
+    let lines = |parts: Vec<Shared>| {
+        let shares: f64 = parts.iter().map(|part| part.share).sum();
+        let line = |Shared { at, share, load }: &Shared| {
+            let places = if *at > 0.0 { vec![-at, *at] } else { vec![*at] };
+            let force = share * force.unwrap_or(shares) / shares / places.len() as f64;
+            places.into_iter().map(|at| format!("(load: {load}, at: {at:?}, force: {force:?})")).collect::<Vec<_>>()
+        };
+        let lines: Vec<String> = parts.iter().flat_map(line).collect();
+        let more = if lines.len() > SHOWN { ", ..." } else { "" };
+        format!("[{}{more}]", lines[..lines.len().min(SHOWN)].join(", "))
+    };
+    let lines = node.read_inner().map_or_else(|_| "[(load: ..., at: ..., force: ...), ...]".to_owned(), lines);
+    let hint = format!("in place of `load` and `force` write `loads: {lines}`");
+    let message = "`Several` is written as `loads`, each with its place and its force".to_owned();
+    origin.error(Some(node.place.start), message, Some(hint))
 }
 
 /// Reads the item that is, or would be, layer `number`.

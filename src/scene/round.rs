@@ -8,8 +8,8 @@ use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
 use super::load::Load;
 use super::punch::Punch;
+use super::text::Written;
 use super::wedge::Wedge;
-use super::write::Written;
 use crate::geometry::Geometry;
 
 /// A frictionless punch about the axis, rigid unless it says otherwise; r is the distance from the axis.
@@ -117,7 +117,7 @@ impl From<RoundLoad> for Load {
             RoundLoad::Uniform { radius } => Self::Uniform { half_width: radius },
             RoundLoad::Parabolic { radius } => Self::Parabolic { half_width: radius },
             RoundLoad::Elliptic { radius } => Self::Elliptic { half_width: radius },
-            RoundLoad::Ring { radius, half_width } => Self::pair(radius, half_width),
+            RoundLoad::Ring { radius, half_width } => Self::Ring { radius, half_width },
         }
     }
 }
@@ -133,28 +133,17 @@ impl Punch {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn written_in(&self, geometry: Geometry) -> String {
-        let round = || match self {
-            Self::Given(load) => RoundLoad::of(load).map(|load| Written(load).to_string()),
-            punch => RoundPunch::of(punch).map(|punch| Written(punch).to_string()),
-        };
-        geometry.is_axisymmetric().then(round).flatten().unwrap_or_else(|| self.to_string())
-    }
-
-    /// The same, or its name alone if that is long.
-    pub fn label(&self, geometry: Geometry) -> String {
-        const LONGEST: usize = 80;
-        let text = self.written_in(geometry);
-        match text.split_once('(') {
-            Some((name, _)) if text.chars().count() > LONGEST => format!("{name}(...)"),
-            _ => text,
+        match geometry {
+            Geometry::Axisymmetric => Written(RoundPunch::of(self)).to_string(),
+            _ => self.to_string(),
         }
     }
 }
 
 impl RoundPunch {
-    /// The punch about the axis; `None` for a load.
-    pub(super) fn of(punch: &Punch) -> Option<Self> {
-        Some(match punch.clone() {
+    /// The punch about the axis.
+    pub(super) fn of(punch: &Punch) -> Self {
+        match punch.clone() {
             Punch::Cylinder { radius } => Self::Sphere { radius },
             Punch::Parabola { radius } => Self::Parabola { radius },
             Punch::Power { exponent, half_width, height } => Self::Power { exponent, radius: half_width, height },
@@ -164,23 +153,19 @@ impl RoundPunch {
             Punch::Flat { half_width } => Self::Flat { radius: half_width },
             Punch::Table(heights) => Self::Table(heights),
             Punch::ElasticCylinder(sphere) => Self::ElasticSphere(sphere),
-            Punch::Given(_) => return None,
-        })
+        }
     }
 }
 
 impl RoundLoad {
-    /// The load about the axis; `None` of several that are not one ring.
-    pub(super) fn of(load: &Load) -> Option<Self> {
-        Some(match load {
+    /// The load about the axis.
+    pub(super) fn of(load: &Load) -> Self {
+        match *load {
             Load::Line => Self::Point,
-            Load::Uniform { half_width } => Self::Uniform { radius: *half_width },
-            Load::Parabolic { half_width } => Self::Parabolic { radius: *half_width },
-            Load::Elliptic { half_width } => Self::Elliptic { radius: *half_width },
-            Load::Several(_) => {
-                let (radius, half_width) = load.as_pair()?;
-                Self::Ring { radius, half_width }
-            }
-        })
+            Load::Uniform { half_width } => Self::Uniform { radius: half_width },
+            Load::Parabolic { half_width } => Self::Parabolic { radius: half_width },
+            Load::Elliptic { half_width } => Self::Elliptic { radius: half_width },
+            Load::Ring { radius, half_width } => Self::Ring { radius, half_width },
+        }
     }
 }

@@ -50,7 +50,7 @@ impl Dimension {
             "beta" => Self::PER_LENGTH,
             "stiffness" | "shear_stiffness" | "normal" | "tangential" => Self::STRESS_PER_LENGTH,
             "half_angle" => Self::ANGLE,
-            "poisson" | "poisson_profile" | "exponent" | "slope" | "share" => Self::NUMBER,
+            "poisson" | "poisson_profile" | "exponent" | "slope" => Self::NUMBER,
             _ => return None,
         })
     }

@@ -12,9 +12,9 @@ pub enum LoadsError {
     /// Too few or too many of them.
     #[error("there are {0} loads; allowed are 1 to {MOST_LOADS}")]
     Count(usize),
-    /// A list within a list.
-    #[error("`Several` stands within `Several`; allowed are `Line`, `Uniform`, `Parabolic`, `Elliptic`")]
-    Nested,
+    /// Forces so large that their sum is not finite.
+    #[error("the forces of the loads are together beyond the largest number")]
+    Sum,
 }
 
 /// Why a punch, a load, a force or a spring cannot be made of some numbers.

@@ -1,9 +1,8 @@
 //! A scene as text, to be read again.
-use std::fmt::{self, Write};
+use std::fmt::Write;
 
-use serde::Serialize;
-
-use super::Scene;
+use super::text::quoted;
+use super::{Force, Scene, Top};
 
 impl Scene {
     /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
@@ -36,8 +35,15 @@ impl Scene {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
         field("geometry", self.geometry.name().to_owned());
-        field(self.punch.field(), self.punch.written_in(self.geometry));
-        field(self.force.field(), format!("{:?}", self.force.number()));
+        match (&self.top, self.force) {
+            (Top::Loads(loads), Force::Given(force)) if loads.alone().is_none() => {
+                field(self.top.field(), loads.with_force(force).to_string());
+            }
+            (top, force) => {
+                field(top.field(), top.written_in(self.geometry));
+                field(force.field(), format!("{:?}", force.number()));
+            }
+        }
         text += "    stack: [\n";
         for item in &self.stack {
             let parameters = item.parameters().map_or(String::new(), |parameters| format!("({parameters})"));
@@ -45,43 +51,6 @@ impl Scene {
         }
         text + "    ],\n)\n"
     }
-}
-
-/// Writes a punch or a load as it stands in a scene, in one line.
-pub(super) fn written(value: &impl Serialize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    use ron::extensions::Extensions;
-    let style = ron::ser::PrettyConfig::new()
-        .compact_structs(true)
-        .compact_arrays(true)
-        .extensions(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
-    let text = ron::ser::to_string_pretty(value, style).map_err(|_| fmt::Error)?;
-    // extensions are announced in a first line
-    f.write_str(text.rsplit('\n').next().unwrap_or(&text))
-}
-
-/// What is written in one line.
-pub(super) struct Written<T>(pub(super) T);
-
-impl<T: Serialize> fmt::Display for Written<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        written(&self.0, f)
-    }
-}
-
-/// A text in double quotes, whatever it contains.
-pub(super) fn quoted(text: &str) -> String {
-    let mut quoted = "\"".to_owned();
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            '\n' => quoted += "\\n",
-            c if c.is_control() => {
-                let _ = write!(quoted, "\\u{{{:x}}}", u32::from(c));
-            }
-            c => quoted.push(c),
-        }
-    }
-    quoted + "\""
 }
 
 #[cfg(test)]
@@ -104,7 +73,7 @@ mod tests {
         scene.description = Some("µ\u{1}\ttwo\r\nlines\u{7f}".into());
         let again = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!((&again.name, &again.description), (&scene.name, &scene.description));
-        assert_eq!((again.units, again.geometry, again.punch), (scene.units, scene.geometry, scene.punch));
+        assert_eq!((again.units, again.geometry, again.top), (scene.units, scene.geometry, scene.top));
         assert_eq!(again.force, scene.force);
         assert_eq!(format!("{:?}", again.stack), format!("{:?}", scene.stack));
     }

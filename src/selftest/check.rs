@@ -56,7 +56,7 @@ impl Check {
         let mut seconds = None;
         let solved = catch_unwind(AssertUnwindSafe(|| -> Result<_, Error> {
             let model = Model::new(scene.stack()?)?;
-            let solution = model.press_with(&scene.punch, scene.force, options)?;
+            let solution = model.press_with(&scene.top, scene.force, options)?;
             seconds = Some(start.elapsed().as_secs_f64());
             let what = wrong(scene, &solution).or_else(|| more(&model, &solution));
             Ok((solution, what))
@@ -139,11 +139,12 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     let Contact { central_pressure, central_pressure_error, .. } = *contact;
     let Interval { left: opening, right: half_length, right_error: half_length_error, .. } = contact.innermost();
-    if contact.interface == Interface::Punch && scene.punch.load().is_some() {
+    if contact.interface == Interface::Punch && scene.top.loads().is_some() {
         // the traction is prescribed
         return None;
     }
-    let sharp = contact.interface == Interface::Punch && scene.punch.is_sharp();
+    let punch = scene.top.punch().filter(|_| contact.interface == Interface::Punch);
+    let sharp = punch.is_some_and(Punch::is_sharp);
     for (name, value, infinite) in [("half-length", half_length, false), ("pressure", central_pressure, sharp)] {
         let none = name == "pressure" && opening > 0.0 && value == 0.0;
         if !(none || value > 0.0 && value.is_infinite() == infinite) {
@@ -160,8 +161,8 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     {
         return Some(format!("the resultant is {:e} times the force", contact.resultant / force));
     }
-    let flat = matches!(scene.punch, Punch::Flat { .. });
-    let edge = scene.punch.max_half_length().filter(|_| contact.interface == Interface::Punch && !flat);
+    let round = punch.filter(|punch| !matches!(punch, Punch::Flat { .. }));
+    let edge = round.and_then(Punch::max_half_length);
     if edge.is_some_and(|edge| half_length >= edge) {
         return Some("the contact reaches past the edge of the punch".to_owned());
     }

@@ -26,7 +26,7 @@ const PRESSED: f64 = 1e-5;
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
     let all = || -> Result<(), String> {
         let field = model.field(solution).map_err(|e| context("field")(&e))?;
-        let approach = model.approach(&scene.punch, solution);
+        let approach = model.approach(&scene.top, solution);
         reports(scene, solution, &approach, &field)?;
         fields(scene, solution, &field)?;
         profile(scene, model, solution)?;
@@ -94,7 +94,7 @@ fn reports(
 /// The profile along x: gaps are open.
 fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), String> {
     let places = profile_places(solution, None, 40);
-    let profile = match model.profile(&scene.punch, solution, &places) {
+    let profile = match model.profile(&scene.top, solution, &places) {
         // next to a contact that is much shorter than another there are too many short waves
         Err(FieldError::TooFar { .. }) => return Ok(()),
         profile => profile.map_err(|e| context("profile")(&e))?,

@@ -129,7 +129,7 @@ fn new_number() -> impl Strategy<Value = Number> {
 
 /// The scene with one change; an error if it is no scene then.
 fn changed(scene: &Scene, change: &Structure) -> Result<Scene, Error> {
-    let (mut punch, mut force, mut items) = (scene.punch.clone(), scene.force, scene.stack.clone());
+    let (mut top, mut force, mut items) = (scene.top.clone(), scene.force, scene.stack.clone());
     // layers and interfaces alternate, and the base is the last item
     let layers = items.len() / 2;
     let place = |index: &Index| 2 * index.index(layers.max(1));
@@ -155,12 +155,12 @@ fn changed(scene: &Scene, change: &Structure) -> Result<Scene, Error> {
         }
         Structure::Punch(other) => {
             let other = example(other)?;
-            (punch, force) = (other.punch, other.force);
+            (top, force) = (other.top, other.force);
         }
         Structure::BaseAlone => drop(items.drain(..items.len() - 1)),
         Structure::Remove(_) | Structure::Double(_) | Structure::Interface(..) => {}
     }
-    let written = Scene::new(scene.geometry, punch, force, items).to_ron();
+    let written = Scene::new(scene.geometry, top, force, items).to_ron();
     checked(Scene::from_reader("variant", written.as_bytes(), &Registry::default())?)
 }
 

@@ -9,7 +9,7 @@ use super::scenario::{Ply, Scenario, Units};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
 use crate::geometry::Geometry;
-use crate::scene::{Item, Load, Punch, Scene, Spring, ValueError};
+use crate::scene::{Item, Load, Loads, Punch, Scene, Spring, Top, ValueError};
 
 /// In a table the punch ends at this many times the half-length that is aimed at.
 const TABLE_ENDS: f64 = 6.0;
@@ -59,17 +59,21 @@ pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scen
 pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units: Units) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
     let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units.stress, ..kinds });
-    Ok(Scene::new(scenario.plane, kinds.punch(&scenario)?, scenario.force, kinds.items(&scenario)?))
+    let items = kinds.items(&scenario)?;
+    // only where no layer may lift off loads need not be symmetric
+    let is_joined = items.iter().all(|item| !matches!(item, Item::Receding));
+    Ok(Scene::new(scenario.plane, kinds.top(&scenario, is_joined)?, scenario.force, items))
 }
 
-/// The same scene about an axis, with the first of several loads as a ring, and layers and a base of isotropic materials in place of
+/// The same scene about an axis, with the last of several loads as a ring, and layers and a base of isotropic materials in place of
 /// orthotropic ones, as stiff against shear.
 pub fn about_axis(mut scene: Scene) -> Scene {
     scene.geometry = Geometry::Axisymmetric;
-    if let Punch::Given(load @ Load::Several(_)) = &scene.punch {
-        let (at, _, first) = load.parts()[0];
-        let ring = Load::uniform(first.half_width().max(1e-3 * at)).and_then(|load| Load::several(&[(at, 1.0, load)]));
-        scene.punch = Punch::Given(ring.unwrap_or(Load::Line));
+    if let Top::Loads(loads) = &scene.top
+        && loads.alone().is_none()
+    {
+        let ring = loads.parts().last().map(|(load, at, _)| Load::ring(at, load.half_width().max(1e-3 * at)));
+        scene.top = ring.and_then(Result::ok).unwrap_or(Load::Line).into();
     }
     for item in &mut scene.stack {
         let Item::Layer(layer) = &*item else { continue };
@@ -90,12 +94,12 @@ pub fn about_axis(mut scene: Scene) -> Scene {
 }
 
 impl Kinds {
-    /// A punch of about the curvature of the scenario's, over the contact that this has on a half-plane.
-    fn punch(&self, scenario: &Scenario) -> Result<Punch, ValueError> {
+    /// A punch of about the curvature of the scenario's, over the contact that this has on a half-plane, or loads.
+    fn top(&self, scenario: &Scenario, is_joined: bool) -> Result<Top, ValueError> {
         let (radius, share) = (scenario.radius, self.share);
         let width = (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius);
         let height = 0.5 * width * width / radius;
-        match self.punch {
+        let punch = match self.punch {
             0 => Punch::wedge(width / radius),
             1 => Punch::power(1.0 + 5.0 * share, width, height),
             2 => Punch::polynomial(width, &[height, share * height, 0.3 * height]),
@@ -108,26 +112,32 @@ impl Kinds {
                 Punch::table(&(0..=ROWS).map(row).collect::<Vec<_>>())
             }
             5 => Punch::elastic_cylinder(radius, scenario.layers[0].modulus * 10f64.powf(6.0 * share - 3.0), 0.3),
-            6 => Ok(Punch::Given(Load::Line)),
-            7 => Load::uniform(width).map(Punch::Given),
-            8 => Load::parabolic(width).map(Punch::Given),
-            9 => Load::elliptic(width).map(Punch::Given),
+            6 => return Ok(Load::Line.into()),
+            7 => return Load::uniform(width).map(Top::from),
+            8 => return Load::parabolic(width).map(Top::from),
+            9 => return Load::elliptic(width).map(Top::from),
             10 => Punch::flat(width),
-            11 => self.several(width).map(Punch::Given),
+            11 => return self.several(width, is_joined).map(Top::from),
             // lowest on either side of x = 0
             12 => Punch::polynomial(width, &[-share * height, height]),
             _ => scenario.punch(),
-        }
+        };
+        punch.map(Top::from)
     }
 
-    /// Two strips and a line between them, or the like.
-    fn several(&self, width: f64) -> Result<Load, ValueError> {
+    /// Two strips and a line between them, or the like; on joined layers only what is on the right.
+    fn several(&self, width: f64, is_joined: bool) -> Result<Loads, ValueError> {
         let part = 0.5 * width;
-        Load::several(&[
-            (self.share * width, 1.0, Load::uniform(part)?),
-            (0.5 * part, 0.1 + self.share, Load::parabolic(part)?),
-            (0.0, 0.1, Load::Line),
-        ])
+        let mut loads = vec![(Load::Line, 0.0, 0.1)];
+        for (load, at, force) in
+            [(Load::parabolic(part)?, 0.5 * part, 0.1 + self.share), (Load::uniform(part)?, self.share * width, 1.0)]
+        {
+            if !is_joined {
+                loads.push((load.clone(), -at, force));
+            }
+            loads.push((load, at, force));
+        }
+        Loads::new(&loads)
     }
 
     fn items(&self, scenario: &Scenario) -> Result<Vec<Item>, Error> {

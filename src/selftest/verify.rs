@@ -44,10 +44,10 @@ impl Comparison {
 /// As [`Model::press_with`], if there is no stricter answer.
 pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Error> {
     let options = Options { tolerance: STRICTEST, ..Options::default() };
-    let strict = Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, &options)?;
+    let strict = Model::new(scene.stack()?)?.press_with(&scene.top, scene.force, &options)?;
     let mut comparisons = Vec::new();
     // a prescribed traction has no error
-    let given = usize::from(scene.punch.load().is_some());
+    let given = usize::from(scene.top.loads().is_some());
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
         let lengths = [
             found.innermost().right,

@@ -7,10 +7,10 @@ use crate::approach::{Approach, ApproachError};
 use crate::errors::Error;
 use crate::field::{Extremes, FieldError};
 use crate::model::Model;
-use crate::scene::{Owner, Punch};
+use crate::scene::{Owner, Top};
 use crate::solution::Solution;
 
-/// Models and punches that are kept for later rows, at most.
+/// Models, and punches or loads, that are kept for later rows, at most.
 const KEPT: usize = 512;
 /// Fewer where they have more numbers than these in all, 256 MB of them: then some are made more than once.
 const MOST_NUMBERS: usize = 1 << 25;
@@ -21,7 +21,7 @@ const MANY: usize = 100;
 /// A value that is computed once for many rows; rows that need it wait.
 type Slot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 
-/// The last things made, by their numbers: models of stacks, or punches.
+/// The last things made, by their numbers: models of stacks, or what presses on them.
 #[derive(Debug)]
 pub(super) struct Kept<T>(Mutex<VecDeque<(usize, Slot<T>)>>);
 
@@ -42,7 +42,7 @@ impl Size for Model {
     }
 }
 
-impl Size for Punch {
+impl Size for Top {
     /// A table of the most rows, and the curve through them.
     fn numbers(&self) -> usize {
         10_000
@@ -99,15 +99,15 @@ impl Sweep {
             let model = Model::new(self.stack(stack)?)?;
             Ok(if many { model.for_many_loads() } else { model })
         })?;
-        let punch = self.key(index, |owner| *owner == Owner::Punch);
-        let punch = self.punches.get(punch, || {
+        let top = self.key(index, |owner| *owner == Owner::Top);
+        let top = self.tops.get(top, || {
             // what is kept, or why it is none, must not depend on the row that came first
-            let own: Vec<_> = changes.iter().copied().filter(|(slot, _)| slot.owner == Owner::Punch).collect();
-            Ok(self.scene.punch_with(&own)?)
+            let own: Vec<_> = changes.iter().copied().filter(|(slot, _)| slot.owner == Owner::Top).collect();
+            Ok(self.scene.top_with(&own)?)
         })?;
         let force = self.scene.force_with(&changes)?;
-        let solution = model.press_with(&punch, force, &self.options)?;
-        let approach = self.has_approach().then(|| model.approach(&punch, &solution));
+        let solution = model.press_with(&*top, force, &self.options)?;
+        let approach = self.has_approach().then(|| model.approach(&*top, &solution));
         let extremes = || model.field(&solution).and_then(|field| field.extremes());
         let extremes = self.has_extremes().then(extremes);
         Ok(Solved { solution, approach, extremes })

@@ -29,7 +29,7 @@ use crate::errors::Error;
 use crate::field::{Extremes, FieldError};
 use crate::model::Model;
 use crate::options::Options;
-use crate::scene::{Item, Owner, Punch, Scene, Slot};
+use crate::scene::{Item, Owner, Scene, Slot, Top};
 use crate::solution::{Interface, Solution};
 use crate::stack::Stack;
 
@@ -67,7 +67,7 @@ pub struct Sweep {
     rows: usize,
     interfaces: Vec<Interface>,
     models: Kept<Model>,
-    punches: Kept<Punch>,
+    tops: Kept<Top>,
 }
 
 /// One row of a sweep.
@@ -123,9 +123,9 @@ impl Sweep {
             }
             (_, None) => 1,
         };
-        let (options, models, punches) = (Options::default(), Kept::default(), Kept::default());
+        let (options, models, tops) = (Options::default(), Kept::default(), Kept::default());
         let (approach, extremes, interfaces) = (false, false, Vec::new());
-        let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models, punches };
+        let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models, tops };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }
@@ -341,7 +341,7 @@ fn legal(scene: &Scene, axis: &Axis, slot: &Slot, value: f64) -> Result<(), Erro
     let changes = [(slot, value)];
     let read = match slot.owner {
         Owner::Force => scene.force_with(&changes).map(drop),
-        Owner::Punch => scene.punch_with(&changes).map(drop),
+        Owner::Top => scene.top_with(&changes).map(drop),
         Owner::Item(_) => scene.items_with(&changes).map(drop),
     };
     let Err(error) = read else { return Ok(()) };

@@ -52,9 +52,9 @@ fn stages(all: &Stages) {
         let wave = Wave { wavenumber: 1.7, modulus: 1.0, plane: stack.plane() };
         all.time(&name("flexibility"), || laminate.flexibility(black_box(&wave)));
         all.time(&name("kernels"), || Model::new(stack.clone()));
-        all.time(&name("press"), || model.press(&scene.punch, black_box(scene.force)));
+        all.time(&name("press"), || model.press(&scene.top, black_box(scene.force)));
         let options = Options { tolerance: 1e-6, method: Method::Collocation };
-        all.time(&name("collocation to 1e-6"), || model.press_with(&scene.punch, black_box(scene.force), &options));
+        all.time(&name("collocation to 1e-6"), || model.press_with(&scene.top, black_box(scene.force), &options));
     }
 }
 

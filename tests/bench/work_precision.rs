@@ -73,7 +73,7 @@ fn curves(case: &Case) -> Vec<Curve> {
             let options = Options { tolerance: *tolerance, method };
             let solve = || {
                 let model = Model::new(scene.stack().expect("a stack")).expect("a model");
-                model.press_with(&scene.punch, scene.force, &options).expect("a solution")
+                model.press_with(&scene.top, scene.force, &options).expect("a solution")
             };
             let (seconds, solution) = time(solve);
             let setting = format!("tolerance {tolerance:.0e}: {} modes", solution.modes());
@@ -94,7 +94,7 @@ fn rival(name: &'static str, case: &Case, collocation: Collocation, error: &dyn 
     let scene = &case.scene;
     // it starts a fifth away from the truth, which is kind
     let start: Vec<f64> = case.truth.iter().step_by(2).map(|a| 1.2 * a).collect();
-    let slope = |x: f64| scene.punch.slope(x);
+    let slope = |x: f64| scene.top.punch().expect("a punch").slope(x);
     let force = scene.force.given().expect("a force");
     let transforms: &dyn Transforms = if name == "literal" { case.literal() } else { &case.chains };
     let problem = Problem { transforms, slope: &slope, force, start: &start };

@@ -55,3 +55,13 @@ pub fn innermost_end(contact: &recede::Contact) -> (f64, f64) {
     let innermost = outwards(contact)[0];
     (innermost.right, innermost.right_error)
 }
+
+/// Loads at distances from x = 0 with their mirror images there, each with its share of a force: a share is of both images together.
+pub fn mirrored(loads: &[(f64, f64, recede::Load)]) -> Result<recede::Loads, recede::ValueError> {
+    let images = |(at, share, load): &(f64, f64, recede::Load)| {
+        let sides = if *at > 0.0 { vec![-1.0, 1.0] } else { vec![1.0] };
+        let force = share / sides.len() as f64;
+        sides.into_iter().map(|side| (load.clone(), side * at, force)).collect::<Vec<_>>()
+    };
+    recede::Loads::new(&loads.iter().flat_map(images).collect::<Vec<_>>())
+}

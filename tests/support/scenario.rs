@@ -78,7 +78,7 @@ impl Solve for Scenario {
     fn solve(&self) -> Result<Solution, Error> {
         let scene = self.scene()?;
         let options = Options { tolerance: TOLERANCE, ..Options::default() };
-        Model::new(scene.stack()?)?.press_with(&scene.punch, scene.force, &options)
+        Model::new(scene.stack()?)?.press_with(&scene.top, scene.force, &options)
     }
 }
 

@@ -165,7 +165,7 @@ mod tests {
     use crate::contact::parts::{Lengths, ends, in_equilibrium, spacings, with_ends};
     use crate::contact::problem::Problem;
     use crate::kernel::Kernel;
-    use crate::scene::{Load, Punch};
+    use crate::scene::{Load, Punch, Top};
     use crate::stack::Stack;
 
     /// Residuals without their scales.
@@ -181,8 +181,8 @@ mod tests {
         let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(graded).receding();
         let stack = stack.layer(HalfPlane::new(0.5, 0.3).unwrap()).build().unwrap();
         let kernel = Kernel::new(&stack).unwrap();
-        let cylinder = Punch::parabola(10.0).unwrap();
-        let load = Punch::Given(Load::uniform(0.6).unwrap());
+        let cylinder = Top::from(Punch::parabola(10.0).unwrap());
+        let load = Top::from(Load::uniform(0.6).unwrap());
         for punch in [&cylinder, &load] {
             let problem = Problem::new(&kernel, &[], punch, 0.02, 1e-10);
             let intervals: Vec<Interval> = [(0, [0.0, 0.8]), (1, [0.0, 0.9]), (1, [1.4, 2.0]), (2, [0.3, 1.7])]

@@ -1,10 +1,10 @@
-//! A given pressure on top, in place of what a punch would do: its transform is known for any wavenumber.
+//! Given pressures on top, in place of what a punch would do: their transform is known for any wavenumber.
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
-use crate::contact::even::{RightInterval, whole};
 use crate::numeric::bessel;
-use crate::scene::Load;
-use crate::solution::{Contact, Form, Interface, Strip};
+use crate::scene::{Load, Loads};
+use crate::solution::{Contact, Form, Interface, Interval, Strip};
 
 use crate::contact::problem::accuracy::ROUNDING;
 #[cfg(test)]
@@ -15,22 +15,22 @@ use crate::contact::problem::twin::Twin;
 /// Terms of the series of pressures that do not vanish smoothly at their ends: enough wherever they have no closed form.
 const TERMS: usize = 64;
 
-/// A given pressure in place of a punch.
+/// Given pressures, even about x = 0, in place of a punch.
 pub(crate) struct Given<'a> {
     /// What presses.
-    pub(crate) load: &'a Load,
-    /// As far as it reaches, or what rounding leaves of L, in units of L: the contacts see a load through its transform, which is exact for
+    pub(crate) loads: Cow<'a, Loads>,
+    /// As far as they reach, or what rounding leaves of L, in units of L: the contacts see loads through their transform, which is exact for
     /// any half-width, and no wave in it is as short as this.
     pub(crate) half_length: f64,
     transform_minus_one: Box<dyn Fn(f64) -> f64 + 'a>,
 }
 
 impl<'a> Given<'a> {
-    /// A load, with the length L in the units of the scene.
-    pub(crate) fn new(load: &'a Load, length: f64, twin: Twin) -> Self {
-        let half_length = (load.half_width() / length).max(ROUNDING);
-        let transform = move |zeta: f64| transform_minus_one(load, zeta / length, twin);
-        Self { load, half_length, transform_minus_one: Box::new(transform) }
+    /// Loads, with the length L in the units of the scene.
+    pub(crate) fn new(loads: &'a Loads, length: f64, twin: Twin) -> Self {
+        let half_length = (loads.reach() / length).max(ROUNDING);
+        let transform = move |zeta: f64| transform_minus_one(loads, zeta / length, twin);
+        Self { loads: Cow::Borrowed(loads), half_length, transform_minus_one: Box::new(transform) }
     }
 
     /// p̂/P − 1 at a wavenumber ζ.
@@ -39,8 +39,18 @@ impl<'a> Given<'a> {
     }
 }
 
-/// p̂/P − 1, with all its digits also for long waves.
-fn transform_minus_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
+/// p̂/P − 1 of even loads, with all its digits also for long waves.
+fn transform_minus_one(loads: &Loads, wavenumber: f64, twin: Twin) -> f64 {
+    let part = |(load, at, share): (&Load, f64, f64)| {
+        let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
+        // cos λx (1 + transform_minus_one) − 1
+        share * (transform_of_one(load, wavenumber, twin) * (cos * cos - sin * sin) - 2.0 * sin * sin)
+    };
+    loads.parts().map(part).sum()
+}
+
+/// The same of a load about its middle.
+fn transform_of_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
     let z = wavenumber * load.half_width();
     match load {
         Load::Line => 0.0,
@@ -55,17 +65,9 @@ fn transform_minus_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
         Load::Uniform { .. } => bessel::sinc_minus_one(z),
         Load::Parabolic { .. } => bessel::spherical_jinc_minus_one(z),
         Load::Elliptic { .. } => bessel::jinc_minus_one(z),
-        Load::Several(_) => {
-            let part = |(at, share, load): (f64, f64, &Load)| {
-                if twin == Twin::Round && at > 0.0 {
-                    let disc = |(radius, part): (f64, f64)| part * bessel::jinc_minus_one(wavenumber * radius);
-                    return share * ring(at, load.half_width()).into_iter().map(disc).sum::<f64>();
-                }
-                let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
-                // cos λx (1 + transform_minus_one) − 1
-                share * (transform_minus_one(load, wavenumber, twin) * (cos * cos - sin * sin) - 2.0 * sin * sin)
-            };
-            load.parts().into_iter().map(part).sum()
+        Load::Ring { radius, half_width } => {
+            let disc = |(radius, part): (f64, f64)| part * bessel::jinc_minus_one(wavenumber * radius);
+            ring(radius.get(), half_width.get()).into_iter().map(disc).sum::<f64>()
         }
     }
 }
@@ -78,27 +80,27 @@ fn ring(at: f64, half_width: f64) -> [(f64, f64); 2] {
     [(outer, outer * outer / area), (inner, -inner * inner / area)]
 }
 
-/// The strips on which a load presses with a force, in the units of the scene.
-fn strips(load: &Load, force: f64, twin: Twin) -> Vec<Strip> {
-    let strips = |(at, share, load): (f64, f64, &Load)| -> Vec<Strip> {
-        if twin == Twin::Round && at > 0.0 {
-            let disc = |(radius, part)| round(strip(Form::Uniform, 0.0, radius, 1.0), share * part * force);
-            return ring(at, load.half_width()).into_iter().filter(|(radius, _)| *radius > 0.0).map(disc).collect();
-        }
-        let images = if at > 0.0 { 2.0 } else { 1.0 };
+/// The strips on which loads press with a force, in the units of the scene.
+fn strips(loads: &Loads, force: f64, twin: Twin) -> Vec<Strip> {
+    let strips = |(load, at, share): (&Load, f64, f64)| -> Vec<Strip> {
         let form = match load {
             Load::Line => Form::Line,
             Load::Uniform { .. } => Form::Uniform,
             Load::Parabolic { .. } => Form::Parabolic,
-            Load::Elliptic { .. } | Load::Several(_) => Form::Series,
+            Load::Elliptic { .. } => Form::Series,
+            Load::Ring { radius, half_width } => {
+                let disc = |(radius, part)| round(strip(Form::Uniform, 0.0, radius, 1.0), share * part * force);
+                let discs = ring(radius.get(), half_width.get());
+                return discs.into_iter().filter(|(radius, _)| *radius > 0.0).map(disc).collect();
+            }
         };
-        let strip = strip(form, at, load.half_width(), share * force / images);
+        let strip = strip(form, at, load.half_width(), share * force);
         vec![if twin == Twin::Round { round(strip, share * force) } else { strip }]
     };
-    load.parts().into_iter().flat_map(strips).collect()
+    loads.parts().flat_map(strips).collect()
 }
 
-/// A pressure of a form on a strip, one image of which has a resultant.
+/// A pressure of a form on a strip, with a resultant.
 pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
     if form == Form::Line {
         return Strip { at, form, ..Strip::series(extent, vec![resultant]) };
@@ -125,40 +127,35 @@ fn round(strip: Strip, force: f64) -> Strip {
     Strip { coefficients: vec![first], is_round: true, ..strip }
 }
 
-/// What is said of a load in place of a contact: nothing of it is unknown.
-pub(crate) fn contact(load: &Load, interface: Interface, force: f64, twin: Twin) -> Contact {
-    let parts = parts(load);
-    let is_open = parts[0].from > 0.0;
-    let (strips, intervals) = whole(strips(load, force, twin), parts);
-    let contact = Contact {
-        interface,
-        central_pressure: match twin {
-            Twin::Plane => load.central_pressure(force),
-            Twin::Round if is_open => 0.0,
-            Twin::Round if load.has_lines() => f64::INFINITY,
-            Twin::Round => strips.iter().map(|strip| strip.pressure(0.0)).sum(),
-        },
-        central_pressure_error: 0.0,
-        resultant: force,
-        strips,
-        intervals,
-    };
+/// What is said of loads in place of a contact: nothing of it is unknown.
+pub(crate) fn contact(loads: &Loads, interface: Interface, force: f64, twin: Twin) -> Contact {
+    let (mut strips, intervals) = (strips(loads, force, twin), intervals(loads));
+    strips.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let is_loaded = intervals.iter().any(|interval| interval.left <= 0.0 && interval.right >= 0.0);
+    // in the hole of a ring nothing presses but the rounding of two discs
+    let central_pressure = if is_loaded { strips.iter().map(|strip| strip.pressure(0.0)).sum() } else { 0.0 };
+    let contact =
+        Contact { interface, central_pressure, central_pressure_error: 0.0, resultant: force, strips, intervals };
     contact.with_forces()
 }
 
-/// Where a load presses for x ≥ 0, what overlaps as one.
-fn parts(load: &Load) -> Vec<RightInterval> {
-    let end = |(at, _, part): (f64, f64, &Load)| [(at - part.half_width()).max(0.0), at + part.half_width()];
-    let mut ends: Vec<[f64; 2]> = load.parts().into_iter().map(end).collect();
+/// Where loads press, from left to right, what overlaps as one.
+fn intervals(loads: &Loads) -> Vec<Interval> {
+    let ends = |(load, at, _): (&Load, f64, f64)| {
+        let [inner, outer] = [load.hole(), load.half_width()];
+        let both = [[-outer, -inner], [inner, outer]].map(|[left, right]| [at + left, at + right]);
+        if inner > 0.0 { both.to_vec() } else { vec![[at - outer, at + outer]] }
+    };
+    let mut ends: Vec<[f64; 2]> = loads.parts().flat_map(ends).collect();
     ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut parts: Vec<RightInterval> = Vec::new();
-    for [from, to] in ends {
-        match parts.last_mut().filter(|last| from <= last.to) {
-            Some(last) => last.to = last.to.max(to),
-            None => parts.push(RightInterval { from, to, ..RightInterval::default() }),
+    let mut intervals: Vec<Interval> = Vec::new();
+    for [left, right] in ends {
+        match intervals.last_mut().filter(|last| left <= last.right) {
+            Some(last) => last.right = last.right.max(right),
+            None => intervals.push(Interval::new([left, 0.0], [right, 0.0])),
         }
     }
-    parts
+    intervals
 }
 
 #[cfg(test)]
@@ -175,7 +172,7 @@ impl Given<'_> {
             let higher = modes.iter().enumerate().skip(1).map(|(m, y)| 2.0 * y * table[2 * m + 1] / z);
             bessel::jinc_minus_one_from(z, table[1]) + higher.sum::<f64>()
         };
-        Self { load: &Load::Line, half_length, transform_minus_one: Box::new(transform_minus_one) }
+        Self { loads: Cow::Owned(Load::Line.into()), half_length, transform_minus_one: Box::new(transform_minus_one) }
     }
 }
 
@@ -183,46 +180,52 @@ impl Given<'_> {
 mod tests {
     use super::*;
 
-    /// The transform of the strips by their series.
+    /// The transform of the strips, which are even together, by their series.
     fn by_series(strips: &[Strip], wavenumber: f64) -> f64 {
         let strip = |strip: &Strip| {
-            let images = if strip.at > 0.0 { 2.0 * (wavenumber * strip.at).cos() } else { 1.0 };
             let transform_minus_one = match strip.form {
                 Form::Line => 0.0,
                 _ => Given::of(strip.extent, &strip.coefficients).transform_minus_one(wavenumber),
             };
-            images * strip.resultant() * (1.0 + transform_minus_one)
+            (wavenumber * strip.at).cos() * strip.resultant() * (1.0 + transform_minus_one)
         };
         strips.iter().map(strip).sum()
     }
 
+    /// Loads with their mirror images, between which the force is shared.
+    fn even(loads: &[(Load, f64, f64)]) -> Loads {
+        let images = |(load, at, force): &(Load, f64, f64)| [-at, *at].map(|at| (load.clone(), at, 0.5 * force));
+        Loads::new(&loads.iter().flat_map(images).collect::<Vec<_>>()).unwrap()
+    }
+
     #[test]
     fn loads_have_the_transforms_of_their_series() {
-        let part = |at, share, load: Result<Load, _>| (at, share, load.unwrap());
         let several = [
-            part(0.0, 1.0, Load::uniform(0.3)),
-            part(0.7, 0.5, Load::parabolic(0.4)),
-            part(0.2, 3.0, Load::elliptic(0.1)),
-            part(1.1, 0.1, Ok(Load::Line)),
+            (Load::uniform(0.3).unwrap(), 0.0, 1.0),
+            (Load::parabolic(0.4).unwrap(), 0.7, 0.5),
+            (Load::elliptic(0.1).unwrap(), 0.2, 3.0),
+            (Load::Line, 1.1, 0.1),
         ];
-        for load in several.iter().map(|(_, _, load)| load.clone()).chain([Load::several(&several).unwrap()]) {
-            let strips = strips(&load, 3.0, Twin::Plane);
+        for loads in several.iter().map(|(load, ..)| load.clone().into()).chain([even(&several)]) {
+            let strips = strips(&loads, 3.0, Twin::Plane);
             for wavenumber in [1e-6, 0.3, 1.0, 7.0, 30.0] {
-                let (found, expected) =
-                    (3.0 * (1.0 + transform_minus_one(&load, wavenumber, Twin::Plane)), by_series(&strips, wavenumber));
-                assert!((found - expected).abs() < 1e-13, "{load} at {wavenumber}: {found} {expected}");
+                let (found, expected) = (
+                    3.0 * (1.0 + transform_minus_one(&loads, wavenumber, Twin::Plane)),
+                    by_series(&strips, wavenumber),
+                );
+                assert!((found - expected).abs() < 1e-13, "{loads} at {wavenumber}: {found} {expected}");
             }
         }
     }
 
     #[test]
     fn long_waves_feel_the_second_moment() {
-        let load = Load::several(&[(0.5, 1.0, Load::uniform(0.1).unwrap()), (0.0, 1.0, Load::Line)]).unwrap();
+        let loads = even(&[(Load::uniform(0.1).unwrap(), 0.5, 1.0), (Load::Line, 0.0, 1.0)]);
         let moment = 0.5 * (0.25 + 0.01 / 3.0);
         for wavenumber in [1e-3, 1e-6, 1e-9] {
             let expected = -0.5 * moment * wavenumber * wavenumber;
             assert!(
-                (transform_minus_one(&load, wavenumber, Twin::Plane) / expected - 1.0).abs() < 1e-6,
+                (transform_minus_one(&loads, wavenumber, Twin::Plane) / expected - 1.0).abs() < 1e-6,
                 "{wavenumber}"
             );
         }

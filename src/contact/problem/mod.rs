@@ -13,7 +13,7 @@ pub(crate) mod twin;
 
 use crate::contact::error::{ContactError, NoSolution};
 use crate::kernel::Kernel;
-use crate::scene::Punch;
+use crate::scene::Top;
 use crate::solution::Interface;
 
 use accuracy::MOST_OPERATIONS;
@@ -29,7 +29,7 @@ pub(crate) struct Problem<'a> {
     pub(crate) interfaces: &'a [Interface],
     /// What is special about each of them.
     pub(crate) sides: Vec<Side<'a>>,
-    punch: &'a Punch,
+    top: &'a Top,
     /// P' = P/(μ₀L).
     pub(crate) force: f64,
     /// Relative error wanted.
@@ -55,20 +55,20 @@ impl<'a> Problem<'a> {
     pub(crate) fn new(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        punch: &'a Punch,
+        top: &'a Top,
         force: f64,
         tolerance: f64,
     ) -> Self {
         let length = kernel.length();
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
-        let top = match punch.load() {
-            Some(load) => Side::Known(Given::new(load, length, twin)),
-            None => Side::Profile(Profile::new(punch, length, force, twin)),
+        let side = match top {
+            Top::Loads(loads) => Side::Known(Given::new(loads, length, twin)),
+            Top::Punch(punch) => Side::Profile(Profile::new(punch, length, force, twin)),
         };
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
-        let sides = std::iter::once(top).chain(closed).collect();
-        Self { kernel, interfaces, sides, punch, force, tolerance, operations: MOST_OPERATIONS }
+        let sides = std::iter::once(side).chain(closed).collect();
+        Self { kernel, interfaces, sides, top, force, tolerance, operations: MOST_OPERATIONS }
     }
 
     /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
@@ -76,13 +76,13 @@ impl<'a> Problem<'a> {
     pub(crate) fn joined(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        punch: &'a Punch,
+        top: &'a Top,
         half_lengths: &[f64],
         tolerance: f64,
     ) -> Self {
         let length = kernel.length();
         let sides = half_lengths.iter().map(|a| Side::Joined(a / length)).collect();
-        Self { sides, ..Self::new(kernel, interfaces, punch, 1.0, tolerance) }
+        Self { sides, ..Self::new(kernel, interfaces, top, 1.0, tolerance) }
     }
 
     /// The same punch and force on another kernel in the same units, with another tolerance.
@@ -90,7 +90,7 @@ impl<'a> Problem<'a> {
     where
         'a: 'b,
     {
-        Problem::new(kernel, interfaces, self.punch, self.total_force(), tolerance)
+        Problem::new(kernel, interfaces, self.top, self.total_force(), tolerance)
     }
 
     /// The force in the units of the scene.

@@ -4,7 +4,7 @@ use crate::contact::problem::accuracy::SAFETY;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::selftest::{Ranges, about_axis, scene};
-use crate::{Geometry, Load, Model, Options, Punch, Scene, Solution};
+use crate::{Geometry, Load, Loads, Model, Options, Punch, Scene, Solution, Top};
 
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::energy::Energy;
@@ -24,13 +24,13 @@ fn each_solved(geometry: Geometry, seed: u64, count: usize, mut look: impl FnMut
     let solved = (0..).filter_map(|number| {
         let scene = drawn(geometry, seed, number);
         let stack = scene.stack().unwrap();
-        let solution = Model::new(stack.clone()).unwrap().press_with(&scene.punch, scene.force, &options).ok()?;
+        let solution = Model::new(stack.clone()).unwrap().press_with(&scene.top, scene.force, &options).ok()?;
         Some((number, scene, stack, solution))
     });
     for (number, scene, stack, solution) in solved.take(count) {
         let kernel = Kernel::new(&stack).unwrap();
         let interfaces = stack.contacts();
-        let problem = Problem::new(&kernel, &interfaces, &scene.punch, scene.force.number(), options.tolerance);
+        let problem = Problem::new(&kernel, &interfaces, &scene.top, scene.force.number(), options.tolerance);
         let expected = formulas::half_lengths(&problem);
         look(number, &problem, &expected, &solution);
     }
@@ -80,10 +80,10 @@ fn corners_tips_and_given_loads_are_known_as_well() {
         let stack = scene.stack().unwrap();
         let kernel = Kernel::new(&stack).unwrap();
         let width = 0.3 * kernel.length();
-        let loads = [Load::uniform(width), Load::several(&[(2.0 * width, 1.0, Load::Line), (0.0, 1.0, Load::Line)])];
-        let loads = loads.map(|load| Punch::Given(load.unwrap()));
+        let lines = [(-2.0 * width, 0.5), (0.0, 1.0), (2.0 * width, 0.5)].map(|(at, force)| (Load::Line, at, force));
+        let loads = [Top::from(Load::uniform(width).unwrap()), Loads::new(&lines).unwrap().into()];
         let mut compared = 0;
-        for punch in [Punch::flat(width).unwrap(), Punch::wedge(0.01).unwrap()].iter().chain(&loads) {
+        for punch in [Punch::flat(width).unwrap(), Punch::wedge(0.01).unwrap()].map(Top::from).iter().chain(&loads) {
             let Ok(fine) = Model::new(stack.clone()).unwrap().press_with(punch, scene.force, &options) else {
                 continue;
             };
@@ -95,7 +95,7 @@ fn corners_tips_and_given_loads_are_known_as_well() {
             let expected = formulas::half_lengths(&problem);
             let Some(coarse) = answer(&problem, &expected, 0.0) else {
                 // nothing is unknown
-                assert!(kernel.contacts() == 1 && punch.load().is_some(), "{number}, {punch:?}");
+                assert!(kernel.contacts() == 1 && punch.loads().is_some(), "{number}, {punch:?}");
                 continue;
             };
             for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
@@ -124,7 +124,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         let geometry = if number < 6 { Geometry::PlaneStrain } else { Geometry::Axisymmetric };
         let scene = drawn(geometry, 8, number);
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
-        let problem = Problem::new(&kernel, &[], &scene.punch, scene.force.number(), 1e-10);
+        let problem = Problem::new(&kernel, &[], &scene.top, scene.force.number(), 1e-10);
         let grid = Grid::new(0.5, 20.0, None, problem.twin()).unwrap();
         let energy = Energy::new(&Compliances::new(&problem), &grid).unwrap();
         let (contacts, elements) = (energy.contacts(), energy.elements());

@@ -4,7 +4,7 @@ use crate::contact::problem::profile::Profile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
-use crate::scene::Punch;
+use crate::scene::Top;
 
 /// Half-length of the contact of a strip of thickness 1 that a line load presses on a rigid base.
 const ON_RIGID_BASE: f64 = 0.857;
@@ -32,13 +32,13 @@ fn force_on(kernel: &Kernel, profile: &Profile, half_length: f64, compliance: fn
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
 /// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
-pub(crate) fn length(kernel: &Kernel, punch: &Punch, force: f64) -> Option<f64> {
+pub(crate) fn length(kernel: &Kernel, top: &Top, force: f64) -> Option<f64> {
     if !kernel.has_no_length() {
         return None;
     }
-    let length = match punch.load() {
-        Some(load) => load.half_width(),
-        None => kernel.length() * half_lengths(&Problem::new(kernel, &[], punch, force, 0.0))[0],
+    let length = match top {
+        Top::Loads(loads) => loads.reach(),
+        Top::Punch(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], top, force, 0.0))[0],
     };
     (length.is_normal() && length > 0.0).then_some(length)
 }

@@ -14,7 +14,7 @@ use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::numeric::chebyshev::{barycentric_weights, interpolation_row};
 use crate::options::Options;
-use crate::scene::Punch;
+use crate::scene::{Punch, Top};
 use crate::solution::Interface;
 
 /// Points are this far apart, in ln RP.
@@ -113,7 +113,7 @@ impl Table {
 /// The answer at one point; `None` if it is not as good as answers usually are.
 fn answer(kernel: &Kernel, load: f64) -> Option<Answer> {
     let unit = kernel.length();
-    let punch = Punch::parabola(unit).ok()?;
+    let punch = Top::from(Punch::parabola(unit).ok()?);
     let interfaces = vec![Interface::Punch; kernel.contacts()];
     let force = load.exp() * kernel.modulus() * unit;
     let problem = Problem::new(kernel, &interfaces, &punch, force, Options::default().tolerance);

@@ -113,7 +113,7 @@ fn resultants(samples: &[Sample], limit: f64, half_lengths: [f64; 2], scene: &Sc
     }
     let mut slopes = DVector::zeros(2 * half);
     for j in 0..half {
-        slopes[j] = scene.punch.slope(half_lengths[0] * place(j));
+        slopes[j] = scene.top.punch().expect("a punch").slope(half_lengths[0] * place(j));
     }
     let pressures = matrix.lu().solve(&slopes)?;
     let force = scene.force.given()?;

@@ -81,7 +81,7 @@ pub fn values(solution: &recede::Solution) -> Vec<f64> {
 fn truth(scene: &Scene, known: Option<&Known>) -> Vec<f64> {
     let model = Model::new(scene.stack().expect("a legal stack")).expect("a legal model");
     let options = Options { tolerance: 1e-13, method: Method::Galerkin };
-    let solution = model.press_with(&scene.punch, scene.force, &options).expect("a solution");
+    let solution = model.press_with(&scene.top, scene.force, &options).expect("a solution");
     let mut truth = values(&solution);
     if let Some(known) = known {
         for i in 0..known.half_length.len() {

@@ -31,10 +31,10 @@ pub fn table(text: &mut String) {
             part = (part + GOLDEN) % 1.0;
             solution.force() * (1.0 + 0.25 * part)
         };
-        let (more, _) = time(|| model.press(&scene.punch, force()).expect("a solution"));
+        let (more, _) = time(|| model.press(&scene.top, force()).expect("a solution"));
         line(format!("| the same, one more load on the prepared model | {} |", seconds(more)));
         let for_many = model.clone().for_many_loads();
-        let (more, _) = time(|| for_many.press(&scene.punch, force()).expect("a solution"));
+        let (more, _) = time(|| for_many.press(&scene.top, force()).expect("a solution"));
         line(format!("| the same, one more of many loads | {} |", seconds(more)));
         let least = bare_minimum(model.stack(), &solution);
         line(format!("| the same, cold, over the bare minimum ({}); target 3 | {:.1} |", seconds(least), cold / least));

@@ -1,0 +1,167 @@
+//! Given pressures that press at once, as they are written.
+use std::borrow::Cow;
+use std::fmt;
+
+use recede_layers::description::Value;
+use recede_layers::{Finite, Positive};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Serialize};
+
+use super::load::Load;
+use super::text::written;
+use super::value::{LoadsError, MOST_LOADS, ValueError};
+use crate::geometry::Geometry;
+
+/// Loads that press on the top face at once, each anywhere on x. They may overlap.
+///
+/// Pressed with a force that is not [`Self::force`], each has its part of it in the ratio of the forces here.
+///
+/// ```
+/// use recede::{HalfPlane, Load, Loads, Model, Plane, Stack};
+/// let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
+/// let loads = Loads::new(&[(Load::Line, -0.5, 0.2), (Load::uniform(0.2)?, 1.0, 0.8)])?;
+/// let solution = model.press(&loads, loads.force())?;
+/// let [line, strip] = solution.contacts()[0].intervals() else { unreachable!() };
+/// assert_eq!((line.left, line.right, strip.left, strip.right), (-0.5, -0.5, 0.8, 1.2));
+/// assert_eq!((line.force, strip.force, strip.centroid), (0.2, 0.8, 1.0));
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<PlacedLoad>", into = "Vec<PlacedLoad>")]
+pub struct Loads(Vec<PlacedLoad>);
+
+/// One of several loads.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlacedLoad {
+    /// What presses there.
+    load: Load,
+    /// Where its middle is on x, in length.
+    at: Finite,
+    /// Its resultant, force per unit length out of the plane.
+    force: Positive,
+}
+
+impl Loads {
+    /// Loads, each with the place of its middle on x, in length, and its resultant > 0, force per unit length out of the plane.
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Loads`] if there are none or too many, or if their sum is
+    /// not finite.
+    pub fn new(loads: &[(Load, f64, f64)]) -> Result<Self, ValueError> {
+        let placed = |(load, at, force): &(Load, f64, f64)| {
+            let (at, force) = (ValueError::checked("at", *at)?, ValueError::checked("force", *force)?);
+            Ok(PlacedLoad { load: load.clone(), at, force })
+        };
+        Ok(loads.iter().map(placed).collect::<Result<Vec<_>, ValueError>>()?.try_into()?)
+    }
+
+    /// The sum of all forces, per unit length out of the plane.
+    pub fn force(&self) -> f64 {
+        self.0.iter().map(|placed| placed.force.get()).sum()
+    }
+
+    /// The loads with the places of their middles, in length, and their parts of the force, which are 1 together.
+    pub(crate) fn parts(&self) -> impl DoubleEndedIterator<Item = (&Load, f64, f64)> {
+        let force = self.force();
+        self.0.iter().map(move |placed| (&placed.load, placed.at.get(), placed.force.get() / force))
+    }
+
+    /// The load, if it is one about x = 0.
+    pub fn alone(&self) -> Option<&Load> {
+        match &self.0[..] {
+            [PlacedLoad { load, at, .. }] if at.get() == 0.0 => Some(load),
+            _ => None,
+        }
+    }
+
+    /// As far as a load presses on either side of x = 0, in length.
+    pub fn reach(&self) -> f64 {
+        self.parts().fold(0.0, |reach, (load, at, _)| reach.max(at.abs() + load.half_width()))
+    }
+
+    /// Whether some of the force presses on lines, where the pressure is infinite.
+    pub fn has_lines(&self) -> bool {
+        self.0.iter().any(|placed| placed.load == Load::Line)
+    }
+
+    /// Whether the loads are their own mirror image about x = 0.
+    pub fn is_even(&self) -> bool {
+        // in one order that is the same for what is alike
+        let sorted = |side: f64| {
+            let mut loads: Vec<(f64, f64, &Load)> =
+                self.0.iter().map(|placed| (side * placed.at.get() + 0.0, placed.force.get(), &placed.load)).collect();
+            let order = |a: &(f64, f64, &Load), b: &(f64, f64, &Load)| {
+                let widths = [a.2.half_width(), b.2.half_width()];
+                a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(widths[0].total_cmp(&widths[1]))
+            };
+            loads.sort_by(order);
+            loads
+        };
+        sorted(1.0) == sorted(-1.0)
+    }
+
+    /// Whether the pressures are known in a geometry: about an axis every load is in the middle.
+    pub(crate) fn are_known_in(&self, geometry: Geometry) -> bool {
+        let is_there = |placed: &PlacedLoad| !geometry.is_axisymmetric() || placed.at.get() == 0.0;
+        self.0.iter().all(|placed| placed.load.is_known_in(geometry) && is_there(placed))
+    }
+
+    /// The same loads with this sum of forces.
+    pub(super) fn with_force(&self, force: f64) -> Self {
+        let factor = force / self.force();
+        let scaled = |placed: &PlacedLoad| {
+            let force = Positive::try_from(factor * placed.force.get()).unwrap_or(placed.force);
+            PlacedLoad { force, ..placed.clone() }
+        };
+        Self(self.0.iter().map(scaled).collect())
+    }
+}
+
+impl fmt::Display for Loads {
+    /// As they are written in a scene: one about x = 0 as a load.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.alone() {
+            Some(load) => load.fmt(f),
+            None => written(self, f),
+        }
+    }
+}
+
+impl From<Load> for Loads {
+    /// One load about x = 0.
+    fn from(load: Load) -> Self {
+        let middle = Finite::try_from(0.0).map(|at| PlacedLoad { load, at, force: Positive::ONE });
+        Self(middle.into_iter().collect())
+    }
+}
+
+impl From<Loads> for Vec<PlacedLoad> {
+    fn from(loads: Loads) -> Self {
+        loads.0
+    }
+}
+
+impl TryFrom<Vec<PlacedLoad>> for Loads {
+    type Error = LoadsError;
+
+    fn try_from(loads: Vec<PlacedLoad>) -> Result<Self, LoadsError> {
+        if loads.is_empty() || loads.len() > MOST_LOADS {
+            return Err(LoadsError::Count(loads.len()));
+        }
+        let loads = Self(loads);
+        if loads.force().is_finite() { Ok(loads) } else { Err(LoadsError::Sum) }
+    }
+}
+
+impl JsonSchema for Loads {
+    fn schema_name() -> Cow<'static, str> {
+        "Loads".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        Value::plain_schema(
+            "[(load: ..., at: x, force: P), ...], one or more loads with their places x and forces P > 0",
+        )
+    }
+}
