@@ -90,6 +90,11 @@ impl Positive {
     pub const ONE: Self = Self(1.0);
 }
 
+impl Finite {
+    /// 0.
+    pub const ZERO: Self = Self(0.0);
+}
+
 impl From<Positive> for Thickness {
     fn from(value: Positive) -> Self {
         Self(value.0)

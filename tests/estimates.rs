@@ -56,7 +56,7 @@ fn no_answer_is_off_by_more_than_ten_times_its_estimate_at_any_tolerance() {
     assert!(cautions[cautions.len() / 2] < CAUTIOUS, "{}", cautions[cautions.len() / 2]);
 }
 
-/// Equations are linear in the last part of the way of an end, which is short against a contact, but not against a sheet as thin as these.
+/// The equations are linearised in the last step of the ends, which is short against a contact, but not against layers as thin as these.
 #[test]
 fn the_last_part_of_the_way_of_an_end_is_short_against_thin_layers() {
     let sheets = "Homogeneous(thickness: 0.1073, shear_modulus: 0.4567, poisson: 0.231), Receding,

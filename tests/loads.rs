@@ -341,6 +341,21 @@ fn scenes_have_a_load_or_a_punch() {
 }
 
 #[test]
+fn loads_are_symmetric_in_any_order() {
+    let [wide, round] = [Load::uniform(0.2).unwrap(), Load::parabolic(0.2).unwrap()];
+    let mut loads = vec![(wide.clone(), -0.5, 0.5), (round.clone(), -0.5, 0.5), (round, 0.5, 0.5), (wide, 0.5, 0.5)];
+    let forwards = Loads::new(&loads).unwrap();
+    loads.swap(2, 3);
+    let others = Loads::new(&loads).unwrap();
+    assert!(forwards.is_even() && others.is_even());
+    let [found, expected] = [others, forwards].map(|loads| receding(strip().layer(ground(0.5)), loads, 2.0));
+    close(found, expected, 1e-12);
+    // twice on one side
+    loads[1].1 = 0.5;
+    assert!(!Loads::new(&loads).unwrap().is_even());
+}
+
+#[test]
 fn the_command_solves_them() {
     let json = support::recede(
         &["solve", "-", "--format", "json"],

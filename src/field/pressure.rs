@@ -67,8 +67,8 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| (*at, strip.half_length))
     }
 
-    /// Whether the strips are so many that a step from one to the next tells nothing: they are elements of an answer of low accuracy, or one
-    /// load among very many.
+    /// Whether steps between the strips are too many to be searched one by one: the strips are elements of a low-accuracy answer, or a
+    /// large number of loads.
     pub(super) fn is_of_many(&self) -> bool {
         self.strips.len() > APART
     }

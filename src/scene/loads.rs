@@ -62,7 +62,7 @@ impl Loads {
     }
 
     /// The loads with the places of their middles, in length, and their parts of the force, which are 1 together.
-    pub(crate) fn parts(&self) -> impl DoubleEndedIterator<Item = (&Load, f64, f64)> {
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&Load, f64, f64)> {
         let force = self.force();
         self.0.iter().map(move |placed| (&placed.load, placed.at.get(), placed.force.get() / force))
     }
@@ -80,25 +80,15 @@ impl Loads {
         self.parts().fold(0.0, |reach, (load, at, _)| reach.max(at.abs() + load.half_width()))
     }
 
-    /// Whether some of the force presses on lines, where the pressure is infinite.
-    pub fn has_lines(&self) -> bool {
-        self.0.iter().any(|placed| placed.load == Load::Line)
-    }
-
-    /// Whether the loads are their own mirror image about x = 0.
+    /// Whether the loads are their own mirror image about x = 0, in whatever order they are.
     pub fn is_even(&self) -> bool {
-        // in one order that is the same for what is alike
-        let sorted = |side: f64| {
-            let mut loads: Vec<(f64, f64, &Load)> =
-                self.0.iter().map(|placed| (side * placed.at.get() + 0.0, placed.force.get(), &placed.load)).collect();
-            let order = |a: &(f64, f64, &Load), b: &(f64, f64, &Load)| {
-                let widths = [a.2.half_width(), b.2.half_width()];
-                a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(widths[0].total_cmp(&widths[1]))
+        let mut images: Vec<&PlacedLoad> = self.0.iter().collect();
+        self.0.iter().all(|one| {
+            let is_image = |other: &&PlacedLoad| {
+                (other.at.get(), other.force, &other.load) == (-one.at.get(), one.force, &one.load)
             };
-            loads.sort_by(order);
-            loads
-        };
-        sorted(1.0) == sorted(-1.0)
+            images.iter().position(is_image).map(|place| images.swap_remove(place)).is_some()
+        })
     }
 
     /// Whether the pressures are known in a geometry: about an axis every load is in the middle.
@@ -111,7 +101,8 @@ impl Loads {
     pub(super) fn with_force(&self, force: f64) -> Self {
         let factor = force / self.force();
         let scaled = |placed: &PlacedLoad| {
-            let force = Positive::try_from(factor * placed.force.get()).unwrap_or(placed.force);
+            let force = (factor * placed.force.get()).clamp(f64::MIN_POSITIVE, f64::MAX);
+            let force = Positive::try_from(force).unwrap_or(placed.force);
             PlacedLoad { force, ..placed.clone() }
         };
         Self(self.0.iter().map(scaled).collect())
@@ -131,8 +122,7 @@ impl fmt::Display for Loads {
 impl From<Load> for Loads {
     /// One load about x = 0.
     fn from(load: Load) -> Self {
-        let middle = Finite::try_from(0.0).map(|at| PlacedLoad { load, at, force: Positive::ONE });
-        Self(middle.into_iter().collect())
+        Self(vec![PlacedLoad { load, at: Finite::ZERO, force: Positive::ONE }])
     }
 }
 

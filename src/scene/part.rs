@@ -5,7 +5,7 @@ use recede_layers::tree::{Fault, Node, ReadError};
 use super::explain::{Subject, explain};
 use super::origin::{Origin, SceneError};
 
-/// A part of a scene, and what it is called.
+/// A part of a scene, and its name in messages.
 pub(super) struct Part<'a> {
     pub(super) node: &'a Node,
     pub(super) owner: &'a str,

@@ -287,10 +287,10 @@ fn top(draft: &Draft, origin: &Origin) -> Result<Top, SceneError> {
         [first, second, ..] => {
             let at = tree.field(second).map(|node| node.place.start);
             let hint = match first {
-                "punch" => "a load takes the place of a punch: remove one of them".to_owned(),
-                _ => "one load about x = 0 is `load`, several are `loads`: remove one of them".to_owned(),
+                "punch" => "a load takes the place of a punch: remove one of them",
+                _ => "one load about x = 0 is `load`, several are `loads`: remove one of them",
             };
-            Err(origin.error(at, format!("the scene has `{first}` and `{second}`"), Some(hint)))
+            Err(origin.error(at, format!("the scene has `{first}` and `{second}`"), Some(hint.into())))
         }
     }
 }
@@ -307,7 +307,7 @@ fn force(draft: &Draft, top: &Top, origin: &Origin) -> Result<Force, SceneError>
     let (other, name, hint) = match (&given[..], top) {
         ([], Top::Loads(loads)) if draft.loads.is_some() => return Ok(Force::Given(loads.force())),
         ([found, ..], _) if draft.loads.is_some() => {
-            ("loads", found.field(), "each of the loads has a force of its own, and theirs is the sum: remove it")
+            ("loads", found.field(), "each of the loads has a force of its own, and the force is their sum: remove it")
         }
         ([Force::Given(force)], _) => return Ok(Force::Given(*force)),
         ([found], Top::Punch(_)) => return Ok(*found),
