@@ -341,6 +341,15 @@ fn scenes_have_a_load_or_a_punch() {
 }
 
 #[test]
+fn where_loads_overlap_their_pressure_is_the_sum() {
+    let load = || Load::uniform(1.0).unwrap();
+    let loads = Loads::new(&[(load(), 1.1, 1.0), (load(), 2.9, 1.0)]).unwrap();
+    let (_, solution) = press(Stack::builder(Plane::Strain).layer(ground(1.0)), loads, 2.0);
+    let peak = solution.contacts()[0].peak();
+    assert!(peak.pressure == 1.0 && (peak.x - 2.0).abs() < 0.1, "{peak:?}");
+}
+
+#[test]
 fn loads_are_symmetric_in_any_order() {
     let [wide, round] = [Load::uniform(0.2).unwrap(), Load::parabolic(0.2).unwrap()];
     let mut loads = vec![(wide.clone(), -0.5, 0.5), (round.clone(), -0.5, 0.5), (round, 0.5, 0.5), (wide, 0.5, 0.5)];

@@ -69,6 +69,9 @@ fn a_tip_on_a_plate_touches_in_a_disc_and_in_a_ring() {
             let depth = slope * ring.right;
             assert!((inside - outside).abs() < 2e-3 * depth, "{text}, {force}: {inside} {outside} of {depth}");
             assert!(between < outside + 2e-3 * depth, "{text}, {force}: {inside} {between} {outside} of {depth}");
+            let largest = contact.peak().pressure * (1.0 + 1e-9);
+            let seen = (0..400).map(|k| contact.pressure(ring.right * f64::from(k) / 400.0));
+            assert!(seen.into_iter().all(|pressure| pressure <= largest), "{text}, {force}: {largest}");
             // discs of both signs leave a rounding
             assert!(contact.pressure(places[1]).abs() < 1e-9 * contact.pressure(places[2]), "{text}, {force}");
         }

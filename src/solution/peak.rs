@@ -47,10 +47,11 @@ impl Peak {
                 }
             }
         }
-        // a ring is the difference of two discs, which says nothing of the places between their ends
-        let inside = contact.inside();
-        if pressure(inside) > best.1 * by_rounding {
-            best = (inside, pressure(inside));
+        // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
+        for x in contact.between_ends().filter(|x| !is_even || *x > 0.0) {
+            if pressure(x) > best.1 * by_rounding {
+                best = (x, pressure(x));
+            }
         }
         let (x, largest) = best;
         if x == 0.0 {
@@ -117,6 +118,14 @@ impl Contact {
     /// ```
     pub fn peak(&self) -> Peak {
         Peak::of(self)
+    }
+
+    /// The middles between the ends of strips next to each other.
+    fn between_ends(&self) -> impl Iterator<Item = f64> {
+        let ends = self.strips.iter().flat_map(|strip| [strip.at - strip.extent, strip.at + strip.extent]);
+        let mut ends: Vec<f64> = ends.collect();
+        ends.sort_by(f64::total_cmp);
+        (1..ends.len()).map(move |k| 0.5 * (ends[k - 1] + ends[k]))
     }
 
     /// What is missing of the series of the pressure, by how its last terms fall.
