@@ -88,3 +88,27 @@ fn the_last_part_of_the_way_of_an_end_is_short_against_thin_layers() {
         }
     }
 }
+
+/// Far out, where the pressure of a loose layer on a rigid base is less than rounding leaves of it, there are ends anywhere.
+#[test]
+fn an_end_that_lies_in_the_noise_of_the_pressure_is_not_known() {
+    for (thickness, modulus) in [(1.84, 0.91), (1.6, 1.1), (2.1, 0.8)] {
+        let text = format!(
+            "Scene(geometry: Axisymmetric, load: Parabolic(radius: 2.96), force: 0.0082, stack: [
+                Homogeneous(thickness: 5, shear_modulus: 0.231, poisson: 0), Receding,
+                Homogeneous(thickness: 3.6, shear_modulus: 0.648, poisson: 0.177), Receding,
+                Exponential(thickness: {thickness}, shear_modulus: {modulus}, poisson: 0.5, beta: 1.02), Receding, Rigid])"
+        );
+        let scene = Scene::from_ron(&text).unwrap();
+        let options = Options { tolerance: 1e-3, ..Options::default() };
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press_with(&scene.punch, scene.force, &options).unwrap();
+        for contact in &solution.contacts()[1..] {
+            let end = contact.intervals()[0];
+            let places: Vec<f64> = (0..1000).map(|k| end.right * f64::from(k) / 1000.0).collect();
+            let noise = -places.iter().map(|x| contact.pressure(*x)).fold(0.0, f64::min);
+            let seen = places.iter().rfind(|x| contact.pressure(**x) > 10.0 * noise).unwrap();
+            assert!(end.right_error > 0.8 * (end.right - seen) - 2e-3 * end.right, "{text}: {end:?} {seen}");
+        }
+    }
+}

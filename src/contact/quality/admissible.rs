@@ -31,11 +31,21 @@ const GROSS: f64 = 0.05;
 #[derive(Default)]
 pub(crate) struct Check {
     pub(crate) min_pressure: f64,
-    /// The tension of each contact for want of modes, as a part of its largest pressure.
-    pub(crate) tensions: Vec<f64>,
+    /// Of each contact.
+    pub(crate) tensions: Vec<Tension>,
     pub(crate) min_gap: f64,
     /// Intervals of re-contact with next to no force.
     pub(crate) recontacts: Vec<Recontact>,
+}
+
+/// The tension in a contact for want of modes.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Tension {
+    /// As a part of the largest pressure.
+    part: f64,
+    /// The part of the half-length, up to the end, in which the pressure is hardly larger than the tension elsewhere: where the contact ends
+    /// is not known any better.
+    end: f64,
 }
 
 /// Penetration outside a contact so small that a force next to nothing, in an interval of re-contact, would remove it.
@@ -60,8 +70,11 @@ impl Recontact {
 impl Level {
     /// Adds to the errors what an answer is seen to be wrong by: tension, and the force in intervals of re-contact, which is left out.
     pub(crate) fn admit(&mut self, check: &Check) {
-        for (error, tension) in self.errors.iter_mut().zip(&check.tensions).filter(|(_, tension)| **tension > ZERO) {
-            error.pressure = error.pressure.max(SAFETY * tension);
+        for (error, tension) in self.errors.iter_mut().zip(&check.tensions) {
+            error.length = error.length.max(tension.end);
+            if tension.part > ZERO {
+                error.pressure = error.pressure.max(SAFETY * tension.part);
+            }
         }
         for recontact in &check.recontacts {
             for error in &mut self.errors[recontact.laminate..=recontact.laminate + 1] {
@@ -120,13 +133,17 @@ fn recontact(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)
     Some(Recontact { contact: i, x, moment, laminate })
 }
 
-/// Smallest pressure inside the contacts, and the tension of each as a part of its largest pressure; an error if that is more
-/// than the uncertainty of its highest modes, or more than `most`.
-pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Result<(f64, Vec<f64>), ContactError> {
+/// Smallest pressure inside the contacts, and the tension of each; an error if that is more than the uncertainty of its highest modes, or
+/// more than `most` of its largest pressure.
+pub(crate) fn check_pressures(
+    problem: &Problem,
+    level: &Level,
+    most: f64,
+) -> Result<(f64, Vec<Tension>), ContactError> {
     let (mut min_pressure, mut tensions) = (0.0f64, Vec::with_capacity(level.modes.len()));
     for (i, side) in problem.sides.iter().enumerate() {
         if side.is_joined() {
-            tensions.push(0.0);
+            tensions.push(Tension::default());
             continue;
         }
         let least = Least::of(problem.twin(), level, i);
@@ -140,7 +157,7 @@ pub(crate) fn check_pressures(problem: &Problem, level: &Level, most: f64) -> Re
             return Err(problem.not_converged(&level.support.half_lengths));
         }
         min_pressure = min_pressure.min(least.pressure);
-        tensions.push((-least.pressure / least.largest).max(0.0));
+        tensions.push(Tension { part: (-least.pressure / least.largest).max(0.0), end: least.end });
     }
     Ok((min_pressure, tensions))
 }
@@ -165,6 +182,8 @@ struct Least {
     largest: f64,
     /// By how much the highest modes may change the pressure there.
     uncertainty: f64,
+    /// The part of the half-length, up to the end, in which pressures are hardly larger than the tension.
+    end: f64,
 }
 
 impl Least {
@@ -201,8 +220,16 @@ impl Least {
             None => level.tails[i] * largest,
         };
         let is_middle = place + 1 == pressures.len();
-        let s = if is_middle { 0.0 } else { angle(place, pressures.len()).cos() };
-        Self { pressure, s, largest, uncertainty }
+        let s = |place: usize| angle(place, pressures.len()).cos();
+        let end = match pressures.iter().position(|own| *own > -SAFETY * pressure) {
+            // the corner of a flat punch is known
+            _ if pressure >= 0.0 || level.support.intensity(i).is_some() => 0.0,
+            // next to the end
+            Some(0) => 0.0,
+            Some(first) => 1.0 - s(first),
+            None => 1.0,
+        };
+        Self { pressure, s: if is_middle { 0.0 } else { s(place) }, largest, uncertainty, end }
     }
 }
 
