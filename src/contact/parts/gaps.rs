@@ -20,8 +20,6 @@ pub(super) struct Check {
 
 /// Checks the Signorini conditions; `None` if a pressure or a gap is negative. `coarse` has fewer pressures, and tells how far gaps are known.
 pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64) -> Option<Check> {
-    // less than an answer is wrong by counts as zero
-    let zero = COARSE.max(error);
     let kernel = problem.kernel;
     let (intervals, coefficients) = (&level.intervals, &level.coefficients);
     let count = coefficients.first()?.len();
@@ -43,10 +41,14 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
             tensions[interval.contact] = -least / most;
         }
     }
-    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -zero * largest) {
+    // more tension than that belongs to another root, however badly its ends are known: where intervals that ought to be apart meet, the
+    // ends of the gap between them are no better known than that it is short
+    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -COARSE * largest) {
         return None;
     }
     let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
+    // less than an answer is wrong by counts as zero
+    let zero = COARSE.max(error);
     let mut min_gap = 0.0f64;
     let Lengths { ends, shortest } = Lengths::of(problem, intervals);
     let span = problem.span(&ends);
