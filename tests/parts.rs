@@ -186,3 +186,31 @@ fn contacts_of_any_number_of_intervals_meet_the_tolerance() {
         }
     }
 }
+
+/// Strips that are about to lift off the ground, or to come down on it, between two line loads: next to the end of the contact there is hardly
+/// any pressure on one side, and hardly any gap on the other.
+#[test]
+fn bodies_that_graze_each_other_touch_in_one_interval_on_either_side() {
+    let soft_film = |at: f64| {
+        format!(
+            "load: Several([(at: {at:?}, share: 1, load: Line)]), force: 0.002, stack: [
+                Homogeneous(thickness: 1.0959, shear_modulus: 3.4117, poisson: 0.382), Bonded,
+                Homogeneous(thickness: 0.0509, shear_modulus: 0.1178, poisson: 0.242), Receding,
+                HalfPlane(shear_modulus: 3.2758, poisson: 0.3)]"
+        )
+    };
+    let two_slabs = "load: Several([(at: 5.734563, share: 1, load: Uniform(half_width: 0.1))]), force: 0.002, stack: [
+        Homogeneous(thickness: 2.0787, shear_modulus: 0.1207, poisson: 0.111), Bonded,
+        Homogeneous(thickness: 0.4734, shear_modulus: 0.7627, poisson: 0.140), Receding,
+        Homogeneous(thickness: 1.9203, shear_modulus: 0.3689, poisson: 0.204), Receding,
+        HalfPlane(shear_modulus: 0.3665, poisson: 0.3)]";
+    for text in [soft_film(2.843953), soft_film(2.81671), two_slabs.to_owned()] {
+        let scene = Scene::from_ron(&format!("Scene(geometry: PlaneStrain, {text})")).unwrap();
+        let solution = recede::solve(&scene).unwrap();
+        for contact in &solution.contacts()[1..] {
+            let [mirrored, interval] = contact.intervals()[..] else { panic!("{text}: {contact:?}") };
+            assert_eq!(mirrored.right, -interval.left, "{text}");
+            assert!(interval.left_error < 1e-7 * interval.left, "{text}: {interval:?}");
+        }
+    }
+}

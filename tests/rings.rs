@@ -45,6 +45,8 @@ fn a_tip_on_a_plate_touches_in_a_disc_and_in_a_ring() {
     for (punch, slope, joint, modulus, forces) in [
         ("Cone(slope: 0.01)", 0.01, "Bonded", 0.01, [0.018, 0.1, 0.25]),
         ("Cone(slope: 0.01)", 0.01, "Receding", 0.001, [0.012, 0.02, 0.05]),
+        // short gaps far inside
+        ("Cone(slope: 0.01)", 0.01, "Bonded", 0.01, [0.2268, 0.2413, 0.2567]),
     ] {
         let text = format!(
             "Scene(geometry: Axisymmetric, punch: {punch}, force: 1, stack: [

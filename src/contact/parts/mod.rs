@@ -65,10 +65,13 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     if !is_plane || problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
         return None;
     }
+    // the programme may see many intervals where bodies graze each other, or several, far out, where there is one with next to no force
+    let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
+        .filter(|loaded| loaded.iter().any(|interval| !interval.is_central()));
     let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;
-    // the programme may see several intervals, far out, where there is one with next to no force
     let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
-    let starts = if merged == all { vec![all] } else { vec![all, merged] };
+    let mut starts: Vec<_> = loaded.into_iter().chain([all, merged]).collect();
+    starts.dedup();
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     // few pressures take the least; where none of the ways converges with them, twice as many may
     for count in [COARSEST, 2 * COARSEST] {

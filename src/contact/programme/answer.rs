@@ -12,7 +12,7 @@ use crate::numeric::largest;
 use crate::solution::{Form, Solution, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
-use super::{Cycle, FINE, UNRESOLVED, cycles};
+use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
 
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
@@ -78,10 +78,21 @@ fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<RightInterval>> {
         to: if to.is_finite() { *to } else { end },
         to_error: if to.is_finite() { error(*to).max(to - end) } else { ENDLESS * end },
     });
-    let parts: Vec<RightInterval> = parts.collect();
+    let mut parts: Vec<RightInterval> = parts.collect();
+    // where bodies graze each other next to an end, the end may be anywhere
+    let mut before = 0.0;
+    for part in &mut parts {
+        if let Some(grazed) = last.first_pressing(i, (before * part.from).sqrt(), part.from) {
+            part.from_error = part.from_error.max(part.from - grazed);
+        }
+        before = part.to;
+    }
+    let first = parts.first_mut()?;
     // a gap about x = 0 counts if it is longer than artefacts of the grid
-    let is_open = |first: &RightInterval| last.grid.edges().partition_point(|edge| *edge < first.from) > 3 * UNRESOLVED;
-    parts.first().is_some_and(|first| first.from == 0.0 || is_open(first)).then_some(parts)
+    if last.grid.edges().partition_point(|edge| *edge < first.from) <= 3 * UNRESOLVED {
+        (first.from, first.from_error) = (0.0, 0.0);
+    }
+    Some(parts)
 }
 
 impl Cycle {
@@ -93,6 +104,14 @@ impl Cycle {
     /// How far an end may be off since elements have a length.
     fn resolution(&self, end: f64) -> f64 {
         SAFETY * self.grid.width(end)
+    }
+
+    /// Where the first element of contact i begins that presses, between two places.
+    fn first_pressing(&self, i: usize, from: f64, to: f64) -> Option<f64> {
+        let within = (0..self.grid.elements()).map(|e| (e, self.grid.element(e)));
+        let mut pressing =
+            within.filter(|(e, [start, end])| *start >= from && *end <= to && self.forces[i][*e] >= LEAST_FORCE);
+        pressing.next().map(|(_, [start, _])| start)
     }
 
     fn largest(&self, i: usize) -> f64 {

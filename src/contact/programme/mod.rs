@@ -14,7 +14,9 @@ mod patch;
 #[cfg(test)]
 mod tests;
 
-use crate::contact::problem::{Problem, Side};
+use std::ops::Range;
+
+use crate::contact::problem::{Problem, Side, accuracy};
 use active_set::Programme;
 use compliances::Compliances;
 use energy::Energy;
@@ -29,9 +31,9 @@ const LONGER: usize = 3;
 /// How often it is made longer or finer.
 const CYCLES: usize = 14;
 /// For starts.
-const COARSE: Resolution = Resolution { ends: 0.02, elements: 200 };
+const COARSE: Resolution = Resolution { ends: 0.02, elements: 200, is_answer: false };
 /// For answers.
-const FINE: Resolution = Resolution { ends: 0.005, elements: 500 };
+const FINE: Resolution = Resolution { ends: 0.005, elements: 500, is_answer: true };
 /// Contact intervals, and gaps between them, of no more than this many elements may be artefacts of the grid; as many elements on either
 /// side of an end are refined.
 const UNRESOLVED: usize = 2;
@@ -41,6 +43,11 @@ const UNRESOLVED: usize = 2;
 const SHORTEST: f64 = 0.02;
 /// A smaller part of the force on a contact is rounding. Ten times as much: intervals of re-contact are missed.
 const LEAST_FORCE: f64 = 1e-8;
+/// Next to a longer interval, a smaller part of it is an artefact of the grid: where bodies graze each other, elements touch in turns, in many
+/// intervals shorter than [`SHORTEST`].
+const LEAST_SHORT: f64 = accuracy::COARSE;
+/// Intervals are next to each other if the gap between them is shorter than this part of its distance from the middle.
+const NEXT: f64 = 0.3;
 
 /// How fine grids become.
 #[derive(Clone, Copy)]
@@ -49,6 +56,9 @@ struct Resolution {
     ends: f64,
     /// Number of elements added to the first grid: with more, none are refined.
     elements: usize,
+    /// Whether what is found is an answer: elements are as short, too, where a gap may open that is shorter than they are, and where bodies
+    /// graze each other they count as apart.
+    is_answer: bool,
 }
 
 /// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
@@ -58,11 +68,14 @@ pub(super) struct ActiveIntervals {
     pub(super) resolved: Vec<[f64; 2]>,
     /// All, however short.
     pub(super) separate: Vec<[f64; 2]>,
+    /// All but artefacts of the grid next to others.
+    pub(super) loaded: Vec<[f64; 2]>,
 }
 
 impl ActiveIntervals {
     fn one(end: f64) -> Self {
-        Self { resolved: vec![[0.0, end]], separate: vec![[0.0, end]] }
+        let whole = || vec![[0.0, end]];
+        Self { resolved: whole(), separate: whole(), loaded: whole() }
     }
 
     /// Where the innermost interval ends.
@@ -93,11 +106,16 @@ struct Cycle {
 
 impl Cycle {
     fn active(&self) -> Vec<ActiveIntervals> {
-        let active = |touching: &Vec<bool>| ActiveIntervals {
-            resolved: parts(&resolved_only(touching), &self.grid),
-            separate: parts(touching, &self.grid),
+        let active = |(touching, forces): (&Vec<bool>, &Vec<f64>)| {
+            let mut loaded = touching.clone();
+            separate_where_grazing(&mut loaded, forces, &self.grid);
+            ActiveIntervals {
+                resolved: parts(&resolved_only(touching), &self.grid),
+                separate: parts(touching, &self.grid),
+                loaded: parts(&loaded, &self.grid),
+            }
         };
-        self.touching.iter().map(active).collect()
+        self.touching.iter().zip(&self.forces).map(active).collect()
     }
 }
 
@@ -133,9 +151,18 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
         let Some(energy) = Energy::new(kernel, &grid) else { break };
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
-        touching.iter_mut().zip(&forces).for_each(|(touching, forces)| separate_where_unloaded(touching, forces));
-        let ends: Vec<(usize, f64)> =
+        for (touching, forces) in touching.iter_mut().zip(&forces) {
+            separate_where_unloaded(touching, forces);
+            if resolution.is_answer {
+                separate_where_grazing(touching, forces, &grid);
+            }
+        }
+        let mut around: Vec<(usize, f64)> =
             touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
+        if resolution.is_answer {
+            let dips = touching.iter().zip(&forces).flat_map(|(touching, forces)| dips(touching, forces, &grid));
+            around.extend(dips.map(|edge| (edge, resolution.ends * grid.edges()[edge])));
+        }
         // an interval of re-contact that reaches the end of the grid does not end
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         cycles.push(Cycle { grid: grid.clone(), touching, forces });
@@ -145,7 +172,7 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
         if longer > 0 && reaches_end {
             longer -= 1;
             grid = grid.longer(REACH);
-        } else if grid.elements() > most || !grid.refine(&ends) {
+        } else if grid.elements() > most || !grid.refine(&around) {
             break;
         }
     }
@@ -154,14 +181,26 @@ fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution)
 
 /// Layers that lie on each other without a force: the sign of the pressure there is a rounding error, and they count as apart.
 fn separate_where_unloaded(touching: &mut [bool], forces: &[f64]) {
-    let mut start = 0;
-    while start < touching.len() {
-        let length = touching[start..].iter().take_while(|touches| **touches == touching[start]).count();
-        let part = start..start + length;
-        if touching[start] && forces[part.clone()].iter().sum::<f64>() < LEAST_FORCE {
-            touching[part].fill(false);
+    for run in runs(touching) {
+        if forces[run.clone()].iter().sum::<f64>() < LEAST_FORCE {
+            touching[run].fill(false);
         }
-        start += length;
+    }
+}
+
+/// The same where bodies graze each other next to an interval that presses.
+fn separate_where_grazing(touching: &mut [bool], forces: &[f64], grid: &Grid) {
+    let edges = grid.edges();
+    let is_light = |run: &Range<usize>| forces[run.clone()].iter().sum::<f64>() < LEAST_SHORT;
+    let is_short = |run: &Range<usize>| edges[run.end] - edges[run.start] < SHORTEST * edges[run.start];
+    let runs = runs(touching);
+    for group in runs.chunk_by(|a, b| edges[b.start] - edges[a.end] < NEXT * edges[b.start]) {
+        if group.iter().all(is_light) {
+            continue;
+        }
+        for run in group.iter().filter(|run| is_light(run) && is_short(run)) {
+            touching[run.clone()].fill(false);
+        }
     }
 }
 
@@ -178,6 +217,19 @@ fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
         if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
     };
     transitions.map(|edge| (edge, fine * room(edge))).collect()
+}
+
+/// The edges of the element of each interval with the least pressure, if that is less than half of the pressure on either side.
+fn dips(touching: &[bool], forces: &[f64], grid: &Grid) -> Vec<usize> {
+    let pressure = |e: usize| forces[e] / grid.resultant(e);
+    let mut dips = Vec::new();
+    for part in runs(touching) {
+        let largest = |elements: Range<usize>| elements.map(pressure).fold(0.0, f64::max);
+        let depth = |e: usize| pressure(e) / largest(part.start..e).min(largest(e + 1..part.end));
+        let least = part.clone().map(|e| (e, depth(e))).min_by(|a, b| a.1.total_cmp(&b.1));
+        dips.extend(least.filter(|(_, depth)| *depth < 0.5).into_iter().flat_map(|(e, _)| [e, e + 1]));
+    }
+    dips
 }
 
 /// The same without intervals and gaps of a few elements.
@@ -209,6 +261,16 @@ fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
         }
     }
     wide
+}
+
+/// Elements that touch, one after the other.
+fn runs(touching: &[bool]) -> Vec<Range<usize>> {
+    let mut next = 0;
+    let runs = touching.chunk_by(|a, b| a == b).map(|run| {
+        next += run.len();
+        (run[0], next - run.len()..next)
+    });
+    runs.filter(|(touches, _)| *touches).map(|(_, run)| run).collect()
 }
 
 /// All intervals of elements that touch.
