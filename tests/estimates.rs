@@ -102,7 +102,7 @@ fn an_end_that_lies_in_the_noise_of_the_pressure_is_not_known() {
         let scene = Scene::from_ron(&text).unwrap();
         let options = Options { tolerance: 1e-3, ..Options::default() };
         let model = Model::new(scene.stack().unwrap()).unwrap();
-        let solution = model.press_with(&scene.punch, scene.force, &options).unwrap();
+        let solution = model.press_with(&scene.top, scene.force, &options).unwrap();
         for contact in &solution.contacts()[1..] {
             let end = contact.intervals()[0];
             let places: Vec<f64> = (0..1000).map(|k| end.right * f64::from(k) / 1000.0).collect();

@@ -49,7 +49,8 @@ const FADING: [&str; 2] = ["seed_1_number_28", "seed_11_number_273"];
 /// it ends: the far ends are where the pressure is next to nothing.
 const IN_PARTS: [(&str, &str, f64); 2] = [("seed_1_number_42", "5|6", 12.0), ("seed_2_number_108", "1|2", 0.041)];
 
-/// Contacts of these scenes whose last part has a pressure below rounding: nothing tells where in it the contact ends.
+/// Contacts of these scenes whose last part has a pressure below rounding: nothing tells where in it the contact ends, and the answers to
+/// two tolerances differ there by up to 10 %.
 const UNSEEN: [(&str, &str); 2] = [("seed_1_number_22", "4|5"), ("seed_21_number_1389", "1|2")];
 
 fn check(name: &str, tolerance: f64) -> Check {

@@ -193,13 +193,15 @@ fn contacts_of_any_number_of_intervals_meet_the_tolerance() {
 fn bodies_that_graze_each_other_touch_in_one_interval_on_either_side() {
     let soft_film = |at: f64| {
         format!(
-            "load: Several([(at: {at:?}, share: 1, load: Line)]), force: 0.002, stack: [
+            "loads: [(load: Line, at: -{at:?}, force: 0.001), (load: Line, at: {at:?}, force: 0.001)], stack: [
                 Homogeneous(thickness: 1.0959, shear_modulus: 3.4117, poisson: 0.382), Bonded,
                 Homogeneous(thickness: 0.0509, shear_modulus: 0.1178, poisson: 0.242), Receding,
                 HalfPlane(shear_modulus: 3.2758, poisson: 0.3)]"
         )
     };
-    let two_slabs = "load: Several([(at: 5.734563, share: 1, load: Uniform(half_width: 0.1))]), force: 0.002, stack: [
+    let two_slabs = "loads: [
+            (load: Uniform(half_width: 0.1), at: -5.734563, force: 0.001), (load: Uniform(half_width: 0.1), at: 5.734563, force: 0.001),
+        ], stack: [
         Homogeneous(thickness: 2.0787, shear_modulus: 0.1207, poisson: 0.111), Bonded,
         Homogeneous(thickness: 0.4734, shear_modulus: 0.7627, poisson: 0.140), Receding,
         Homogeneous(thickness: 1.9203, shear_modulus: 0.3689, poisson: 0.204), Receding,
