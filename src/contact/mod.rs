@@ -10,6 +10,7 @@ mod equations;
 mod error;
 pub(crate) mod even;
 mod integrals;
+mod lists;
 mod parts;
 pub(crate) mod problem;
 mod programme;

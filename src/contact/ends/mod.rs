@@ -1,5 +1,5 @@
 //! The ends of the contacts: Newton's method, iterated Galerkin sweeps, and ends that nothing depends on.
-mod broyden;
+pub(crate) mod broyden;
 mod frozen;
 pub(crate) mod newton;
 mod sweeps;

@@ -1,0 +1,113 @@
+//! Where bodies touch: intervals of x ≥ 0, each with its mirror image, in the order of contacts and outwards.
+use std::f64::consts::PI;
+
+/// An interval in which the bodies of a contact touch, in units of L.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Interval {
+    pub(super) contact: usize,
+    /// 0 if the interval is its own mirror image.
+    pub(super) middle: f64,
+    pub(super) half: f64,
+}
+
+/// One end of an interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct End {
+    /// The number of the interval.
+    pub(super) interval: usize,
+    /// 1 for a right end, −1 for a left one.
+    pub(super) side: f64,
+}
+
+impl Interval {
+    /// From one place to another; about x = 0 if it begins there.
+    pub(super) fn new(contact: usize, [from, to]: [f64; 2]) -> Self {
+        let middle = if from > 0.0 { 0.5 * (from + to) } else { 0.0 };
+        Self { contact, middle, half: to - middle }
+    }
+
+    pub(super) fn is_central(&self) -> bool {
+        self.middle == 0.0
+    }
+
+    pub(super) fn from(&self) -> f64 {
+        if self.is_central() { 0.0 } else { self.middle - self.half }
+    }
+
+    pub(super) fn to(&self) -> f64 {
+        self.middle + self.half
+    }
+
+    /// Itself, and its mirror image if that is another interval.
+    pub(super) fn images(&self) -> f64 {
+        if self.is_central() { 1.0 } else { 2.0 }
+    }
+
+    /// The order j of the term sin jφ of number m of its pressure, x = middle + half cos φ.
+    pub(super) fn order(&self, m: usize) -> usize {
+        if self.is_central() { 2 * m + 1 } else { m + 1 }
+    }
+
+    /// The amplitude of sin φ on the interval and its mirror image that has the resultant 1.
+    pub(super) fn unit(&self) -> f64 {
+        2.0 / (PI * self.images() * self.half)
+    }
+
+    /// Its ends that are not the mirror images of others: 1 for a right one, −1 for a left one.
+    pub(super) fn sides(&self) -> &'static [f64] {
+        if self.is_central() { &[1.0] } else { &[-1.0, 1.0] }
+    }
+}
+
+/// All intervals of all contacts.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Support(pub(super) Vec<Interval>);
+
+impl Support {
+    /// The intervals of a contact.
+    pub(super) fn of(&self, contact: usize) -> &[Interval] {
+        let first = self.0.partition_point(|interval| interval.contact < contact);
+        let after = self.0.partition_point(|interval| interval.contact <= contact);
+        &self.0[first..after]
+    }
+
+    /// All ends, from the top down and outwards.
+    pub(super) fn ends(&self) -> Vec<End> {
+        let of = |(interval, own): (usize, &Interval)| {
+            own.sides().iter().map(move |side| End { interval, side: *side }).collect::<Vec<_>>()
+        };
+        self.0.iter().enumerate().flat_map(of).collect()
+    }
+
+    /// Where an end is.
+    pub(super) fn place(&self, end: End) -> f64 {
+        let interval = &self.0[end.interval];
+        interval.middle + end.side * interval.half
+    }
+
+    /// From an end to the next interval of the same contact, or to the middle; infinite beyond the last one.
+    pub(super) fn gap(&self, end: End) -> f64 {
+        let own = &self.0[end.interval];
+        let same = |other: &&Interval| other.contact == own.contact;
+        if end.side > 0.0 {
+            return self.0.get(end.interval + 1).filter(same).map_or(f64::INFINITY, |next| next.from() - own.to());
+        }
+        let before = end.interval.checked_sub(1).and_then(|before| self.0.get(before)).filter(same);
+        own.from() - before.map_or(0.0, Interval::to)
+    }
+
+    /// With each end moved outwards by so much.
+    pub(super) fn moved(&self, outwards: &[f64]) -> Self {
+        let mut moved = self.clone();
+        for (end, by) in self.ends().into_iter().zip(outwards) {
+            let interval = &mut moved.0[end.interval];
+            if interval.is_central() {
+                interval.half += by;
+            } else {
+                interval.half += 0.5 * by;
+                interval.middle += 0.5 * end.side * by;
+            }
+        }
+        moved
+    }
+}
