@@ -2,7 +2,7 @@
 //!
 //! An answer goes through the rooms in order: [`problem`], start ([`starts`]), Newton's method on the ends ([`ends`], with the
 //! [`equations`] and their [`integrals`]) over refinement levels and the sign check ([`quality`]), and the one assembly of a
-//! solution ([`answer`]). Where Newton's method fails, the quadratic programme is asked ([`programme`], [`parts`]).
+//! solution ([`answer`]). Where Newton's method fails, the quadratic programme is asked ([`programme`], [`intervals`]).
 pub(crate) mod answer;
 mod controlled;
 mod ends;
@@ -10,8 +10,7 @@ mod equations;
 mod error;
 pub(crate) mod even;
 mod integrals;
-mod lists;
-mod parts;
+mod intervals;
 pub(crate) mod problem;
 mod programme;
 pub(crate) mod quality;

@@ -2,11 +2,11 @@
 //!
 //! 1. Closed-form estimates of the half-lengths ([`super::formulas`]).
 //! 2. The coarse quadratic programme, asked once the former have failed: it cannot converge to a non-physical root. Where it
-//!    sees several intervals in a contact, [`parts`] solves for these; else Newton's method begins at its ends.
+//!    sees several intervals in a contact, [`intervals`] solves for these; else Newton's method begins at its ends.
 //! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning, unless there is
 //!    a solution with a large error estimate that has the same pressures.
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::parts;
+use crate::contact::intervals;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::programme::{self, ActiveIntervals};
@@ -118,7 +118,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
             let is_asked = certain.is_some() || left_out && several(self.problem, all, false).is_some();
             if self.several.is_none() && is_asked {
-                if let Some(solution) = solve_list(self.problem, all) {
+                if let Some(solution) = intervals::solve(self.problem, all) {
                     return Ok(Outcome::Solved(Box::new(solution)));
                 }
                 // one of the intervals may carry a force next to nothing
@@ -245,7 +245,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         let uncertain = several(self.problem, active, false);
         let is_apart = |active: &ActiveIntervals| active.intervals().first().is_some_and(|first| first[0] > 0.0);
         let may_be_several = uncertain.is_some() || active.iter().any(is_apart);
-        let solution = may_be_several.then(|| solve_list(self.problem, active)).flatten();
+        let solution = may_be_several.then(|| intervals::solve(self.problem, active)).flatten();
         solution.map(|solution| Outcome::Solved(Box::new(solution))).or_else(|| uncertain.map(failed))
     }
 
@@ -281,8 +281,4 @@ fn several(problem: &Problem, active: &[ActiveIntervals], certain: bool) -> Opti
     };
     let mut all = active.iter().enumerate();
     all.find(|(i, active)| open(active) || count(active) > 1 && plausible(*i, active)).map(|(i, _)| i)
-}
-
-fn solve_list(problem: &Problem, active: &[ActiveIntervals]) -> Option<Solution> {
-    if std::env::var("OLD").is_ok() { parts::solve(problem, active) } else { crate::contact::lists::solve(problem, active) }
 }

@@ -2,9 +2,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
-use crate::contact::lists::equations::Equations;
-use crate::contact::lists::newton::{Level, pressure};
-use crate::contact::lists::{Lengths, terms_of};
+use crate::contact::intervals::equations::Equations;
+use crate::contact::intervals::newton::{Level, pressure};
+use crate::contact::intervals::{Lengths, terms_of};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use crate::numeric::quadrature::rule;
@@ -42,7 +42,6 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
     // more tension than that belongs to another root, however badly its ends are known: where intervals that ought to be apart meet, the
     // ends of the gap between them are no better known than that it is short
     if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -COARSE * largest) {
-        if std::env::var("TRACE").is_ok() { eprintln!("tension {smallest:?} {largest:?}"); }
         return None;
     }
     let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
@@ -67,7 +66,6 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
             if gaps.iter().any(|(_, gap)| *gap < -(zero * widest + SAFETY * known)) {
-                if std::env::var("TRACE").is_ok() { eprintln!("penetration of {contact} {gaps:?}"); }
                 return None;
             }
             min_gap = gaps.iter().fold(min_gap, |least, (_, gap)| least.min(*gap));

@@ -66,7 +66,8 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     for count in [COARSEST, 2 * COARSEST, 4 * COARSEST] {
         for support in &starts {
             work.steps.clear();
-            let counts: Vec<usize> = support.0.iter().map(|interval| resolved(problem, interval).clamp(count, 4 * COARSEST)).collect();
+            let counts: Vec<usize> =
+                support.0.iter().map(|interval| resolved(problem, interval).clamp(count, 4 * COARSEST)).collect();
             if let Some(first) = converge(problem, support.clone(), &counts, COARSE, &mut work)
                 && let Some(solution) = refine(problem, first, &mut work)
             {
@@ -123,7 +124,9 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> 
     let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst())?;
     // pressures in tension are wrong by that
     errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
-    let terms = |contact| (0..level.counts.len()).filter(|k| level.support.0[*k].contact == contact).map(|k| level.counts[k]).max();
+    let terms = |contact| {
+        (0..level.counts.len()).filter(|k| level.support.0[*k].contact == contact).map(|k| level.counts[k]).max()
+    };
     let stats = Stats {
         modes: (0..problem.contacts()).map(|contact| terms(contact).unwrap_or(1)).collect(),
         newton_steps: work.steps.clone(),
@@ -213,7 +216,8 @@ impl Errors {
         let changes = level.support.0.iter().zip(&before.support.0);
         let changes = changes.flat_map(|(new, old)| [apart(new.from(), old.from()), apart(new.to(), old.to())]);
         let all = largest(changes);
-        let fall = if largest_change.is_finite() { (all / *largest_change).clamp(LEAST_FALL, MOST_FALL) } else { MOST_FALL };
+        let fall =
+            if largest_change.is_finite() { (all / *largest_change).clamp(LEAST_FALL, MOST_FALL) } else { MOST_FALL };
         *largest_change = all;
         let change = |new: f64, old: f64| SAFETY * fall / (1.0 - fall) * apart(new, old);
         let last = largest(level.steps.iter().map(|step| step.abs()));
@@ -279,4 +283,3 @@ fn found(problem: &Problem, level: &Level, errors: &Errors) -> Vec<Found> {
     };
     problem.unknown().map(of).collect()
 }
-

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 use faer::Mat;
 
-use crate::contact::lists::support::Interval;
+use crate::contact::intervals::support::Interval;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::modes::alternating;
 use crate::numeric::bessel;
@@ -292,4 +292,3 @@ fn cosine_minus_one(z: f64) -> f64 {
 fn less_one(a: f64, b: f64) -> f64 {
     a + b + a * b
 }
-

@@ -11,8 +11,8 @@ use faer::{Mat, MatRef, Side};
 
 use crate::contact::integrals::basis::TOGETHER;
 use crate::contact::integrals::layout::Layout;
-use crate::contact::lists::columns::{Columns, InSpace, Pressure};
-use crate::contact::lists::support::Support;
+use crate::contact::intervals::columns::{Columns, InSpace, Pressure};
+use crate::contact::intervals::support::Support;
 use crate::contact::problem::Problem;
 
 /// The equations of one support.
@@ -139,10 +139,9 @@ impl<'a> Equations<'a> {
                 columns: Mat::zeros(zeta.len(), 0),
                 first: zeta.iter().map(|zeta| given.transform_minus_one(*zeta)).collect(),
             },
-            None => Waves {
-                columns: self.columns[contact].waves(zeta),
-                first: self.columns[contact].first_minus_one(zeta),
-            },
+            None => {
+                Waves { columns: self.columns[contact].waves(zeta), first: self.columns[contact].first_minus_one(zeta) }
+            }
         }
     }
 
@@ -226,7 +225,7 @@ impl<'a> Equations<'a> {
         factor: f64,
     ) {
         let terms = self.columns[columns].terms();
-        let mut add = |row: usize, into: &mut Mat<f64>, singular: &mut Mat<f64>, place: usize| {
+        let add = |row: usize, into: &mut Mat<f64>, singular: &mut Mat<f64>, place: usize| {
             for (column, at) in (1..).zip(places.terms[columns].clone()) {
                 into[(place, at)] += factor * block[(row, column)];
             }
@@ -286,7 +285,8 @@ impl<'a> Equations<'a> {
     /// ζ times the transform of the pressure of a contact less its resultant.
     fn field(&self, contact: usize, nodes: Range<usize>, pressures: &[Pressure]) -> Vec<f64> {
         let Waves { columns, first } = self.waves(contact, nodes.clone());
-        let mut field: Vec<f64> = first.iter().zip(&self.layout.zeta[nodes]).map(|(first, zeta)| first * zeta).collect();
+        let mut field: Vec<f64> =
+            first.iter().zip(&self.layout.zeta[nodes]).map(|(first, zeta)| first * zeta).collect();
         let Pressure { terms, singular } = &pressures[contact];
         for (column, amplitude) in terms.iter().chain(singular).enumerate().skip(1) {
             field.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
@@ -308,7 +308,11 @@ fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>) -> Mat<f64> {
     let mut weighted = Mat::zeros(count, right.ncols());
     for column in 0..right.ncols() {
         let values = right.col_as_slice(column).iter().zip(weights);
-        weighted.col_as_slice_mut(column).iter_mut().zip(values).for_each(|(out, (value, weight))| *out = value * weight);
+        weighted
+            .col_as_slice_mut(column)
+            .iter_mut()
+            .zip(values)
+            .for_each(|(out, (value, weight))| *out = value * weight);
     }
     left.as_ref().subrows(0, count).transpose() * &weighted
 }

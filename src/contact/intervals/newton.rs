@@ -6,10 +6,10 @@ use std::f64::consts::PI;
 
 use crate::contact::ends::broyden::Secants;
 use crate::contact::integrals::layout::{Layout, negligible};
-use crate::contact::lists::columns::Pressure;
-use crate::contact::lists::equations::Equations;
-use crate::contact::lists::support::{End, Support};
-use crate::contact::lists::{Lengths, Work};
+use crate::contact::intervals::columns::Pressure;
+use crate::contact::intervals::equations::Equations;
+use crate::contact::intervals::support::{End, Support};
+use crate::contact::intervals::{Lengths, Work};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::iteration::Progress;
@@ -50,7 +50,13 @@ struct Look {
 }
 
 /// Moves ends until no pressure is singular; `None` if that does not converge.
-pub(super) fn converge(problem: &Problem, mut support: Support, counts: &[usize], enough: f64, work: &mut Work) -> Option<Level> {
+pub(super) fn converge(
+    problem: &Problem,
+    mut support: Support,
+    counts: &[usize],
+    enough: f64,
+    work: &mut Work,
+) -> Option<Level> {
     let negligible = negligible(problem.tolerance);
     let mut kept: Option<(Layout, Vec<f64>)> = None;
     let mut progress = Progress::default();
@@ -72,14 +78,9 @@ pub(super) fn converge(problem: &Problem, mut support: Support, counts: &[usize]
         let pressures = Equations::new(problem, &layout, &support, counts).solve()?;
         let looks = looks(&support, counts, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
-        let size = |(look, step): (&Look, &f64)| if look.q.abs() < WEAK && step.abs() > SHORT { 0.0 } else { step.abs() };
+        let size =
+            |(look, step): (&Look, &f64)| if look.q.abs() < WEAK && step.abs() > SHORT { 0.0 } else { step.abs() };
         let longest = looks.iter().zip(&steps).map(size).fold(0.0, f64::max);
-        if std::env::var("TRACE").is_ok() {
-            eprintln!("{:?} terms {counts:?}", work.steps);
-            for (end, look) in support.ends().iter().zip(&looks) {
-                eprintln!("  {} {:+} at {:.12} q {:.3e} step {:.3e}", support.0[end.interval].contact, end.side, support.place(*end), look.q, look.step);
-            }
-        }
         if longest < enough || progress.is_rounding(longest, 1e-7) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
