@@ -11,11 +11,12 @@ use std::f64::consts::PI;
 
 use faer::Mat;
 
+use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Interval;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::modes::alternating;
-use crate::numeric::bessel;
 use crate::numeric::quadrature::rule;
+use crate::numeric::{bessel, dot};
 
 /// Points of integrals over an interval, besides those of each term.
 const POINTS: usize = 48;
@@ -261,19 +262,27 @@ impl Columns<'_> {
     }
 
     /// The slope at x outside the contact that pressures make on a half-plane with λμ₀C = 1.
-    pub(super) fn slope(&self, x: f64, pressure: &Pressure) -> f64 {
+    pub(super) fn slope(&self, x: f64, amplitudes: &[f64]) -> f64 {
         let mut slopes = vec![0.0; self.terms() + self.ends()];
         self.slopes(x, None, &mut slopes);
-        let amplitudes = pressure.terms.iter().chain(&pressure.singular);
-        slopes.iter().zip(amplitudes).map(|(slope, amplitude)| slope * amplitude).sum()
+        dot(&slopes, amplitudes)
     }
-}
 
-/// The pressure of one contact: amplitudes y_j of all intervals, one after the other, and q of all ends.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Pressure {
-    pub(super) terms: Vec<f64>,
-    pub(super) singular: Vec<f64>,
+    /// The amplitudes of terms, then of singular pressures, of the pressures of its intervals.
+    pub(super) fn amplitudes(&self, pressures: &[Pressure]) -> Vec<f64> {
+        let terms = pressures.iter().flat_map(|own| &own.terms);
+        terms.chain(pressures.iter().flat_map(|own| &own.singular)).copied().collect()
+    }
+
+    /// The pressures with these amplitudes.
+    pub(super) fn pressures(&self, terms: &[f64], singular: &[f64]) -> Vec<Pressure> {
+        let (mut terms, mut singular) = (terms.iter().copied(), singular.iter().copied());
+        let of = |(interval, count): (&Interval, &usize)| Pressure {
+            terms: terms.by_ref().take(*count).collect(),
+            singular: singular.by_ref().take(interval.sides().len()).collect(),
+        };
+        self.intervals.iter().zip(self.counts).map(of).collect()
+    }
 }
 
 /// How much of the first column the test of a closing contains.

@@ -11,9 +11,11 @@ use faer::{Mat, MatRef, Side};
 
 use crate::contact::integrals::basis::TOGETHER;
 use crate::contact::integrals::layout::Layout;
-use crate::contact::intervals::columns::{Columns, InSpace, Pressure};
+use crate::contact::intervals::columns::{Columns, InSpace};
+use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Support;
 use crate::contact::problem::Problem;
+use crate::numeric::dot;
 
 /// The equations of one support.
 pub(super) struct Equations<'a> {
@@ -72,7 +74,7 @@ impl<'a> Equations<'a> {
         places
     }
 
-    /// The pressures of all contacts; `None` if there are none in double precision.
+    /// The pressures of all intervals; `None` if there are none in double precision.
     pub(super) fn solve(&self) -> Option<Vec<Pressure>> {
         let places = self.places();
         let System { a, e, b, d, f, left } = self.system(&places);
@@ -92,17 +94,15 @@ impl<'a> Equations<'a> {
 
     /// Amplitudes from unknowns: what all others have of the first column is taken from it.
     fn pressures(&self, places: &Places, x: &Mat<f64>, q: &Mat<f64>) -> Vec<Pressure> {
-        let of = |(contact, columns): (usize, &Columns)| {
-            let singular: Vec<f64> = places.ends[contact].clone().map(|end| q[(end, 0)]).collect();
-            let mut terms: Vec<f64> = places.terms[contact].clone().map(|term| x[(term, 0)]).collect();
-            let later: f64 = (1..columns.intervals.len()).map(|number| terms[columns.first(number) - 1]).sum();
-            let ends: f64 = columns.resultants().iter().zip(&singular).map(|(resultant, q)| resultant * q).sum();
-            if !columns.intervals.is_empty() {
-                terms.insert(0, 1.0 - later - ends);
-            }
-            Pressure { terms, singular }
+        let of = |contact: usize| {
+            let columns = &self.columns[contact];
+            let singular = &q.col_as_slice(0)[places.ends[contact].clone()];
+            let others = &x.col_as_slice(0)[places.terms[contact].clone()];
+            let later: f64 = (1..columns.intervals.len()).map(|number| others[columns.first(number) - 1]).sum();
+            let first = 1.0 - later - dot(&columns.resultants(), singular);
+            columns.pressures(&[&[first], others].concat(), singular)
         };
-        self.columns.iter().enumerate().map(of).collect()
+        self.problem.unknown().flat_map(of).collect()
     }
 
     /// The rows of one contact among all: of the unknown terms, or of those that are left.
@@ -282,13 +282,19 @@ impl<'a> Equations<'a> {
         response
     }
 
+    /// The amplitudes of all columns of a contact, of the pressures of all intervals.
+    pub(super) fn amplitudes(&self, contact: usize, pressures: &[Pressure]) -> Vec<f64> {
+        let first: usize = self.columns[..contact].iter().map(|columns| columns.intervals.len()).sum();
+        let columns = &self.columns[contact];
+        columns.amplitudes(&pressures[first..first + columns.intervals.len()])
+    }
+
     /// ζ times the transform of the pressure of a contact less its resultant.
     fn field(&self, contact: usize, nodes: Range<usize>, pressures: &[Pressure]) -> Vec<f64> {
         let Waves { columns, first } = self.waves(contact, nodes.clone());
         let mut field: Vec<f64> =
             first.iter().zip(&self.layout.zeta[nodes]).map(|(first, zeta)| first * zeta).collect();
-        let Pressure { terms, singular } = &pressures[contact];
-        for (column, amplitude) in terms.iter().chain(singular).enumerate().skip(1) {
+        for (column, amplitude) in self.amplitudes(contact, pressures).iter().enumerate().skip(1) {
             field.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
         }
         field

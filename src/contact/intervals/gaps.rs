@@ -2,9 +2,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
+use crate::contact::intervals::Lengths;
 use crate::contact::intervals::equations::Equations;
-use crate::contact::intervals::newton::{Level, pressure};
-use crate::contact::intervals::{Lengths, terms_of};
+use crate::contact::intervals::newton::Level;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use crate::numeric::quadrature::rule;
@@ -24,13 +24,13 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
     let [mut largest, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; count];
-    for (number, interval) in level.support.0.iter().enumerate() {
-        let terms = terms_of(level, number);
-        let places = 2 * PER_MODE * terms.len();
+    for (interval, pressure) in level.support.0.iter().zip(&level.pressures) {
+        let is_flat = problem.sides[interval.contact].is_flat();
+        let pressure = if is_flat { pressure.clone() } else { pressure.regular() };
+        let places = 2 * PER_MODE * pressure.terms.len();
         let (mut least, mut most) = (0.0f64, 0.0f64);
         for k in 1..places {
-            let phi = PI * k as f64 / places as f64;
-            let pressure = interval.unit() * pressure(interval.order(1) - 1, terms, &[], phi);
+            let pressure = pressure.at(interval, PI * k as f64 / places as f64);
             (least, most) = (least.min(pressure), most.max(pressure));
         }
         let contact = interval.contact;
@@ -79,14 +79,14 @@ fn gaps(problem: &Problem, level: &Level, layout: &Layout, contact: usize, all: 
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
     let waves = equations.response(contact, &level.pressures);
     let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
-    let columns = &equations.columns[contact];
+    let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.pressures));
     let of = |[from, to]: &[f64; 2]| {
         let place = |t: f64| from + (to - from) * (FRAC_PI_2 * t).sin().powi(2);
         let mut near = 0.0;
         let at = |k: usize| {
             let t = |k: usize| k as f64 / PLACES as f64;
             for (t, weight) in rule(12).on(t(k - 1), t(k)) {
-                let slope: f64 = columns.slope(place(t), &level.pressures[contact]);
+                let slope: f64 = columns.slope(place(t), &amplitudes);
                 near += weight * FRAC_PI_2 * (PI * t).sin() * (to - from) * limit * slope;
             }
             let x = place(t(k));

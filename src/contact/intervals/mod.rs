@@ -3,7 +3,10 @@ mod columns;
 mod equations;
 mod gaps;
 mod newton;
+mod pressure;
 mod support;
+#[cfg(test)]
+mod tests;
 
 use std::f64::consts::PI;
 
@@ -11,10 +14,10 @@ use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::LAYOUT_SERVES;
 use crate::contact::even::RightInterval;
 use crate::contact::integrals::layout::Layout;
-use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
 use crate::contact::problem::twin::Twin;
+use crate::contact::problem::{Problem, Side};
 use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
@@ -51,7 +54,7 @@ impl Work {
 /// found, or the pressure under the punch is of another kind.
 pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Solution> {
     let is_plane = problem.twin() == Twin::Plane;
-    if !is_plane || problem.sides.iter().any(|side| side.is_flat() || side.is_sharp()) {
+    if !is_plane || problem.sides.iter().any(Side::is_sharp) {
         return None;
     }
     // the programme may see many intervals where bodies graze each other, or several, far out, where there is one with next to no force
@@ -191,14 +194,6 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
     (kernel.remainder(i, end) / kernel.asymptote(i).limit).abs() / end
 }
 
-/// The terms of one interval.
-fn terms_of(level: &Level, number: usize) -> &[f64] {
-    let contact = level.support.0[number].contact;
-    let same = |before: &usize| level.support.0[*before].contact == contact;
-    let first: usize = (0..number).filter(same).map(|before| level.counts[before]).sum();
-    &level.pressures[contact].terms[first..first + level.counts[number]]
-}
-
 /// By how much two levels differ.
 struct Errors {
     /// Of the ends of each interval, relative.
@@ -249,10 +244,7 @@ impl Level {
     /// The pressure at x = 0 of an interval, per unit of P'.
     fn peak(&self, number: usize) -> f64 {
         let interval = &self.support.0[number];
-        if !interval.is_central() {
-            return 0.0;
-        }
-        interval.unit() * newton::pressure(2, terms_of(self, number), &[], 0.5 * PI)
+        if interval.is_central() { self.pressures[number].at(interval, 0.5 * PI) } else { 0.0 }
     }
 }
 
@@ -260,20 +252,23 @@ impl Level {
 fn found(problem: &Problem, level: &Level, errors: &Errors) -> Vec<Found> {
     let mut peaks = errors.peaks.iter();
     let of = |contact: usize| {
+        let is_flat = problem.sides[contact].is_flat();
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
         let peak = level.peak(first);
         let parts = numbers.clone().map(|number| {
             let (interval, [from_error, to_error]) = (&level.support.0[number], errors.ends[number]);
             let (from, to) = (interval.from(), interval.to());
-            RightInterval { from, from_error: from_error * from, to, to_error: to_error * to }
+            let to_error = if is_flat { 0.0 } else { to_error * to };
+            RightInterval { from, from_error: from_error * from, to, to_error }
         });
         let strips = numbers.map(|number| {
-            let interval = &level.support.0[number];
-            let terms = terms_of(level, number).iter().enumerate();
+            let (interval, pressure) = (&level.support.0[number], &level.pressures[number]);
+            let terms = pressure.terms.iter().enumerate();
             let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
             if interval.is_central() {
-                return Strip::series(interval.half, all);
+                let corners = if is_flat { interval.unit() * pressure.singular[0] } else { 0.0 };
+                return Strip { corners, ..Strip::series(interval.half, all) };
             }
             let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
             Strip { at: interval.middle, skew: every_other(1), ..Strip::series(interval.half, every_other(0)) }

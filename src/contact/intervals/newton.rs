@@ -1,26 +1,15 @@
 //! The ends of all intervals at which no pressure is singular.
-//!
-//! The sign of the intensity q says which way an end has to go: inwards where it is negative, for the contact is too long there. Next to the
-//! end the pressure is unit (κφ + q/φ), of an end farther out by w q/κ.
-use std::f64::consts::PI;
-
 use crate::contact::ends::broyden::Secants;
 use crate::contact::integrals::layout::{Layout, negligible};
-use crate::contact::intervals::columns::Pressure;
 use crate::contact::intervals::equations::Equations;
-use crate::contact::intervals::support::{End, Support};
+use crate::contact::intervals::pressure::Pressure;
+use crate::contact::intervals::support::{Interval, Support};
 use crate::contact::intervals::{Lengths, Work};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::iteration::Progress;
 
-/// Most of the way to the next interval, and of its own length, that an end goes in one step.
+/// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
-const MOST_IN: f64 = 0.9;
-/// The longest step outwards, in half-lengths.
-const FARTHEST: f64 = 0.3;
-/// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
-const TENSION: f64 = 0.13;
 /// Steps at most.
 const MOST_STEPS: usize = 40;
 /// Steps that are shorter, in half-lengths, are Newton's.
@@ -34,7 +23,7 @@ pub(super) struct Level {
     pub(super) support: Support,
     /// Terms of each interval.
     pub(super) counts: Vec<usize>,
-    /// Of each contact.
+    /// Of each interval.
     pub(super) pressures: Vec<Pressure>,
     /// The last step of each end, in half-lengths.
     pub(super) steps: Vec<f64>,
@@ -76,7 +65,7 @@ pub(super) fn converge(
         work.spend(terms, layout.zeta.len())?;
         *work.steps.last_mut()? += 1;
         let pressures = Equations::new(problem, &layout, &support, counts).solve()?;
-        let looks = looks(&support, counts, &pressures);
+        let looks = looks(problem, &support, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         let size =
             |(look, step): (&Look, &f64)| if look.q.abs() < WEAK && step.abs() > SHORT { 0.0 } else { step.abs() };
@@ -128,8 +117,7 @@ impl Limits {
 fn moved(problem: &Problem, support: &Support, steps: &[f64]) -> Option<Support> {
     let limited = support.ends().into_iter().zip(steps).map(|(end, step)| {
         let interval = &support.0[end.interval];
-        let outwards = (step * interval.half).clamp(-MOST_IN * interval.half, interval.half);
-        let outwards = outwards.min(MOST_OUT * support.gap(end));
+        let outwards = (step * interval.half).min(MOST_OUT * support.gap(end));
         let place = support.place(end);
         let side = &problem.sides[interval.contact];
         if end.side > 0.0 { side.within(place, place + outwards) - place } else { outwards }
@@ -138,75 +126,15 @@ fn moved(problem: &Problem, support: &Support, steps: &[f64]) -> Option<Support>
     moved.0.iter().all(|interval| interval.half > 0.0 && interval.half.is_finite()).then_some(moved)
 }
 
-/// What pressures say of all ends.
-fn looks(support: &Support, counts: &[usize], pressures: &[Pressure]) -> Vec<Look> {
-    let ends = support.ends();
-    let mut looks = Vec::with_capacity(ends.len());
-    let (mut contact, mut at) = (usize::MAX, 0);
-    let mut first = 0;
-    for (number, end) in ends.iter().enumerate() {
-        let interval = &support.0[end.interval];
-        if interval.contact != contact {
-            (contact, at, first) = (interval.contact, 0, 0);
-        }
-        let terms = &pressures[contact].terms[first..first + counts[end.interval]];
-        let q = pressures[contact].singular[at];
-        let sides = interval.sides().len();
-        let own_first = at - usize::from(sides == 2 && end.side > 0.0);
-        let singular = &pressures[contact].singular[own_first..own_first + sides];
-        looks.push(Look { q, step: step(support, *end, terms, singular, q) });
-        at += 1;
-        if ends.get(number + 1).is_none_or(|next| next.interval != end.interval) {
-            first += counts[end.interval];
-        }
-    }
-    looks
-}
-
-/// The step of an end outwards, in half-lengths.
-fn step(support: &Support, end: End, terms: &[f64], singular: &[f64], q: f64) -> f64 {
-    let interval = &support.0[end.interval];
-    let sign = |m: usize| if end.side > 0.0 || interval.order(m) % 2 == 1 { 1.0 } else { -1.0 };
-    // the last terms, which truncation changes most, do not count
-    let smooth = |m: usize| (-12.0 * (m as f64 / terms.len() as f64).powi(4)).exp();
-    let kappa: f64 = terms.iter().enumerate().map(|(m, y)| smooth(m) * sign(m) * y).sum();
-    if q > 0.0 {
-        return if kappa > 0.0 { ((1.0 + 2.0 * q / kappa).sqrt() - 1.0).min(FARTHEST) } else { FARTHEST };
-    }
-    // how far from the end the pressure is negative, seen from its largest value
-    let places = PER_MODE * interval.order(terms.len() - 1);
-    let angle = |k: usize| {
-        let phi = PI * (k as f64 + 0.5) / places as f64;
-        if end.side > 0.0 { phi } else { PI - phi }
+/// What pressures say of all ends; the corners of a flat punch are where they are.
+fn looks(problem: &Problem, support: &Support, pressures: &[Pressure]) -> Vec<Look> {
+    let of = |(interval, pressure): (&Interval, &Pressure)| -> Vec<Look> {
+        let corner = problem.sides[interval.contact].is_flat();
+        let of = |(side, q): (&f64, &f64)| match corner {
+            true => Look { q: 0.0, step: 0.0 },
+            false => Look { q: *q, step: pressure.step(interval, *side, *q) },
+        };
+        interval.sides().iter().zip(&pressure.singular).map(of).collect()
     };
-    let all: Vec<f64> = (0..places).map(|k| pressure(interval.order(1) - 1, terms, singular, angle(k))).collect();
-    let last = if interval.is_central() { places / 2 } else { places - 1 };
-    let largest = (0..=last).max_by(|a, b| all[*a].total_cmp(&all[*b])).unwrap_or(0);
-    let zero = all[..largest].iter().rposition(|p| *p < 0.0);
-    let newton = if kappa > 0.0 { q / kappa } else { f64::NEG_INFINITY };
-    let distance = match zero {
-        Some(zero) => {
-            let part = all[zero] / (all[zero] - all[zero + 1]);
-            let phi = PI * (zero as f64 + 0.5 + part) / places as f64;
-            1.0 - phi.cos()
-        }
-        None if newton.is_finite() => -0.5 * newton,
-        None => 1.0 - (PI * 0.5 / places as f64).cos(),
-    };
-    if distance > TENSION || kappa <= 0.0 { -distance.min(MOST_IN) } else { newton.max(-2.2 * distance) }
-}
-
-/// The pressure at an angle φ, over the unit of the interval: orders of terms are 1, 1 + by, ...
-pub(super) fn pressure(by: usize, terms: &[f64], singular: &[f64], phi: f64) -> f64 {
-    let regular = |(m, y): (usize, &f64)| {
-        let order = (1 + m * by) as f64;
-        y / order * (order * phi).sin()
-    };
-    let (sin, cos) = phi.sin_cos();
-    let at_ends = match singular {
-        [q] => *q,
-        [left, right] => 0.5 * (left * (1.0 - cos) + right * (1.0 + cos)),
-        _ => 0.0,
-    };
-    terms.iter().enumerate().map(regular).sum::<f64>() + at_ends / sin
+    support.0.iter().zip(pressures).flat_map(of).collect()
 }

@@ -1,0 +1,72 @@
+//! The pressure of one interval, and what it says of its ends.
+use std::f64::consts::PI;
+
+use crate::contact::intervals::support::Interval;
+use crate::contact::problem::accuracy::PER_MODE;
+
+/// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
+const TENSION: f64 = 0.13;
+/// The longest steps of an end outwards and inwards, in half-lengths.
+const FARTHEST: f64 = 0.3;
+const MOST_IN: f64 = 0.9;
+
+/// Amplitudes y_j of terms, and q of singular pressures at the ends that are no mirror images.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pressure {
+    pub(super) terms: Vec<f64>,
+    pub(super) singular: Vec<f64>,
+}
+
+impl Pressure {
+    /// At x = middle + half cos φ.
+    pub(super) fn at(&self, interval: &Interval, phi: f64) -> f64 {
+        let regular = |(m, y): (usize, &f64)| {
+            let order = interval.order(m) as f64;
+            y / order * (order * phi).sin()
+        };
+        let (sin, cos) = phi.sin_cos();
+        let at_ends = match self.singular[..] {
+            [q] => q,
+            [left, right] => 0.5 * (left * (1.0 - cos) + right * (1.0 + cos)),
+            _ => 0.0,
+        };
+        let singular = if at_ends == 0.0 { 0.0 } else { at_ends / sin };
+        interval.unit() * (self.terms.iter().enumerate().map(regular).sum::<f64>() + singular)
+    }
+
+    /// The same with no singularity at an end that is found: what is left of it is rounding.
+    pub(super) fn regular(&self) -> Self {
+        Self { singular: vec![0.0; self.singular.len()], ..self.clone() }
+    }
+
+    /// The step of an end outwards, in half-lengths: the sign of the intensity q says which way, and next to the end the pressure is unit (κφ + q/φ), as of an end
+    /// farther out by q/κ.
+    pub(super) fn step(&self, interval: &Interval, side: f64, q: f64) -> f64 {
+        let sign = |m: usize| if side > 0.0 || interval.order(m) % 2 == 1 { 1.0 } else { -1.0 };
+        // the last terms, which truncation changes most, do not count
+        let smooth = |m: usize| (-12.0 * (m as f64 / self.terms.len() as f64).powi(4)).exp();
+        let kappa: f64 = self.terms.iter().enumerate().map(|(m, y)| smooth(m) * sign(m) * y).sum();
+        if q > 0.0 {
+            return if kappa > 0.0 { ((1.0 + 2.0 * q / kappa).sqrt() - 1.0).min(FARTHEST) } else { FARTHEST };
+        }
+        let newton = if kappa > 0.0 { q / kappa } else { f64::NEG_INFINITY };
+        let places = PER_MODE * interval.order(self.terms.len() - 1);
+        let distance = self.zero(interval, side, places).unwrap_or_else(|| match newton.is_finite() {
+            true => -0.5 * newton,
+            false => 1.0 - (0.5 * PI / places as f64).cos(),
+        });
+        if distance > TENSION || kappa <= 0.0 { -distance.min(MOST_IN) } else { newton.max(-2.2 * distance) }
+    }
+
+    /// How far from an end the pressure is negative, seen from its largest value, in half-lengths.
+    fn zero(&self, interval: &Interval, side: f64, places: usize) -> Option<f64> {
+        let angle = |k: f64| PI * (k + 0.5) / places as f64;
+        let phi = |k: f64| if side > 0.0 { angle(k) } else { PI - angle(k) };
+        let last = if interval.is_central() { places / 2 } else { places - 1 };
+        let all: Vec<f64> = (0..=last).map(|k| self.at(interval, phi(k as f64))).collect();
+        let largest = (0..=last).max_by(|a, b| all[*a].total_cmp(&all[*b]))?;
+        let zero = all[..largest].iter().rposition(|p| *p < 0.0)?;
+        let part = all[zero] / (all[zero] - all[zero + 1]);
+        Some(1.0 - angle(zero as f64 + part).cos())
+    }
+}

@@ -1,0 +1,109 @@
+//! Intervals against the answers of one interval about the middle, and columns against integrals over pressures.
+use std::f64::consts::PI;
+
+use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+
+use super::columns::Columns;
+use super::newton::converge;
+use super::pressure::Pressure;
+use super::support::{Interval, Support};
+use super::{Work, refine};
+use crate::contact::press;
+use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::COARSE;
+use crate::kernel::Kernel;
+use crate::options::Options;
+use crate::scene::{Load, Punch, Top};
+use crate::solution::Contact;
+use crate::stack::Stack;
+
+/// Contacts of one interval, from half-lengths that are a third too long or too short, are what the solver for one interval finds.
+#[test]
+fn one_interval_is_what_another_solver_finds() {
+    let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+    let graded = || Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
+    let stack = || Stack::builder(Plane::Strain);
+    let stacks = [
+        stack().layer(strip()).receding().layer(HalfPlane::new(0.5, 0.3).unwrap()),
+        stack().layer(strip()).receding().layer(graded()).receding().rigid(),
+    ];
+    for stack in stacks {
+        let stack = stack.build().unwrap();
+        let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
+        let options = Options { tolerance: 1e-8, ..Options::default() };
+        for top in [
+            Top::from(Punch::parabola(30.0).unwrap()),
+            Top::from(Punch::cylinder(30.0).unwrap()),
+            Top::from(Punch::flat(0.4).unwrap()),
+            Top::from(Load::uniform(0.3).unwrap()),
+        ] {
+            let expected = press(&kernel, None, &interfaces, &top, 0.01, &options).unwrap();
+            let problem = Problem::new(&kernel, &interfaces, &top, 0.01, options.tolerance);
+            for factor in [0.7, 1.4] {
+                let half = |contact: &Contact| contact.half_length().unwrap() / kernel.length();
+                let start = |contact: usize| {
+                    let factor = if problem.sides[contact].is_flat() { 1.0 } else { factor };
+                    Interval::new(contact, [0.0, factor * half(&expected.contacts[contact])])
+                };
+                let support = Support(problem.unknown().map(start).collect());
+                let counts = vec![20; support.0.len()];
+                let mut work = Work::default();
+                let first = converge(&problem, support, &counts, COARSE, &mut work).unwrap();
+                let found = refine(&problem, first, &mut work).unwrap();
+                for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
+                    let off = found.half_length().unwrap() - expected.half_length().unwrap();
+                    let claimed = found.innermost().right_error + expected.innermost().right_error;
+                    assert!(off.abs() <= claimed, "{top:?} {factor}: {off:e} {claimed:e} of {found:?}");
+                    assert!(claimed < 1e-6, "{top:?} {factor}: {claimed:e}");
+                    for part in [0.0, 0.3, 0.9] {
+                        let x = part * expected.half_length().unwrap();
+                        let off = found.pressure(x) / expected.pressure(x) - 1.0;
+                        assert!(off.abs() < 1e-6, "{top:?} {factor} at {part}: {off:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Transforms, by a rule that knows nothing of Bessel functions.
+#[test]
+fn columns_are_transforms_of_pressures() {
+    for intervals in [
+        vec![Interval::new(0, [0.0, 0.8]), Interval::new(0, [1.3, 2.9])],
+        vec![Interval::new(0, [0.4, 0.9]), Interval::new(0, [1.0, 1.1])],
+    ] {
+        let columns = Columns { intervals: &intervals, counts: &[4, 5] };
+        let zeta = [1e-4, 0.3, 2.0, 9.0];
+        let waves = columns.waves(&zeta);
+        let singular = vec![0.0; columns.ends()];
+        let transform = |amplitudes: &[f64], zeta: f64| -> f64 {
+            let (terms, singular) = amplitudes.split_at(columns.terms());
+            let of = |(interval, pressure): (&Interval, Pressure)| {
+                let points = 400;
+                let term = |k: usize| {
+                    let phi = PI * (f64::from(k as u32) + 0.5) / points as f64;
+                    let x = interval.middle + interval.half * phi.cos();
+                    pressure.at(interval, phi) * interval.half * phi.sin() * (zeta * x).cos()
+                };
+                interval.images() * (0..points).map(term).sum::<f64>() * PI / points as f64
+            };
+            intervals.iter().zip(columns.pressures(terms, singular)).map(of).sum()
+        };
+        let amplitudes = |column: usize, value: f64| {
+            let mut all = [vec![0.0; columns.terms()], singular.clone()].concat();
+            all[column] = value;
+            all
+        };
+        for column in 0..columns.terms() + columns.ends() {
+            // all but the first one less what they have of it
+            let whole = transform(&amplitudes(column, 1.0), 0.0);
+            for (k, zeta) in zeta.iter().enumerate() {
+                let first = if column == 0 { 0.0 } else { whole * transform(&amplitudes(0, 1.0), *zeta) };
+                let expected = zeta * (transform(&amplitudes(column, 1.0), *zeta) - first);
+                let found = waves[(k, column)];
+                assert!((found - expected).abs() < 1e-4 * zeta * zeta.min(1.0), "{column} at {zeta}: {found} {expected}");
+            }
+        }
+    }
+}
