@@ -23,7 +23,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_PI};
 use std::ops::{Mul, Sub};
 
 pub use minus_one::{
-    INTEGRAL_FROM, integral, jinc_minus_one, jinc_minus_one_from, sinc_minus_one, spherical_jinc_minus_one,
+    INTEGRAL_FROM, integral, jinc_minus_one, jinc_minus_one_from, of_order_minus_one, sinc_minus_one,
+    spherical_jinc_minus_one,
 };
 use start::start_orders;
 

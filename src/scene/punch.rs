@@ -189,23 +189,30 @@ impl Punch {
             Self::Cylinder { radius } => Shape::Circle(radius.get()),
             Self::ElasticCylinder(cylinder) => Shape::Circle(cylinder.radius()),
             Self::Parabola { radius } => {
-                Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())], end: None }
+                Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())], tilt: 0.0, end: None }
             }
-            Self::Power { exponent, half_width, height } => {
-                Shape::Powers { length: half_width.get(), terms: vec![(exponent.get(), height.get())], end: None }
-            }
+            Self::Power { exponent, half_width, height } => Shape::Powers {
+                length: half_width.get(),
+                terms: vec![(exponent.get(), height.get())],
+                tilt: 0.0,
+                end: None,
+            },
             Self::Polynomial { half_width, heights } => {
                 let end = heights.end().map(|end| half_width.get() * end);
-                Shape::Powers { length: half_width.get(), terms: heights.terms(), end }
+                Shape::Powers { length: half_width.get(), terms: heights.terms(), tilt: 0.0, end }
             }
-            Self::Wedge(wedge) => Shape::Powers { length: 1.0, terms: vec![(1.0, wedge.slope())], end: None },
+            Self::Wedge(wedge) => {
+                Shape::Powers { length: 1.0, terms: vec![(1.0, wedge.slope())], tilt: 0.0, end: None }
+            }
             Self::RoundedFlat { half_width, radius } => {
                 let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
                 let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
-                Shape::Pieces { pieces: vec![flat, corner].into(), end: None }
+                Shape::Pieces { pieces: vec![flat, corner].into(), is_even: true, end: None }
             }
             Self::Flat { half_width } => Shape::Flat(half_width.get()),
-            Self::Table(heights) => Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), end: Some(heights.end()) },
+            Self::Table(heights) => {
+                Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), is_even: true, end: Some(heights.end()) }
+            }
         }
     }
 
@@ -215,6 +222,11 @@ impl Punch {
             Self::ElasticCylinder(cylinder) => Some(cylinder.material()),
             _ => None,
         }
+    }
+
+    /// Whether the punch is its own mirror image about x = 0.
+    pub fn is_even(&self) -> bool {
+        self.shape().is_even()
     }
 
     /// Whether the pressure is infinite at the tip.

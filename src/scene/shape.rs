@@ -1,15 +1,17 @@
 //! What the profile of a punch is made of: heights, slopes, curvatures, and where it is not smooth.
 use std::borrow::Cow;
 
-/// A symmetric profile with its tip at x = 0, one of a few kinds that all punches are made of.
+/// A profile with its tip at x = 0, one of a few kinds that all punches are made of.
 #[derive(Clone, Debug)]
 pub(crate) enum Shape<'a> {
-    /// Σ c (|x|/l)^n.
+    /// Σ c (|x|/l)^n + t x.
     Powers {
         /// l, in length.
         length: f64,
         /// The exponents n ≥ 1 and the coefficients c, in length.
         terms: Vec<(f64, f64)>,
+        /// The slope t everywhere, dimensionless: 0 if the profile is even.
+        tilt: f64,
         /// Where it begins to fall for good, in length: the punch ends there.
         end: Option<f64>,
     },
@@ -17,10 +19,12 @@ pub(crate) enum Shape<'a> {
     Circle(f64),
     /// 0 up to where it ends.
     Flat(f64),
-    /// Cubic polynomials one after the other from x = 0 on.
+    /// Cubic polynomials one after the other.
     Pieces {
-        /// The polynomials; the first begins at x = 0.
+        /// The polynomials, from left to right; of an even profile from x = 0 on.
         pieces: Cow<'a, [Piece]>,
+        /// Whether the left is the mirror image of the right.
+        is_even: bool,
         /// Where the last one ends, in length; `None` if it does not.
         end: Option<f64>,
     },
@@ -39,10 +43,10 @@ impl Shape<'_> {
     /// Height above the tip, in length; infinite beyond the edge of a circle or a flat punch.
     pub(crate) fn height(&self, x: f64) -> f64 {
         match self {
-            Self::Powers { length, terms, .. } => {
+            Self::Powers { length, terms, tilt, .. } => {
                 let s = x.abs() / length;
                 // one factor at a time: s alone may be small enough
-                terms.iter().map(|(n, coefficient)| coefficient * s * s.powf(n - 1.0)).sum()
+                terms.iter().map(|(n, coefficient)| coefficient * s * s.powf(n - 1.0)).sum::<f64>() + tilt * x
             }
             Self::Circle(edge) | Self::Flat(edge) if x.abs() > *edge => f64::INFINITY,
             Self::Flat(_) => 0.0,
@@ -52,18 +56,22 @@ impl Shape<'_> {
         }
     }
 
-    /// Slope, dimensionless: odd in x, at a sharp tip 0; infinite at and beyond the edge of a circle.
+    /// Slope, dimensionless: odd in x if the profile is even, at a sharp tip the mean of both sides; infinite at and beyond the edge of a circle.
     pub(crate) fn slope(&self, x: f64) -> f64 {
         let sign = if x == 0.0 { 0.0 } else { x.signum() };
-        sign * match self {
-            Self::Powers { length, terms, .. } => {
+        match self {
+            Self::Powers { length, terms, tilt, .. } => {
                 let s = x.abs() / length;
-                terms.iter().map(|(n, coefficient)| coefficient * n / length * s.powf(n - 1.0)).sum()
+                sign * terms.iter().map(|(n, coefficient)| coefficient * n / length * s.powf(n - 1.0)).sum::<f64>()
+                    + tilt
             }
-            Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => f64::INFINITY,
+            Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => sign * f64::INFINITY,
             Self::Flat(_) => 0.0,
-            Self::Circle(radius) => x.abs() / radius / cosine(x / radius),
-            Self::Pieces { .. } => self.piece(x, |t, [_, c1, c2, c3]| c1 + t * (2.0 * c2 + t * 3.0 * c3)),
+            Self::Circle(radius) => sign * (x.abs() / radius / cosine(x / radius)),
+            Self::Pieces { is_even, .. } => {
+                let slope = self.piece(x, |t, [_, c1, c2, c3]| c1 + t * (2.0 * c2 + t * 3.0 * c3));
+                if *is_even { sign * slope } else { slope }
+            }
         }
     }
 
@@ -83,10 +91,22 @@ impl Shape<'_> {
         }
     }
 
+    /// Whether the profile is its own mirror image about x = 0.
+    pub(crate) fn is_even(&self) -> bool {
+        match self {
+            Self::Powers { tilt, .. } => *tilt == 0.0,
+            Self::Pieces { is_even, .. } => *is_even,
+            Self::Circle(_) | Self::Flat(_) => true,
+        }
+    }
+
     /// Half-length that no contact can exceed.
     pub(crate) fn edge(&self) -> Option<f64> {
         match self {
             Self::Circle(edge) | Self::Flat(edge) => Some(*edge),
+            Self::Pieces { pieces, is_even: false, end } => {
+                end.map(|end| 0.5 * (end - pieces.first().map_or(0.0, |piece| piece.start)))
+            }
             Self::Powers { end, .. } | Self::Pieces { end, .. } => *end,
         }
     }
@@ -94,7 +114,7 @@ impl Shape<'_> {
     /// The last place x > 0 at which the profile falls, in length; 0 if it falls nowhere.
     pub(crate) fn last_fall(&self) -> f64 {
         match self {
-            Self::Powers { length, terms, end } => {
+            Self::Powers { length, terms, end, .. } => {
                 let turns = turns(terms).into_iter().map(|turn| turn * length);
                 // between the last turns of a polynomial that rises in the end it falls
                 turns.rev().find(|turn| end.is_none_or(|end| *turn < end)).unwrap_or(0.0)
@@ -107,7 +127,7 @@ impl Shape<'_> {
     /// The smallest height: that at x = 0, or where a fall ends.
     pub(crate) fn lowest(&self) -> f64 {
         let ends_of_falls: Vec<f64> = match self {
-            Self::Powers { length, terms, end } => {
+            Self::Powers { length, terms, end, .. } => {
                 let turns = turns(terms).into_iter().map(|turn| turn * length);
                 turns.filter(|turn| end.is_none_or(|end| *turn < end)).collect()
             }
@@ -119,7 +139,7 @@ impl Shape<'_> {
 
     /// The last places at which the pieces fall that do.
     fn falls(&self) -> Vec<f64> {
-        let Self::Pieces { pieces, end } = self else { return Vec::new() };
+        let Self::Pieces { pieces, end, .. } = self else { return Vec::new() };
         let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
         pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start)).collect()
     }
@@ -145,11 +165,18 @@ impl Shape<'_> {
         }
     }
 
+    /// The highest of the exponents of powers, 0 of all others.
+    pub(crate) fn degree(&self) -> f64 {
+        let Self::Powers { terms, .. } = self else { return 0.0 };
+        terms.iter().fold(0.0, |highest: f64, (exponent, _)| highest.max(*exponent))
+    }
+
     fn piece(&self, x: f64, value: impl Fn(f64, [f64; 4]) -> f64) -> f64 {
-        let Self::Pieces { pieces, .. } = self else { return 0.0 };
-        let after = pieces.partition_point(|piece| piece.start <= x.abs());
+        let Self::Pieces { pieces, is_even, .. } = self else { return 0.0 };
+        let x = if *is_even { x.abs() } else { x };
+        let after = pieces.partition_point(|piece| piece.start <= x);
         let piece = pieces.get(after.saturating_sub(1));
-        piece.map_or(0.0, |piece| value(x.abs() - piece.start, piece.coefficients))
+        piece.map_or(0.0, |piece| value(x - piece.start, piece.coefficients))
     }
 }
 
@@ -307,14 +334,14 @@ mod tests {
         let height = |x: f64| 0.3 + 0.5 * x * x + 0.25 * x.powi(3);
         let rows: Vec<(f64, f64)> = [0.0, 0.3, 0.5, 1.1, 1.2].iter().map(|x| (*x, height(*x))).collect();
         for rows in [&rows[..], &rows[..3]] {
-            let shape = Shape::Pieces { pieces: smooth(rows).into(), end: None };
+            let shape = Shape::Pieces { pieces: smooth(rows).into(), is_even: true, end: None };
             for x in [0.0, 0.1, 0.42, 0.5] {
                 assert!((shape.height(x) - height(x) + 0.3).abs() < 1e-15, "{x}");
                 assert!((shape.slope(-x) + x + 0.75 * x * x).abs() < 1e-14, "{x}");
                 assert!((shape.curvature(x) - 1.0 - 1.5 * x).abs() < 1e-13, "{x}");
             }
         }
-        let two = Shape::Pieces { pieces: smooth(&[(0.0, 0.0), (2.0, 3.0)]).into(), end: None };
+        let two = Shape::Pieces { pieces: smooth(&[(0.0, 0.0), (2.0, 3.0)]).into(), is_even: true, end: None };
         assert!((two.height(1.0) - 0.75).abs() < 1e-15);
     }
 
@@ -341,7 +368,7 @@ mod tests {
         ] {
             let pieces = smooth(rows);
             let end = rows[rows.len() - 1].0;
-            let shape = Shape::Pieces { pieces: pieces.into(), end: Some(end) };
+            let shape = Shape::Pieces { pieces: pieces.into(), is_even: true, end: Some(end) };
             assert_eq!(shape.last_fall(), 0.0);
             for (x, height) in rows {
                 assert!((shape.height(*x) - height + rows[0].1).abs() <= 1e-14 * height);
@@ -356,7 +383,7 @@ mod tests {
         let fall = |terms: &[f64]| {
             let terms: Vec<(f64, f64)> = terms.iter().enumerate().map(|(k, c)| ((2 * k + 2) as f64, *c)).collect();
             let end = end_of_rise(&terms).map(|end| 2.0 * end);
-            let shape = Shape::Powers { length: 2.0, terms, end: end.filter(|end| end.is_finite()) };
+            let shape = Shape::Powers { length: 2.0, terms, tilt: 0.0, end: end.filter(|end| end.is_finite()) };
             (shape.last_fall(), end)
         };
         let close = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-13, "{found} {exact}");
@@ -375,10 +402,10 @@ mod tests {
             close(end.unwrap(), 2.0 * b.sqrt());
         }
         let rows = [(0.0, 0.0), (1.0, 0.1), (2.0, 0.05), (3.0, 0.5), (4.0, 1.6)];
-        let table = Shape::Pieces { pieces: smooth(&rows).into(), end: Some(4.0) };
+        let table = Shape::Pieces { pieces: smooth(&rows).into(), is_even: true, end: Some(4.0) };
         let lowest = table.last_fall();
         assert!((1.0..3.0).contains(&lowest) && table.slope(lowest).abs() < 1e-14 && table.curvature(lowest) > 0.0);
-        let falling = Shape::Pieces { pieces: smooth(&[(0.0, 1.0), (1.0, 0.0)]).into(), end: Some(1.0) };
+        let falling = Shape::Pieces { pieces: smooth(&[(0.0, 1.0), (1.0, 0.0)]).into(), is_even: true, end: Some(1.0) };
         assert_eq!(falling.last_fall(), 1.0);
     }
 
@@ -386,8 +413,8 @@ mod tests {
     fn flat_parts_are_found() {
         let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
         let round = Piece { start: 2.0, coefficients: [0.0, 0.0, 0.5, 0.0] };
-        assert_eq!(Shape::Pieces { pieces: vec![flat, round].into(), end: None }.flat(), 2.0);
-        assert_eq!(Shape::Pieces { pieces: vec![round].into(), end: None }.flat(), 2.0);
+        assert_eq!(Shape::Pieces { pieces: vec![flat, round].into(), is_even: true, end: None }.flat(), 2.0);
+        assert_eq!(Shape::Pieces { pieces: vec![round].into(), is_even: true, end: None }.flat(), 2.0);
         assert_eq!(Shape::Circle(1.0).flat(), 0.0);
     }
 }

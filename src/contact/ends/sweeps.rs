@@ -10,7 +10,7 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, MINOR, PATIENCE, ROUNDING, SLOW};
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::{Modes, beyond};
-use crate::contact::problem::profile::Slopes;
+use crate::contact::problem::rows::Slopes;
 use crate::contact::problem::support::{Support, longest};
 use crate::kernel::DECAYED;
 use crate::solution::Stopped;

@@ -20,7 +20,7 @@ use crate::contact::integrals::columns::Columns;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::products::{product, symmetric_product};
 use crate::contact::integrals::tail::Weights;
-use crate::contact::problem::profile::Slopes;
+use crate::contact::problem::rows::Slopes;
 use crate::contact::problem::support::Support;
 use crate::numeric::buffer::Buffer;
 
@@ -263,7 +263,7 @@ impl<'a> Equations<'a> {
             let response = self.spread(by, &change, &mut rows);
             add(&mut rows[by], &basis.test(&response, count));
             for (m, row) in rows[by].iter_mut().enumerate() {
-                *row -= self.layout.twin.diagonal_power() * self.cauchy(by, m) * modes[by][m];
+                *row -= 2.0 * self.layout.twin.norm * self.cauchy(by, m) * modes[by][m];
                 if let Some(slopes) = &slopes[by] {
                     *row -= slopes.load_slope(m);
                 }

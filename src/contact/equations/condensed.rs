@@ -11,7 +11,7 @@ use faer::{Mat, MatMut, MatRef, Par, Spec};
 
 use crate::contact::equations::assemble::{Equations, Rows};
 use crate::contact::problem::modes::{Modes, order};
-use crate::contact::problem::profile::Slopes;
+use crate::contact::problem::rows::Slopes;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::dot;
 

@@ -53,8 +53,8 @@ impl Basis {
         }
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
         let twin = layout.twin;
-        let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, twin.norm() / half_length);
-        let wanted = Wanted::ZERO_AND_ODD.of_kind(twin.bessel());
+        let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, twin.norm / half_length);
+        let wanted = Wanted::ZERO_AND_ODD.of_kind(twin.bessel);
         let mut table = Columns::new(rows, wanted.below(orders));
         bessel::scaled_orders(orders, wanted, &arguments[..reach], scale, rows, &mut table.values);
         let mut basis = Self { half_length, transform_minus_one: Buffer::default(), table, arguments, paths, twin };
@@ -83,8 +83,8 @@ impl Basis {
 
     /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
     fn tabulate_tail(&mut self, tail: &Tail, first: usize, orders: usize) {
-        let (rows, scale) = (self.rows(), self.twin.norm() / self.half_length);
-        let kind = self.twin.bessel();
+        let (rows, scale) = (self.rows(), self.twin.norm / self.half_length);
+        let kind = self.twin.bessel;
         let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
         let smooth = &self.arguments[first..first + count];
         let all: Vec<usize> = (0..orders).collect();
@@ -132,7 +132,7 @@ impl Basis {
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
     pub(crate) fn edges(&self) -> Buffer {
-        let factor = -1.0 / ((2.0 + self.twin.shift()) * self.twin.norm());
+        let factor = -1.0 / ((2.0 + self.twin.shift) * self.twin.norm);
         let third = self.twin.scales().map_or(1.0, |scales| scales[1].recip());
         let sum = |(j1, j3): (&f64, &f64)| factor * (j1 + third * j3);
         let mut edges: Buffer = self.value(0).iter().zip(self.value(1)).map(sum).collect();
@@ -183,7 +183,7 @@ impl Basis {
         let y = scaled.as_deref().unwrap_or(y);
         let mut odd = Buffer::zeros(y.len() + 1);
         for m in 1..=y.len() {
-            let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / ((2 * m) as f64 + self.twin.shift());
+            let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / ((2 * m) as f64 + self.twin.shift);
             odd[m - 1] += part;
             odd[m] += part;
         }
@@ -192,7 +192,7 @@ impl Basis {
         self.scale(&mut slopes, false);
         slopes.iter_mut().zip(self.zeroth()).for_each(|(slope, zeroth)| *slope += y[0] * zeroth);
         self.scale(&mut slopes, false);
-        let norm = self.twin.norm();
+        let norm = self.twin.norm;
         slopes.iter_mut().zip(combined).for_each(|(slope, value)| *slope -= norm * value);
         slopes
     }
@@ -205,7 +205,7 @@ impl Basis {
         self.scale(&mut scaled, true);
         let mut odd = self.test(&scaled, tested.len() + 1);
         self.unscale(&mut odd);
-        let (shift, norm) = (self.twin.shift(), self.twin.norm());
+        let (shift, norm) = (self.twin.shift, self.twin.norm);
         let even = |m: usize| if m == 0 { zeroth } else { (odd[m - 1] + odd[m]) / ((2 * m) as f64 + shift) };
         let slope = |(m, value): (usize, &f64)| self.twin.scale(m) * (even(m) - even(m + 1)) - norm * value;
         tested.iter().enumerate().map(slope).collect()

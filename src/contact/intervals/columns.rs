@@ -15,6 +15,8 @@ use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Interval;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::modes::alternating;
+use crate::contact::problem::profile::Profile;
+use crate::contact::problem::rows::Span;
 use crate::numeric::quadrature::rule;
 use crate::numeric::{bessel, dot};
 
@@ -140,8 +142,8 @@ impl Columns<'_> {
         2.0 * interval.middle / interval.half
     }
 
-    /// What the columns do on a half-plane with λμ₀C = 1, and the tests of the slope of a gap, given with its height.
-    pub(super) fn in_space(&self, slope: &dyn Fn(f64) -> f64, height: &dyn Fn(f64) -> f64) -> InSpace {
+    /// What the columns do on a half-plane with λμ₀C = 1, and the tests of the profile of a punch, if one presses.
+    pub(super) fn in_space(&self, profile: Option<&Profile>) -> InSpace {
         let (terms, ends, others) = (self.terms(), self.ends(), self.others());
         let mut matrix = Mat::zeros(terms + others, terms + ends);
         let mut load = vec![0.0; terms + others];
@@ -160,7 +162,14 @@ impl Columns<'_> {
             for m in 0..count_all {
                 let row = if m < count { row + m } else { other };
                 (0..terms + ends).for_each(|column| matrix[(row, column)] = tested[(m, column)]);
-                load[row] = places.iter().enumerate().map(|(q, x)| tests[(m, q)] * slope(*x)).sum();
+            }
+            if let Some(profile) = profile {
+                let factor = 2.0 / (PI * interval.half);
+                let mut tests = self::tests(profile, interval, count).into_iter().map(|test| factor * test);
+                if !interval.is_central() {
+                    load[other] = tests.next().unwrap_or(0.0);
+                }
+                load[row..row + count].iter_mut().zip(tests).for_each(|(load, test)| *load = test);
             }
             for m in 0..count {
                 matrix[(row + m, row + m)] += interval.unit() / (interval.half * interval.order(m) as f64);
@@ -181,7 +190,7 @@ impl Columns<'_> {
             let tests = Mat::from_fn(1, nodes.len(), |_, q| factor * nodes[q].1 * nodes[q].0.sin());
             let tested = &tests * self.slopes_at(&places, None);
             (0..terms + ends).for_each(|column| matrix[(other, column)] = tested[(0, column)]);
-            load[other] = factor / half * (height(to) - height(from));
+            load[other] = factor / half * profile.map_or(0.0, |profile| profile.height(to) - profile.height(from));
             other += 1;
         }
         self.subtract_first(&mut matrix, &mut load);
@@ -283,6 +292,16 @@ impl Columns<'_> {
         };
         self.intervals.iter().zip(self.counts).map(of).collect()
     }
+}
+
+/// ∫ f' cos kφ dφ of the slope f' of a profile over an interval, for the k of its terms, and first for k = 0 beside x = 0.
+fn tests(profile: &Profile, interval: &Interval, count: usize) -> Vec<f64> {
+    let value = |[value, ..]: [f64; 3]| value;
+    if interval.is_central() {
+        let rows = profile.rows(Span::even(interval.half), count).rows.into_iter();
+        return rows.map(value).enumerate().map(|(m, value)| alternating(m) * value).collect();
+    }
+    profile.rows(Span::anywhere(interval.middle, interval.half), count + 1).rows.into_iter().map(value).collect()
 }
 
 /// How much of the first column the test of a closing contains.

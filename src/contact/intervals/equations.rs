@@ -243,9 +243,9 @@ impl<'a> Equations<'a> {
 
     /// Adds what half-planes do, and the slope of the punch.
     fn add_in_space(&self, places: &Places, system: &mut System, contact: usize) {
-        let (columns, side) = (&self.columns[contact], &self.problem.sides[contact]);
+        let columns = &self.columns[contact];
         let limit = self.layout.own[contact].limit;
-        let InSpace { matrix, load } = columns.in_space(&|x| side.slope(x), &|x| side.height(x));
+        let InSpace { matrix, load } = columns.in_space(self.problem.sides[contact].profile());
         let (terms, ends) = (columns.terms(), columns.ends());
         // rows as of waves, none of ends
         let row = |row: usize| row.checked_sub(terms + ends).map_or(row, |other| terms + other);

@@ -102,7 +102,10 @@ fn columns_are_transforms_of_pressures() {
                 let first = if column == 0 { 0.0 } else { whole * transform(&amplitudes(0, 1.0), *zeta) };
                 let expected = zeta * (transform(&amplitudes(column, 1.0), *zeta) - first);
                 let found = waves[(k, column)];
-                assert!((found - expected).abs() < 1e-4 * zeta * zeta.min(1.0), "{column} at {zeta}: {found} {expected}");
+                assert!(
+                    (found - expected).abs() < 1e-4 * zeta * zeta.min(1.0),
+                    "{column} at {zeta}: {found} {expected}"
+                );
             }
         }
     }

@@ -52,20 +52,13 @@ fn transform_minus_one(loads: &Loads, wavenumber: f64, twin: Twin) -> f64 {
 
 /// The same of a load about its middle.
 fn transform_of_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
-    let z = wavenumber * load.half_width();
+    // of (1 − s²)^(n/2)
+    let of = |n| bessel::of_order_minus_one(n + twin.lengths, wavenumber * load.half_width());
     match load {
         Load::Line => 0.0,
-        Load::Uniform { .. } if twin == Twin::Round => bessel::jinc_minus_one(z),
-        Load::Parabolic { .. } if twin == Twin::Round => {
-            // 8 J_2/z² = 2 (J_1 + J_3)/z
-            let mut bessel = [0.0; 4];
-            bessel::table(4, &[z], &mut bessel);
-            bessel::jinc_minus_one(z) + if z > 0.0 { 2.0 * bessel[3] / z } else { 0.0 }
-        }
-        Load::Elliptic { .. } if twin == Twin::Round => bessel::spherical_jinc_minus_one(z),
-        Load::Uniform { .. } => bessel::sinc_minus_one(z),
-        Load::Parabolic { .. } => bessel::spherical_jinc_minus_one(z),
-        Load::Elliptic { .. } => bessel::jinc_minus_one(z),
+        Load::Uniform { .. } => of(0),
+        Load::Elliptic { .. } => of(1),
+        Load::Parabolic { .. } => of(2),
         Load::Ring { radius, half_width } => {
             let disc = |(radius, part): (f64, f64)| part * bessel::jinc_minus_one(wavenumber * radius);
             ring(radius.get(), half_width.get()).into_iter().map(disc).sum::<f64>()

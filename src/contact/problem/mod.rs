@@ -7,7 +7,7 @@ pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
 pub(crate) mod profile;
-pub(crate) mod round;
+pub(crate) mod rows;
 pub(crate) mod support;
 pub(crate) mod twin;
 
@@ -18,7 +18,8 @@ use crate::solution::Interface;
 
 use accuracy::MOST_OPERATIONS;
 use load::Given;
-use profile::{Local, Profile, Slopes};
+use profile::{Local, Profile};
+use rows::{Slopes, Span};
 use support::{End, Support, span};
 use twin::Twin;
 
@@ -124,7 +125,9 @@ impl<'a> Problem<'a> {
 
     /// The right-hand sides of all contacts, with `rows` rows each; `None` where no profile presses.
     pub(crate) fn slopes(&self, half_lengths: &[f64], rows: &[usize]) -> Vec<Option<Slopes>> {
-        let own = |(side, (a, rows)): (&Side, (&f64, &usize))| side.profile().map(|profile| profile.slopes(*a, *rows));
+        let own = |(side, (a, rows)): (&Side, (&f64, &usize))| {
+            side.profile().map(|profile| profile.rows(Span::even(*a), *rows))
+        };
         self.sides.iter().zip(half_lengths.iter().zip(rows)).map(own).collect()
     }
 
@@ -181,14 +184,9 @@ impl<'a> Side<'a> {
         }
     }
 
-    /// Height above the apex at x (both in units of L), per unit of P'.
+    /// Height above the apex at x (both in units of L), per unit of P', as the equations test it: about an axis after Abel's transform.
     pub(crate) fn height(&self, x: f64) -> f64 {
-        self.profile().map_or(0.0, |profile| profile.height(x))
-    }
-
-    /// The same after Abel's transform, which is what the equations of axisymmetric problems are about.
-    pub(crate) fn transformed_height(&self, x: f64) -> f64 {
-        self.profile().map_or(0.0, |profile| profile.transformed(x))
+        self.profile().map_or(0.0, |profile| profile.tested_height(x))
     }
 
     /// Slope at x (in units of L), per unit of P'.

@@ -7,18 +7,82 @@
 //!
 //! Modes are scaled by κ_m so that the pressure at the middle is the sum of y_m/j in both.
 use std::f64::consts::PI;
+use std::ops::Deref;
 use std::sync::LazyLock;
 
 use crate::contact::problem::modes::{FINEST, alternating, order};
+use crate::contact::problem::rows::wallis;
 use crate::geometry::Geometry;
 use crate::numeric::bessel::Kind;
 use crate::solution::jacobi_weights;
 
-/// A plane problem, or its axisymmetric twin.
+/// A plane problem, or its axisymmetric twin: the numbers in which they differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Twin {
     Plane,
     Round,
+}
+
+pub(crate) struct Numbers {
+    /// s, by which orders of Bessel functions are larger.
+    pub(crate) shift: f64,
+    /// Which Bessel functions these are.
+    pub(crate) bessel: Kind,
+    /// 1 + s: Bessel functions are multiplied by it, so that the first mode has the resultant P.
+    pub(crate) norm: f64,
+    /// 1 + 2s: the power of a length by which a pressure becomes a force.
+    pub(crate) lengths: i32,
+    /// A force over μ₀P' and this power of L.
+    force: f64,
+    /// g∞ ∫ ψ_m² over all wavenumbers times (j + s) a^(2s + 2)/(g∞ κ_m²).
+    diagonal: f64,
+    /// What the row of a punch is multiplied by, over κ_m.
+    load: f64,
+    /// What a compliance of all waves is multiplied by where a force makes a contact.
+    compliance: f64,
+    /// The first row of a parabola of radius 1 on a contact of half-length 1.
+    pub(crate) parabola_row: f64,
+    /// The pressure at the middle per unit of Σ y_m/(πj), over P', under a contact of half-length 1.
+    unit: f64,
+    /// The first of the modes of arcosh(1/s), in the unit of `unit` over π.
+    tip: f64,
+}
+
+static PLANE: Numbers = Numbers {
+    shift: 0.0,
+    bessel: Kind::Integer,
+    norm: 1.0,
+    lengths: 1,
+    force: 1.0,
+    diagonal: 0.5,
+    load: 0.5,
+    compliance: 1.0,
+    parabola_row: 0.5 * PI,
+    unit: 2.0,
+    tip: 2.0,
+};
+
+static ROUND: Numbers = Numbers {
+    shift: 0.5,
+    bessel: Kind::Spherical,
+    norm: 1.5,
+    lengths: 2,
+    force: 2.0 * PI,
+    diagonal: 0.5625 * PI,
+    load: 0.375,
+    compliance: PI,
+    parabola_row: 4.0 / 3.0,
+    unit: 3.0 * PI,
+    // the first mode of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
+    tip: 1.5,
+};
+
+impl Deref for Twin {
+    type Target = Numbers;
+
+    fn deref(&self) -> &Numbers {
+        if *self == Self::Round { &ROUND } else { &PLANE }
+    }
 }
 
 /// (2j + 1) w_m (−1)^m ∫ P_j from 0 to 1: the coefficients of arcosh(1/s) as a sum of √(1 − s²) times Jacobi polynomials.
@@ -46,21 +110,6 @@ impl Twin {
         if self == Self::Round { Geometry::Axisymmetric } else { Geometry::PlaneStrain }
     }
 
-    /// s, by which orders of Bessel functions are larger.
-    pub(crate) fn shift(self) -> f64 {
-        if self == Self::Round { 0.5 } else { 0.0 }
-    }
-
-    /// Which Bessel functions these are.
-    pub(crate) fn bessel(self) -> Kind {
-        if self == Self::Round { Kind::Spherical } else { Kind::Integer }
-    }
-
-    /// 1 + s: Bessel functions are multiplied by it, so that the first mode has the resultant P.
-    pub(crate) fn norm(self) -> f64 {
-        1.0 + self.shift()
-    }
-
     /// The factors κ_m by which modes are scaled; none in the plane.
     pub(crate) fn scales(self) -> Option<&'static [f64]> {
         (self == Self::Round).then(|| &SCALES[..])
@@ -68,85 +117,88 @@ impl Twin {
 
     /// κ_m.
     pub(crate) fn scale(self, m: usize) -> f64 {
-        if self == Self::Round { SCALES[m] } else { 1.0 }
+        self.scales().map_or(1.0, |scales| scales[m])
+    }
+
+    /// A number times a length, or its square.
+    fn times(self, number: f64, length: f64) -> f64 {
+        (0..self.lengths).fold(number, |product, _| product * length)
     }
 
     /// P' of a force in the unit of the scene, with μ₀ and L.
     pub(crate) fn force(self, force: f64, modulus: f64, length: f64) -> f64 {
-        match self {
-            Self::Plane => force / (modulus * length),
-            Self::Round => force / (2.0 * PI * modulus * length * length),
-        }
+        force / self.times(self.force * modulus, length)
     }
 
     /// The force of P'.
     pub(crate) fn total_force(self, force: f64, modulus: f64, length: f64) -> f64 {
-        match self {
-            Self::Plane => force * modulus * length,
-            Self::Round => 2.0 * PI * force * modulus * length * length,
-        }
+        self.times(self.force * force * modulus, length)
     }
 
     /// What dζ/ζ of the plane problem is multiplied by.
     pub(crate) fn measure(self, zeta: f64) -> f64 {
-        if self == Self::Round { zeta } else { 1.0 }
+        zeta.powi(self.lengths - 1)
     }
 
     /// g∞ ∫ ψ_m² over all wavenumbers, for a contact of half-length a.
     pub(crate) fn diagonal(self, limit: f64, m: usize, half_length: f64) -> f64 {
-        match self {
-            Self::Plane => 0.5 * limit / (order(m) * half_length.powi(2)),
-            Self::Round => 1.125 * PI * limit * SCALES[m].powi(2) / ((2.0 * order(m) + 1.0) * half_length.powi(3)),
-        }
+        let product = self.diagonal * limit * self.scale(m).powi(2);
+        product / ((order(m) + self.shift) * half_length.powi(self.lengths + 1))
+    }
+
+    /// What the row of the slope of a punch with mode m is multiplied by.
+    pub(crate) fn load(self, m: usize) -> f64 {
+        self.load * self.scale(m)
+    }
+
+    /// Mode m that a punch of row 1 makes of a half-plane with g∞ = 1, over (j + s)/κ_m: the ratio of load and diagonal.
+    pub(crate) fn alone(self, half_length: f64) -> f64 {
+        self.times(self.load / self.diagonal, half_length)
     }
 
     /// The force at which a compliance of all waves makes a contact of half-length a under a profile with this first row.
     pub(crate) fn force_under(self, first_row: f64, half_length: f64, compliance: f64) -> f64 {
-        match self {
-            Self::Plane => first_row * half_length / compliance,
-            Self::Round => first_row * half_length * half_length / (PI * compliance),
+        self.times(first_row, half_length) / (self.compliance * compliance)
+    }
+
+    /// What of the slope of c |x|^n is tested over that slope: all, or its transform A'.
+    pub(crate) fn of_power(self, exponent: f64) -> f64 {
+        if self == Self::Round { exponent * wallis(exponent - 1.0) } else { 1.0 }
+    }
+
+    /// ∫ cos^n θ sin^(2s) θ dθ from 0 to π/2.
+    pub(crate) fn moment(self, n: f64) -> f64 {
+        if self == Self::Round { 1.0 / (n + 1.0) } else { wallis(n) }
+    }
+
+    /// The factors (u, v, w) with which tests follow from each other, C' = (u t + v) C − w C'', in steps of two with alternating signs and
+    /// t = cos 2θ from k = 2m + 1 on, or one by one, in the plane, with t = cos θ.
+    pub(crate) fn steps(self, m: usize, step: usize) -> [f64; 3] {
+        if self == Self::Plane {
+            return [if step == 2 { -2.0 } else { 2.0 }, 0.0, 1.0];
         }
-    }
-
-    /// The first row of a parabola of radius 1 on a contact of half-length 1.
-    pub(crate) fn parabola_row(self) -> f64 {
-        if self == Self::Round { 4.0 / 3.0 } else { 0.5 * PI }
-    }
-
-    /// The power of 1/a in [`Self::diagonal`].
-    pub(crate) fn diagonal_power(self) -> f64 {
-        2.0 + 2.0 * self.shift()
-    }
-
-    /// What the test of the slope of a punch with mode m is multiplied by.
-    pub(crate) fn load(self, m: usize) -> f64 {
-        if self == Self::Round { 0.375 * self.scale(m) } else { 0.5 }
+        // twice (k + 1) P_(k+1) = (2k + 1) s P_k − k P_(k−1)
+        let k = order(m);
+        let square = (k + 0.5) * (2.0 * k + 3.0) / ((k + 1.0) * (k + 2.0));
+        let last = (2.0 * k + 3.0) * k / ((k + 1.0) * (k + 2.0) * (2.0 * k - 1.0));
+        [-square, last * k + (k + 1.0) / (k + 2.0) - square, last * (k - 1.0)]
     }
 
     /// The pressure at the middle per unit of Σ y_m/(πj), over P'.
     pub(crate) fn unit(self, half_length: f64) -> f64 {
-        match self {
-            Self::Plane => 2.0 / half_length,
-            Self::Round => 3.0 * PI / half_length.powi(2),
-        }
+        self.unit / half_length.powi(self.lengths)
     }
 
     /// The pressure next to sharp corners less a unit pressure of the same resultant has the modes of this factor times 1/√(1 − s²) minus
-    /// [`Self::edge_unit`] times √(1 − s²), in the unit of [`Self::unit`] over π.
+    /// twice `norm` times √(1 − s²), in the unit of [`Self::unit`] over π.
     pub(crate) fn edge(self) -> f64 {
-        if self == Self::Round { 1.0 / 3.0 } else { 0.5 }
-    }
-
-    /// √(1 − s²) that has the resultant of 1/√(1 − s²).
-    pub(crate) fn edge_unit(self) -> f64 {
-        if self == Self::Round { 3.0 } else { 2.0 }
+        0.5 / self.norm
     }
 
     /// The logarithm arcosh(1/s) under a sharp tip, in the unit of [`Self::unit`] over π, of which all modes are like the modes of the
     /// asymptotic pressure; `first` is the first of the latter.
     pub(crate) fn tip(self, first: f64) -> f64 {
-        // its first mode is the first mode of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
-        if self == Self::Round { first / 1.5 } else { 0.5 * first }
+        first / self.tip
     }
 
     /// The coefficient of mode m in a multiple of arcosh(1/s).

@@ -205,7 +205,7 @@ impl Least {
             let places = pressures.len();
             for (place, pressure) in pressures.iter_mut().enumerate() {
                 let sine = angle(place, places).sin();
-                *pressure += twin.edge() * intensity / PI * (sine.recip() - twin.edge_unit() * sine);
+                *pressure += twin.edge() * intensity / PI * (sine.recip() - 2.0 * twin.norm * sine);
             }
         }
         let least = |least: (usize, f64), (k, p): (usize, &f64)| if *p < least.1 { (k, *p) } else { least };
@@ -339,15 +339,13 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
     let mut gaps = Vec::with_capacity(2 * PLACES);
     for (step, regular) in steps.into_iter().zip(regular) {
         let places: [f64; PLACES] = std::array::from_fn(|k| a + step * (k + 1) as f64);
-        let of = |height: &dyn Fn(f64) -> f64, elastic: &dyn Fn(usize) -> f64| {
-            std::array::from_fn(|k| height(places[k]) - height(a) - elastic(k))
+        let of = |elastic: &dyn Fn(usize) -> f64| {
+            std::array::from_fn(|k| side.height(places[k]) - side.height(a) - elastic(k))
         };
         let found = match problem.twin() {
-            Twin::Plane => {
-                of(&|x| side.height(x), &|k| 2.0 * (limit * cauchy_deflection(modes, places[k] / a) + regular[k]) / PI)
-            }
+            Twin::Plane => of(&|k| 2.0 * (limit * cauchy_deflection(modes, places[k] / a) + regular[k]) / PI),
             // the modes themselves bring nothing to the transform beyond a
-            Twin::Round => round::gap(a, step, of(&|x| side.transformed_height(x), &|k| 2.0 * regular[k])),
+            Twin::Round => round::gap(a, step, of(&|k| 2.0 * regular[k])),
         };
         gaps.extend(places.into_iter().zip(found));
     }

@@ -42,7 +42,7 @@ fn found(twin: Twin, level: &Level, i: usize) -> Found {
     let mut coefficients: Vec<f64> = twin.coefficients(&level.modes[i]).iter().map(|c| c * unit).collect();
     let corners = twin.edge() * level.support.intensity(i).unwrap_or(0.0) * unit / PI;
     let tip = twin.tip(level.apexes[i]) * unit / PI;
-    coefficients[0] -= twin.edge_unit() * corners;
+    coefficients[0] -= 2.0 * twin.norm * corners;
     if tip != 0.0 {
         // arcosh(1/|cos φ|) is a closed form for all modes together
         coefficients.truncate(level.counts[i]);

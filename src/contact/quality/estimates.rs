@@ -144,7 +144,7 @@ impl Truncation {
         let intensity = found.support.intensity(i);
         // where modes fall like a power, the terms of the pressure at x = 0 are averaged
         let averaged = !problem.kernel.asymptote(i).is_constant();
-        let edge = problem.twin().edge() * (problem.twin().edge_unit() - 1.0);
+        let edge = problem.twin().edge() * (2.0 * problem.twin().norm - 1.0);
         let swept = weight(&own, found.solved[i]..own.len());
         let (beyond, fall) = beyond(&own);
         let beyond = beyond.max(beyond_late(&own));

@@ -1,6 +1,30 @@
 //! Transforms of unit pressures less their resultant, with all digits also for long waves.
 use super::table;
 
+/// Gamma(n/2 + 1) (2/z)^(n/2) J_(n/2)(z) - 1 for n = 1, 2, 3 and 4, z >= 0: of the pressure (1 - s^2)^(m/2) the transform on a strip (n = m + 1) or
+/// a disc (n = m + 2) of half-width or radius 1, less its resultant, over it.
+///
+/// ```
+/// use recede::numeric::bessel::of_order_minus_one;
+/// let z = 1e-6;
+/// for n in 1..=4 {
+///     assert!((of_order_minus_one(n, z) / (-z * z / f64::from(2 * n + 4)) - 1.0).abs() < 1e-12);
+/// }
+/// ```
+pub fn of_order_minus_one(n: i32, z: f64) -> f64 {
+    match n {
+        1 => sinc_minus_one(z),
+        2 => jinc_minus_one(z),
+        3 => spherical_jinc_minus_one(z),
+        _ => {
+            // 8 J_2/z^2 = 2 (J_1 + J_3)/z
+            let mut bessel = [0.0; 4];
+            table(4, &[z], &mut bessel);
+            jinc_minus_one(z) + if z > 0.0 { 2.0 * bessel[3] / z } else { 0.0 }
+        }
+    }
+}
+
 /// 2 J_1(z)/z - 1, to a relative error of a few 1e-16 also where it is small.
 ///
 /// ```

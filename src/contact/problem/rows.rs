@@ -1,0 +1,300 @@
+//! The rows of a profile: its slope against the tests of an interval.
+//!
+//! On x = m + w s, s = cos θ, the tests are polynomials C_k of one family with C_k(1) = 1: in the plane T_k(s) dθ, about an axis P_k(s) sin θ dθ.
+//! What is tested is the slope f', and about an axis A'(t), A(t) = t ∫ f'(r)/√(t² − r²) dr from 0 to t: with r = t sin φ it is ∫ (r f')' dφ from
+//! 0 to π/2. Powers of |x| about x = 0 have closed forms. All else is integrated by Gauss rules from one place to the next where the
+//! profile is not smooth, but for a circle in the plane, which is analytic: all at once, at places as far from each other in θ.
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::contact::problem::accuracy::ROUNDING;
+use crate::contact::problem::modes::order;
+use crate::contact::problem::profile::Profile;
+use crate::contact::problem::twin::Twin;
+use crate::numeric::quadrature::rule;
+use crate::numeric::vector::{LANES, vectorised};
+use crate::scene::{Piece, Shape};
+
+/// Most oscillations of a test function, as a phase, that one Gauss rule is asked to integrate.
+const PHASE: f64 = 150.0;
+/// Gauss points besides those that the oscillation takes.
+const SPARE: f64 = 14.0;
+/// Where a circle ends its slope is infinite: about an axis it is as steep as here.
+const STEEPEST: f64 = 1.0 - 1e-12;
+/// About a tip off the middle of an interval the slope counts as a step, as far as the interval reaches over 2 to this power to either side: what it
+/// does there is odd but for the step, so that the square of this counts, which is below rounding.
+const TIP_CELLS: usize = 27;
+
+/// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    middle: f64,
+    half: f64,
+    /// From the order k of a row to the next.
+    step: usize,
+}
+
+impl Span {
+    /// About x = 0 under an even profile: only the rows of odd k, those of k = 2m + 1 times (−1)^m.
+    pub(crate) fn even(half: f64) -> Self {
+        Self { middle: 0.0, half, step: 2 }
+    }
+
+    /// Anywhere under any profile: rows of all k from 0 on.
+    pub(crate) fn anywhere(middle: f64, half: f64) -> Self {
+        Self { middle, half, step: 1 }
+    }
+}
+
+/// The slope of a profile, per unit of P', against the tests of an interval.
+pub(crate) struct Slopes {
+    /// ∫ f'(m + w s) C_k ..., its derivative with respect to ln w and, for rows of all k, its derivative with respect to m, times w.
+    pub(crate) rows: Vec<[f64; 3]>,
+    /// w.
+    pub(crate) half_length: f64,
+    twin: Twin,
+}
+
+/// θ, and what is there to be added to the rows, times their tests.
+type Place = (f64, [f64; 3]);
+
+impl Slopes {
+    /// The right-hand side of mode `m`.
+    pub(crate) fn load(&self, m: usize) -> f64 {
+        self.twin.load(m) * self.rows[m][0] / self.half_length
+    }
+
+    /// Its derivative with respect to ln a.
+    pub(crate) fn load_slope(&self, m: usize) -> f64 {
+        self.twin.load(m) * (self.rows[m][1] - self.rows[m][0]) / self.half_length
+    }
+
+    /// Adds amplitude · |s|^power sign(s) to odd rows: ∫ cos^ν θ C_k dθ is a product of gamma functions.
+    fn add_power(&mut self, power: f64, amplitude: f64) {
+        let mut value = 2.0 * amplitude * self.twin.moment(power + 1.0);
+        for (m, [row, slope, _]) in self.rows.iter_mut().enumerate() {
+            *row += value;
+            *slope += power * value;
+            let k = order(m);
+            value *= (k - power) / (k + power + (2.0 + 2.0 * self.twin.shift));
+        }
+    }
+
+    /// Adds places to the first `count` rows, by the recurrence of the tests.
+    fn add(&mut self, step: usize, count: usize, places: &[Place]) {
+        let steps: Vec<[f64; 3]> = (0..count).map(|m| self.twin.steps(m, step)).collect();
+        vectorised(
+            #[inline(always)]
+            || {
+                for some in places.chunks(LANES) {
+                    let [mut turn, mut test, mut before] = [[0.0; LANES]; 3];
+                    let mut own = [[0.0; LANES]; 3];
+                    for (lane, (theta, parts)) in some.iter().enumerate() {
+                        let s = theta.cos();
+                        let start = if step == 2 { [(2.0 * theta).cos(), s, -s] } else { [s, 1.0, s] };
+                        [turn[lane], test[lane], before[lane]] = start;
+                        own.iter_mut().zip(parts).for_each(|(own, part)| own[lane] = *part);
+                    }
+                    for (row, [up, stay, down]) in self.rows.iter_mut().zip(&steps) {
+                        for (sum, own) in row.iter_mut().zip(&own).take(4 - step) {
+                            (0..LANES).for_each(|lane| *sum += own[lane] * test[lane]);
+                        }
+                        for lane in 0..LANES {
+                            let next = (up * turn[lane] + stay) * test[lane] - down * before[lane];
+                            (before[lane], test[lane]) = (test[lane], next);
+                        }
+                    }
+                }
+            },
+        );
+    }
+}
+
+impl Profile<'_> {
+    /// The first `count` rows on an interval, with derivatives with respect to both of its ends.
+    pub(crate) fn rows(&self, span: Span, count: usize) -> Slopes {
+        debug_assert!(span.step == 1 || self.shape.is_even(), "an uneven profile has rows of even k as well");
+        let mut slopes = Slopes { rows: vec![[0.0; 3]; count], half_length: span.half, twin: self.twin };
+        match &self.shape {
+            Shape::Flat(_) => {}
+            Shape::Powers { .. } if span.step == 2 => {
+                self.powers(span.half).for_each(|(power, slope)| slopes.add_power(power, slope));
+            }
+            Shape::Circle(radius) if self.twin == Twin::Plane => {
+                // Chebyshev coefficients fall like ρ^(−k)
+                let ratio = ((radius / self.length - span.middle.abs()) / span.half).max(1.0 + 1e-9);
+                let digits = (20.0 / (ratio + (ratio * ratio - 1.0).sqrt()).ln()).min(20_000.0) as usize;
+                let count = count.min((4 + digits) / span.step);
+                let points = span.step * count + 8 + 2 * digits;
+                let place = |q: usize| self.place(span, PI * (q as f64 + 0.5) / points as f64, PI / points as f64);
+                slopes.add(span.step, count, &(0..points / span.step).map(place).collect::<Vec<_>>());
+            }
+            shape => {
+                let phase = (span.step * count) as f64 + shape.degree();
+                slopes.add(span.step, count, &self.between(span, &self.not_smooth(span), phase));
+            }
+        }
+        slopes
+    }
+
+    /// ∫ f'(a cos θ)/cos θ ... from 0 to π/2, over P': the sum of all odd rows.
+    pub(super) fn apex(&self, half_length: f64) -> f64 {
+        if matches!(self.shape, Shape::Powers { .. }) {
+            let sum = |(power, slope): (f64, f64)| {
+                let moment = slope * self.twin.moment(power + 1.0) * (power + 1.0 + 2.0 * self.twin.shift) / power;
+                if slope == 0.0 { 0.0 } else { moment }
+            };
+            return self.powers(half_length).map(sum).sum();
+        }
+        // cell by cell to where the profile begins to be smooth: slopes farther in are nothing
+        let (span, own) = (Span::even(half_length), half_length * self.length);
+        let mut limits = self.not_smooth(span);
+        let octaves = limits.first().map_or(0.0, |first| (own / first).log2()).min(-2.0 * ROUNDING.log2());
+        limits.extend(halves(own).take(1 + octaves as usize));
+        limits.sort_by(f64::total_cmp);
+        self.between(span, &limits, 0.0).iter().map(|(theta, [value, ..])| 0.5 * value / theta.cos()).sum()
+    }
+
+    /// Where the profile is not smooth inside an interval, from left to right, in the unit of the scene; powers go to the tip cell by cell.
+    fn not_smooth(&self, span: Span) -> Vec<f64> {
+        let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
+        let (right, is_mirrored): (Vec<f64>, bool) = match &self.shape {
+            Shape::Pieces { pieces, is_even, .. } => (pieces.iter().map(|piece| piece.start).collect(), *is_even),
+            Shape::Powers { .. } => (halves(middle.abs() + half).take(1 + TIP_CELLS).collect(), true),
+            Shape::Circle(_) | Shape::Flat(_) => (Vec::new(), false),
+        };
+        let left = right.iter().map(|x| -x).filter(|_| is_mirrored);
+        let mut all: Vec<f64> = left.chain(right.iter().copied()).collect();
+        let first = if span.step == 2 { 0.0 } else { middle - half };
+        all.retain(|x| *x > first && *x < middle + half);
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    /// Places from one to the next of some `limits` inside the interval, for what oscillates like cos(phase · θ).
+    fn between(&self, span: Span, limits: &[f64], phase: f64) -> Vec<Place> {
+        let angle = |x: &f64| ((x - span.middle * self.length) / (span.half * self.length)).acos();
+        let last = if span.step == 2 { FRAC_PI_2 } else { PI };
+        let ends: Vec<f64> = std::iter::once(last).chain(limits.iter().map(angle)).chain([0.0]).collect();
+        let mut places = Vec::new();
+        for (index, pair) in ends.windows(2).enumerate() {
+            let (to, from) = (pair[0], pair[1]);
+            if let Some(x) = limits.get(index).filter(|x| index > 0 && **x == -limits[index - 1]) {
+                // about the tip
+                let rise = (self.shape.slope(*x) - self.shape.slope(-x)) / self.force;
+                let theta = (-span.middle / span.half).acos();
+                places.push((theta, [0.0, rise / theta.tan(), rise / theta.sin()]));
+                continue;
+            }
+            let parts = (phase * (to - from) / PHASE).ceil().max(1.0);
+            let step = (to - from) / parts;
+            for part in 0..parts as usize {
+                let low = from + step * part as f64;
+                if self.twin == Twin::Plane {
+                    let nodes = rule((0.5 * phase * step + SPARE) as usize).on(low, low + step);
+                    places.extend(nodes.map(|(theta, weight)| self.place(span, theta, weight)));
+                } else {
+                    // beyond a place where the profile is not smooth there is a square root: θ = to − u²
+                    let [first, last] = [low + step, low].map(|theta| (to - theta).max(0.0).sqrt());
+                    let nodes = rule((phase * last * (last - first) + SPARE) as usize).on(first, last);
+                    places.extend(nodes.map(|(u, weight)| self.place(span, to - u * u, 2.0 * u * weight)));
+                }
+            }
+        }
+        places
+    }
+
+    /// What a place with a weight adds to the rows; to odd ones its mirror image adds the same.
+    fn place(&self, span: Span, theta: f64, weight: f64) -> Place {
+        let (s, weight) = (theta.cos(), span.step as f64 * weight);
+        if self.twin == Twin::Round {
+            let [_, value, slope] = self.abel(span.half * s);
+            return (theta, [value, slope, 0.0].map(|value| theta.sin() * weight * value));
+        }
+        let (arm, weight) = (span.half * s * self.length, weight / self.force);
+        let x = span.middle * self.length + arm;
+        let curvature = self.shape.curvature(x);
+        let shift = weight * (span.half * self.length) * curvature;
+        (theta, [weight * self.shape.slope(x), weight * arm * curvature, shift])
+    }
+
+    /// Height above the apex at x (both in units of L), per unit of P', and about an axis A(x).
+    pub(crate) fn tested_height(&self, x: f64) -> f64 {
+        if self.twin == Twin::Round { x * self.abel(x)[0] } else { self.height(x) }
+    }
+
+    /// The powers of |x| that the slope consists of, and what is tested of each at x = a, over P'; none of other profiles.
+    fn powers(&self, a: f64) -> impl Iterator<Item = (f64, f64)> {
+        let (length, terms) =
+            if let Shape::Powers { length, terms, .. } = &self.shape { (*length, &terms[..]) } else { (1.0, &[][..]) };
+        terms.iter().map(move |(exponent, coefficient)| {
+            let slope = coefficient * exponent / length * (a * self.length / length).powf(exponent - 1.0) / self.force;
+            (exponent - 1.0, slope * self.twin.of_power(*exponent))
+        })
+    }
+
+    /// A(t)/t, A'(t) and t A''(t) at t in units of L, over P'.
+    fn abel(&self, t: f64) -> [f64; 3] {
+        let own = t * self.length;
+        let values = match &self.shape {
+            Shape::Circle(radius) => {
+                let u = (own / radius).min(STEEPEST);
+                let over = ((1.0 - u) * (1.0 + u)).recip();
+                [u.atanh(), u.atanh() + u * over, 2.0 * u * over * over]
+            }
+            Shape::Pieces { pieces, .. } => pieces_abel(pieces, own),
+            Shape::Flat(_) => [0.0; 3],
+            Shape::Powers { .. } => {
+                let add = |sum: [f64; 3], (power, slope): (f64, f64)| {
+                    [sum[0] + slope / (power + 1.0), sum[1] + slope, sum[2] + slope * power]
+                };
+                return self.powers(t).fold([0.0; 3], add);
+            }
+        };
+        values.map(|value| value / self.force)
+    }
+}
+
+/// The same for polynomials: ∫ f'(t sin φ) dφ, and ∫ g(t sin φ) dφ with g = (r f')' = e_0 + e_1 r + e_2 r² in each piece.
+fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 3] {
+    let [mut whole, mut value, mut slope, mut before] = [0.0; 4];
+    for (i, Piece { start, coefficients: [_, c1, c2, c3] }) in pieces.iter().enumerate() {
+        if *start >= t {
+            break;
+        }
+        // f' in powers of r, and g
+        let d = [c1 - 2.0 * c2 * start + 3.0 * c3 * start * start, 2.0 * c2 - 6.0 * c3 * start, 3.0 * c3];
+        let e = [d[0], 2.0 * d[1], 3.0 * d[2]];
+        let end = pieces.get(i + 1).map_or(t, |next| next.start.min(t));
+        let at = |r: f64| {
+            let sin = (r / t).min(1.0);
+            (sin.asin(), sin, ((1.0 - sin) * (1.0 + sin)).sqrt())
+        };
+        let ((phi, sin, cos), (phi_0, sin_0, cos_0)) = (at(end), at(*start));
+        let angle = phi - phi_0;
+        let square = 0.5 * t * t * (angle - sin * cos + sin_0 * cos_0);
+        let linear = e[1] * t * (cos_0 - cos);
+        whole += d[0] * angle + 0.5 * linear + d[2] * square;
+        value += e[0] * angle + linear + e[2] * square;
+        slope += linear + 2.0 * e[2] * square;
+        // where g jumps
+        let here = e[0] + start * (e[1] + start * e[2]);
+        if i > 0 {
+            slope += (here - before) * sin_0 / cos_0;
+        }
+        before = e[0] + end * (e[1] + end * e[2]);
+    }
+    [whole, value, slope]
+}
+
+/// A length, and then each half as long as the one before.
+fn halves(length: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(length), |length| Some(0.5 * length))
+}
+
+/// ∫ cos^n θ dθ from 0 to π/2.
+pub(super) fn wallis(n: f64) -> f64 {
+    FRAC_PI_2.sqrt() * std::f64::consts::FRAC_1_SQRT_2 * libm::tgamma(0.5 * n + 0.5) / libm::tgamma(0.5 * n + 1.0)
+}
+
+#[cfg(test)]
+mod tests;
