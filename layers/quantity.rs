@@ -95,6 +95,12 @@ impl Finite {
     pub const ZERO: Self = Self(0.0);
 }
 
+impl From<Thickness> for Finite {
+    fn from(value: Thickness) -> Self {
+        Self(value.0)
+    }
+}
+
 impl From<Positive> for Thickness {
     fn from(value: Positive) -> Self {
         Self(value.0)

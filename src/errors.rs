@@ -137,9 +137,9 @@ impl Scene {
                 self.error_at_top(hint.to_owned(), cause)
             }
             Error::NoSolution(cause @ NoSolution::Unreachable { .. }) => self.error_at_force(cause.hint(), cause),
-            Error::Contact(cause @ (ContactError::UnevenLoads | ContactError::LoadsUnknown { .. })) => {
-                self.error_at_top(cause.hint().unwrap_or_default(), cause)
-            }
+            Error::Contact(
+                cause @ (ContactError::UnevenLoads | ContactError::UnevenPunch | ContactError::LoadsUnknown { .. }),
+            ) => self.error_at_top(cause.hint().unwrap_or_default(), cause),
             Error::Approach(cause) => self.error_at_force(Some(cause.hint()), cause),
             _ => None,
         };

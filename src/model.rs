@@ -103,6 +103,7 @@ impl Model {
             self.stack.check_punch(&material)?;
         }
         let (kernel, table) = (&self.kernel, self.table.as_deref());
+        contact::is_solvable(top, kernel)?;
         let press = |force: f64| match options.method {
             Method::Galerkin => contact::press(kernel, table, &self.interfaces, top, force, options),
             Method::Collocation => collocation::press(kernel, &self.interfaces, top, force, options),

@@ -118,8 +118,8 @@ impl Seen<'_> {
                 let punch = top.punch()?;
                 let flattened = punch.material().map(|material| field.flattening(i, &material, x));
                 // nothing is above the stack beyond the edge of a punch
-                let edge = punch.max_half_length().unwrap_or(f64::INFINITY);
-                let profile = |x: f64| if x.abs() <= edge { punch.profile(x) } else { f64::INFINITY };
+                let [left, right] = punch.ends();
+                let profile = |x: f64| if left <= x && x <= right { punch.profile(x) } else { f64::INFINITY };
                 let height = |k: usize| profile(x[k]) + flattened.as_ref().map_or(0.0, |all| all[k]);
                 (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
             }

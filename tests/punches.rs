@@ -246,6 +246,53 @@ fn on_layers_a_punch_is_the_same_by_any_name() {
     }
 }
 
+#[test]
+fn a_table_of_both_sides_is_that_of_one_if_they_are_the_same() {
+    let right = [(0.0, 0.0), (0.5, 0.01), (1.0, 0.05), (2.0, 0.3)];
+    let both: Vec<(f64, f64)> = right[1..].iter().rev().map(|(x, height)| (-x, *height)).chain(right).collect();
+    let [half, whole] = [&right[..], &both].map(|rows| Punch::table(rows).unwrap());
+    for model in layered() {
+        let [half, whole] = [&half, &whole].map(|punch| model.press(punch, 0.02).unwrap());
+        assert_eq!(half.contacts(), whole.contacts());
+    }
+}
+
+#[test]
+fn uneven_punches_are_read_written_and_swept_and_refused_where_they_stand() {
+    let table = "Table([(-2, 0.2), (-1, 0.06), (0, 0), (1, 0.05), (2, 0.3)])";
+    let (force, depth) = ("force: 0.02", "depth: 0.001");
+    for punch in ["Wedge(slope: 0.1, left: 0.2)", table] {
+        for given in [force, "half_length: 0.5", depth] {
+            let text = format!(
+                "Scene(geometry: PlaneStrain, punch: {punch}, {given},
+                 stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])"
+            );
+            let scene = Scene::from_ron(&text).unwrap();
+            let own = scene.top.punch().unwrap();
+            assert!(!own.is_even());
+            for again in [Scene::from_ron(&scene.to_ron()).unwrap(), Scene::from_json(&scene.to_json()).unwrap()] {
+                assert_eq!(again.top.punch(), Some(own));
+            }
+            for method in [Method::Galerkin, Method::Collocation] {
+                let model = Model::new(scene.stack().unwrap()).unwrap();
+                let options = Options { method, ..Options::default() };
+                let error = scene.locate(model.press_with(&scene.top, scene.force, &options).unwrap_err());
+                assert!(error.is_input() && error.hint().is_some(), "{error}");
+                assert!(error.to_string().starts_with("scene:1:37: the punch is not symmetric about x = 0"), "{error}");
+            }
+        }
+    }
+    let text = "Scene(geometry: PlaneStrain, punch: Wedge(slope: 0.1, left: 0.2), force: 0.02,
+         stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])";
+    let uneven = Scene::from_ron(text).unwrap();
+    assert_eq!(uneven.paths()[1..3], ["punch.slope", "punch.left"]);
+    let even = uneven.with("punch.left", 0.1).unwrap();
+    let wedge = Punch::wedge(0.1).unwrap();
+    let model = Model::new(even.stack().unwrap()).unwrap();
+    let [found, expected] = [even.top.clone(), wedge.into()].map(|top| model.press(top, 0.02).unwrap());
+    assert_eq!(found.contacts(), expected.contacts());
+}
+
 /// In u = x² the two intervals b < |x| < a of a half-plane are one, with the middle m and half its length w, and
 /// f'(x)/x = 2h₁ + 4h₂u + 6h₃u² is what a punch of one interval has as its slope: it must have no mean over the interval, with
 /// the weight of Chebyshev, and its first moment is the force.

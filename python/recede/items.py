@@ -418,23 +418,32 @@ class Polynomial(Punch):
 
 
 class Wedge(Punch):
-    """A wedge: height s |x|, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like
-    a logarithm.
+    """A wedge: height s |x|, s its slope or the cotangent of its half-angle, with another slope on the left if there is
+    one. The pressure is infinite at the tip, like a logarithm.
 
     Args:
         slope: Slope s of its surface, dimensionless: the tangent of its angle with the stack; or in its place
             `half_angle`. Allowed: a finite number > 0.
         half_angle: Angle of its surface with the axis x = 0, half of the angle at the tip; or in its place `slope`, its
             cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
+        left: Slope of its surface on the left, x < 0, if that is not as steep as `slope` on the right; dimensionless.
+            Allowed: a finite number > 0.
     """
 
-    __slots__ = ("slope", "half_angle")
-    _geometries = {"PlaneStrain": ("slope", "half_angle")}
+    __slots__ = ("slope", "half_angle", "left")
+    _geometries = {"PlaneStrain": ("slope", "half_angle", "left")}
     slope: float | str | None
     half_angle: float | str | None
+    left: float | str | None
 
-    def __init__(self, *, slope: Number | None = None, half_angle: Number | None = None) -> None:
-        self._set(slope=slope, half_angle=half_angle)
+    def __init__(
+        self,
+        *,
+        slope: Number | None = None,
+        half_angle: Number | None = None,
+        left: Number | None = None,
+    ) -> None:
+        self._set(slope=slope, half_angle=half_angle, left=left)
 
 
 class RoundedFlat(Punch):
@@ -476,10 +485,11 @@ class Flat(Punch):
 
 class Table(Punch):
     """Heights at distances from the tip, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
-    them.
+    them. If the left is not the mirror image of the right, the distances on the left are negative.
 
     Args:
-        rows: Allowed: [(x, height), ...], two or more with increasing distances x, the first 0.
+        rows: Allowed: [(x, height), ...], two or more with increasing x: from 0, the tip, on if the left is the mirror
+            image of the right, or from the left end, with a height at 0.
     """
 
     __slots__ = ("rows",)
@@ -541,7 +551,7 @@ class Cone(Punch):
     Args:
         slope: Slope s of its surface, dimensionless: the tangent of its angle with the stack; or in its place
             `half_angle`. Allowed: a finite number > 0.
-        half_angle: Angle of its surface with the axis x = 0, half of the angle at the tip; or in its place `slope`, its
+        half_angle: Angle of its surface with the axis, half of the angle at the tip; or in its place `slope`, its
             cotangent. Allowed: an angle > 0 and < pi/2, in radians or with its unit, such as "70.3 deg".
     """
 

@@ -28,6 +28,11 @@ pub enum ContactError {
         "the loads are not symmetric about x = 0, and the stack has receding interfaces: their contacts would not be symmetric, and only symmetric ones are solved for"
     )]
     UnevenLoads,
+    /// A punch that is not symmetric.
+    #[error(
+        "the punch is not symmetric about x = 0: its contact would not be symmetric, and only symmetric ones are solved for"
+    )]
+    UnevenPunch,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -44,7 +49,8 @@ impl ContactError {
             | Self::FlatByCollocation
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
-            | Self::UnevenLoads => true,
+            | Self::UnevenLoads
+            | Self::UnevenPunch => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -70,6 +76,10 @@ impl ContactError {
             ),
             Self::UnevenLoads => Some(
                 "add the mirror image of each load, or join the layers: `Bonded`, `Sliding` or `Spring(...)` in place of `Receding`"
+                    .to_owned(),
+            ),
+            Self::UnevenPunch => Some(
+                "give both sides the same shape: a wedge one slope, a table the same heights at x and −x, or none at negative x"
                     .to_owned(),
             ),
             Self::Unresolved(cause) => Some(cause.hint()),

@@ -22,7 +22,7 @@ use std::borrow::Cow;
 
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::scene::{Loads, Top};
+use crate::scene::Top;
 use crate::solution::{Interface, Solution, Stats};
 
 pub(crate) use controlled::{Measured, press_to};
@@ -50,9 +50,6 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
-    if let Some(loads) = top.loads() {
-        are_solvable(loads, kernel)?;
-    }
     let table = table.filter(|_| top.material().is_none());
     let own = &*kernel_under(kernel, top, force);
     let problem = Problem::new(own, interfaces, top, force, options.tolerance);
@@ -62,13 +59,17 @@ pub(crate) fn press(
     Ok(Solution { force, ..solution })
 }
 
-/// Whether the pressures of loads are known, and the contacts below them even.
-fn are_solvable(loads: &Loads, kernel: &Kernel) -> Result<(), ContactError> {
+/// Whether a punch is even, or the pressures of loads are known, and the contacts below them even.
+pub(crate) fn is_solvable(top: &Top, kernel: &Kernel) -> Result<(), ContactError> {
     let geometry = kernel.geometry();
-    if !loads.are_known_in(geometry) {
-        return Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry });
+    match top {
+        Top::Punch(punch) if !punch.is_even() => Err(ContactError::UnevenPunch),
+        Top::Loads(loads) if !loads.are_known_in(geometry) => {
+            Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry })
+        }
+        Top::Loads(loads) if kernel.contacts() > 1 && !loads.is_even() => Err(ContactError::UnevenLoads),
+        _ => Ok(()),
     }
-    if kernel.contacts() > 1 && !loads.is_even() { Err(ContactError::UnevenLoads) } else { Ok(()) }
 }
 
 /// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.

@@ -52,7 +52,11 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
             lines(&format!("power {} of {distance}", short(exponent.get())), &[power])
         }
         Punch::Polynomial { half_width: w, .. } => lines("polynomial", &[half_width(w.get())]),
-        Punch::Wedge(flanks) => lines(wedge, &[format!("slope {}", short(flanks.slope()))]),
+        Punch::Wedge(flanks) if punch.is_even() => lines(wedge, &[format!("slope {}", short(flanks.slope()))]),
+        Punch::Wedge(flanks) => {
+            let [left, right] = [flanks.left(), flanks.slope()].map(short);
+            lines(wedge, &[format!("slopes {left} left, {right} right")])
+        }
         Punch::RoundedFlat { half_width: w, radius: r } => {
             lines(&format!("flat, rounded {corners}"), &[half_width(w.get()), radius(r.get())])
         }

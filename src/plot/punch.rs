@@ -56,15 +56,15 @@ impl Presses<'_> {
     fn body(&self, punch: &Punch, picture: &mut Picture) -> Option<f64> {
         let scale = self.scale;
         let [left, right] = [self.ends.0, self.ends.1].map(|end| (end - self.middle) / scale);
-        let edge = punch.max_half_length().unwrap_or(f64::INFINITY);
-        let end = edge.min(right.max(-left));
+        let ends = punch.ends();
+        let [first, last] = [ends[0].max(left.min(-right)), ends[1].min(right.max(-left))];
         // at its very edge the height may be infinite
-        let profile = |x: f64| punch.profile(x.abs().min(end * (1.0 - 1e-12)));
+        let profile = |x: f64| punch.profile(x.clamp(first * (1.0 - 1e-12), last * (1.0 - 1e-12)));
         let rise = |x: f64| (profile(x) - profile(self.contact.map_or(0.0, Contact::reach))).max(0.0);
-        let times = times(scale * rise(end));
+        let times = times(scale * rise(first).max(rise(last)));
         let height = |x: f64| scale * times * rise(x);
-        let seen = end_below(&height, end);
-        let (from, to) = (left.max(-seen), right.min(seen));
+        let seen = [-end_below(&|x: f64| height(-x), -first), end_below(&height, last)];
+        let (from, to) = (left.max(seen[0]), right.min(seen[1]));
         if from >= to {
             return None;
         }
@@ -75,10 +75,10 @@ impl Presses<'_> {
         let corners = [to, from].map(|x| (self.middle + scale * x, roof));
         picture.area(&outline.iter().copied().chain(corners).collect::<Vec<_>>(), PUNCH);
         // its own sides are drawn, not the sides of the drawing
-        if seen == edge && to == edge {
+        if seen[1] == ends[1] && to == ends[1] {
             outline.push(corners[0]);
         }
-        if seen == edge && from == -edge {
+        if seen[0] == ends[0] && from == ends[0] {
             outline.insert(0, corners[1]);
         }
         picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });

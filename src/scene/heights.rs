@@ -7,7 +7,8 @@ use recede_layers::{Finite, Thickness};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
-use super::shape::{Piece, end_of_rise, smooth};
+use super::shape::{Piece, Shape, end_of_rise};
+use super::spline::smooth;
 
 /// Most rows of a table, and most powers of a polynomial.
 const MOST: usize = 1000;
@@ -32,15 +33,18 @@ pub enum HeightsError {
     /// Distances so short, or heights so large, that slopes are not finite.
     #[error("the heights rise too steeply for double precision")]
     Steep,
-    /// The first distance is not that of the tip.
-    #[error("the table begins at {0:?}; allowed is 0, the tip")]
+    /// The tip is on the left of the table.
+    #[error("the table begins at {0:?}; allowed is 0, the tip, or a place on its left")]
     Begin(f64),
-    /// A distance that is not beyond the one before.
-    #[error("in the table {beyond:?} follows {before:?}; allowed are increasing distances from the tip")]
+    /// The tip is between two rows, or there is nothing on its right.
+    #[error("the table has no height at 0, the tip, or none on its right; allowed are tables with both")]
+    Tip,
+    /// A place that is not beyond the one before.
+    #[error("in the table {beyond:?} follows {before:?}; allowed are increasing places from left to right")]
     Order {
-        /// The distance before, in length.
+        /// The place before, in length.
         before: f64,
-        /// The distance, in length.
+        /// The place, in length.
         beyond: f64,
     },
 }
@@ -91,22 +95,25 @@ impl JsonSchema for PolynomialHeights {
     }
 }
 
-/// Heights at distances from the tip, with the smooth curve through them.
+/// Heights at places on x with the tip at 0, with the smooth curve through them. Without places on the left of the tip that is the mirror image.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Vec<(Thickness, Finite)>", into = "Vec<(Thickness, Finite)>")]
+#[serde(try_from = "Vec<(Finite, Finite)>", into = "Vec<(Finite, Finite)>")]
 pub struct Heights {
-    rows: Vec<(Thickness, Finite)>,
+    rows: Vec<(Finite, Finite)>,
+    /// Of an even curve those of x ≥ 0.
     pieces: Vec<Piece>,
 }
 
-impl Heights {
-    pub(super) fn pieces(&self) -> &[Piece] {
-        &self.pieces
-    }
+/// The same about the axis, where no distance is negative.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(try_from = "Vec<(Thickness, Finite)>", into = "Vec<(Finite, Finite)>")]
+pub(super) struct RoundHeights(pub(super) Heights);
 
-    /// The last distance.
-    pub(super) fn end(&self) -> f64 {
-        self.rows.last().map_or(0.0, |(x, _)| x.get())
+impl Heights {
+    /// What the curve is made of.
+    pub(super) fn shape(&self) -> Shape<'_> {
+        let is_even = self.pieces.first().is_none_or(|first| first.start == 0.0);
+        Shape::Pieces { pieces: Cow::Borrowed(&self.pieces), is_even, end: self.rows.last().map(|(x, _)| x.get()) }
     }
 }
 
@@ -116,18 +123,35 @@ impl fmt::Debug for Heights {
     }
 }
 
-impl From<Heights> for Vec<(Thickness, Finite)> {
+impl From<Heights> for Vec<(Finite, Finite)> {
     fn from(heights: Heights) -> Self {
         heights.rows
     }
 }
 
-impl TryFrom<Vec<(Thickness, Finite)>> for Heights {
+impl From<RoundHeights> for Vec<(Finite, Finite)> {
+    /// The half of an even curve.
+    fn from(RoundHeights(heights): RoundHeights) -> Self {
+        let is_even = heights.shape().is_even();
+        heights.rows.into_iter().filter(|(x, _)| !is_even || x.get() >= 0.0).collect()
+    }
+}
+
+impl TryFrom<Vec<(Thickness, Finite)>> for RoundHeights {
     type Error = HeightsError;
 
     fn try_from(rows: Vec<(Thickness, Finite)>) -> Result<Self, HeightsError> {
+        let rows: Vec<(Finite, Finite)> = rows.into_iter().map(|(r, height)| (r.into(), height)).collect();
+        rows.try_into().map(Self)
+    }
+}
+
+impl TryFrom<Vec<(Finite, Finite)>> for Heights {
+    type Error = HeightsError;
+
+    fn try_from(rows: Vec<(Finite, Finite)>) -> Result<Self, HeightsError> {
         count(rows.len(), 2)?;
-        if let Some((first, _)) = rows.first().filter(|(x, _)| x.get() != 0.0) {
+        if let Some((first, _)) = rows.first().filter(|(x, _)| x.get() > 0.0) {
             return Err(HeightsError::Begin(first.get()));
         }
         for pair in rows.windows(2) {
@@ -136,7 +160,13 @@ impl TryFrom<Vec<(Thickness, Finite)>> for Heights {
                 return Err(HeightsError::Order { before, beyond });
             }
         }
-        let plain: Vec<(f64, f64)> = rows.iter().map(|(x, height)| (x.get(), height.get())).collect();
+        let mut plain: Vec<(f64, f64)> = rows.iter().map(|(x, height)| (x.get(), height.get())).collect();
+        let tip = plain.iter().position(|(x, _)| *x == 0.0).filter(|tip| tip + 1 < plain.len());
+        let tip = tip.ok_or(HeightsError::Tip)?;
+        let images = plain.iter().rev().map(|(x, height)| (-x, *height));
+        if images.eq(plain.iter().copied()) {
+            plain.drain(..tip);
+        }
         if plain.iter().all(|(_, height)| *height == plain[0].1) {
             return Err(HeightsError::Flat);
         }
@@ -154,7 +184,20 @@ impl JsonSchema for Heights {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema("[(x, height), ...], two or more with increasing distances x, the first 0")
+        Value::plain_schema(
+            "[(x, height), ...], two or more with increasing x: from 0, the tip, on if the left is the mirror image of the right, or from the left \
+             end, with a height at 0",
+        )
+    }
+}
+
+impl JsonSchema for RoundHeights {
+    fn schema_name() -> Cow<'static, str> {
+        "RoundHeights".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        Value::plain_schema("[(r, height), ...], two or more with increasing distances r, the first 0")
     }
 }
 

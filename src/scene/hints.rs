@@ -23,6 +23,8 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["indentation", "approach", "displacement", "delta"], &["depth"]),
     (&["pressure", "traction"], &["load"]),
     (&["tangent"], &["slope"]),
+    (&["right", "right_slope", "slope_right"], &["slope"]),
+    (&["left_slope", "slope_left", "left_face", "second_slope"], &["left"]),
     (&["angle", "inclination"], &["slope", "half_angle"]),
     (&["semi_angle", "semi_vertical_angle", "half_apex_angle", "half_opening_angle"], &["half_angle"]),
     (&["apex_angle", "opening_angle", "included_angle"], &["half_angle"]),
@@ -95,7 +97,7 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
     ),
     (
         &["tilt", "moment", "angle", "offset"],
-        "punches that tilt or lie off the middle are not supported: they are symmetric about the middle, x = 0",
+        "punches that tilt or lie off the middle are not supported: their tips are in the middle, x = 0",
     ),
     (&["plastic", "yield", "yield_stress", "hardness"], "plasticity is not supported: materials are linear elastic"),
     (&["viscosity", "relaxation", "creep", "damping"], "time is not supported: materials are linear elastic"),

@@ -16,6 +16,7 @@ mod punch;
 mod read;
 mod round;
 mod shape;
+mod spline;
 mod spring;
 mod text;
 mod top;

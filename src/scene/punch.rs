@@ -1,8 +1,7 @@
-//! Symmetric, frictionless punches, as they are written.
+//! Frictionless punches, as they are written.
 //!
 //! A punch is one variant here with its documentation, from which it is read, written and listed, and one line in
 //! [`Punch::shape`], which says what its profile is made of.
-use std::borrow::Cow;
 use std::fmt;
 
 use recede_layers::{Exponent, Finite, Isotropic, Positive, Thickness};
@@ -58,7 +57,8 @@ pub enum Punch {
         /// h₁, h₂, h₃ and so on, in length.
         heights: PolynomialHeights,
     },
-    /// A wedge: height s |x|, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like a logarithm.
+    /// A wedge: height s |x|, s its slope or the cotangent of its half-angle, with another slope on the left if there is one. The pressure is
+    /// infinite at the tip, like a logarithm.
     Wedge(Wedge),
     /// A flat punch with rounded corners: height 0 up to half_width, from there on (|x| − half_width)²/(2R).
     RoundedFlat {
@@ -74,7 +74,7 @@ pub enum Punch {
         half_width: Positive,
     },
     /// Heights at distances from the tip, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
-    /// them.
+    /// them. If the left is not the mirror image of the right, the distances on the left are negative.
     Table(Heights),
     /// A circular cylinder of an elastic material: it is flattened like a half-plane.
     ElasticCylinder(ElasticCylinder),
@@ -127,7 +127,23 @@ impl Punch {
     /// # Errors
     /// [`ValueError::OutOfRange`] if the slope is not positive and finite.
     pub fn wedge(slope: f64) -> Result<Self, ValueError> {
-        Wedge::of_slope(slope).map(Self::Wedge)
+        Wedge::of_slope(slope, None).map(Self::Wedge)
+    }
+
+    /// A wedge with a face of slope `right` > 0 on x > 0 and one of slope `left` > 0, counted outwards, on x < 0; dimensionless.
+    ///
+    /// ```
+    /// use recede::Punch;
+    /// let wedge = Punch::uneven_wedge(0.2, 0.1)?;
+    /// assert_eq!(wedge.to_string(), "Wedge(slope: 0.1, left: 0.2)");
+    /// assert!(!wedge.is_even() && (wedge.profile(-3.0) - 0.6).abs() < 1e-15);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if a slope is not positive and finite.
+    pub fn uneven_wedge(left: f64, right: f64) -> Result<Self, ValueError> {
+        Wedge::of_slope(right, Some(left)).map(Self::Wedge)
     }
 
     /// A wedge with faces at this angle to the axis, 0 < angle < π/2, in radians: half of the angle at its tip.
@@ -164,14 +180,24 @@ impl Punch {
         Ok(Self::Flat { half_width: ValueError::checked("half_width", half_width)? })
     }
 
-    /// A smooth curve through (x, height), in length, from x = 0 to the edge of the punch.
+    /// A smooth curve through (x, height), in length, from x = 0 to the edge of the punch, with its mirror image on the left; or from one edge to
+    /// the other, with x = 0, the tip, among them.
+    ///
+    /// ```
+    /// use recede::Punch;
+    /// let half = Punch::table(&[(0.0, 0.0), (1.0, 0.1), (2.0, 0.3)])?;
+    /// let whole = Punch::table(&[(-2.0, 0.3), (-1.0, 0.1), (0.0, 0.0), (1.0, 0.1), (2.0, 0.3)])?;
+    /// assert!(whole.is_even() && whole.profile(-1.3) == half.profile(1.3));
+    /// assert!(!Punch::table(&[(-2.0, 0.2), (0.0, 0.0), (1.0, 0.1)])?.is_even());
+    /// # Ok::<(), recede::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Heights`] if the distances do not increase from 0.
+    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Heights`] if x does not increase, or not from the tip or across it.
     pub fn table(rows: &[(f64, f64)]) -> Result<Self, ValueError> {
         let checked =
             |(x, height): &(f64, f64)| Ok((ValueError::checked("x", *x)?, ValueError::checked("height", *height)?));
-        let rows: Vec<(Thickness, Finite)> = rows.iter().map(checked).collect::<Result<_, ValueError>>()?;
+        let rows: Vec<(Finite, Finite)> = rows.iter().map(checked).collect::<Result<_, ValueError>>()?;
         Ok(Self::Table(rows.try_into()?))
     }
 
@@ -202,7 +228,8 @@ impl Punch {
                 Shape::Powers { length: half_width.get(), terms: heights.terms(), tilt: 0.0, end }
             }
             Self::Wedge(wedge) => {
-                Shape::Powers { length: 1.0, terms: vec![(1.0, wedge.slope())], tilt: 0.0, end: None }
+                let [mean, tilt] = [wedge.slope() + wedge.left(), wedge.slope() - wedge.left()].map(|both| 0.5 * both);
+                Shape::Powers { length: 1.0, terms: vec![(1.0, mean)], tilt, end: None }
             }
             Self::RoundedFlat { half_width, radius } => {
                 let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
@@ -210,9 +237,7 @@ impl Punch {
                 Shape::Pieces { pieces: vec![flat, corner].into(), is_even: true, end: None }
             }
             Self::Flat { half_width } => Shape::Flat(half_width.get()),
-            Self::Table(heights) => {
-                Shape::Pieces { pieces: Cow::Borrowed(heights.pieces()), is_even: true, end: Some(heights.end()) }
-            }
+            Self::Table(heights) => heights.shape(),
         }
     }
 
@@ -254,7 +279,7 @@ impl Punch {
         self.shape().height(x)
     }
 
-    /// Where the pieces begin of which the profile consists, from x = 0 outwards; none if it is one piece.
+    /// Where the pieces begin of which the profile consists, from left to right, of an even one from x = 0 outwards; none if it is one piece.
     pub(crate) fn starts(&self) -> Vec<f64> {
         match self.shape() {
             Shape::Pieces { pieces, .. } => pieces.iter().map(|piece| piece.start).collect(),
@@ -267,10 +292,15 @@ impl Punch {
         self.shape().lowest()
     }
 
-    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, where a polynomial begins to fall for
-    /// good, the half-width of a flat punch with sharp corners; `None` if there is no such limit.
+    /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, half of its length if it is uneven, where a polynomial
+    /// begins to fall for good, the half-width of a flat punch with sharp corners; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {
         self.shape().edge()
+    }
+
+    /// Where the punch ends on the left and on the right, in length; infinite where it does not.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        self.shape().ends()
     }
 }
 
@@ -297,6 +327,9 @@ mod tests {
             Punch::flat(1.5).unwrap(),
             Punch::table(&[(0.0, 0.0), (0.5, 0.1), (1.0, 0.5), (1.5, 1.0)]).unwrap(),
             Punch::elastic_cylinder(2.0, 3.0, 0.25).unwrap(),
+            Punch::uneven_wedge(0.2, 0.1).unwrap(),
+            Punch::table(&[(-1.6, 0.9), (-0.7, 0.3), (0.0, 0.1), (0.3, 0.2), (1.5, 1.9)]).unwrap(),
+            Punch::table(&[(-1.5, 1.9), (-0.3, 0.2), (0.0, 0.1), (0.3, 0.2), (1.5, 1.9)]).unwrap(),
         ]
     }
 
@@ -312,11 +345,10 @@ mod tests {
     #[test]
     fn heights_are_even_and_slopes_odd_up_to_the_edge_and_beyond() {
         for punch in all() {
-            for x in [0.0, 0.5, 2.0, 3.0] {
-                assert_eq!(punch.profile(-x), punch.profile(x));
-                assert_eq!(punch.slope(-x), -punch.slope(x));
-            }
+            let same = |x: f64| punch.profile(-x) == punch.profile(x) && punch.slope(-x) == -punch.slope(x);
+            assert_eq!([0.0, 0.5, 2.0, 3.0].into_iter().all(same), punch.is_even(), "{punch}");
         }
+        assert_eq!(all().iter().filter(|punch| !punch.is_even()).count(), 2);
         let cylinder = Punch::cylinder(2.0).unwrap();
         assert_eq!(cylinder.profile(2.0), 2.0);
         assert_eq!(cylinder.slope(2.0), f64::INFINITY);
@@ -325,10 +357,10 @@ mod tests {
 
     #[test]
     fn slopes_and_curvatures_are_derivatives() {
-        for punch in all() {
-            let (x, step) = (1.2, 1e-5);
+        for (punch, x) in all().iter().flat_map(|punch| [(punch, 1.2), (punch, -1.2)]) {
+            let step = 1e-5;
             let difference = (punch.profile(x + step) - punch.profile(x - step)) / (2.0 * step);
-            assert!((difference - punch.slope(x)).abs() <= 1e-8 * punch.slope(x), "{punch}");
+            assert!((difference - punch.slope(x)).abs() <= 1e-8 * punch.slope(x).abs(), "{punch}");
             let difference = (punch.slope(x + step) - punch.slope(x - step)) / (2.0 * step);
             assert!((difference - punch.curvature(x)).abs() < 1e-8, "{punch}");
         }

@@ -5,11 +5,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::elastic_cylinder::ElasticCylinder;
-use super::heights::{Heights, PolynomialHeights};
+use super::heights::{PolynomialHeights, RoundHeights};
 use super::load::Load;
 use super::punch::Punch;
 use super::text::Written;
-use super::wedge::Wedge;
+use super::wedge::Cone;
 use crate::geometry::Geometry;
 
 /// A frictionless punch about the axis, rigid unless it says otherwise; r is the distance from the axis.
@@ -44,7 +44,7 @@ pub(super) enum RoundPunch {
         heights: PolynomialHeights,
     },
     /// A cone: height s r, s its slope or the cotangent of its half-angle. The pressure is infinite at the tip, like a logarithm.
-    Cone(Wedge),
+    Cone(Cone),
     /// A flat punch with a rounded edge: height 0 up to flat_radius, from there on (r − flat_radius)²/(2R).
     RoundedFlat {
         /// Radius of the flat part, in length.
@@ -59,7 +59,7 @@ pub(super) enum RoundPunch {
     },
     /// Heights at distances from the axis, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
     /// them.
-    Table(Heights),
+    Table(RoundHeights),
     /// A sphere of an elastic material: it is flattened like a half-space.
     ElasticSphere(ElasticCylinder),
 }
@@ -101,10 +101,10 @@ impl From<RoundPunch> for Punch {
             RoundPunch::Parabola { radius } => Self::Parabola { radius },
             RoundPunch::Power { exponent, radius, height } => Self::Power { exponent, half_width: radius, height },
             RoundPunch::Polynomial { radius, heights } => Self::Polynomial { half_width: radius, heights },
-            RoundPunch::Cone(wedge) => Self::Wedge(wedge),
+            RoundPunch::Cone(Cone(wedge)) => Self::Wedge(wedge),
             RoundPunch::RoundedFlat { flat_radius, radius } => Self::RoundedFlat { half_width: flat_radius, radius },
             RoundPunch::Flat { radius } => Self::Flat { half_width: radius },
-            RoundPunch::Table(heights) => Self::Table(heights),
+            RoundPunch::Table(RoundHeights(heights)) => Self::Table(heights),
             RoundPunch::ElasticSphere(sphere) => Self::ElasticCylinder(sphere),
         }
     }
@@ -148,10 +148,10 @@ impl RoundPunch {
             Punch::Parabola { radius } => Self::Parabola { radius },
             Punch::Power { exponent, half_width, height } => Self::Power { exponent, radius: half_width, height },
             Punch::Polynomial { half_width, heights } => Self::Polynomial { radius: half_width, heights },
-            Punch::Wedge(wedge) => Self::Cone(wedge),
+            Punch::Wedge(wedge) => Self::Cone(Cone(wedge)),
             Punch::RoundedFlat { half_width, radius } => Self::RoundedFlat { flat_radius: half_width, radius },
             Punch::Flat { half_width } => Self::Flat { radius: half_width },
-            Punch::Table(heights) => Self::Table(heights),
+            Punch::Table(heights) => Self::Table(RoundHeights(heights)),
             Punch::ElasticCylinder(sphere) => Self::ElasticSphere(sphere),
         }
     }

@@ -104,10 +104,22 @@ impl Shape<'_> {
     pub(crate) fn edge(&self) -> Option<f64> {
         match self {
             Self::Circle(edge) | Self::Flat(edge) => Some(*edge),
-            Self::Pieces { pieces, is_even: false, end } => {
-                end.map(|end| 0.5 * (end - pieces.first().map_or(0.0, |piece| piece.start)))
+            Self::Pieces { is_even: false, .. } => {
+                let [left, right] = self.ends();
+                Some(0.5 * (right - left)).filter(|half| half.is_finite())
             }
             Self::Powers { end, .. } | Self::Pieces { end, .. } => *end,
+        }
+    }
+
+    /// Where the profile ends on the left and on the right, in length; infinite where it does not.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        match self {
+            Self::Pieces { pieces, is_even: false, end } => {
+                let first = pieces.first().map_or(f64::NEG_INFINITY, |piece| piece.start);
+                [first, end.unwrap_or(f64::INFINITY)]
+            }
+            _ => self.edge().map_or([f64::NEG_INFINITY, f64::INFINITY], |edge| [-edge, edge]),
         }
     }
 
@@ -182,7 +194,7 @@ impl Shape<'_> {
 
 impl Piece {
     /// The last place at which the piece falls if it is this long, by more than rounding does.
-    fn last_fall(&self, length: f64) -> Option<f64> {
+    pub(super) fn last_fall(&self, length: f64) -> Option<f64> {
         const ROUNDING: f64 = 1e-12;
         let [_, c1, c2, c3] = self.coefficients;
         let slope = |t: f64| c1 + t * (2.0 * c2 + t * 3.0 * c3);
@@ -250,133 +262,10 @@ fn cosine(s: f64) -> f64 {
     ((1.0 - s) * (1.0 + s)).sqrt()
 }
 
-/// A smooth curve through (x, height), x increasing from 0: the cubic spline, and where that would fall though the heights
-/// do not, cubic polynomials that do not either.
-pub(crate) fn smooth(rows: &[(f64, f64)]) -> Vec<Piece> {
-    let mut slopes = spline(rows);
-    let pieces = hermite(rows, &slopes);
-    let risen = rows.windows(2).all(|pair| pair[0].1 <= pair[1].1);
-    let ends = rows.iter().skip(1).map(|(x, _)| x);
-    if !risen || pieces.iter().zip(ends).all(|(piece, end)| piece.last_fall(end - piece.start).is_none()) {
-        return pieces;
-    }
-    limit(rows, &mut slopes);
-    hermite(rows, &slopes)
-}
-
-/// Makes slopes so small that the cubic polynomials between heights that do not fall do not fall either: (m₀, m₁) on a
-/// circle about 0 of three times the secant at most (Fritsch and Carlson 1980).
-fn limit(rows: &[(f64, f64)], slopes: &mut [f64]) {
-    for (i, pair) in rows.windows(2).enumerate() {
-        let most = 3.0 * (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
-        for slope in &mut slopes[i..i + 2] {
-            *slope = slope.max(0.0);
-        }
-        let both = slopes[i].hypot(slopes[i + 1]);
-        if both > most {
-            slopes[i..i + 2].iter_mut().for_each(|slope| *slope *= most / both);
-        }
-    }
-}
-
-/// Cubic polynomials with these heights and slopes.
-fn hermite(rows: &[(f64, f64)], slopes: &[f64]) -> Vec<Piece> {
-    let piece = |(i, pair): (usize, &[(f64, f64)])| {
-        let step = pair[1].0 - pair[0].0;
-        let secant = (pair[1].1 - pair[0].1) / step;
-        let [m0, m1] = [slopes[i], slopes[i + 1]];
-        let second = (3.0 * secant - 2.0 * m0 - m1) / step;
-        let third = (m0 + m1 - 2.0 * secant) / (step * step);
-        Piece { start: pair[0].0, coefficients: [pair[0].1 - rows[0].1, m0, second, third] }
-    };
-    rows.windows(2).enumerate().map(piece).collect()
-}
-
-/// Slopes of the cubic spline through (x, height): even, and one polynomial across the last two intervals.
-fn spline(rows: &[(f64, f64)]) -> Vec<f64> {
-    let n = rows.len();
-    let steps: Vec<f64> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
-    let secants: Vec<f64> = rows.windows(2).zip(&steps).map(|(pair, step)| (pair[1].1 - pair[0].1) / step).collect();
-    // slopes at the rows: a tridiagonal system, (below, diagonal, above, right-hand side)
-    let mut system = vec![(0.0, 1.0, 0.0, 0.0)];
-    for i in 1..n.saturating_sub(1) {
-        let (before, after) = (steps[i - 1].recip(), steps[i].recip());
-        let right = 3.0 * (secants[i - 1] * before + secants[i] * after);
-        system.push((before, 2.0 * (before + after), after, right));
-    }
-    system.push(match (steps.as_slice(), secants.as_slice()) {
-        ([.., h0, h1], [.., d0, d1]) => {
-            let both = h0 + h1;
-            (both, *h0, 0.0, (h1 * h1 * d0 + (2.0 * both + h1) * h0 * d1) / both)
-        }
-        (_, secants) => (0.0, 1.0, 0.0, 2.0 * secants.first().copied().unwrap_or(0.0)),
-    });
-    for i in 1..system.len() {
-        let (_, pivot, above, known) = system[i - 1];
-        let factor = system[i].0 / pivot;
-        system[i].1 -= factor * above;
-        system[i].3 -= factor * known;
-    }
-    let mut slopes = vec![0.0; system.len() + 1];
-    for (i, (_, pivot, above, known)) in system.iter().enumerate().rev() {
-        slopes[i] = (known - above * slopes[i + 1]) / pivot;
-    }
-    slopes.truncate(n);
-    slopes
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_spline_through_points_of_an_even_cubic_is_that_cubic() {
-        let height = |x: f64| 0.3 + 0.5 * x * x + 0.25 * x.powi(3);
-        let rows: Vec<(f64, f64)> = [0.0, 0.3, 0.5, 1.1, 1.2].iter().map(|x| (*x, height(*x))).collect();
-        for rows in [&rows[..], &rows[..3]] {
-            let shape = Shape::Pieces { pieces: smooth(rows).into(), is_even: true, end: None };
-            for x in [0.0, 0.1, 0.42, 0.5] {
-                assert!((shape.height(x) - height(x) + 0.3).abs() < 1e-15, "{x}");
-                assert!((shape.slope(-x) + x + 0.75 * x * x).abs() < 1e-14, "{x}");
-                assert!((shape.curvature(x) - 1.0 - 1.5 * x).abs() < 1e-13, "{x}");
-            }
-        }
-        let two = Shape::Pieces { pieces: smooth(&[(0.0, 0.0), (2.0, 3.0)]).into(), is_even: true, end: None };
-        assert!((two.height(1.0) - 0.75).abs() < 1e-15);
-    }
-
-    #[test]
-    fn between_its_points_a_spline_is_smooth() {
-        let rows: Vec<(f64, f64)> = (0..12).map(|i| (0.1 * f64::from(i), (0.17 * f64::from(i * i)).sin())).collect();
-        let pieces = smooth(&rows);
-        for (i, (pair, row)) in pieces.windows(2).zip(&rows[1..]).enumerate() {
-            let step = pair[1].start - pair[0].start;
-            let [c0, c1, c2, c3] = pair[0].coefficients;
-            let [d0, d1, d2, _] = pair[1].coefficients;
-            assert!((c0 + step * (c1 + step * (c2 + step * c3)) - d0).abs() < 1e-14 && (d0 - row.1).abs() < 1e-14);
-            assert!((c1 + step * (2.0 * c2 + step * 3.0 * c3) - d1).abs() < 1e-12, "{i}");
-            assert!((c2 + 3.0 * step * c3 - d2).abs() < 1e-10, "{i}");
-        }
-    }
-
-    #[test]
-    fn a_curve_through_heights_that_do_not_fall_does_not_fall() {
-        for rows in [
-            &[(0.0, 0.0), (0.5, 0.0), (1.0, 0.1), (1.5, 0.1), (2.0, 0.4)][..],
-            &[(0.0, 0.0), (1.0, 1e-9), (1.1, 1.0), (3.0, 1.0), (3.1, 50.0), (3.2, 50.1)],
-            &[(0.0, 1.0), (0.1, 1.0), (0.2, 1.0), (0.3, 4.0)],
-        ] {
-            let pieces = smooth(rows);
-            let end = rows[rows.len() - 1].0;
-            let shape = Shape::Pieces { pieces: pieces.into(), is_even: true, end: Some(end) };
-            assert_eq!(shape.last_fall(), 0.0);
-            for (x, height) in rows {
-                assert!((shape.height(*x) - height + rows[0].1).abs() <= 1e-14 * height);
-            }
-            let places = (0..=1000).map(|i| end * f64::from(i) / 1000.0);
-            assert!(places.clone().all(|x| shape.slope(x) >= -1e-13), "{rows:?}");
-        }
-    }
+    use crate::scene::spline::smooth;
 
     #[test]
     fn the_last_fall_of_a_profile_is_found() {

@@ -14,6 +14,8 @@ fn punches() -> Vec<Punch> {
         Punch::polynomial(1.3, &[0.1, -0.02, 0.1]).unwrap(),
         Punch::rounded_flat(0.8, 3.0).unwrap(),
         Punch::table(&[(0.0, 0.1), (0.3, 0.2), (0.9, 0.5), (1.5, 1.9)]).unwrap(),
+        Punch::table(&[(-1.6, 0.9), (-0.7, 0.3), (0.0, 0.1), (0.3, 0.2), (1.5, 1.9)]).unwrap(),
+        Punch::uneven_wedge(0.5, 0.2).unwrap(),
     ]
 }
 
