@@ -59,7 +59,7 @@ const ROOMS: [&str; 14] = [
     "ends",
     "quality",
     "programme",
-    "parts",
+    "intervals",
     "starts",
     "tangent",
     "thin",

@@ -15,8 +15,7 @@ use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Interval;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::modes::alternating;
-use crate::contact::problem::profile::Profile;
-use crate::contact::problem::rows::Span;
+use crate::contact::problem::profile::{Profile, Span};
 use crate::numeric::quadrature::rule;
 use crate::numeric::{bessel, dot};
 

@@ -18,8 +18,8 @@ use crate::solution::Interface;
 
 use accuracy::MOST_OPERATIONS;
 use load::Given;
-use profile::{Local, Profile};
-use rows::{Slopes, Span};
+use profile::{Local, Profile, Span};
+use rows::Slopes;
 use support::{End, Support, span};
 use twin::Twin;
 

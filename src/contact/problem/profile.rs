@@ -3,13 +3,33 @@ use std::f64::consts::PI;
 
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::modes::order;
-use crate::contact::problem::rows::Span;
 use crate::contact::problem::twin::Twin;
 use crate::scene::{Punch, Shape};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
 const NEARLY: f64 = 0.999;
+/// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    pub(super) middle: f64,
+    pub(super) half: f64,
+    /// From the order k of a row to the next.
+    pub(super) step: usize,
+}
+
+impl Span {
+    /// About x = 0 under an even profile: only the rows of odd k, those of k = 2m + 1 times (−1)^m.
+    pub(crate) fn even(half: f64) -> Self {
+        Self { middle: 0.0, half, step: 2 }
+    }
+
+    /// Anywhere under any profile: rows of all k from 0 on.
+    pub(crate) fn anywhere(middle: f64, half: f64) -> Self {
+        Self { middle, half, step: 1 }
+    }
+}
+
 /// The profile of a punch pressed with a force, in the units of the kernel.
 pub(crate) struct Profile<'a> {
     punch: &'a Punch,

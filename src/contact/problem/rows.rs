@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::problem::accuracy::ROUNDING;
 use crate::contact::problem::modes::order;
-use crate::contact::problem::profile::Profile;
+use crate::contact::problem::profile::{Profile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::quadrature::rule;
 use crate::numeric::vector::{LANES, vectorised};
@@ -23,27 +23,6 @@ const STEEPEST: f64 = 1.0 - 1e-12;
 /// About a tip off the middle of an interval the slope counts as a step, as far as the interval reaches over 2 to this power to either side: what it
 /// does there is odd but for the step, so that the square of this counts, which is below rounding.
 const TIP_CELLS: usize = 27;
-
-/// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Span {
-    middle: f64,
-    half: f64,
-    /// From the order k of a row to the next.
-    step: usize,
-}
-
-impl Span {
-    /// About x = 0 under an even profile: only the rows of odd k, those of k = 2m + 1 times (−1)^m.
-    pub(crate) fn even(half: f64) -> Self {
-        Self { middle: 0.0, half, step: 2 }
-    }
-
-    /// Anywhere under any profile: rows of all k from 0 on.
-    pub(crate) fn anywhere(middle: f64, half: f64) -> Self {
-        Self { middle, half, step: 1 }
-    }
-}
 
 /// The slope of a profile, per unit of P', against the tests of an interval.
 pub(crate) struct Slopes {
@@ -289,11 +268,6 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 3] {
 /// A length, and then each half as long as the one before.
 fn halves(length: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(length), |length| Some(0.5 * length))
-}
-
-/// ∫ cos^n θ dθ from 0 to π/2.
-pub(super) fn wallis(n: f64) -> f64 {
-    FRAC_PI_2.sqrt() * std::f64::consts::FRAC_1_SQRT_2 * libm::tgamma(0.5 * n + 0.5) / libm::tgamma(0.5 * n + 1.0)
 }
 
 #[cfg(test)]

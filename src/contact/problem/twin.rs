@@ -6,12 +6,11 @@
 //! f_n = z^(−s) J_(n+s), of which f_n' = (f_(n−1) − f_(n+1))/2 − s f_n/z and f_(n−1) + f_(n+1) = 2 (n + s) f_n/z.
 //!
 //! Modes are scaled by κ_m so that the pressure at the middle is the sum of y_m/j in both.
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::ops::Deref;
 use std::sync::LazyLock;
 
 use crate::contact::problem::modes::{FINEST, alternating, order};
-use crate::contact::problem::rows::wallis;
 use crate::geometry::Geometry;
 use crate::numeric::bessel::Kind;
 use crate::solution::jacobi_weights;
@@ -220,4 +219,9 @@ impl Twin {
     pub(crate) fn scaled(self, modes: &[f64]) -> Vec<f64> {
         modes.iter().enumerate().map(|(m, y)| y * self.scale(m)).collect()
     }
+}
+
+/// ∫ cos^n θ dθ from 0 to π/2.
+fn wallis(n: f64) -> f64 {
+    FRAC_PI_2.sqrt() * FRAC_1_SQRT_2 * libm::tgamma(0.5 * n + 0.5) / libm::tgamma(0.5 * n + 1.0)
 }
