@@ -116,9 +116,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             let certain = several(self.problem, all, true);
             // intervals of re-contact that a solution leaves out may be short
             let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
-            let is_asked = std::env::var("ALWAYS").is_ok()
-                || certain.is_some()
-                || left_out && several(self.problem, all, false).is_some();
+            let is_asked = certain.is_some() || left_out && several(self.problem, all, false).is_some();
             if self.several.is_none() && is_asked {
                 if let Some(solution) = intervals::solve(self.problem, all) {
                     return Ok(Outcome::Solved(Box::new(solution)));
