@@ -139,7 +139,8 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> 
     Some(Answer { contacts, min_pressure, min_gap, stats, warnings }.into_solution(problem))
 }
 
-/// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end.
+/// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
+/// touches beside its middle only: no form of a pressure has one corner.
 fn starting_intervals(
     problem: &Problem,
     active: &[ActiveIntervals],
@@ -147,7 +148,11 @@ fn starting_intervals(
 ) -> Option<Support> {
     let mut intervals = Vec::new();
     for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
-        let parts = which(active);
+        let mut parts = which(active);
+        if let Some(edge) = problem.sides[contact].edge().filter(|_| problem.sides[contact].is_flat()) {
+            let [[0.0, to]] = &mut parts[..] else { return None };
+            *to = edge;
+        }
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
