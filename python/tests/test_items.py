@@ -21,6 +21,7 @@ SCHEMA = json.loads(_recede.schema())
 # values of fields of which the schema says in words what they are, by these words
 TABLES = {
     "[(x, height), ...]": [[0.0, 0.0], [0.5, 0.01], [1.0, 0.05]],
+    "[(r, height), ...]": [[0.0, 0.0], [0.5, 0.01], [1.0, 0.05]],
     "[(depth, value), ...]": [[0.0, 0.2], [0.6, 0.3], [2.0, 0.25]],
     "[height, height, ...]": [0.1, 0.0, 0.02],
 }
