@@ -100,7 +100,7 @@ impl JsonSchema for PolynomialHeights {
 #[serde(try_from = "Vec<(Finite, Finite)>", into = "Vec<(Finite, Finite)>")]
 pub struct Heights {
     rows: Vec<(Finite, Finite)>,
-    /// Of an even curve those of x ≥ 0.
+    /// The pieces of the curve; of an even curve only the pieces of x ≥ 0.
     pieces: Vec<Piece>,
 }
 

@@ -19,7 +19,7 @@ use crate::contact::problem::profile::{Profile, Span};
 use crate::numeric::quadrature::rule;
 use crate::numeric::{bessel, dot};
 
-/// Points of integrals over an interval, besides those of each term.
+/// Quadrature points on an interval, besides the points that each term takes.
 const POINTS: usize = 48;
 
 /// The intervals of one contact, with the numbers of terms on each.

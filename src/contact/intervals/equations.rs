@@ -29,7 +29,7 @@ pub(super) struct Equations<'a> {
 struct Places {
     /// Unknown terms, all but the first one.
     terms: Vec<Range<usize>>,
-    /// Ends, and rows that are left.
+    /// Ends, and the remaining rows, as many as there are ends.
     ends: Vec<Range<usize>>,
 }
 
@@ -105,7 +105,7 @@ impl<'a> Equations<'a> {
         self.problem.unknown().flat_map(of).collect()
     }
 
-    /// The rows of one contact among all: of the unknown terms, or of those that are left.
+    /// All rows: waves block by block of wavenumbers, then half-planes.
     fn system(&self, places: &Places) -> System {
         let size = places.terms.last().map_or(0, |last| last.end);
         let ends = places.ends.last().map_or(0, |last| last.end);
@@ -195,7 +195,7 @@ impl<'a> Equations<'a> {
         self.add_right(places, system, contact, |row| -rows[(self.row(contact, row), 0)] / PI);
     }
 
-    /// The column that is the test of a row of those that are left: the first term, then those beyond terms and ends.
+    /// The number of the column with which a row is tested: terms, then ends, then the other tests.
     fn row(&self, contact: usize, row: Row) -> usize {
         let columns = &self.columns[contact];
         match row {
@@ -301,7 +301,7 @@ impl<'a> Equations<'a> {
     }
 }
 
-/// A row: of a term, or of those that are left.
+/// A row of the equations: the test with an unknown term, or one of the remaining rows, as many as there are ends.
 #[derive(Clone, Copy)]
 enum Row {
     Term(usize),

@@ -43,7 +43,7 @@ struct Work {
 }
 
 impl Work {
-    /// Counts the products of so many columns; a Bessel function takes as long as some 64 multiplications. `None` if they are too many.
+    /// Counts the products of this number of columns; a Bessel function takes as long as some 64 multiplications. `None` if they are too many.
     fn spend(&mut self, columns: usize, wavenumbers: usize) -> Option<()> {
         let columns = columns as f64;
         self.operations.spend(wavenumbers as f64 * columns * (columns + 64.0) + columns.powi(3) / 3.0)
@@ -57,7 +57,7 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     if !is_plane || problem.sides.iter().any(Side::is_sharp) {
         return None;
     }
-    // the programme may see many intervals where bodies graze each other, or several, far out, where there is one with next to no force
+    // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
     let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
         .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_central()));
     let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;
@@ -161,7 +161,7 @@ fn starting_intervals(
     Some(Support(intervals))
 }
 
-/// Lengths of the contacts; a given pressure has those of the contact below.
+/// Lengths of the contacts; a prescribed traction has the lengths of the contact below.
 struct Lengths {
     /// The outermost end of each contact.
     ends: Vec<f64>,

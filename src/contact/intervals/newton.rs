@@ -33,9 +33,17 @@ pub(super) struct Level {
 
 /// What the pressure says of one end.
 struct Look {
+    /// The intensity of the singular pressure there.
     q: f64,
     /// The step outwards, in half-lengths.
     step: f64,
+}
+
+impl Look {
+    /// Whether next to nothing depends on the end, however long this step of it.
+    fn is_weak(&self, step: f64) -> bool {
+        self.q.abs() < WEAK && step.abs() > SHORT
+    }
 }
 
 /// Moves ends until no pressure is singular; `None` if that does not converge.
@@ -67,9 +75,8 @@ pub(super) fn converge(
         let pressures = Equations::new(problem, &layout, &support, counts).solve()?;
         let looks = looks(problem, &support, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
-        let size =
-            |(look, step): (&Look, &f64)| if look.q.abs() < WEAK && step.abs() > SHORT { 0.0 } else { step.abs() };
-        let longest = looks.iter().zip(&steps).map(size).fold(0.0, f64::max);
+        let longest =
+            looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(0.0, f64::max);
         if longest < enough || progress.is_rounding(longest, 1e-7) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
@@ -84,7 +91,7 @@ pub(super) fn converge(
             secants = Secants::default();
         }
         for (look, step) in looks.iter().zip(&mut steps) {
-            if look.q.abs() < WEAK && step.abs() > SHORT {
+            if look.is_weak(*step) {
                 *step = 0.0;
             }
         }

@@ -19,7 +19,7 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// About x = 0 under an even profile: only the rows of odd k, those of k = 2m + 1 times (−1)^m.
+    /// About x = 0 under an even profile: only the rows of odd k, the row of k = 2m + 1 times (−1)^m.
     pub(crate) fn even(half: f64) -> Self {
         Self { middle: 0.0, half, step: 2 }
     }
