@@ -20,7 +20,10 @@ fn pressed(stack: Stack, punch: &Punch, force: f64) -> (Solution, Field) {
 }
 
 fn of_scene(path: &str) -> (Solution, Field) {
-    let scene = Scene::read(path).expect("legal");
+    solved(&Scene::read(path).expect("legal"))
+}
+
+fn solved(scene: &Scene) -> (Solution, Field) {
     let model = Model::new(scene.stack().expect("legal")).expect("resolved");
     let solution = model.press(&scene.top, scene.force).expect("solved");
     let field = model.field(&solution).expect("its own");
@@ -30,6 +33,33 @@ fn of_scene(path: &str) -> (Solution, Field) {
 fn value(found: Option<Extreme>) -> f64 {
     found.map_or(0.0, |found| found.value)
 }
+
+/// Pressures that are steep next to their ends, loads that overlap, that lie on one side, and about an axis.
+const UNLIKE: [(&str, &str); 4] = [
+    (
+        "nearly flat punch",
+        "Scene(geometry: Axisymmetric, punch: Power(exponent: 5.4, radius: 0.07, height: 2e-4), force: 1e-4, stack: [
+            Homogeneous(thickness: 2.9, shear_modulus: 0.23, poisson: 0.0), Receding,
+            Homogeneous(thickness: 0.53, shear_modulus: 5, poisson: 0.3), Bonded, Rigid])",
+    ),
+    (
+        "loads that overlap",
+        "Scene(geometry: PlaneStrain, stack: [
+            Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded, HalfPlane(shear_modulus: 0.1, poisson: 0.3)],
+            loads: [(load: Parabolic(half_width: 0.6), at: 0.1, force: 0.002), (load: Uniform(half_width: 0.1), at: 0.3, force: 0.001)])",
+    ),
+    (
+        "loads on one side",
+        "Scene(geometry: PlaneStrain, stack: [
+            Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Bonded, HalfPlane(shear_modulus: 0.1, poisson: 0.3)],
+            loads: [(load: Elliptic(half_width: 0.2), at: -3, force: 0.001), (load: Parabolic(half_width: 0.1), at: -2.5, force: 0.001)])",
+    ),
+    (
+        "loaded ring",
+        "Scene(geometry: Axisymmetric, load: Ring(radius: 1, half_width: 0.1), force: 0.001, stack: [
+            Homogeneous(thickness: 0.5, shear_modulus: 10, poisson: 0.25), Bonded, HalfPlane(shear_modulus: 1, poisson: 0.3)])",
+    ),
+];
 
 /// The points of a dense mesh: out to several contact lengths, denser about the ends of contacts, with both faces of every layer.
 fn everywhere(solution: &Solution, field: &Field) -> Vec<FieldPoint> {
@@ -41,6 +71,11 @@ fn everywhere(solution: &Solution, field: &Field) -> Vec<FieldPoint> {
         xs.extend([-1e-3, -1e-5, 0.0, 1e-5, 1e-3].map(|s| end * (1.0 + s)));
         xs.extend((0..40).map(|k| 0.05 * f64::from(k) * end));
     }
+    let ends = solution.contacts().iter().flat_map(|contact| contact.intervals());
+    xs.extend(ends.flat_map(|interval| {
+        (-8..=28).map(|k| interval.left + 0.05 * f64::from(k) * (interval.right - interval.left))
+    }));
+    xs.extend(xs.clone().iter().map(|x| -x));
     xs.sort_by(f64::total_cmp);
     let shortest = solution.contacts()[0].reach();
     let mut depths: Vec<f64> = (0..=40).map(|k| f64::from(k) / 40.0 * 1.5 * bottom.max(longest)).collect();
@@ -84,8 +119,13 @@ fn nowhere_are_stresses_larger_than_the_largest() {
         "bonded_to_rigid",
         "glued_coating",
         "elastic_roller",
+        "../gallery/rail_pad",
     ] {
         let (solution, field) = of_scene(&format!("examples/scenes/{name}.ron"));
+        cases.push((name.to_owned(), solution, field));
+    }
+    for (name, text) in UNLIKE {
+        let (solution, field) = solved(&Scene::from_ron(text).expect("legal"));
         cases.push((name.to_owned(), solution, field));
     }
     for (name, solution, field) in cases {
@@ -94,8 +134,13 @@ fn nowhere_are_stresses_larger_than_the_largest() {
             let allowed = found * (1.0 + 2e-6) + 1e-9 * solution.contacts()[0].central_pressure;
             assert!(here <= allowed, "{name}: {what} {found:e}, but {here:e} at {point:?}");
         };
+        let shear = field.max_shear().expect("found");
+        let there =
+            field.points(&[Point { x: shear.x, depth: shear.depth, layer: Some(shear.layer) }]).expect("there")[0];
+        assert!((there.max_shear() / shear.value - 1.0).abs() < 1e-8, "{name}: {shear:?} {there:?}");
         for point in everywhere(&solution, &field) {
             within(value(tension), point.principal()[0], &point, "tension");
+            within(shear.value, point.max_shear(), &point, "shear stress");
             let layer = layers.iter().find(|of| of.layer == point.layer).expect("one of each layer");
             within(layer.von_mises.expect("known").value, point.von_mises(), &point, "von Mises stress");
             let lower_face = field.layers().any(|(number, [_, to])| number == point.layer && to == point.depth);
@@ -104,6 +149,23 @@ fn nowhere_are_stresses_larger_than_the_largest() {
                 within(value(bond.tension), point.sigma_yy, &point, "tension at a bond");
             }
         }
+    }
+}
+
+/// Where a film far below a short contact lies in a long one, its tensions are small next to the largest pressure, and large next to its own.
+#[test]
+fn tensions_of_a_film_far_below_are_found() {
+    let (solution, field) = of_scene("tests/data/hard/seed_1_number_64.ron");
+    let Extremes { bonds, .. } = field.extremes().expect("found");
+    let (end, layers) = (solution.contacts()[2].reach(), field.layers().collect::<Vec<_>>());
+    for bond in bonds {
+        let (layer, depth) = (Some(bond.above), layers[bond.above - 1].1[1]);
+        let points: Vec<Point> =
+            (0..100).map(|k| Point { x: end * (1.0 + 1e-3 * f64::from(k)), depth, layer }).collect();
+        let sampled =
+            field.points(&points).expect("there").iter().fold(0.0, |largest: f64, point| largest.max(point.sigma_yy));
+        let found = bond.tension.expect("at the end of the contact");
+        assert!(found.value > 0.0 && sampled <= found.value * (1.0 + 2e-6), "{sampled:e} {found:?}");
     }
 }
 

@@ -1,10 +1,11 @@
 //! Stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, and the largest shear
 //! stress and tension across each interface that does not open.
 use super::error::FieldError;
-use super::measure::{Measure, Peak, Search};
-use super::peak::infinite;
-use super::search::{Extent, highest};
+use super::infinite::infinite;
+use super::measure::{Extent, Measure, Search};
+use super::search::{Peak, highest};
 use super::{Field, PlacedLayer, Point, waves};
+use crate::system::Unresolved;
 
 /// Stresses below this part of the mean pressure are those of rounding, and below [`Precision::on_face`] of it what sums over wavenumbers
 /// leave out.
@@ -22,6 +23,19 @@ pub struct Extreme {
     /// Below the top face of the stack.
     pub depth: f64,
     /// Number of the layer; above an interface, if it is one of that.
+    pub layer: usize,
+}
+
+/// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaxShear {
+    /// The stress; infinite under a line load and at the sharp corners of a punch.
+    pub value: f64,
+    /// Along the layers; of contacts that are symmetric about x = 0 it is found at −x, too, and x ≥ 0.
+    pub x: f64,
+    /// Below the top face of the stack.
+    pub depth: f64,
+    /// Number of the layer.
     pub layer: usize,
 }
 
@@ -71,6 +85,22 @@ pub struct Extremes {
 }
 
 impl Field {
+    /// The largest shear stress in the plane anywhere in the stack, (σ₁ − σ₂)/2, and where it is.
+    ///
+    /// # Errors
+    /// [`FieldError::Unresolved`] if the fields cannot be computed.
+    pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
+        if let Some(x) = infinite(self, Measure::MaxShear) {
+            let layer = self.layers.first().map_or(1, |placed| placed.number);
+            return Ok(MaxShear { value: f64::INFINITY, x, depth: 0.0, layer });
+        }
+        let search = Search { measure: Measure::MaxShear, layer: None };
+        let found = highest(self, &[search], Extent::Near)?.into_iter().next().flatten();
+        let Peak { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
+        let placed = &self.layers[layer];
+        Ok(MaxShear { value, x, depth: placed.top + depth, layer: placed.number })
+    }
+
     /// The largest tension, the largest von Mises stress of each layer, and the largest shear stress and tension across each interface
     /// that does not open.
     ///
@@ -89,21 +119,22 @@ impl Field {
             let of_face = [Measure::FaceShear, Measure::FaceTension];
             searches.extend(of_face.map(|measure| Search { measure, layer: Some(*layer) }));
         }
-        let found = highest(self, &searches, Extent::Everywhere)?;
-        let mut extremes = self.exact(&found)?.into_iter();
-        let mut next = || extremes.next().flatten();
-        let singular = |measure: Measure| {
-            let layer = self.layers.first()?.number;
-            infinite(self, measure).map(|x| Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer })
+        // where the top layer has infinite stresses there is nothing to search for
+        let layer = self.layers.first().map_or(1, |placed| placed.number);
+        let infinite = |search: &Search| {
+            let x = infinite(self, search.measure)
+                .filter(|_| search.layer.unwrap_or(0) == 0 && !search.measure.is_on_face())?;
+            Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer })
         };
-        let found = next();
-        let tension = singular(Measure::Tension).or(found);
-        let layers = layers.map(|layer| {
-            let (number, found) = (self.layers[layer].number, next());
-            let von_mises = if layer == 0 { singular(Measure::VonMises).or(found) } else { found };
-            LayerExtremes { layer: number, von_mises }
-        });
-        let layers = layers.collect();
+        let known: Vec<Option<Extreme>> = searches.iter().map(infinite).collect();
+        let finite = searches.iter().zip(&known).filter(|(_, known)| known.is_none());
+        let finite: Vec<Search> = finite.map(|(search, _)| *search).collect();
+        let mut found = self.exact(&highest(self, &finite, Extent::Everywhere)?)?.into_iter();
+        let mut extremes = known.into_iter().map(|known| known.or_else(|| found.next().flatten()));
+        let mut next = || extremes.next().flatten();
+        let tension = next();
+        let layers =
+            layers.map(|layer| LayerExtremes { layer: self.layers[layer].number, von_mises: next() }).collect();
         let bonds = bonds.into_iter().map(|(layer, below)| BondExtremes {
             above: self.layers[layer].number,
             below,
@@ -117,7 +148,7 @@ impl Field {
     fn exact(&self, peaks: &[Option<Peak>]) -> Result<Vec<Option<Extreme>>, FieldError> {
         let point = |peak: &Peak| {
             let placed = &self.layers[peak.layer];
-            Point { x: peak.x, depth: placed.top + peak.depth, layer: Some(placed.number) }
+            Point { x: peak.place[0], depth: placed.top + peak.place[1], layer: Some(placed.number) }
         };
         let points: Vec<Point> = peaks.iter().flatten().map(point).collect();
         let mut there = points.iter().zip(self.points(&points)?);
@@ -126,7 +157,7 @@ impl Field {
                 return Ok(None);
             };
             let value = peak.measure.of(&there);
-            let (row, mean) = (self.row(point, 0)?, self.mean_pressure());
+            let (row, mean) = (self.row(point, 0)?, self.mean_pressure(peak.layer));
             // what a sum leaves out that ends at its cut-off, and what one leaves out that ends before
             let allowed = waves::STRESSES.on_face * mean;
             let unseen = (self.truncation(&row, point.x, &waves::STRESSES) - allowed).max(0.0);

@@ -1,5 +1,12 @@
-//! What is searched for its largest value, and places where it may be.
+//! What is searched for its largest value.
 use super::FieldPoint;
+
+/// Whether only the surroundings of the loads are searched, where shear stresses are largest, or also what is far from them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Extent {
+    Near,
+    Everywhere,
+}
 
 /// A quantity whose largest value is searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,8 +39,19 @@ impl Measure {
     }
 
     /// Whether its square is smooth where it is 0, rather than itself.
-    pub(super) fn is_norm(self) -> bool {
+    fn is_norm(self) -> bool {
         matches!(self, Self::MaxShear | Self::VonMises | Self::FaceShear)
+    }
+
+    /// A smooth function of the place that grows with it.
+    pub(super) fn smooth(self, point: &FieldPoint) -> f64 {
+        let value = self.of(point);
+        if self.is_norm() { value * value } else { value }
+    }
+
+    /// Its value from that of the smooth function.
+    pub(super) fn value(self, smooth: f64) -> f64 {
+        if self.is_norm() { smooth.abs().sqrt().copysign(smooth) } else { smooth }
     }
 
     /// Whether it is one of the lower faces of layers.
@@ -42,54 +60,10 @@ impl Measure {
     }
 }
 
-/// A value that is higher by less than this part than what is expected at a peak is no higher.
-const ROUNDED: f64 = 1e-7;
-
 /// What is searched for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Search {
     pub(super) measure: Measure,
     /// Index of the layer; `None` for all of them.
     pub(super) layer: Option<usize>,
-}
-
-/// A place in a layer, and its value there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
-    pub(super) x: f64,
-    /// Below the top face of the layer.
-    pub(super) depth: f64,
-    pub(super) value: f64,
-}
-
-/// A place in a layer, and the value of a quantity that is expected there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Peak {
-    pub(super) measure: Measure,
-    pub(super) layer: usize,
-    pub(super) x: f64,
-    /// Below the top face of the layer.
-    pub(super) depth: f64,
-    pub(super) value: f64,
-    /// The length that steps are parts of; 0 at the end of a contact, where stresses along the face have an infinite slope, so that it is
-    /// not left.
-    pub(super) scale: f64,
-    /// The highest value that was computed.
-    pub(super) seen: Seen,
-}
-
-impl Peak {
-    /// One whose value was computed.
-    pub(super) fn new(measure: Measure, layer: usize, seen: Seen, scale: f64) -> Self {
-        let Seen { x, depth, value } = seen;
-        Self { measure, layer, x, depth, value, scale, seen }
-    }
-
-    /// Goes to the highest value that was computed, if that is higher than what is expected here.
-    pub(super) fn take_seen(&mut self) {
-        let Seen { x, depth, value } = self.seen;
-        if value > self.value + ROUNDED * self.value.abs() {
-            (self.x, self.depth, self.value) = (x, depth, value);
-        }
-    }
 }

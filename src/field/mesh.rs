@@ -1,216 +1,215 @@
-//! Meshes in all layers, and the places at which a stress is larger than at those around them.
+//! Pieces of the layers, and the stresses at the Chebyshev points of each.
 use super::error::FieldError;
-use super::measure::{Peak, Search, Seen};
+use super::measure::Extent;
 use super::pressure::Pressure;
 use super::sum::Row;
-use super::waves::{self, Precision};
-use super::{Field, FieldPoint, PlacedLayer};
+use super::waves::Precision;
+use super::{Field, FieldPoint};
+use crate::numeric::chebyshev;
 
-/// Points of the mesh next to the loads: x in half-lengths of each contact next to the layer, depths in half-lengths from a loaded
-/// face, and in thicknesses.
-const BESIDE: [f64; 15] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96, 1.0, 1.05, 1.15, 1.4];
-const BELOW: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 0.8, 1.3];
-const THROUGH: [f64; 3] = [0.0, 0.5, 1.0];
-/// Where a pressure jumps stresses depend on the direction: they are searched at this part of the narrowest load from there, at these parts of
-/// that distance along x and in depth.
-const CLOSE: f64 = 1e-8;
-const ASIDE: [f64; 9] = [-1.0, -0.7, -0.4, -0.15, 0.0, 0.15, 0.4, 0.7, 1.0];
-const DOWN: [f64; 5] = [0.0, 0.2, 0.45, 0.7, 1.0];
-/// The mesh away from the loads reaches this number of bending lengths beyond the longest contact, and each of its places is this factor
-/// times the one before, from this part of the shortest contact on.
+/// Points of a piece along x and in depth; an odd number has one in the middle.
+pub(super) const POINTS: usize = 5;
+/// Longest piece: these parts of half the distance from the end of a load to the next along x, or of the shortest one in depth, and this many
+/// times the distance from the ends, or from the loaded face. Half as long, searches take twice as long and find the same.
+const LONGEST: [f64; 2] = [0.5, 1.0];
+const GROWTH: f64 = 3.0;
+/// Pieces that are shorter than this part of their distance from 0 are left out: their ends are the same but for rounding, or those of a
+/// load that ends abruptly, of which stresses have limits from either side.
+const ROUNDED: f64 = 1e-9;
+/// Layers are searched to this number of half-lengths beyond the ends of their loads or, where stresses far from loads are wanted, to this
+/// number of bending lengths, as far as a stiff layer on soft ones distributes loads; half-planes down to this number of half-lengths of the
+/// longest contact, or thicknesses of what lies on them. A stress that grows there is followed.
+const BESIDE: f64 = 0.5;
 const BEYOND: f64 = 4.0;
-const SPREAD: f64 = 1.3;
-const NEAREST: f64 = 0.5;
-/// Its depths, in parts of the thickness of a layer, or of the depth to which a half-plane is searched.
-const LAYER: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-const HALF_PLANE: [f64; 7] = [0.0, 0.05, 0.1, 0.2, 0.35, 0.6, 1.0];
-/// The distance of points, in parts of that of the places of this mesh.
-const SCALE: f64 = 2.0;
+const DEEP: f64 = 3.0;
+/// Where a pressure jumps stresses depend on the direction: they are searched to this part of the narrowest load from there.
+const CLOSE: f64 = 1e-8;
 
-/// Stresses in rows of points, layer by layer.
-pub(super) struct Mesh {
-    rows: Vec<Row>,
-    sets: Vec<Vec<f64>>,
-    points: Vec<Vec<FieldPoint>>,
-    scale: Scale,
-    /// The ends of contacts: row, and place in it.
-    ends: Vec<(usize, usize)>,
+/// Of x, and of the depth below the top face of a layer.
+pub(super) type Pair<T> = [T; 2];
+
+/// A rectangle of a layer, or a part of its lower face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) layer: usize,
+    pub(super) ends: Pair<[f64; 2]>,
+    /// The ends of the part of the layer in which stresses are as smooth as here.
+    pub(super) smooth: Pair<[f64; 2]>,
 }
 
-/// The length that steps from a place of a mesh are parts of.
-enum Scale {
-    /// The shortest half-length next to each layer, or the distance of the next place where that is larger.
-    Shortest(Vec<f64>),
-    /// The distance from the loads: that from x = 0, or from the nearest loaded face, and no less than this.
-    Distance(f64),
+impl Piece {
+    pub(super) fn holds(&self, place: Pair<f64>) -> bool {
+        self.ends.iter().zip(place).all(|([from, to], at)| *from <= at && at <= *to)
+    }
+
+    /// What is no farther from a place than this.
+    pub(super) fn about(&self, place: Pair<f64>, reach: Pair<f64>) -> Self {
+        let ends = [0, 1].map(|axis| {
+            let [first, last] = self.smooth[axis];
+            [(place[axis] - reach[axis]).max(first), (place[axis] + reach[axis]).min(last)]
+        });
+        Self { ends, ..*self }
+    }
+
+    /// It alone, to be sampled.
+    pub(super) fn alone(&self) -> Pieces {
+        let Self { layer, ends, smooth } = *self;
+        Pieces { layer, intervals: [0, 1].map(|axis| vec![[ends[axis], smooth[axis]]]) }
+    }
 }
 
-impl Scale {
-    /// For the place number `k` of a row in a layer.
-    fn at(&self, field: &Field, row: &Row, places: &[f64], k: usize) -> f64 {
-        let x = places[k];
-        match self {
-            Self::Shortest(of) => places.get(k + 1).map_or(0.0, |next| next - x).max(of[row.layer]),
-            Self::Distance(least) => {
-                let placed = &field.layers[row.layer];
-                let (body, depth) = (&field.bodies[placed.body], placed.top + row.depth);
-                let face = (depth - body.top).min(body.bottom.map_or(f64::INFINITY, |bottom| bottom - depth));
-                SCALE * (SPREAD - 1.0) * x.abs().max(face).max(*least)
+/// Neighbouring pieces of a layer: along x and in depth the ends of intervals, and of those in which stresses are smooth.
+pub(super) struct Pieces {
+    layer: usize,
+    intervals: Pair<Vec<[[f64; 2]; 2]>>,
+}
+
+/// The stresses at the points of a piece, row by row from the top down.
+pub(super) struct Sample {
+    pub(super) piece: Piece,
+    pub(super) points: Vec<Vec<FieldPoint>>,
+}
+
+type Ranges = Vec<std::ops::Range<usize>>;
+
+/// The points of neighbouring intervals, and the range of each interval among them.
+fn points(intervals: &[[[f64; 2]; 2]]) -> (Vec<f64>, Ranges) {
+    let (mut points, mut ranges) = (Vec::new(), Vec::new());
+    for [[from, to], _] in intervals {
+        let shared = usize::from(points.last() == Some(from));
+        let count = if from < to { POINTS } else { 1 };
+        ranges.push(points.len() - shared..points.len() - shared + count);
+        points.extend(chebyshev::points(*from, *to, count).into_iter().skip(shared));
+    }
+    (points, ranges)
+}
+
+impl Sample {
+    /// The stresses in all of these pieces, from one sum over wavenumbers; for each of the arguments a list.
+    pub(super) fn all(field: &Field, all: &[Pieces], precision: &Precision) -> Result<Vec<Vec<Self>>, FieldError> {
+        let (mut rows, mut sets, mut ranges) = (Vec::new(), Vec::<Vec<f64>>::new(), Vec::new());
+        for Pieces { layer, intervals } in all {
+            let [(xs, along), (depths, down)] = [0, 1].map(|axis| points(&intervals[axis]));
+            let set = sets.iter().position(|set| *set == xs).unwrap_or(sets.len());
+            if set == sets.len() {
+                sets.push(xs);
             }
+            ranges.push((rows.len(), along, down));
+            rows.extend(depths.into_iter().map(|depth| Row { layer: *layer, depth, set }));
         }
-    }
-}
-
-impl Mesh {
-    /// Next to the loads.
-    pub(super) fn near(field: &Field, precision: &Precision) -> Result<Self, FieldError> {
-        let (mut rows, mut sets) = (Vec::new(), Vec::new());
-        for (layer, placed) in field.layers.iter().enumerate() {
-            let body = &field.bodies[placed.body];
-            let contacts = field.contacts_of(layer);
-            let deepest = field.deepest(layer);
-            let xs = contacts.clone().flat_map(|contact| beside(field, contact));
-            let mut depths: Vec<f64> = THROUGH.iter().map(|part| part * deepest).collect();
-            for (side, contact) in contacts.enumerate() {
-                // counted from the loaded face, be it that of this layer or of one above or below it
-                let face = if side == 0 { body.top } else { body.bottom.unwrap_or(body.top) } - placed.top;
-                let lengths = [field.length(contact), field.narrowest(contact)];
-                let distances = lengths.iter().flat_map(|length| BELOW.map(|part| part * length));
-                let inside = distances.map(|distance| if side == 0 { face + distance } else { face - distance });
-                depths.extend(inside.filter(|depth| *depth > 0.0 && *depth < deepest));
-            }
-            rows.extend(ascending(depths).into_iter().map(|depth| Row { layer, depth, set: sets.len() }));
-            sets.push(ascending(xs.collect()));
-        }
-        let points = points(field, &rows, &sets, precision)?;
-        let scale = Scale::Shortest((0..field.layers.len()).map(|layer| field.shortest(layer)).collect());
-        let ends = ends(field, &rows, &sets);
-        Ok(Self { rows, sets, points, scale, ends })
-    }
-
-    /// About the places of the top face at which a pressure jumps.
-    pub(super) fn jumps(field: &Field) -> Result<Option<Self>, FieldError> {
-        let near = CLOSE * field.narrowest(0);
-        let of = |at: f64| ASIDE.iter().map(|part| at + part * near).collect();
-        let sets: Vec<Vec<f64>> = field.pressures.first().into_iter().flat_map(Pressure::jumps).map(of).collect();
-        if sets.is_empty() {
-            return Ok(None);
-        }
-        let of = |set: usize| DOWN.map(|part| Row { layer: 0, depth: part * near, set });
-        let rows: Vec<Row> = (0..sets.len()).flat_map(of).collect();
-        let points = points(field, &rows, &sets, &waves::LOW)?;
-        Ok(Some(Self { rows, sets, points, scale: Scale::Shortest(vec![0.0; field.layers.len()]), ends: Vec::new() }))
-    }
-
-    /// Away from the loads: as far as a stiff layer on soft ones distributes them by bending.
-    pub(super) fn far(field: &Field) -> Result<Self, FieldError> {
-        let finite = field.layers.iter().filter_map(|placed| placed.thickness);
-        let bending = finite.fold(0.0, |sum, h| sum + h) * field.contrast.max(field.over_support).cbrt();
-        let longest = field.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        let from = NEAREST * (0..field.layers.len()).map(|layer| field.shortest(layer)).fold(f64::INFINITY, f64::min);
-        let to = longest + BEYOND * bending;
-        let mut places = vec![0.0];
-        let mut x = from;
-        while x < to {
-            places.push(x);
-            x *= SPREAD;
-        }
-        if !field.is_even {
-            places = places[1..].iter().rev().map(|x| -x).chain(places.iter().copied()).collect();
-        }
-        let depths = |(layer, placed): (usize, &PlacedLayer)| {
-            let parts: &[f64] = if placed.thickness.is_some() { &LAYER } else { &HALF_PLANE };
-            let deepest = field.deepest(layer);
-            parts.iter().map(move |part| Row { layer, depth: part * deepest, set: 0 })
+        let sums = field.sum(&rows, &sets, precision)?;
+        let of_row = |(row, sums): (&Row, Vec<_>)| -> Vec<FieldPoint> {
+            sets[row.set].iter().zip(sums).map(|(x, sums)| field.point(*x, row, sums)).collect()
         };
-        let rows: Vec<Row> = field.layers.iter().enumerate().flat_map(depths).collect();
-        let sets = vec![places];
-        let points = points(field, &rows, &sets, &waves::LOW)?;
-        Ok(Self { rows, sets, points, scale: Scale::Distance(from), ends: Vec::new() })
-    }
-
-    /// The places at which a quantity is no smaller than at those around them, and the ends of contacts.
-    pub(super) fn peaks(&self, field: &Field, search: &Search) -> Vec<Peak> {
-        let Search { measure, layer } = *search;
-        let searched = |row: &Row| layer.is_none_or(|layer| row.layer == layer);
-        let is_lower_face = |row: &Row| field.layers[row.layer].thickness == Some(row.depth);
-        let is_chosen = |row: &Row| searched(row) && (!measure.is_on_face() || is_lower_face(row));
-        let chosen: Vec<usize> = (0..self.rows.len()).filter(|i| is_chosen(&self.rows[*i])).collect();
-        let values: Vec<Vec<f64>> =
-            chosen.iter().map(|i| self.points[*i].iter().map(|point| measure.of(point)).collect()).collect();
-        let at_end = |&(i, k): &(usize, usize)| {
-            let row = self.rows[i];
-            let (x, value) = (self.sets[row.set][k], measure.of(&self.points[i][k]));
-            Peak::new(measure, row.layer, Seen { x, depth: row.depth, value }, 0.0)
-        };
-        let ends = self.ends.iter().filter(|(i, _)| chosen.contains(i));
-        let mut peaks: Vec<Peak> = ends.map(at_end).collect();
-        for (i, in_row) in values.iter().enumerate() {
-            let row = self.rows[chosen[i]];
-            let beside = |other: Option<usize>| {
-                let same = |other: &Row| (other.layer, other.set) == (row.layer, row.set);
-                other.filter(|k| chosen.get(*k).is_some_and(|k| same(&self.rows[*k])))
-            };
-            let around: Vec<&Vec<f64>> =
-                [i.checked_sub(1), Some(i), Some(i + 1)].into_iter().filter_map(beside).map(|k| &values[k]).collect();
-            for (k, value) in in_row.iter().copied().enumerate() {
-                let near = k.saturating_sub(1)..(k + 2).min(in_row.len());
-                if around.iter().all(|list| list[near.clone()].iter().all(|other| *other <= value)) {
-                    let places = &self.sets[row.set];
-                    let (x, scale) = (places[k], self.scale.at(field, &row, places, k));
-                    peaks.push(Peak::new(measure, row.layer, Seen { x, depth: row.depth, value }, scale));
+        let rows: Vec<Vec<FieldPoint>> = rows.iter().zip(sums).map(of_row).collect();
+        let samples = |(Pieces { layer, intervals }, (first, along, down)): (&Pieces, (usize, Ranges, Ranges))| {
+            let mut samples = Vec::with_capacity(along.len() * down.len());
+            for ([down_ends, down_smooth], in_rows) in intervals[1].iter().zip(down) {
+                let rows = &rows[first..][in_rows];
+                for ([ends, smooth], range) in intervals[0].iter().zip(&along) {
+                    let piece = Piece { layer: *layer, ends: [*ends, *down_ends], smooth: [*smooth, *down_smooth] };
+                    samples.push(Self { piece, points: rows.iter().map(|row| row[range.clone()].to_vec()).collect() });
                 }
             }
-        }
-        peaks
+            samples
+        };
+        Ok(all.iter().zip(ranges).map(samples).collect())
     }
 }
 
-/// The ends of the contacts on the loaded faces of the bodies.
-fn ends(field: &Field, rows: &[Row], sets: &[Vec<f64>]) -> Vec<(usize, usize)> {
-    let of = |(i, row): (usize, &Row)| {
-        let placed = &field.layers[row.layer];
+impl Pieces {
+    /// All that is searched.
+    pub(super) fn all(field: &Field, extent: Extent) -> Vec<Self> {
+        let mut all: Vec<Self> = (0..field.layers.len()).map(|layer| Self::of_layer(field, layer, extent)).collect();
+        // about the places of the top face at which a pressure jumps
+        let near = CLOSE * field.narrowest(0);
+        let about = |at: f64| {
+            let along = [[at - near, at], [at, at + near]].map(|ends| [ends; 2]).to_vec();
+            Self { layer: 0, intervals: [along, vec![[[0.0, near]; 2]]] }
+        };
+        all.extend(field.pressures.first().into_iter().flat_map(Pressure::jumps).map(about));
+        all
+    }
+
+    fn of_layer(field: &Field, layer: usize, extent: Extent) -> Self {
+        let placed = &field.layers[layer];
         let body = &field.bodies[placed.body];
-        let top = (placed.place == 0 && row.depth == 0.0).then_some(body.contact);
-        let is_bottom = body.bottom.is_some() && placed.place + 1 == body.layers && placed.thickness == Some(row.depth);
-        let contact = &field.pressures[top.or(is_bottom.then_some(body.contact + 1))?];
-        let ends = contact.ends();
-        let places = sets[row.set].iter().enumerate();
-        Some(places.filter(move |(_, x)| ends.contains(x)).map(move |(k, _)| (i, k)))
-    };
-    rows.iter().enumerate().filter_map(of).flatten().collect()
+        let longest = field.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        // next to the end of a load that is longer than its body is thick stresses change over that thickness
+        let of_body = field.layers.iter().filter(|other| other.body == placed.body);
+        let thick = of_body.filter_map(|other| other.thickness).reduce(|sum, h| sum + h).unwrap_or(f64::INFINITY);
+        // cuts; and the ends of loads, and the loaded faces, with a length
+        let (mut cuts, mut features, mut faces) = (Vec::new(), Vec::new(), Vec::new());
+        for (side, face) in [Some(body.top), body.bottom].into_iter().flatten().enumerate() {
+            let pressure = &field.pressures[body.contact + side];
+            cuts.extend(pressure.sides());
+            // a line load by itself has no length; the mirror images of the ends of an even pressure are ends, too
+            let (mut shortest, images) =
+                (field.length(body.contact + side), |end: f64| if field.is_even { -end } else { end });
+            for end in &pressure.ends {
+                let others = pressure.ends.iter().flat_map(|other| [*other, images(*other)]);
+                let distances = others.map(|other| 0.5 * (end - other).abs()).filter(|distance| *distance > 0.0);
+                let length = distances.fold(field.length(body.contact + side), f64::min);
+                shortest = shortest.min(length);
+                features.push((*end, length.min(thick)));
+            }
+            faces.push((face - placed.top, shortest));
+        }
+        let finite = field.layers.iter().filter_map(|placed| placed.thickness);
+        let bending = finite.fold(0.0, |sum, h| sum + h) * field.contrast.max(field.over_support).cbrt();
+        let mut reach = features.iter().fold(0.0, |reach: f64, (x, length)| reach.max(x.abs() + BESIDE * length));
+        if extent == Extent::Everywhere {
+            reach = reach.max(longest + BEYOND * bending);
+        }
+        let [from, first] = if field.is_even { [0.0; 2] } else { [-reach, f64::NEG_INFINITY] };
+        let along = cut([from, reach], [first, f64::INFINITY], cuts, &features, [LONGEST[0], bending]);
+        let deepest = placed.thickness.unwrap_or(DEEP * longest.max(placed.top));
+        let bottom = placed.thickness.unwrap_or(f64::INFINITY);
+        Self { layer, intervals: [along, cut([0.0, deepest], [0.0, bottom], Vec::new(), &faces, [LONGEST[1], 0.0])] }
+    }
 }
 
-/// Places of the mesh for one contact.
-fn beside(field: &Field, contact: usize) -> Vec<f64> {
-    let (pressure, narrowest) = (&field.pressures[contact], field.narrowest(contact));
-    let about = |(at, a): (f64, f64)| {
-        // a line load has no length
-        let a = if a > 0.0 { a } else { narrowest };
-        [-1.0, 1.0].into_iter().flat_map(move |side| BESIDE.map(|part| at + side * part * a))
+/// The intervals between two ends, cut at some places and at features with their lengths, and so that they grow with the distance from
+/// features, up to the length of bending as far as that matters, with the ends of the intervals in which stresses are smooth: the outermost ones end `beyond`.
+fn cut(
+    [from, to]: [f64; 2],
+    beyond: [f64; 2],
+    cuts: Vec<f64>,
+    features: &[(f64, f64)],
+    [longest, bending]: [f64; 2],
+) -> Vec<[[f64; 2]; 2]> {
+    let all = cuts.into_iter().chain(features.iter().map(|(at, _)| *at));
+    let mut edges: Vec<f64> = all.filter(|at| *at > from && *at < to).chain([from, to]).collect();
+    edges.sort_by(f64::total_cmp);
+    let mut smooth = edges.clone();
+    if let [first, .., last] = &mut smooth[..] {
+        [*first, *last] = beyond;
+    }
+    let allowed = |x: f64| {
+        let of = |(at, length): &(f64, f64)| {
+            let distance = (x - at).abs();
+            let grown = longest * length + GROWTH * distance;
+            if distance < BEYOND * bending { grown.min(bending) } else { grown }
+        };
+        features.iter().map(of).fold(f64::INFINITY, f64::min)
     };
-    // many strips are taken as one
-    let strips: Vec<(f64, f64)> = pressure.strips().filter(|_| !pressure.is_of_many()).collect();
-    let all = strips.into_iter().chain([(0.0, field.length(contact))]).flat_map(about);
-    all.chain(pressure.ends()).filter(|x| !field.is_even || *x >= 0.0).collect()
-}
-
-fn ascending(mut list: Vec<f64>) -> Vec<f64> {
-    list.sort_by(f64::total_cmp);
-    list.dedup();
-    list
-}
-
-/// Stresses in rows of points.
-pub(super) fn points(
-    field: &Field,
-    rows: &[Row],
-    sets: &[Vec<f64>],
-    precision: &Precision,
-) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
-    let found = field.sum(rows, sets, precision)?;
-    let of = |(row, components): (&Row, Vec<_>)| {
-        sets[row.set].iter().zip(components).map(|(x, components)| field.point(*x, row, components)).collect()
+    let mut first = 0;
+    while let [left, right, ..] = edges[first..] {
+        let [after, before] = [left, right].map(allowed);
+        let (length, shorter) = (right - left, after.min(before));
+        if length <= (1.0 + ROUNDED) * shorter {
+            first += 1;
+        } else if length <= 2.0 * shorter {
+            edges.insert(first + 1, 0.5 * (left + right));
+        } else {
+            edges.insert(first + 1, if after <= before { left + after } else { right - before });
+        }
+    }
+    let pairs = edges.windows(2).map(|pair| [pair[0], pair[1]]);
+    let of = |[from, to]: [f64; 2]| {
+        let next = smooth.partition_point(|edge| *edge <= from);
+        [[from, to], [smooth[next - 1], smooth[next]]]
     };
-    Ok(rows.iter().zip(found).map(of).collect())
+    let is_long = |[from, to]: &[f64; 2]| to - from > ROUNDED * from.abs().max(to.abs());
+    pairs.filter(is_long).map(of).collect()
 }

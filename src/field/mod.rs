@@ -9,13 +9,13 @@ mod disc;
 mod error;
 mod extremes;
 mod faces;
+mod infinite;
 mod joints;
 mod means;
 mod measure;
 mod mesh;
-mod parabola;
-mod peak;
 mod point;
+mod polynomial;
 mod potentials;
 mod pressure;
 mod roots;
@@ -31,10 +31,9 @@ mod waves;
 
 use recede_layers::{Plane, Wave};
 
-pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes};
+pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::FaceSide;
 pub(crate) use means::{FLAT, Window};
-pub use peak::MaxShear;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
 use crate::geometry::Geometry;
@@ -149,11 +148,6 @@ impl Field {
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
         field.pressure_error = solution.contacts().iter().enumerate().map(error).sum();
         field
-    }
-
-    /// The same with other pressures on the same contacts.
-    fn with_pressures(&self, change: impl Fn(&Pressure) -> Pressure) -> Self {
-        Self { pressures: self.pressures.iter().map(change).collect(), ..self.clone() }
     }
 
     /// Stresses and displacements at a point; on an interface, of the layer below.
@@ -299,14 +293,6 @@ impl Field {
             xs.iter().zip(&of).filter_map(|(x, k)| Some(self.point(*x, row, *values.get(*k)?)))
         });
         Ok(points.collect())
-    }
-
-    /// The largest shear stress in the plane anywhere in the stack, (σ₁ − σ₂)/2, and where it is.
-    ///
-    /// # Errors
-    /// [`FieldError::Unresolved`] if the fields cannot be computed.
-    pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
-        peak::max_shear(self)
     }
 
     /// Depths at which layers begin and end, with the layers' numbers, from the top down; a half-plane ends at infinity.

@@ -7,7 +7,9 @@ use crate::solution::{Contact, Form, Strip};
 
 /// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
-/// Most strips of one pressure that have places of their own where stresses are searched.
+
+/// Most strips of one pressure whose ends are places of their own; of more, as elements of low accuracy are, the ends of the intervals are, and
+/// of more intervals the outermost ends: steps from one element to the next mean nothing, and each end takes a dozen points in every row.
 const APART: usize = 16;
 
 /// A sum of strips.
@@ -17,6 +19,10 @@ pub(super) struct Pressure {
     pub(super) half_length: f64,
     /// The strips with their middles; of an even pressure those for x ≥ 0, each of which has a mirror image.
     strips: Vec<(f64, StripPressure)>,
+    /// The places at which it ends or its slope jumps, of an even pressure those x ≥ 0, from left to right.
+    pub(super) ends: Vec<f64>,
+    /// Whether these are the ends of all strips; the others are taken as smooth.
+    is_whole: bool,
     is_even: bool,
 }
 
@@ -42,7 +48,18 @@ impl Pressure {
         let strips = || contact.strips.iter().filter(|strip| !is_even || strip.at >= 0.0);
         let end = |strip: &Strip| strip.at.abs() + strip.extent;
         let half_length = strips().map(end).fold(0.0, f64::max);
-        Self { half_length, strips: strips().map(|strip| (strip.at, StripPressure::new(strip))).collect(), is_even }
+        let intervals: Vec<[f64; 2]> = contact.intervals.iter().map(|one| [one.left, one.right]).collect();
+        let of_strips = strips().map(|strip| [strip.at - strip.extent, strip.at + strip.extent]).collect();
+        let outermost = intervals.first().zip(intervals.last()).map(|(first, last)| [first[0], last[1]]);
+        let lists: [Vec<[f64; 2]>; 3] = [of_strips, intervals, outermost.into_iter().collect()];
+        let is_whole = lists[0].len() <= APART;
+        let chosen = lists.into_iter().find(|list| list.len() <= APART).unwrap_or_default();
+        let strips = strips().map(|strip| (strip.at, StripPressure::new(strip))).collect();
+        let mut pressure = Self { half_length, strips, ends: Vec::new(), is_whole, is_even };
+        pressure.ends = chosen.into_iter().flatten().map(|end| pressure.place(end)).collect();
+        pressure.ends.sort_by(f64::total_cmp);
+        pressure.ends.dedup_by(|next, end| *next - *end <= AT * half_length);
+        pressure
     }
 
     /// The place at which the pressure is looked at: an even pressure is known for x ≥ 0.
@@ -55,43 +72,39 @@ impl Pressure {
         if self.is_even && at != 0.0 { 2.0 } else { 1.0 }
     }
 
-    /// Without the last terms of each series, as long as together they stay below this part of the largest one. The
-    /// resultant remains.
-    pub(super) fn truncated(&self, part: f64) -> Self {
-        let strips = self.strips.iter().map(|(at, strip)| (*at, strip.truncated(part))).collect();
-        Self { strips, ..*self }
-    }
-
     /// Middles and half-lengths of the strips.
     pub(super) fn strips(&self) -> impl Iterator<Item = (f64, f64)> {
         self.strips.iter().map(|(at, strip)| (*at, strip.half_length))
     }
 
-    /// Whether steps between the strips are too many to be searched one by one: the strips are elements of a low-accuracy answer, or a
-    /// large number of loads.
-    pub(super) fn is_of_many(&self) -> bool {
-        self.strips.len() > APART
+    /// The ends; where the pressure ends abruptly, next to them on both sides, at which stresses are the limits from there.
+    pub(super) fn sides(&self) -> impl Iterator<Item = f64> {
+        self.ends.iter().flat_map(|end| match self.ending(*end, StripPressure::is_abrupt) {
+            Some(strip) => [-2.0, 2.0].map(|side| end + side * AT * strip.half_length.max(end.abs())),
+            None => [*end; 2],
+        })
     }
 
-    /// The places at which the pressure ends, of an even one those x ≥ 0; where it ends abruptly, next to them on both sides, at which stresses are the limits from
-    /// there.
-    pub(super) fn ends(&self) -> Vec<f64> {
-        if self.is_of_many() {
-            return vec![self.half_length];
-        }
-        let of = |(at, strip): &(f64, StripPressure)| {
-            let ends = [at - strip.half_length, at + strip.half_length];
-            let beside = |end: f64| [end * (1.0 - 2.0 * AT), end * (1.0 + 2.0 * AT)];
-            if strip.is_abrupt() { ends.map(beside).concat() } else { ends.to_vec() }
-        };
-        self.strips.iter().flat_map(of).filter(|end| !self.is_even || *end >= 0.0).collect()
-    }
-
-    /// The places at which the pressure jumps from one finite value to another, of an even pressure those x > 0.
+    /// The ends at which the pressure jumps from one finite value to another, but for x = 0 of an even pressure.
     pub(super) fn jumps(&self) -> impl Iterator<Item = f64> {
-        let uniform = self.strips.iter().filter(|(_, strip)| strip.form == Form::Uniform && !self.is_of_many());
-        let ends = uniform.flat_map(|(at, strip)| [at - strip.half_length, at + strip.half_length]);
-        ends.filter(|end| !self.is_even || *end > 0.0)
+        let is_jump = |end: &f64| self.ending(*end, |strip| strip.form == Form::Uniform).is_some();
+        self.ends.iter().copied().filter(|end| !self.is_even || *end > 0.0).filter(is_jump)
+    }
+
+    /// A strip of some kind that ends at a place.
+    fn ending(&self, end: f64, is_wanted: impl Fn(&StripPressure) -> bool) -> Option<&StripPressure> {
+        if !self.is_whole {
+            return None;
+        }
+        let is_end = |middle: f64, a: f64| {
+            let places = [middle - a, middle + a].map(|at| self.place(at));
+            places.iter().any(|at| (end - at).abs() <= AT * (middle.abs() + a))
+        };
+        let ends = |(middle, strip): &&(f64, StripPressure)| {
+            let a = strip.half_length;
+            is_end(*middle, a) && is_wanted(strip)
+        };
+        self.strips.iter().find(ends).map(|(_, strip)| strip)
     }
 
     /// The places at which stresses on the face are infinite, of an even pressure those x ≥ 0, and the kind of the singularity.

@@ -1,12 +1,9 @@
-//! The largest shear stress, and where stresses are infinite.
+//! Where stresses are infinite.
 use std::f64::consts::PI;
 
 use super::Field;
-use super::error::FieldError;
-use super::measure::{Measure, Peak, Search};
-use super::search::{Extent, highest};
+use super::measure::Measure;
 use super::sum::Row;
-use crate::system::Unresolved;
 
 /// Distances from a singular point, in parts of the narrowest load, at which stresses are compared.
 const CLOSE: [f64; 2] = [1e-7, 1e-8];
@@ -15,33 +12,6 @@ const DIRECTIONS: u8 = 16;
 /// A stress is infinite if it grows by more than this part between the two: a logarithm grows by a tenth, what is finite by a
 /// millionth; and if it is above this part of the largest component, since the others leave rounding.
 const GROWS: f64 = 1e-3;
-
-/// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MaxShear {
-    /// The stress; infinite under a line load and at the sharp corners of a punch.
-    pub value: f64,
-    /// Along the layers, x ≥ 0; by symmetry it is found at −x, too.
-    pub x: f64,
-    /// Below the top face of the stack.
-    pub depth: f64,
-    /// Number of the layer.
-    pub layer: usize,
-}
-
-pub(super) fn max_shear(field: &Field) -> Result<MaxShear, FieldError> {
-    if let Some(x) = infinite(field, Measure::MaxShear) {
-        let layer = field.layers.first().map_or(1, |placed| placed.number);
-        return Ok(MaxShear { value: f64::INFINITY, x, depth: 0.0, layer });
-    }
-    let search = Search { measure: Measure::MaxShear, layer: None };
-    let found = highest(field, &[search], Extent::Near)?.into_iter().next().flatten();
-    let Some(Peak { layer, x, depth, value, .. }) = found.filter(|peak| peak.value.is_finite()) else {
-        return Err(Unresolved { wavenumber: 0.0 }.into());
-    };
-    let placed = &field.layers[layer];
-    Ok(MaxShear { value, x, depth: placed.top + depth, layer: placed.number })
-}
 
 /// Where on the top face a stress is infinite: at a singular point next to which it grows in some direction. The closed forms tell: the rest of
 /// the field is finite.
