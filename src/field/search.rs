@@ -65,7 +65,8 @@ impl Candidate {
         let (piece, seen) = (polynomial.piece, polynomial.highest_point());
         let (expected, _) = polynomial.highest(seen.0);
         let reach = piece.ends.map(|[from, to]| 0.5 * SMALLER * (to - from));
-        Self { measure, piece, reach, expected, seen, error, is_inside: false, is_exact: false, is_found: false }
+        let is_inside = piece.has_inside(expected.0);
+        Self { measure, piece, reach, expected, seen, error, is_inside, is_exact: false, is_found: false }
     }
 
     /// Whether its highest place is on the edge of another piece that is no lower, with smooth stresses in both.
@@ -76,15 +77,10 @@ impl Candidate {
 
     /// Goes to the highest place of a smaller piece, or back to the highest value before if that piece is lower.
     fn follow(&mut self, polynomial: &Polynomial, [error, rounding]: [f64; 2], is_exact: bool) {
-        let Piece { ends, smooth, .. } = polynomial.piece;
         let seen = polynomial.highest_point();
         let (highest, there) = polynomial.highest(self.expected.0);
         let is_lower = seen.1 < self.seen.1 - self.error;
-        // not where the layer goes on
-        let is_inside = (0..2).all(|axis| {
-            let is_end = |side: usize| highest.0[axis] == ends[axis][side] && ends[axis][side] != smooth[axis][side];
-            !is_end(0) && !is_end(1)
-        });
+        let is_inside = polynomial.piece.has_inside(highest.0);
         let size = if is_inside || is_lower { SMALLER } else { LARGER };
         self.reach = self.reach.map(|reach| size * reach);
         if is_lower {
@@ -118,7 +114,8 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
     };
     let mut candidates: Vec<Vec<Candidate>> = searches.iter().map(candidates).collect();
     for round in 0..ROUGH {
-        let is_open = |one: &Candidate| round == 0 || !one.is_inside;
+        // nothing is to be learnt about a place that is a point already, and the highest of its surroundings
+        let is_open = |one: &Candidate| !one.is_inside || round == 0 && one.expected.1 > one.seen.1;
         let chosen = candidates.iter_mut().flat_map(|own| open(field, own, 1.0 - PROMISING)).filter(|one| is_open(one));
         if !follow(field, chosen.collect(), &waves::LOW, false)? {
             break;
