@@ -199,7 +199,8 @@ fn cut(
             let grown = longest * length + GROWTH * distance;
             if distance < BEYOND * bending { grown.min(bending) } else { grown }
         };
-        features.iter().map(of).fold(f64::INFINITY, f64::min)
+        // what is shorter is left out
+        features.iter().map(of).fold(f64::INFINITY, f64::min).max(2.0 * ROUNDED * x.abs())
     };
     let mut first = 0;
     while let [left, right, ..] = edges[first..] {
