@@ -21,10 +21,10 @@ fn scene_with(field: &str, text: &str) -> String {
         ("force", "1.0"),
         ("stack", "[HalfPlane(shear_modulus: 1.0, poisson: 0.25)]"),
     ];
-    // a load takes the place of a punch, and several loads have forces of their own
+    // a load takes the place of a punch, and several loads or punches have forces of their own
     let replaced: &[&str] = match field {
         "load" => &["punch"],
-        "loads" => &["punch", "force"],
+        "loads" | "punches" => &["punch", "force"],
         own => &[own],
     };
     let others =

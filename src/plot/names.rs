@@ -39,9 +39,10 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     let distance = distance(scene);
     let half_width = |width: f64| format!("{half_width} {}{length}", short(width));
     let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
-    let punch = match &scene.top {
-        Top::Punch(punch) => punch,
-        Top::Loads(loads) => return of_loads(scene, loads),
+    let punch = match (scene.top.punch(), scene.top.loads()) {
+        (Some(punch), _) => punch,
+        (None, Some(loads)) => return of_loads(scene, loads),
+        (None, None) => return vec![scene.top.label(scene.geometry)],
     };
     match punch {
         Punch::Cylinder { radius: r } => lines(cylinder, &[radius(r.get())]),

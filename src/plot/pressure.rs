@@ -1,5 +1,5 @@
 //! The pressure of a contact as a curve.
-use crate::scene::{Load, Loads, Punch, Scene};
+use crate::scene::{Load, Loads, Punches, Scene};
 use crate::solution::{Contact, Interface, Interval};
 
 /// Pressures that are infinite somewhere are drawn up to so many times their mean.
@@ -15,7 +15,8 @@ const INSIDE: f64 = 1e-9;
 /// The pressure on each interval of a contact, denser towards its ends, where it falls like a root, with both sides of a jump;
 /// where it rises without bound, under a sharp tip and at sharp corners, as far as a multiple of the mean.
 pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>> {
-    let rises = contact.interface == Interface::Punch && scene.top.punch().is_some_and(Punch::is_singular);
+    let mut punches = scene.top.punches().into_iter().flat_map(Punches::parts);
+    let rises = contact.interface == Interface::Punch && punches.any(|(pressed, _)| pressed.shape().is_singular());
     let mean = contact.resultant / scene.geometry.size(-contact.reach(), contact.reach());
     let most = if rises { HIGHEST_DRAWN * mean } else { f64::INFINITY };
     let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);

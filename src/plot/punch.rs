@@ -1,11 +1,11 @@
-//! The punch above a stack, and the force on it; or the loads in its place.
+//! The punches above a stack, and the forces on them; or the loads in their place.
 use super::chart::APART;
 use super::names::{after, of_top};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
 use super::style::{INK, PUNCH, SMALL, TEXT};
-use crate::scene::{Loads, Punch, Scene, Top};
+use crate::scene::{Loads, Pressed, Punches, Scene, Tilt, Top};
 use crate::solution::Contact;
 
 /// Greatest height of the punch, in points.
@@ -16,6 +16,8 @@ const SEEN: f64 = 10.0;
 const POINTS: usize = 100;
 /// Halvings of the place where the outline leaves the drawing.
 const HALVINGS: usize = 50;
+/// Room between two punches, in points.
+const BETWEEN: f64 = 4.0;
 /// Distance of the arrows of a load, in points.
 const ARROWS: f64 = 13.0;
 
@@ -40,8 +42,9 @@ impl Presses<'_> {
         let mut names = of_top(self.scene);
         match &self.scene.top {
             Top::Loads(loads) => self.loads(loads, picture),
-            Top::Punch(punch) => {
-                names.extend(self.body(punch, picture).map(|times| format!("heights drawn × {}", label(times))));
+            Top::Punches(punches) => {
+                let times = self.bodies(punches, picture);
+                names.extend(times.map(|times| format!("heights drawn × {}", label(times))));
             }
         }
         // the last line just above the top face
@@ -51,16 +54,41 @@ impl Presses<'_> {
         }
     }
 
-    /// What is drawn of the punch: to where it ends, or leaves the drawing at the sides or above. Returns how much higher than to
-    /// scale, if it is.
-    fn body(&self, punch: &Punch, picture: &mut Picture) -> Option<f64> {
-        let scale = self.scale;
-        let [left, right] = [self.ends.0, self.ends.1].map(|end| (end - self.middle) / scale);
+    /// All punches, each as far as half the way to its neighbours. Returns how much higher than to scale the highest is, if it is.
+    fn bodies(&self, punches: &Punches, picture: &mut Picture) -> Option<f64> {
+        let all: Vec<&Pressed> = punches.parts().map(|(pressed, _)| pressed).collect();
+        let between =
+            |one: &Pressed, other: &Pressed| self.middle + 0.5 * self.scale * (one.face()[1] + other.face()[0]);
+        let mut highest: Option<f64> = None;
+        for (i, pressed) in all.iter().enumerate() {
+            let before = i.checked_sub(1).and_then(|i| all.get(i));
+            let from = before.map_or(self.ends.0, |before| between(before, pressed) + 0.5 * BETWEEN);
+            let to = all.get(i + 1).map_or(self.ends.1, |after| between(pressed, after) - 0.5 * BETWEEN);
+            let times = self.body(pressed, [from.max(self.ends.0), to.min(self.ends.1)], picture);
+            highest = times.into_iter().chain(highest).reduce(f64::max);
+        }
+        if (self.ends.0..=self.ends.1).contains(&self.middle) {
+            self.force(picture, if all.len() > 1 { " in all" } else { "" });
+        }
+        highest
+    }
+
+    /// What is drawn of a punch between two places: to where it ends, or leaves the drawing above, turned if its angle is prescribed. Returns how
+    /// much higher than to scale, if it is.
+    fn body(&self, pressed: &Pressed, window: [f64; 2], picture: &mut Picture) -> Option<f64> {
+        let (scale, middle, punch) = (self.scale, self.middle + self.scale * pressed.at(), pressed.shape());
+        let [left, right] = window.map(|end| (end - middle) / scale);
+        let angle = pressed.tilt().angle().unwrap_or(0.0);
         let ends = punch.ends();
         let [first, last] = [ends[0].max(left.min(-right)), ends[1].min(right.max(-left))];
         // at its very edge the height may be infinite
-        let profile = |x: f64| punch.profile(x.clamp(first * (1.0 - 1e-12), last * (1.0 - 1e-12)));
-        let rise = |x: f64| (profile(x) - profile(self.contact.map_or(0.0, Contact::reach))).max(0.0);
+        let profile = |x: f64| punch.profile(x.clamp(first * (1.0 - 1e-12), last * (1.0 - 1e-12))) + angle * x;
+        let step = |from: f64, to: f64, i: usize| from + (to - from) * i as f64 / (2 * POINTS) as f64;
+        let lowest = match self.scene.top.punch() {
+            Some(_) => profile(self.contact.map_or(0.0, Contact::reach)),
+            None => (0..=2 * POINTS).map(|i| profile(step(first, last, i))).fold(profile(0.0), f64::min),
+        };
+        let rise = |x: f64| (profile(x) - lowest).max(0.0);
         let times = times(scale * rise(first).max(rise(last)));
         let height = |x: f64| scale * times * rise(x);
         let seen = [-end_below(&|x: f64| height(-x), -first), end_below(&height, last)];
@@ -69,10 +97,9 @@ impl Presses<'_> {
             return None;
         }
         let roof = self.top - HIGHEST;
-        let x = |i: usize| from + (to - from) * i as f64 / (2 * POINTS) as f64;
-        let place = |x: f64| (self.middle + scale * x, self.top - height(x).min(HIGHEST));
-        let mut outline: Vec<(f64, f64)> = (0..=2 * POINTS).map(x).map(place).collect();
-        let corners = [to, from].map(|x| (self.middle + scale * x, roof));
+        let place = |x: f64| (middle + scale * x, self.top - height(x).min(HIGHEST));
+        let mut outline: Vec<(f64, f64)> = (0..=2 * POINTS).map(|i| place(step(from, to, i))).collect();
+        let corners = [to, from].map(|x| (middle + scale * x, roof));
         picture.area(&outline.iter().copied().chain(corners).collect::<Vec<_>>(), PUNCH);
         // its own sides are drawn, not the sides of the drawing
         if seen[1] == ends[1] && to == ends[1] {
@@ -82,9 +109,10 @@ impl Presses<'_> {
             outline.insert(0, corners[1]);
         }
         picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
-        if (self.ends.0..=self.ends.1).contains(&self.middle) {
-            arrow(picture, self.middle, roof - 4.0, 18.0);
-            self.force(picture, "");
+        let aside = if let Tilt::Free { eccentricity } = pressed.tilt() { eccentricity } else { 0.0 };
+        let force = middle + scale * aside;
+        if (self.ends.0..=self.ends.1).contains(&force) {
+            arrow(picture, force, roof - 4.0, 18.0);
         }
         (times > 1.0).then_some(times)
     }
@@ -155,4 +183,68 @@ fn end_below(height: &impl Fn(f64) -> f64, end: f64) -> f64 {
 fn arrow(picture: &mut Picture, x: f64, tip: f64, length: f64) {
     picture.line(&[(x, tip - length), (x, tip)], Stroke { colour: INK, width: 1.0, dash: None });
     picture.area(&[(x, tip + 3.0), (x - 2.8, tip - 4.5), (x + 2.8, tip - 4.5)], INK);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::picture::{Colour, Shape};
+
+    /// The outlines of the bodies that are drawn above a face at height 0, x = 0 at 170 and 20 points per length, and the tips of their arrows.
+    fn drawn(punches: &str) -> (Vec<Vec<(f64, f64)>>, Vec<f64>) {
+        let scene = format!("Scene(geometry: PlaneStrain, punches: [{punches}], stack: [Rigid])");
+        let scene = Scene::from_ron(&scene).unwrap();
+        let mut picture = Picture::new(340.0, 100.0);
+        let presses = Presses {
+            scene: &scene,
+            force: 1.0,
+            contact: None,
+            scale: 20.0,
+            middle: 170.0,
+            top: 0.0,
+            ends: (0.0, 340.0),
+        };
+        presses.draw(&mut picture);
+        assert!(picture.is_finite());
+        let areas = |wanted: Colour| {
+            let area = move |shape: &Shape| match shape {
+                Shape::Area { rings, colour } if *colour == wanted => Some(rings.concat()),
+                _ => None,
+            };
+            picture.shapes.iter().filter_map(area).collect::<Vec<_>>()
+        };
+        (areas(PUNCH), areas(INK).iter().map(|arrow| arrow[0].0).collect())
+    }
+
+    fn extent(points: &[(f64, f64)]) -> [f64; 2] {
+        let places = || points.iter().map(|(x, _)| *x);
+        [places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    #[test]
+    fn each_punch_is_drawn_at_its_place() {
+        let block = "(shape: Flat(half_width: 0.5), at: 3, force: 2, tilt: Free(eccentricity: 0.25))";
+        let (bodies, arrows) = drawn(&format!("{block}, (shape: Parabola(radius: 2), at: -4, force: 1)"));
+        let [parabola, flat] = &bodies[..] else { panic!("two bodies") };
+        // the parabola rises by 34 points at a distance of √6.8, the neighbour begins later
+        let [left, right] = extent(parabola);
+        assert!((left - (90.0 - 20.0 * 6.8f64.sqrt())).abs() < 1e-6 && (left + right - 180.0).abs() < 1e-6);
+        assert_eq!((extent(flat), &arrows[..]), ([220.0, 240.0], &[90.0, 235.0][..]));
+        // wide ones share the room between them
+        let (bodies, _) = drawn(&format!("(shape: Cylinder(radius: 1000), at: 0, force: 1), {block}"));
+        assert_eq!([extent(&bodies[0]), extent(&bodies[1])], [[0.0, 193.0], [220.0, 240.0]]);
+        // those out of sight are left out
+        let (bodies, arrows) = drawn(&format!("(shape: Parabola(radius: 2), at: -90, force: 1), {block}"));
+        assert_eq!((bodies.len(), &arrows[..]), (1, &[235.0][..]));
+    }
+
+    #[test]
+    fn a_punch_that_is_turned_is_drawn_on_its_lower_corner() {
+        for (angle, low) in [(0.75, 220.0), (-0.75, 240.0)] {
+            let (bodies, _) = drawn(&format!("(shape: Flat(half_width: 0.5), at: 3, force: 2, tilt: Fixed({angle}))"));
+            let at = |corner: f64| bodies[0].iter().filter(|(x, _)| *x == corner).map(|(_, y)| *y).fold(-1e9, f64::max);
+            let high = 460.0 - low;
+            assert!(at(low).abs() < 1e-6 && (at(high) + 15.0).abs() < 1e-6, "{} {}", at(low), at(high));
+        }
+    }
 }

@@ -11,9 +11,9 @@ pub(super) fn without_units(scene: &mut Node, origin: &Origin) -> Result<(), Sce
     let Kind::Fields(fields) = &mut scene.kind else { return Ok(()) };
     let of_numbers = fields.iter_mut().filter(|field| !matches!(&*field.name, "name" | "description" | "units"));
     for Entry { name, value, .. } in of_numbers {
-        // the numbers of a punch that say nothing else, those of its table, are lengths
+        // the numbers of punches that say nothing else, those of tables, are lengths
         let own = if &**name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) };
-        let dimension = own.or((&**name == "punch").then_some(Dimension::LENGTH));
+        let dimension = own.or(matches!(&**name, "punch" | "punches").then_some(Dimension::LENGTH));
         convert(value, dimension, units.as_ref(), origin)?;
     }
     Ok(())

@@ -2,7 +2,7 @@
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, bare_token, token};
 
-use super::hints::{directions, instead_of, number_of_material};
+use super::hints::{directions, instead_of, names_of, number_of_material};
 use super::quoted_list;
 
 /// The part of a scene that was being read.
@@ -47,7 +47,7 @@ impl Subject<'_> {
         let one = self.field.and_then(|field| number_of_material(field, true));
         match self.written() {
             Some(written) => format!("write {written}{}", one.map_or(String::new(), |one| format!("; {one}"))),
-            None => otherwise.to_owned(),
+            None => self.field.and_then(names_of).unwrap_or(otherwise).to_owned(),
         }
     }
 

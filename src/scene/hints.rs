@@ -18,6 +18,10 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["mean_radius", "middle"], &["radius"]),
     (&["inner_radius", "outer_radius", "inner", "outer", "r_inner", "r_outer", "ri", "ro"], &["radius", "half_width"]),
     (&["P", "F", "Q", "load"], &["force"]),
+    (&["x", "x0", "place", "position", "location", "offset", "centre", "center"], &["at"]),
+    (&["e", "offset", "lever", "lever_arm", "arm"], &["eccentricity"]),
+    (&["angle", "rotation", "inclination"], &["tilt"]),
+    (&["punch", "profile", "indenter", "roller"], &["shape"]),
     (&["a", "b", "c", "width", "half_length", "thickness"], &["half_width"]),
     (&["a", "contact_length", "contact_width"], &["half_length"]),
     (&["indentation", "approach", "displacement", "delta"], &["depth"]),
@@ -29,6 +33,7 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["semi_angle", "semi_vertical_angle", "half_apex_angle", "half_opening_angle"], &["half_angle"]),
     (&["apex_angle", "opening_angle", "included_angle"], &["half_angle"]),
     (&["indenter", "roller", "wheel", "tool"], &["punch"]),
+    (&["indenters", "rollers", "wheels", "tools"], &["punches"]),
     (&["layers", "items"], &["stack"]),
     (&["k", "kn", "normal_stiffness"], &["stiffness", "normal"]),
     (&["kt", "shear_stiffness", "tangential_stiffness"], &["shear_stiffness", "tangential"]),
@@ -42,6 +47,8 @@ const OTHER_NAMES: &[(&[&str], &[&str])] = &[
     (&["Slip", "Smooth", "Slide"], &["Sliding"]),
     (&["Springs", "Elastic", "Interlayer"], &["Spring", "Winkler"]),
     (&["Fixed", "Wall", "Floor"], &["Rigid"]),
+    (&["Angle", "Turned", "Rotated", "Prescribed"], &["Fixed"]),
+    (&["Loose", "Hinged", "Pivoted", "Eccentric"], &["Free"]),
     (&["Roller", "Wheel", "Circle"], &["Cylinder", "ElasticCylinder"]),
     (&["Cylinder", "Ball", "Hemisphere", "Circle"], &["Sphere"]),
     (&["ElasticCylinder", "ElasticBall"], &["ElasticSphere"]),
@@ -96,8 +103,12 @@ const NOT_SUPPORTED: &[(&[&str], &str)] = &[
         "initial gaps are not supported: layers rest on each other before they are loaded",
     ),
     (
-        &["tilt", "moment", "angle", "offset"],
-        "punches that tilt or lie off the middle are not supported: their tips are in the middle, x = 0",
+        &["tilt", "moment", "angle", "rotation", "offset", "eccentricity", "at"],
+        "a punch that is turned, or whose tip is not at x = 0, is one of `punches: [(shape: ..., at: ..., force: ..., tilt: ...)]` in a plane scene",
+    ),
+    (
+        &["depth", "half_length"],
+        "`depth` and `half_length` are for one `punch: ...` only, and stand beside it in the scene: each of several punches has its `force`",
     ),
     (&["plastic", "yield", "yield_stress", "hardness"], "plasticity is not supported: materials are linear elastic"),
     (&["viscosity", "relaxation", "creep", "damping"], "time is not supported: materials are linear elastic"),
@@ -167,6 +178,11 @@ pub(super) fn instead_of(found: &str, allowed: &[&str]) -> Option<String> {
     not_supported.map(|(_, why)| (*why).to_owned()).or_else(|| did_you_mean(found, allowed))
 }
 
+/// What to write in a field that has one of a few names.
+pub(super) fn names_of(field: &str) -> Option<&'static str> {
+    (field == "tilt").then_some("write `Fixed(angle)`, with a small angle in radians, or `Free(eccentricity: ...)`")
+}
+
 /// What is between several names to be written, and in what the number differs from the one that was found.
 fn how(found: &str, names: &[&str]) -> (&'static str, &'static str) {
     let how = match (found, names) {
@@ -179,7 +195,7 @@ fn how(found: &str, names: &[&str]) -> (&'static str, &'static str) {
         ("diameter" | "width" | "thickness" | "apex_angle" | "opening_angle" | "included_angle", _) => {
             ", which is half of it"
         }
-        ("angle" | "inclination", _) => {
+        ("angle" | "inclination", ["slope", ..]) => {
             ": the tangent of the angle with the stack, or the angle with the axis, such as `\"70.3 deg\"`"
         }
         ("yx" | "nu_yx", _) => ", which is yx · young.x / young.y",

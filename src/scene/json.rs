@@ -4,7 +4,8 @@ use recede_layers::description::{schema_of, without_ranges};
 use recede_layers::tree::{Kind, Node};
 use serde_json::{Value, json};
 
-use super::read::{TOPS, schema_of_scene};
+use super::read::schema_of_scene;
+use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Scene, Spring, visible_json};
 
@@ -73,7 +74,7 @@ pub fn scene_schema(registry: &Registry) -> Value {
     let mut schema = schema_of_scene().to_value();
     // about the axis punches and loads have other names
     let (punch, load) = (schema_of::<RoundPunch>().to_value(), schema_of::<RoundLoad>().to_value());
-    let round = json!({"punch": punch, "load": load, "loads": false});
+    let round = json!({"punch": punch, "punches": false, "load": load, "loads": false});
     let mut plane = json!({});
     for field in TOPS {
         plane[field] = schema["properties"][field].take();

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::load::Load;
 use super::text::written;
-use super::value::{LoadsError, MOST_LOADS, ValueError};
+use super::value::{LoadsError, MOST_AT_ONCE, ValueError, scaled};
 use crate::geometry::Geometry;
 
 /// Loads that press on the top face at once, each anywhere on x. They may overlap.
@@ -80,6 +80,11 @@ impl Loads {
         self.parts().fold(0.0, |reach, (load, at, _)| reach.max(at.abs() + load.half_width()))
     }
 
+    /// Where their resultant acts on x, in length.
+    pub(crate) fn middle(&self) -> f64 {
+        self.parts().map(|(_, at, share)| share * at).sum()
+    }
+
     /// Whether the loads are their own mirror image about x = 0, in whatever order they are.
     pub fn is_even(&self) -> bool {
         let mut images: Vec<&PlacedLoad> = self.0.iter().collect();
@@ -91,6 +96,19 @@ impl Loads {
         })
     }
 
+    /// The loads moved to where they are even about x = 0, and the place other than 0 to which they are to be moved back, in length.
+    pub(crate) fn about_its_middle(&self) -> Option<(Self, f64)> {
+        let ends = self.0.iter().map(|placed| placed.at.get());
+        let [left, right] = [f64::min, f64::max].map(|pick| ends.clone().reduce(pick).unwrap_or(0.0));
+        let middle = 0.5 * (left + right);
+        let moved = |placed: &PlacedLoad| {
+            let at = Finite::try_from(placed.at.get() - middle).ok()?;
+            Some(PlacedLoad { at, ..placed.clone() })
+        };
+        let moved = Self(self.0.iter().map(moved).collect::<Option<_>>()?);
+        (middle != 0.0 && moved.is_even()).then_some((moved, middle))
+    }
+
     /// Whether the pressures are known in a geometry: about an axis every load is in the middle.
     pub(crate) fn are_known_in(&self, geometry: Geometry) -> bool {
         let is_there = |placed: &PlacedLoad| !geometry.is_axisymmetric() || placed.at.get() == 0.0;
@@ -100,12 +118,8 @@ impl Loads {
     /// The same loads with this sum of forces.
     pub(super) fn with_force(&self, force: f64) -> Self {
         let factor = force / self.force();
-        let scaled = |placed: &PlacedLoad| {
-            let force = (factor * placed.force.get()).clamp(f64::MIN_POSITIVE, f64::MAX);
-            let force = Positive::try_from(force).unwrap_or(placed.force);
-            PlacedLoad { force, ..placed.clone() }
-        };
-        Self(self.0.iter().map(scaled).collect())
+        let with = |placed: &PlacedLoad| PlacedLoad { force: scaled(placed.force, factor), ..placed.clone() };
+        Self(self.0.iter().map(with).collect())
     }
 }
 
@@ -136,7 +150,7 @@ impl TryFrom<Vec<PlacedLoad>> for Loads {
     type Error = LoadsError;
 
     fn try_from(loads: Vec<PlacedLoad>) -> Result<Self, LoadsError> {
-        if loads.is_empty() || loads.len() > MOST_LOADS {
+        if loads.is_empty() || loads.len() > MOST_AT_ONCE {
             return Err(LoadsError::Count(loads.len()));
         }
         let loads = Self(loads);

@@ -13,7 +13,9 @@ mod origin;
 mod part;
 mod paths;
 mod punch;
+mod punches;
 mod read;
+mod read_top;
 mod round;
 mod shape;
 mod spline;
@@ -40,10 +42,11 @@ pub use load::Load;
 pub use loads::{Loads, PlacedLoad};
 pub use origin::SceneError;
 pub use punch::Punch;
+pub use punches::{Pressed, Punches, Tilt};
 pub use spring::Spring;
 pub use top::Top;
 pub use units::Units;
-pub use value::{LoadsError, ValueError};
+pub use value::{LoadsError, PunchesError, ValueError};
 pub use visible::visible;
 pub use vocabulary::Vocabulary;
 pub use wedge::Wedge;
@@ -57,7 +60,7 @@ pub(crate) use units::Dimension;
 pub(crate) use visible::visible_json;
 
 use origin::Origin;
-use read::TOPS;
+use read_top::TOPS;
 
 /// Largest scene text that is read, in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -95,7 +98,7 @@ pub struct Scene {
     pub units: Option<Units>,
     /// Plane, and in which way, or axisymmetric.
     pub geometry: Geometry,
-    /// The punch on top, or the loads that are given in its place.
+    /// The punch on top, or several, or the loads that are given in their place.
     pub top: Top,
     /// Line load P > 0 pressing the punch down, or the resultant of the loads: force per unit length out of plane, or the half-length that
     /// it makes.
@@ -153,7 +156,7 @@ impl Scene {
         TOPS.into_iter().find_map(|name| Some((name, tree.field(name)?)))
     }
 
-    /// An error about the punch, or the loads in its place.
+    /// An error about the punches, or the loads in their place.
     pub(crate) fn error_at_top<E: Cause>(&self, hint: String, cause: &E) -> Option<SceneError> {
         self.error_at(self.node_of_top().map(|(_, node)| node), Some(hint), cause)
     }

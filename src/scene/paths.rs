@@ -9,7 +9,8 @@ use recede_layers::tree::{Kind, Node};
 
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
-use super::read::{parse, read_item, read_top};
+use super::read::{parse, read_item};
+use super::read_top::{has_forces, read_top};
 use super::{Force, Item, Scene, Top, quoted_list};
 
 /// Most paths that a message lists.
@@ -28,7 +29,7 @@ pub(crate) struct Slot {
 pub(crate) enum Owner {
     /// The scene itself: it is the force, or the half-length in its place.
     Force,
-    /// The punch, or the loads in its place.
+    /// The punches, or the loads in their place.
     Top,
     /// The item of the stack with this index.
     Item(usize),
@@ -117,11 +118,10 @@ impl Scene {
         parse(Origin { file: origin.file.clone(), text, registry: origin.registry.clone(), ..Origin::default() })
     }
 
-    /// The force with other values; nothing but the force is read again, or the loads whose forces it is the sum of.
+    /// The force with other values; nothing but the force is read again, or the punches or loads whose forces it is the sum of.
     pub(crate) fn force_with(&self, changes: &[Change]) -> Result<Force, SceneError> {
-        if self.node_of_top().is_some_and(|(name, _)| name == "loads") {
-            let top = self.top_with(changes)?;
-            return Ok(top.loads().map_or(self.force, |loads| Force::Given(loads.force())));
+        if self.node_of_top().is_some_and(|(name, _)| has_forces(name)) {
+            return Ok(Force::Given(self.top_with(changes)?.force()));
         }
         match changes.iter().find(|(slot, _)| slot.owner == Owner::Force) {
             Some((_, value)) => match Positive::try_from(*value) {
@@ -189,9 +189,11 @@ fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot, f64
             let members = members.iter().enumerate();
             members.for_each(|(index, member)| add(&format!("{path}[{}]", index + 1), owner, member, slots));
         }
-        // a list behind a name is that of the name
+        // a number or a list behind a name, as in `Fixed(0.1)`, is the number or the list of the name
         Kind::Row(members) => {
-            members.iter().filter(|member| !member.members().is_empty()).for_each(|list| add(path, owner, list, slots));
+            let is_only = node.name.is_some() && members.len() == 1;
+            let own = members.iter().filter(|member| is_only || !member.members().is_empty());
+            own.for_each(|member| add(path, owner, member, slots));
         }
         Kind::Nothing | Kind::Text(_) => {}
     }

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use recede_layers::description::{Field, Value, schema_of};
-use recede_layers::tree::{Fault, Form, Kind, Node, ReadError, token};
+use recede_layers::tree::{Fault, Form, Kind, Node, token};
 use recede_layers::{Positive, Registry};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
@@ -20,11 +20,8 @@ use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, SceneError};
 use super::part::Part;
-use super::round::{RoundLoad, RoundPunch};
-use super::value::ValueError;
-use super::{
-    Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad, Punch, Scene, Spring, Top, Units, quoted_list,
-};
+use super::read_top::{TOPS, has_forces, only_top, read_top};
+use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
 
 /// The scene with punch and stack still unread.
@@ -46,6 +43,11 @@ struct Draft {
     #[serde(default)]
     #[schemars(with = "Option<Punch>")]
     punch: Option<IgnoredAny>,
+    /// In place of one punch: several, each anywhere on x with a force of its own. Without `tilt` a punch cannot turn; `tilt: Fixed(angle)` turns it by a small
+    /// angle, and `tilt: Free(eccentricity: e)` lets it turn freely under a force that acts at x + e.
+    #[serde(default)]
+    #[schemars(with = "Option<Punches>")]
+    punches: Option<IgnoredAny>,
     /// In place of a punch: a given pressure on top, with the force as its resultant.
     #[serde(default)]
     #[schemars(with = "Option<Load>")]
@@ -67,6 +69,14 @@ struct Draft {
     #[schemars(with = "StackForm")]
     #[serde(rename = "stack")]
     _stack: IgnoredAny,
+}
+
+impl Draft {
+    /// The fields that say what presses on top.
+    fn tops(&self) -> Vec<&'static str> {
+        let values = [&self.punch, &self.punches, &self.load, &self.loads];
+        TOPS.into_iter().zip(values).filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect()
+    }
 }
 
 /// The form of a stack in a scene.
@@ -160,7 +170,7 @@ pub(crate) fn read_document<T: serde::de::DeserializeOwned>(
 ) -> Result<T, SceneError> {
     let origin = read_text(file, reader)?;
     let tree = Node::from_ron(&origin.text);
-    let read = tree.as_ref().map_err(ReadError::clone).and_then(Node::read);
+    let read = tree.as_ref().map_err(Clone::clone).and_then(Node::read);
     read.map_err(|error| Part { node: tree.as_ref().unwrap_or(&origin.tree), owner }.error(&origin, error))
 }
 
@@ -246,8 +256,9 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
     let whole = Part { node: tree, owner: "the scene" };
     let read = tree.read::<Draft>();
     let draft = read.map_err(|error| whole.error_of(Some(&Value::of_schema(&schema_of_scene())), origin, error))?;
-    let top = top(&draft, origin)?;
-    let force = force(&draft, &top, origin)?;
+    let name = only_top(&draft.tops(), origin)?;
+    let top = read_top(name, tree.field(name).unwrap_or(tree), draft.geometry, origin)?;
+    let force = force(&draft, name, &top, origin)?;
     let list = Part { node: tree.field("stack").unwrap_or(tree), owner: "the stack" };
     let Kind::List(items) = &list.node.kind else {
         let error = Fault::Expected(Form::List).at(list.node.place.start);
@@ -268,35 +279,8 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
     Ok(Scene { name, description, units, ..Scene::new(geometry, top, force, stack) })
 }
 
-/// The fields of a scene one of which says what presses on top.
-pub(super) const TOPS: [&str; 3] = ["punch", "load", "loads"];
-
-/// What presses on top.
-fn top(draft: &Draft, origin: &Origin) -> Result<Top, SceneError> {
-    let tree = &origin.tree;
-    let given = TOPS.into_iter().zip([&draft.punch, &draft.load, &draft.loads]);
-    let given: Vec<&str> = given.filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
-    match given[..] {
-        [name] => read_top(name, tree.field(name).unwrap_or(tree), draft.geometry, origin),
-        [] => {
-            let hint =
-                "add `punch: ...` or, for given pressures, `load: ...` or `loads: [...]` between its parentheses";
-            let message = "`punch` is missing in the scene".into();
-            Err(origin.error(Some(tree.place.start), message, Some(hint.into())))
-        }
-        [first, second, ..] => {
-            let at = tree.field(second).map(|node| node.place.start);
-            let hint = match first {
-                "punch" => "a load takes the place of a punch: remove one of them",
-                _ => "one load about x = 0 is `load`, several are `loads`: remove one of them",
-            };
-            Err(origin.error(at, format!("the scene has `{first}` and `{second}`"), Some(hint.into())))
-        }
-    }
-}
-
 /// The force, or what it is found for.
-fn force(draft: &Draft, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
+fn force(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
     let given = |force: fn(f64) -> Force, number: Option<Positive>| number.map(|number| force(number.get()));
     let all = [
         given(Force::Given, draft.force),
@@ -305,12 +289,18 @@ fn force(draft: &Draft, top: &Top, origin: &Origin) -> Result<Force, SceneError>
     ];
     let given: Vec<Force> = all.into_iter().flatten().collect();
     let (other, name, hint) = match (&given[..], top) {
-        ([], Top::Loads(loads)) if draft.loads.is_some() => return Ok(Force::Given(loads.force())),
-        ([found, ..], _) if draft.loads.is_some() => {
-            ("loads", found.field(), "each of the loads has a force of its own, and the force is their sum: remove it")
+        ([], _) if has_forces(field) => return Ok(Force::Given(top.force())),
+        ([found, ..], Top::Loads(_)) if has_forces(field) => {
+            (field, found.field(), "each of the loads has a force of its own, and the force is their sum: remove it")
+        }
+        ([found @ Force::Given(_), ..], _) if has_forces(field) => {
+            (field, found.field(), "each of the punches has a force of its own, and the force is their sum: remove it")
+        }
+        ([found, ..], _) if has_forces(field) => {
+            (field, found.field(), "it is for one `punch` only: each of several punches has its `force`")
         }
         ([Force::Given(force)], _) => return Ok(Force::Given(*force)),
-        ([found], Top::Punch(_)) => return Ok(*found),
+        ([found], Top::Punches(_)) => return Ok(*found),
         ([found], Top::Loads(_)) => {
             ("load", found.field(), "no force changes how far a load reaches: give its resultant, `force: ...`")
         }
@@ -328,82 +318,6 @@ fn force(draft: &Draft, top: &Top, origin: &Origin) -> Result<Force, SceneError>
     let at = origin.tree.field(name).map(|value| value.place.start);
     let message = format!("the scene has `{other}` and `{name}`");
     Err(origin.error(at, message, Some(hint.into())))
-}
-
-/// Reads what presses on top from the field of a scene in which it stands.
-pub(super) fn read_top(name: &str, node: &Node, geometry: Geometry, origin: &Origin) -> Result<Top, SceneError> {
-    let owner = format!("the {name}");
-    let part = &Part { node, owner: &owner };
-    let explained = |form: fn() -> Value| move |error| part.error_of(Some(&form()), origin, error);
-    match (name, geometry) {
-        ("loads", _) => loads(part, geometry, origin).map(Top::Loads),
-        ("load", _) if node.name.as_deref() == Some(SEVERAL) => Err(several(node, origin)),
-        ("load", Geometry::Axisymmetric) => {
-            node.read::<RoundLoad>().map(|load| Load::from(load).into()).map_err(explained(Value::of::<RoundLoad>))
-        }
-        ("load", _) => node.read::<Load>().map(Top::from).map_err(explained(Value::of::<Load>)),
-        (_, Geometry::Axisymmetric) => {
-            node.read::<RoundPunch>().map(|punch| Punch::from(punch).into()).map_err(explained(Value::of::<RoundPunch>))
-        }
-        _ => node.read::<Punch>().map(Top::from).map_err(explained(Value::of::<Punch>)),
-    }
-}
-
-/// Reads a list of loads.
-fn loads(list: &Part, geometry: Geometry, origin: &Origin) -> Result<Loads, SceneError> {
-    let start = list.node.place.start;
-    if geometry.is_axisymmetric() {
-        let hint = "about an axis write `load: ...`, which is one disc, one ring, or a point force";
-        return Err(origin.error(Some(start), "`loads` are for plane scenes".into(), Some(hint.into())));
-    }
-    let Kind::List(members) = &list.node.kind else {
-        return Err(list.error(origin, Fault::Expected(Form::List).at(start)));
-    };
-    let read = |(i, node): (usize, &Node)| {
-        let owner = format!("load {}", i + 1);
-        let named = node.name.as_ref().map(|_| Fault::Expected(Form::Open).at(node.place.start));
-        named
-            .map_or_else(|| node.read::<PlacedLoad>(), Err)
-            .map_err(|error| Part { node, owner: &owner }.error(origin, error))
-    };
-    let placed = members.iter().enumerate().map(read).collect::<Result<Vec<_>, SceneError>>()?;
-    placed
-        .try_into()
-        .map_err(|cause| origin.error(Some(start), ValueError::from(cause).to_string(), None).because(cause))
-}
-
-/// The name under which scenes once had several loads, each with its mirror image and a share of the force.
-const SEVERAL: &str = "Several";
-/// Most of the new lines that are shown in its place.
-const SHOWN: usize = 6;
-
-/// The error where a scene still has `Several`, with what to write in its place.
-fn several(node: &Node, origin: &Origin) -> SceneError {
-    #[derive(Deserialize)]
-    struct Shared {
-        at: f64,
-        share: f64,
-        load: Load,
-    }
-    let force = origin
-        .tree
-        .field("force")
-        .and_then(|force| if let Kind::Number(force) = force.kind { Some(force) } else { None });
-    let lines = |parts: Vec<Shared>| {
-        let shares: f64 = parts.iter().map(|part| part.share).sum();
-        let line = |Shared { at, share, load }: &Shared| {
-            let places = if *at > 0.0 { vec![-at, *at] } else { vec![*at] };
-            let force = share * force.unwrap_or(shares) / shares / places.len() as f64;
-            places.into_iter().map(|at| format!("(load: {load}, at: {at:?}, force: {force:?})")).collect::<Vec<_>>()
-        };
-        let lines: Vec<String> = parts.iter().flat_map(line).collect();
-        let more = if lines.len() > SHOWN { ", ..." } else { "" };
-        format!("[{}{more}]", lines[..lines.len().min(SHOWN)].join(", "))
-    };
-    let lines = node.read_inner().map_or_else(|_| "[(load: ..., at: ..., force: ...), ...]".to_owned(), lines);
-    let hint = format!("in place of `load` and `force` write `loads: {lines}`");
-    let message = "`Several` is written as `loads`, each with its place and its force".to_owned();
-    origin.error(Some(node.place.start), message, Some(hint))
 }
 
 /// Reads the item that is, or would be, layer `number`.

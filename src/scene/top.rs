@@ -1,4 +1,4 @@
-//! What presses on the top face: a punch, or pressures that are given.
+//! What presses on the top face: a punch or several, or pressures that are given.
 use std::fmt;
 
 use recede_layers::Isotropic;
@@ -6,6 +6,7 @@ use recede_layers::Isotropic;
 use super::load::Load;
 use super::loads::Loads;
 use super::punch::Punch;
+use super::punches::Punches;
 use super::round::RoundLoad;
 use super::text::Written;
 use crate::geometry::Geometry;
@@ -23,16 +24,21 @@ const LONGEST: usize = 80;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Top {
-    /// A punch, under which the contact is to be found.
-    Punch(Punch),
+    /// Punches, under which the contacts are to be found; most often one at x = 0.
+    Punches(Punches),
     /// Pressures that are given.
     Loads(Loads),
 }
 
 impl Top {
-    /// The punch, if one presses.
+    /// The punch, if one presses at x = 0 that is not turned.
     pub fn punch(&self) -> Option<&Punch> {
-        if let Self::Punch(punch) = self { Some(punch) } else { None }
+        self.punches().and_then(Punches::alone)
+    }
+
+    /// The punches, be it one, if the pressure is not given.
+    pub fn punches(&self) -> Option<&Punches> {
+        if let Self::Punches(punches) = self { Some(punches) } else { None }
     }
 
     /// The loads, if the pressure is given.
@@ -45,19 +51,57 @@ impl Top {
         self.punch().and_then(Punch::material)
     }
 
+    /// Where the force acts on x, in length; 0 of what is even.
+    pub(crate) fn middle(&self) -> f64 {
+        match self {
+            Self::Punches(punches) => punches.middle(),
+            Self::Loads(loads) if loads.is_even() => 0.0,
+            Self::Loads(loads) => loads.middle(),
+        }
+    }
+
+    /// What presses, moved to where it is even about x = 0, and how far it has been to the right of there; `None` if it is even where it is, or nowhere.
+    pub(crate) fn about_its_middle(&self) -> Option<(Self, f64)> {
+        match self {
+            Self::Punches(punches) => punches.about_its_middle().map(|(punch, by)| (punch.clone().into(), by)),
+            Self::Loads(loads) => loads.about_its_middle().map(|(loads, by)| (loads.into(), by)),
+        }
+    }
+
     /// The name of the field of a scene in which it stands.
     pub(super) fn field(&self) -> &'static str {
         match self {
-            Self::Punch(_) => "punch",
+            Self::Punches(punches) if punches.alone().is_some() => "punch",
+            Self::Punches(_) => "punches",
             Self::Loads(loads) if loads.alone().is_some() => "load",
             Self::Loads(_) => "loads",
+        }
+    }
+
+    /// The sum of the forces of punches, or of loads.
+    pub(super) fn force(&self) -> f64 {
+        match self {
+            Self::Punches(punches) => punches.force(),
+            Self::Loads(loads) => loads.force(),
+        }
+    }
+
+    /// As it is written with this sum of forces in a plane scene; `None` for one punch and one load, which have none of their own.
+    pub(super) fn written_with(&self, force: f64) -> Option<String> {
+        match self {
+            Self::Punches(punches) if punches.alone().is_none() => Some(punches.with_force(force).to_string()),
+            Self::Loads(loads) if loads.alone().is_none() => Some(loads.with_force(force).to_string()),
+            _ => None,
         }
     }
 
     /// As it is written in a scene of this geometry: in an axisymmetric one a cylinder is a sphere, and half-widths are radii.
     pub fn written_in(&self, geometry: Geometry) -> String {
         match self {
-            Self::Punch(punch) => punch.written_in(geometry),
+            Self::Punches(punches) => match punches.alone() {
+                Some(punch) => punch.written_in(geometry),
+                None => self.to_string(),
+            },
             Self::Loads(loads) => match loads.alone() {
                 Some(load) if geometry.is_axisymmetric() => Written(RoundLoad::of(load)).to_string(),
                 _ => self.to_string(),
@@ -65,17 +109,17 @@ impl Top {
         }
     }
 
-    /// The same, or its name alone if that is long.
+    /// The same, or its name alone if that is long; of several punches or loads how many they are.
     pub fn label(&self, geometry: Geometry) -> String {
-        if let Self::Loads(loads) = self
-            && loads.alone().is_none()
-        {
-            return match loads.parts().count() {
-                1 => "1 load".to_owned(),
-                count => format!("{count} loads"),
-            };
+        let counted = match self {
+            Self::Punches(punches) if punches.alone().is_none() => (punches.parts().count(), ["punch", "punches"]),
+            Self::Loads(loads) if loads.alone().is_none() => (loads.parts().count(), ["load", "loads"]),
+            _ => return shortened(self.written_in(geometry)),
+        };
+        match counted {
+            (1, [one, _]) => format!("1 {one}"),
+            (count, [_, many]) => format!("{count} {many}"),
         }
-        shortened(self.written_in(geometry))
     }
 }
 
@@ -98,15 +142,22 @@ impl fmt::Display for Top {
     /// As it is written in a plane scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Punch(punch) => punch.fmt(f),
+            Self::Punches(punches) => punches.fmt(f),
             Self::Loads(loads) => loads.fmt(f),
         }
     }
 }
 
 impl From<Punch> for Top {
+    /// One punch at x = 0.
     fn from(punch: Punch) -> Self {
-        Self::Punch(punch)
+        Self::Punches(punch.into())
+    }
+}
+
+impl From<Punches> for Top {
+    fn from(punches: Punches) -> Self {
+        Self::Punches(punches)
     }
 }
 

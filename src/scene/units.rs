@@ -44,12 +44,12 @@ impl Dimension {
     pub(crate) fn of_field(name: &str) -> Option<Self> {
         Some(match name {
             "thickness" | "radius" | "half_width" | "half_length" | "depth" | "height" | "heights" | "length"
-            | "centre" | "width" | "at" => Self::LENGTH,
+            | "centre" | "width" | "at" | "eccentricity" => Self::LENGTH,
             "shear_modulus" | "young" => Self::STRESS,
             "force" => Self::LINE_LOAD,
             "beta" => Self::PER_LENGTH,
             "stiffness" | "shear_stiffness" | "normal" | "tangential" => Self::STRESS_PER_LENGTH,
-            "half_angle" => Self::ANGLE,
+            "half_angle" | "tilt" => Self::ANGLE,
             "poisson" | "poisson_profile" | "exponent" | "slope" => Self::NUMBER,
             _ => return None,
         })

@@ -1,20 +1,70 @@
 //! Why a punch, a load, a force or a spring cannot be made of some numbers.
-use recede_layers::{LayerError, OutOfRange};
+use recede_layers::{LayerError, OutOfRange, Positive};
 
 use super::HeightsError;
 
-/// Most loads in a list.
-pub(super) const MOST_LOADS: usize = 1000;
+/// Most loads, or punches, in a list.
+pub(super) const MOST_AT_ONCE: usize = 1000;
 
 /// A list of loads that is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LoadsError {
     /// Too few or too many of them.
-    #[error("there are {0} loads; allowed are 1 to {MOST_LOADS}")]
+    #[error("there are {0} loads; allowed are 1 to {MOST_AT_ONCE}")]
     Count(usize),
     /// Forces so large that their sum is not finite.
     #[error("the forces of the loads are together beyond the largest number")]
     Sum,
+}
+
+/// A list of punches that is none. Punches have their numbers in the list, from 1 on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PunchesError {
+    /// Too few or too many of them.
+    #[error("there are {0} punches; allowed are 1 to {MOST_AT_ONCE}")]
+    Count(usize),
+    /// Forces so large that their sum is not finite.
+    #[error("the forces of the punches are together beyond the largest number")]
+    Sum,
+    /// An elastic punch beside others, away from x = 0, or turned.
+    #[error("punch {number} is elastic; allowed is an elastic punch alone, at x = 0 and without tilt")]
+    Elastic {
+        /// Which punch.
+        number: usize,
+    },
+    /// A flat punch that would fall over.
+    #[error(
+        "the eccentricity of punch {number} is {eccentricity:?}; allowed is a number smaller in size than the half-width of the flat punch, \
+         {half_width:?}: beyond its corner it would fall over"
+    )]
+    Eccentricity {
+        /// Which punch.
+        number: usize,
+        /// The eccentricity of its force, in length.
+        eccentricity: f64,
+        /// Half-width of the punch, in length.
+        half_width: f64,
+    },
+    /// Two punches, the flat parts or tips of which are not apart.
+    #[error("punch {}, {}, and punch {}, {}, overlap", .numbers[0], .names[0], .numbers[1], .names[1])]
+    Overlap {
+        /// Which punches.
+        numbers: [usize; 2],
+        /// What they are, and where their tips are on x.
+        names: [String; 2],
+    },
+}
+
+impl PunchesError {
+    /// The number of the punch that it is about, and the fields in which the mistake is, from the outermost on; `None` if it is about all of them.
+    pub(super) fn place(&self) -> Option<(usize, &'static [&'static str])> {
+        match self {
+            Self::Count(_) | Self::Sum => None,
+            Self::Elastic { number } => Some((*number, &["shape"])),
+            Self::Eccentricity { number, .. } => Some((*number, &["tilt", "eccentricity"])),
+            Self::Overlap { numbers: [_, number], .. } => Some((*number, &["at"])),
+        }
+    }
 }
 
 /// Why a punch, a load, a force or a spring cannot be made of some numbers.
@@ -43,6 +93,9 @@ pub enum ValueError {
     /// A list of loads that is none.
     #[error(transparent)]
     Loads(#[from] LoadsError),
+    /// A list of punches that is none.
+    #[error(transparent)]
+    Punches(#[from] PunchesError),
 }
 
 impl ValueError {
@@ -50,4 +103,9 @@ impl ValueError {
     pub(super) fn checked<Q: TryFrom<f64, Error = OutOfRange>>(quantity: &'static str, value: f64) -> Result<Q, Self> {
         Q::try_from(value).map_err(|reason| Self::OutOfRange { quantity, reason })
     }
+}
+
+/// A force times a factor, as far as numbers reach.
+pub(super) fn scaled(force: Positive, factor: f64) -> Positive {
+    Positive::try_from((factor * force.get()).clamp(f64::MIN_POSITIVE, f64::MAX)).unwrap_or(force)
 }

@@ -1,8 +1,8 @@
 //! A scene as text, to be read again.
 use std::fmt::Write;
 
+use super::Scene;
 use super::text::quoted;
-use super::{Force, Scene, Top};
 
 impl Scene {
     /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
@@ -35,13 +35,11 @@ impl Scene {
             field("units", format!("(length: {}, force: {})", quoted(&units.length), quoted(&units.force)));
         }
         field("geometry", self.geometry.name().to_owned());
-        match (&self.top, self.force) {
-            (Top::Loads(loads), Force::Given(force)) if loads.alone().is_none() => {
-                field(self.top.field(), loads.with_force(force).to_string());
-            }
-            (top, force) => {
-                field(top.field(), top.written_in(self.geometry));
-                field(force.field(), format!("{:?}", force.number()));
+        match self.force.given().and_then(|force| self.top.written_with(force)) {
+            Some(list) => field(self.top.field(), list),
+            None => {
+                field(self.top.field(), self.top.written_in(self.geometry));
+                field(self.force.field(), format!("{:?}", self.force.number()));
             }
         }
         text += "    stack: [\n";

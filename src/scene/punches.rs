@@ -1,0 +1,267 @@
+//! Punches that press at once, as they are written.
+use std::borrow::Cow;
+use std::fmt;
+
+use recede_layers::description::Value;
+use recede_layers::{Finite, Positive};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::punch::Punch;
+use super::text::written;
+use super::value::{MOST_AT_ONCE, PunchesError, ValueError, scaled};
+use crate::geometry::Geometry;
+
+/// Punches that press on the top face at once, each anywhere on x, from left to right.
+///
+/// Pressed with a force that is not [`Self::force`], each has its part of it in the ratio of the forces here.
+///
+/// ```
+/// use recede::{Pressed, Punch, Punches, Tilt, Top};
+/// let block = Pressed::new(Punch::flat(0.5)?, 3.0, 0.001, Tilt::Free { eccentricity: 0.1 })?;
+/// let roller = Pressed::new(Punch::cylinder(100.0)?, 0.0, 0.003, Tilt::None)?;
+/// let punches = Punches::new(&[block, roller])?;
+/// let parts: Vec<(f64, f64)> = punches.parts().map(|(pressed, part)| (pressed.at(), part)).collect();
+/// assert_eq!((parts, punches.force()), (vec![(0.0, 0.75), (3.0, 0.25)], 0.004));
+/// assert_eq!(
+///     punches.to_string(),
+///     "[(shape: Cylinder(radius: 100.0), at: 0.0, force: 0.003), \
+///      (shape: Flat(half_width: 0.5), at: 3.0, force: 0.001, tilt: Free(eccentricity: 0.1))]"
+/// );
+/// assert!(punches.alone().is_none() && Top::from(punches).punch().is_none());
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<Pressed>", into = "Vec<Pressed>")]
+pub struct Punches(Vec<Pressed>);
+
+/// One of several punches.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pressed {
+    /// Its profile, x counted from its tip.
+    shape: Punch,
+    /// Where its tip is on x, in length.
+    at: Finite,
+    /// The force on it, per unit length out of the plane.
+    force: Positive,
+    /// Whether it turns.
+    #[serde(default, skip_serializing_if = "Tilt::is_none")]
+    tilt: Tilt,
+}
+
+/// Whether a punch turns, by small angles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Tilt {
+    /// It cannot turn.
+    #[default]
+    None,
+    /// It is turned by this small angle, in radians, which is added to its slope, and cannot turn farther.
+    Fixed(#[serde(deserialize_with = "finite")] f64),
+    /// It turns freely until the pressures under it have the moment of its force.
+    Free {
+        /// How far to the right of its tip its force acts, in length.
+        #[serde(deserialize_with = "finite")]
+        eccentricity: f64,
+    },
+}
+
+/// A finite number, as it is read.
+fn finite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Finite::deserialize(deserializer).map(Finite::get)
+}
+
+impl Tilt {
+    /// The angle by which a punch is turned, in radians, if it is prescribed: 0 if it cannot turn.
+    pub fn angle(self) -> Option<f64> {
+        match self {
+            Self::None => Some(0.0),
+            Self::Fixed(angle) => Some(angle),
+            Self::Free { .. } => None,
+        }
+    }
+
+    fn is_none(&self) -> bool {
+        *self == Self::None
+    }
+
+    fn checked(self) -> Result<Self, ValueError> {
+        let (quantity, number) = match self {
+            Self::None => return Ok(self),
+            Self::Fixed(angle) => ("tilt", angle),
+            Self::Free { eccentricity } => ("eccentricity", eccentricity),
+        };
+        ValueError::checked::<Finite>(quantity, number).map(|_| self)
+    }
+}
+
+impl Pressed {
+    /// A punch with the place of its tip on x, in length, the force on it > 0, per unit length out of the plane, and whether it turns.
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if a number is not legal.
+    pub fn new(shape: Punch, at: f64, force: f64, tilt: Tilt) -> Result<Self, ValueError> {
+        let (at, force) = (ValueError::checked("at", at)?, ValueError::checked("force", force)?);
+        Ok(Self { shape, at, force, tilt: tilt.checked()? })
+    }
+
+    /// The profile, x counted from the tip.
+    pub fn shape(&self) -> &Punch {
+        &self.shape
+    }
+
+    /// Where the tip is on x, in length.
+    pub fn at(&self) -> f64 {
+        self.at.get()
+    }
+
+    /// The force, per unit length out of the plane.
+    pub fn force(&self) -> f64 {
+        self.force.get()
+    }
+
+    /// Whether it turns.
+    pub fn tilt(&self) -> Tilt {
+        self.tilt
+    }
+
+    /// Whether its tip is at x = 0, and it is not turned.
+    fn is_upright(&self) -> bool {
+        self.at() == 0.0 && self.tilt.angle() == Some(0.0)
+    }
+
+    /// What no other punch can touch, whatever the forces: from where to where its flat part is, or twice the place of its tip.
+    pub(crate) fn face(&self) -> [f64; 2] {
+        // the flat part of an uneven profile need not be at its tip
+        let half = if self.shape.is_even() { self.shape.shape().flat() } else { 0.0 };
+        [self.at() - half, self.at() + half]
+    }
+
+    /// What it is, and where, for messages.
+    fn name(&self) -> String {
+        format!("{} at {:?}", self.shape.label(Geometry::PlaneStrain), self.at())
+    }
+
+    /// Why it is none, as number so many in the list.
+    fn check(&self, number: usize) -> Result<(), PunchesError> {
+        match (&self.shape, self.tilt) {
+            (Punch::Flat { half_width }, Tilt::Free { eccentricity }) if eccentricity.abs() >= half_width.get() => {
+                Err(PunchesError::Eccentricity { number, eccentricity, half_width: half_width.get() })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Punches {
+    /// Punches, in any order.
+    ///
+    /// # Errors
+    /// [`ValueError::Punches`] if there are none or too many, if two of them overlap, if the force on one that may turn lies outside
+    /// of its corners, if one of several is elastic, or if the sum of the forces is not finite.
+    pub fn new(punches: &[Pressed]) -> Result<Self, ValueError> {
+        Ok(punches.to_vec().try_into()?)
+    }
+
+    /// The sum of all forces, per unit length out of the plane.
+    pub fn force(&self) -> f64 {
+        self.0.iter().map(Pressed::force).sum()
+    }
+
+    /// The punches from left to right with their parts of the force, which are 1 together.
+    pub fn parts(&self) -> impl Iterator<Item = (&Pressed, f64)> {
+        let force = self.force();
+        self.0.iter().map(move |pressed| (pressed, pressed.force() / force))
+    }
+
+    /// The mean place of the tips on x, each with its part of the force, in length.
+    pub(crate) fn middle(&self) -> f64 {
+        self.parts().map(|(pressed, part)| part * pressed.at()).sum()
+    }
+
+    /// The punch, if it is one at x = 0 that is not turned.
+    pub fn alone(&self) -> Option<&Punch> {
+        match &self.0[..] {
+            [pressed] if pressed.is_upright() => Some(&pressed.shape),
+            _ => None,
+        }
+    }
+
+    /// The punch, if it is an even one by itself that is not turned, and the place of its tip other than x = 0, in length.
+    pub(crate) fn about_its_middle(&self) -> Option<(&Punch, f64)> {
+        match &self.0[..] {
+            [pressed] if pressed.tilt.angle() == Some(0.0) && pressed.at() != 0.0 && pressed.shape.is_even() => {
+                Some((&pressed.shape, pressed.at()))
+            }
+            _ => None,
+        }
+    }
+
+    /// The same punches with this sum of forces.
+    pub(super) fn with_force(&self, force: f64) -> Self {
+        let factor = force / self.force();
+        let with = |pressed: &Pressed| Pressed { force: scaled(pressed.force, factor), ..pressed.clone() };
+        Self(self.0.iter().map(with).collect())
+    }
+}
+
+impl fmt::Display for Punches {
+    /// As they are written in a scene: one at x = 0 that is not turned as a punch.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.alone() {
+            Some(punch) => punch.fmt(f),
+            None => written(self, f),
+        }
+    }
+}
+
+impl From<Punch> for Punches {
+    /// One punch at x = 0.
+    fn from(shape: Punch) -> Self {
+        Self(vec![Pressed { shape, at: Finite::ZERO, force: Positive::ONE, tilt: Tilt::None }])
+    }
+}
+
+impl From<Punches> for Vec<Pressed> {
+    fn from(punches: Punches) -> Self {
+        punches.0
+    }
+}
+
+impl TryFrom<Vec<Pressed>> for Punches {
+    type Error = PunchesError;
+
+    fn try_from(punches: Vec<Pressed>) -> Result<Self, PunchesError> {
+        if punches.is_empty() || punches.len() > MOST_AT_ONCE {
+            return Err(PunchesError::Count(punches.len()));
+        }
+        let mut numbered: Vec<(usize, Pressed)> = (1..).zip(punches).collect();
+        numbered.iter().try_for_each(|(number, pressed)| pressed.check(*number))?;
+        let elastic = numbered.iter().find(|(_, pressed)| pressed.shape.material().is_some());
+        if let Some(&(number, _)) = elastic.filter(|(_, own)| numbered.len() > 1 || !own.is_upright()) {
+            return Err(PunchesError::Elastic { number });
+        }
+        numbered.sort_by(|(_, one), (_, other)| one.at().total_cmp(&other.at()));
+        // where any two overlap, two neighbours do
+        let mut neighbours = numbered.windows(2).map(|pair| [&pair[0], &pair[1]]);
+        if let Some(mut pair) = neighbours.find(|[left, right]| left.1.face()[1] >= right.1.face()[0]) {
+            pair.sort_by_key(|(number, _)| *number);
+            return Err(PunchesError::Overlap { numbers: pair.map(|one| one.0), names: pair.map(|one| one.1.name()) });
+        }
+        let punches = Self(numbered.into_iter().map(|(_, pressed)| pressed).collect());
+        if punches.force().is_finite() { Ok(punches) } else { Err(PunchesError::Sum) }
+    }
+}
+
+impl JsonSchema for Punches {
+    fn schema_name() -> Cow<'static, str> {
+        "Punches".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        Value::plain_schema(
+            "[(shape: ..., at: x, force: P, tilt: ...), ...], one or more punches with the places x of their tips and forces P > 0",
+        )
+    }
+}
