@@ -71,6 +71,9 @@ pub(crate) fn press(
     if (0..problem.contacts()).any(|i| problem.is_known(i)) {
         return Err(ContactError::LoadByCollocation);
     }
+    if !problem.is_even() {
+        return Err(ContactError::UnevenByCollocation);
+    }
     if problem.sides.iter().any(Side::is_flat) {
         return Err(ContactError::FlatByCollocation);
     }
@@ -218,12 +221,8 @@ impl Collocation<'_> {
             let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
             let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a).collect();
             let peak = if problem.sides[i].is_sharp() { f64::INFINITY } else { level.peaks[i] };
-            contacts.push(Found {
-                parts: vec![RightInterval { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a }],
-                peak,
-                peak_error: error.pressure * peak,
-                strips: vec![Strip::series(a, coefficients)],
-            });
+            let part = RightInterval { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a };
+            contacts.push(Found::even(vec![part], [peak, error.pressure * peak], vec![Strip::series(a, coefficients)]));
         }
         let stats = Stats {
             modes: vec![nodes.half(); problem.contacts()],
@@ -232,7 +231,7 @@ impl Collocation<'_> {
             wavenumbers: problem.kernel.work().wavenumbers + self.spatial.samples(),
             ..stats(problem.kernel)
         };
-        Ok(Answer { contacts, min_pressure, min_gap, stats, warnings }.into_solution(problem))
+        Ok(Answer { contacts, min_pressure, min_gap, tilts: Vec::new(), stats, warnings }.into_solution(problem))
     }
 
     /// The smallest pressure at the nodes of contact i; an error if it is negative.

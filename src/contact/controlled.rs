@@ -37,7 +37,9 @@ pub(crate) fn press_to<E: From<ContactError>>(
     press: impl Fn(f64) -> Result<Solution, ContactError>,
     measure: impl Fn(&Solution) -> Result<Measured, E>,
 ) -> Result<Solution, E> {
-    let punch = top.punch().ok_or(ContactError::LoadControlled(controlled))?;
+    let missing =
+        if top.loads().is_some() { ContactError::LoadControlled(controlled) } else { ContactError::UnevenPunch };
+    let punch = top.punch().filter(|punch| punch.is_even()).ok_or(missing)?;
     let unreachable = |below, above| {
         let punch = top.label(kernel.geometry());
         ContactError::from(NoSolution::Unreachable { controlled, punch, wanted, below, above })

@@ -23,16 +23,18 @@ pub enum ContactError {
         /// The geometry.
         geometry: Geometry,
     },
-    /// Loads that are not symmetric, and layers that may lift off.
-    #[error(
-        "the loads are not symmetric about x = 0, and the stack has receding interfaces: their contacts would not be symmetric, and only symmetric ones are solved for"
-    )]
-    UnevenLoads,
-    /// A punch that is not symmetric.
-    #[error(
-        "the punch is not symmetric about x = 0: its contact would not be symmetric, and only symmetric ones are solved for"
-    )]
+    /// A half-length or a depth of a punch that is not symmetric, or of several.
+    #[error("the punch is not symmetric about x = 0, or is one of several: only forces can be prescribed")]
     UnevenPunch,
+    /// Sharp tips or corners of punches whose contacts are not symmetric.
+    #[error(
+        "a punch with a sharp tip or sharp corners is solved for by itself only, if it is symmetric about its tip and not turned: elsewhere \
+         the infinite pressures of two sides would differ"
+    )]
+    SharpPunches,
+    /// Contacts that are not symmetric, by collocation.
+    #[error("the method `collocation` is for what is symmetric about x = 0")]
+    UnevenByCollocation,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -49,8 +51,9 @@ impl ContactError {
             | Self::FlatByCollocation
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
-            | Self::UnevenLoads
-            | Self::UnevenPunch => true,
+            | Self::UnevenPunch
+            | Self::SharpPunches
+            | Self::UnevenByCollocation => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -74,14 +77,11 @@ impl ContactError {
                 }
                 .to_owned(),
             ),
-            Self::UnevenLoads => Some(
-                "add the mirror image of each load, or join the layers: `Bonded`, `Sliding` or `Spring(...)` in place of `Receding`"
-                    .to_owned(),
-            ),
-            Self::UnevenPunch => Some(
-                "give both sides the same shape: a wedge one slope, a table the same heights at x and −x, or none at negative x"
-                    .to_owned(),
-            ),
+            Self::UnevenPunch => Some("prescribe `force`".to_owned()),
+            Self::SharpPunches => {
+                Some("round it a little: `RoundedFlat(...)` in place of `Flat`, a `Table` in place of a wedge".to_owned())
+            }
+            Self::UnevenByCollocation => Some("use the method `galerkin`".to_owned()),
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
         }

@@ -22,8 +22,8 @@ use std::borrow::Cow;
 
 use crate::kernel::Kernel;
 use crate::options::Options;
-use crate::scene::Top;
-use crate::solution::{Interface, Solution, Stats};
+use crate::scene::{Punch, Top};
+use crate::solution::{Carried, Interface, Solution, Stats};
 
 pub(crate) use controlled::{Measured, press_to};
 pub use error::{ContactError, Controlled, NoSolution};
@@ -35,6 +35,8 @@ use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
 use problem::iteration::Operations;
+use problem::load;
+use problem::twin::Twin;
 use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
@@ -50,24 +52,41 @@ pub(crate) fn press(
     force: f64,
     options: &Options,
 ) -> Result<Solution, ContactError> {
+    let is_sought = kernel.contacts() > 1 || top.loads().is_none();
+    if let Some((even, by)) = top.about_its_middle().filter(|_| is_sought) {
+        let mut solution = press(kernel, table, interfaces, &even, force, options)?.moved(by);
+        match top {
+            Top::Loads(loads) => {
+                solution.contacts[0] = load::contact(loads, interfaces[0], force, Twin::of(kernel.geometry()))
+            }
+            Top::Punches(_) => solution.punches = vec![Carried { force, tilt: 0.0, moment: 0.0 }],
+        }
+        return Ok(solution);
+    }
     let table = table.filter(|_| top.material().is_none());
     let own = &*kernel_under(kernel, top, force);
     let problem = Problem::new(own, interfaces, top, force, options.tolerance);
+    if problem.unknown().next().is_some() && !problem.is_even() {
+        return Ok(Solution { force, ..intervals::anywhere(&problem, &formulas::anywhere(&problem))? });
+    }
     // a table is for one kernel
     let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
     let solution = thin::solve(&problem, |problem| solve(problem, table_of(problem)))?;
     Ok(Solution { force, ..solution })
 }
 
-/// Whether a punch is even, or the pressures of loads are known, and the contacts below them even.
+/// Whether punches have no sharp tips or corners but one even punch by itself, or the pressures of loads are known.
 pub(crate) fn is_solvable(top: &Top, kernel: &Kernel) -> Result<(), ContactError> {
     let geometry = kernel.geometry();
     match top {
-        Top::Punch(punch) if !punch.is_even() => Err(ContactError::UnevenPunch),
+        Top::Punches(punches) if punches.alone().is_some_and(Punch::is_even) => Ok(()),
+        Top::Punches(_) if top.about_its_middle().is_some() => Ok(()),
+        Top::Punches(punches) if punches.parts().any(|(pressed, _)| pressed.shape().is_singular()) => {
+            Err(ContactError::SharpPunches)
+        }
         Top::Loads(loads) if !loads.are_known_in(geometry) => {
             Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry })
         }
-        Top::Loads(loads) if kernel.contacts() > 1 && !loads.is_even() => Err(ContactError::UnevenLoads),
         _ => Ok(()),
     }
 }
@@ -88,7 +107,14 @@ pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, top: &Top, force: f64) -> Cow
 fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactError> {
     if problem.unknown().next().is_none() {
         let stats = Stats { modes: vec![1; problem.contacts()], ..stats(problem.kernel) };
-        let known = Answer { contacts: Vec::new(), min_pressure: 0.0, min_gap: 0.0, stats, warnings: Vec::new() };
+        let known = Answer {
+            contacts: Vec::new(),
+            min_pressure: 0.0,
+            min_gap: 0.0,
+            tilts: Vec::new(),
+            stats,
+            warnings: Vec::new(),
+        };
         return Ok(known.into_solution(problem));
     }
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
@@ -129,7 +155,6 @@ mod tests {
     use super::*;
     use crate::contact::problem::Side;
     use crate::contact::problem::load::Given;
-    use crate::scene::Punch;
     use crate::stack::Stack;
 
     #[test]

@@ -1,8 +1,9 @@
 //! The contact equations at given ends, and their solution: pressures, and how singular they are at each end.
 //!
-//! All terms but the first of each contact, which are known, are unknowns, and so are the intensities q of the singular pressures at the
-//! ends. The rows of the unknown terms are symmetric and positive definite; as many other rows are left as there are ends: of the first
-//! terms, of the tests with k = 0, and of gaps to be closed.
+//! The first terms of groups of intervals, and where nothing is even the second ones, are told by resultants and moments. All other terms are unknowns,
+//! and so are the intensities q of the singular pressures at the ends, and the moments under punches that do not turn. The rows of the unknown terms are
+//! symmetric and positive definite; as many other rows are left as there are other unknowns: of the first and second terms, of the tests with k = 0,
+//! and of gaps to be closed. Bodies that may turn add an angle, and the test that tells it.
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -11,9 +12,10 @@ use faer::{Mat, MatRef, Side};
 
 use crate::contact::integrals::basis::TOGETHER;
 use crate::contact::integrals::layout::Layout;
-use crate::contact::intervals::columns::{Columns, InSpace};
+use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::support::Support;
+use crate::contact::intervals::space::InSpace;
+use crate::contact::intervals::support::{Parity, Support};
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
 
@@ -23,14 +25,41 @@ pub(super) struct Equations<'a> {
     pub(super) layout: &'a Layout,
     /// Of each contact, none where the pressure is given.
     pub(super) columns: Vec<Columns<'a>>,
+    /// Whether nothing is even.
+    moves: bool,
+    /// The groups of intervals of the uppermost contact under which the moment is an unknown.
+    free: Vec<usize>,
+    /// The contacts and groups of intervals at which bodies turn against each other.
+    turning: Vec<(usize, usize)>,
 }
 
-/// Where the unknowns and rows of each contact stand among all.
+/// What the equations tell.
+#[derive(Clone)]
+pub(super) struct Solved {
+    /// Of each interval.
+    pub(super) pressures: Vec<Pressure>,
+    /// By how much the slope of the gap of each contact grows since bodies turn, for each group of intervals.
+    pub(super) rotations: Vec<Vec<f64>>,
+}
+
+/// Where the unknowns and rows of one contact stand among all.
 struct Places {
-    /// Unknown terms, all but the first one.
-    terms: Vec<Range<usize>>,
-    /// Ends, and the remaining rows, as many as there are ends.
-    ends: Vec<Range<usize>>,
+    /// Columns of the unknown terms, and the place of the first one.
+    terms: (Vec<usize>, usize),
+    /// The place of the first end; moments, and then rotations, stand behind all ends.
+    ends: usize,
+    /// Columns of the other rows, and the place of the first one.
+    left: (Vec<usize>, usize),
+    /// The columns whose amplitudes are told.
+    told: Vec<Told>,
+}
+
+/// A column whose amplitude is told by a resultant or a moment.
+struct Told {
+    column: usize,
+    known: f64,
+    /// Per unit of each unknown moment.
+    by_moments: Vec<f64>,
 }
 
 /// [A E; B D] [x; q] = [f; b].
@@ -43,13 +72,6 @@ struct System {
     left: Vec<f64>,
 }
 
-/// Columns of one contact at some wavenumbers.
-struct Waves {
-    columns: Mat<f64>,
-    /// The known transform of the resultant 1, less 1.
-    first: Vec<f64>,
-}
-
 impl<'a> Equations<'a> {
     pub(super) fn new(problem: &'a Problem<'a>, layout: &'a Layout, support: &'a Support, counts: &'a [usize]) -> Self {
         let mut next = 0;
@@ -59,90 +81,166 @@ impl<'a> Equations<'a> {
             next += intervals.len();
             Columns { intervals, counts }
         });
-        Self { problem, layout, columns: columns.collect() }
+        let columns = columns.collect();
+        let moves = support.0.iter().any(|interval| interval.parity == Parity::None);
+        let groups = problem.groups(0);
+        let free = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).collect();
+        let of = |contact: usize| {
+            let turning = problem.groups(contact).into_iter().enumerate().filter(|(_, group)| moves && group.turns);
+            turning.map(move |(group, _)| (contact, group))
+        };
+        let turning = (0..problem.contacts()).flat_map(of).collect();
+        Self { problem, layout, columns, moves, free, turning }
     }
 
-    fn places(&self) -> Places {
-        let (mut term, mut end) = (0, 0);
-        let mut places = Places { terms: Vec::new(), ends: Vec::new() };
-        for columns in &self.columns {
-            let (terms, ends) = (columns.terms().saturating_sub(1), columns.ends());
-            places.terms.push(term..term + terms);
-            places.ends.push(end..end + ends);
-            (term, end) = (term + terms, end + ends);
-        }
-        places
-    }
-
-    /// The pressures of all intervals; `None` if there are none in double precision.
-    pub(super) fn solve(&self) -> Option<Vec<Pressure>> {
-        let places = self.places();
-        let System { a, e, b, d, f, left } = self.system(&places);
-        let (size, ends) = (a.nrows(), e.ncols());
-        let llt = a.llt(Side::Lower).ok()?;
-        let right = Mat::from_fn(size, ends + 1, |row, column| if column < ends { e[(row, column)] } else { f[row] });
-        let solved = llt.solve(&right);
-        let (by_ends, regular) = (solved.subcols(0, ends), solved.subcols(ends, 1));
-        let border = &d - &b * by_ends;
-        let residual = &b * regular;
-        let residual = Mat::from_fn(ends, 1, |row, _| left[row] - residual[(row, 0)]);
-        let q = border.partial_piv_lu().solve(&residual);
-        let x = regular - by_ends * &q;
-        let is_finite = |column: MatRef<'_, f64>| column.col(0).iter().all(|value| value.is_finite());
-        (is_finite(x.as_ref()) && is_finite(q.as_ref())).then(|| self.pressures(&places, &x, &q))
-    }
-
-    /// Amplitudes from unknowns: what all others have of the first column is taken from it.
-    fn pressures(&self, places: &Places, x: &Mat<f64>, q: &Mat<f64>) -> Vec<Pressure> {
+    fn places(&self) -> Vec<Places> {
+        let (mut term, mut end, mut row) = (0, 0, 0);
         let of = |contact: usize| {
             let columns = &self.columns[contact];
-            let singular = &q.col_as_slice(0)[places.ends[contact].clone()];
-            let others = &x.col_as_slice(0)[places.terms[contact].clone()];
-            let later: f64 = (1..columns.intervals.len()).map(|number| others[columns.first(number) - 1]).sum();
-            let first = 1.0 - later - dot(&columns.resultants(), singular);
-            columns.pressures(&[&[first], others].concat(), singular)
+            let told = self.told(contact);
+            let is_told = |term: usize| told.iter().any(|told| told.column == term);
+            let terms: Vec<usize> = (0..columns.terms()).filter(|term| !is_told(*term)).collect();
+            let first = columns.terms() + columns.ends();
+            let others = first..first + columns.others().len();
+            let of_told = told.iter().map(|told| told.column).filter(|_| !columns.intervals.is_empty());
+            let left: Vec<usize> = of_told.chain(others).collect();
+            let next = (term + terms.len(), end + columns.ends(), row + left.len());
+            let places = Places { terms: (terms, term), ends: end, left: (left, row), told };
+            (term, end, row) = next;
+            places
         };
-        self.problem.unknown().flat_map(of).collect()
+        (0..self.columns.len()).map(of).collect()
+    }
+
+    /// The columns of a contact whose amplitudes are told.
+    fn told(&self, contact: usize) -> Vec<Told> {
+        let columns = &self.columns[contact];
+        if self.problem.is_known(contact) {
+            return vec![Told { column: 0, known: 1.0, by_moments: vec![0.0; self.free.len()] }];
+        }
+        let carried = columns.carried();
+        let of = |(number, group): (usize, Range<usize>)| {
+            let (own, first) = (&self.problem.groups(contact)[number], columns.first(group.start));
+            let resultant = Told { column: first, known: own.share, by_moments: vec![0.0; self.free.len()] };
+            let moment = self.moves.then(|| {
+                let unit = carried[first + 1][1].recip();
+                let by = |free: &usize| if contact > 0 || *free == number { unit } else { 0.0 };
+                let by_moments = self.free.iter().map(by).collect();
+                Told { column: first + 1, known: unit * own.moment.unwrap_or(0.0), by_moments }
+            });
+            std::iter::once(resultant).chain(moment)
+        };
+        columns.groups().into_iter().enumerate().flat_map(of).collect()
+    }
+
+    /// The pressures of all intervals, and rotations; `None` if there are none in double precision.
+    pub(super) fn solve(&self) -> Option<Solved> {
+        let places = self.places();
+        let System { a, e, b, d, f, left } = self.system(&places);
+        let (size, border) = (a.nrows(), e.ncols());
+        let llt = a.llt(Side::Lower).ok()?;
+        let right =
+            Mat::from_fn(size, border + 1, |row, column| if column < border { e[(row, column)] } else { f[row] });
+        let solved = llt.solve(&right);
+        let (by_border, regular) = (solved.subcols(0, border), solved.subcols(border, 1));
+        let reduced = &d - &b * by_border;
+        let residual = &b * regular;
+        let residual = Mat::from_fn(border, 1, |row, _| left[row] - residual[(row, 0)]);
+        let q = reduced.partial_piv_lu().solve(&residual);
+        let x = regular - by_border * &q;
+        let is_finite = |column: MatRef<'_, f64>| column.col(0).iter().all(|value| value.is_finite());
+        (is_finite(x.as_ref()) && is_finite(q.as_ref()))
+            .then(|| self.solved(&places, x.col_as_slice(0), q.col_as_slice(0)))
+    }
+
+    /// The angles by which bodies turn against each other at a group of intervals, with their signs: a punch that does not turn is turned against
+    /// the layer below by what all layers turn.
+    fn angles_of(&self, contact: usize, group: usize) -> Vec<(usize, f64)> {
+        if let Some(own) = self.turning.iter().position(|turning| *turning == (contact, group)) {
+            return vec![(own, 1.0)];
+        }
+        let below = self.turning.iter().enumerate().filter(|(_, (other, _))| *other > contact);
+        below.map(|(angle, _)| (angle, -1.0)).collect()
+    }
+
+    /// Amplitudes from unknowns.
+    fn solved(&self, places: &[Places], x: &[f64], q: &[f64]) -> Solved {
+        let (q, angles) = q.split_at(q.len() - self.turning.len());
+        let moments = &q[q.len() - self.free.len()..];
+        let of = |contact: usize| {
+            let (columns, places) = (&self.columns[contact], &places[contact]);
+            let mut amplitudes = vec![0.0; columns.terms()];
+            let (terms, first) = &places.terms;
+            terms.iter().zip(&x[*first..]).for_each(|(term, value)| amplitudes[*term] = *value);
+            for told in &places.told {
+                amplitudes[told.column] = told.known + dot(&told.by_moments, moments);
+            }
+            amplitudes.extend(&q[places.ends..places.ends + columns.ends()]);
+            columns.as_they_are(&mut amplitudes);
+            let (terms, singular) = amplitudes.split_at(columns.terms());
+            columns.pressures(terms, singular)
+        };
+        let rotation = |contact: usize, group: usize| {
+            self.angles_of(contact, group).into_iter().map(|(angle, sign)| sign * angles[angle]).sum()
+        };
+        let of_contact = |(contact, columns): (usize, &Columns)| {
+            (0..columns.groups().len()).map(|group| rotation(contact, group)).collect()
+        };
+        let rotations = self.columns.iter().enumerate().map(of_contact).collect();
+        Solved { pressures: self.problem.unknown().flat_map(of).collect(), rotations }
     }
 
     /// All rows: waves block by block of wavenumbers, then half-planes.
-    fn system(&self, places: &Places) -> System {
-        let size = places.terms.last().map_or(0, |last| last.end);
-        let ends = places.ends.last().map_or(0, |last| last.end);
+    fn system(&self, places: &[Places]) -> System {
+        let size = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
+        let border = places.last().map_or(0, |last| last.left.1 + last.left.0.len());
         let mut system = System {
             a: Mat::zeros(size, size),
-            e: Mat::zeros(size, ends),
-            b: Mat::zeros(ends, size),
-            d: Mat::zeros(ends, ends),
+            e: Mat::zeros(size, border),
+            b: Mat::zeros(border, size),
+            d: Mat::zeros(border, border),
             f: vec![0.0; size],
-            left: vec![0.0; ends],
+            left: vec![0.0; border],
         };
         let all = self.layout.zeta.len();
         for first in (0..all).step_by(TOGETHER) {
-            let waves: Vec<Waves> =
-                (0..self.columns.len()).map(|contact| self.waves(contact, first..all.min(first + TOGETHER))).collect();
-            for contact in 0..self.columns.len() {
+            let nodes = first..all.min(first + TOGETHER);
+            let waves: Vec<Mat<f64>> =
+                (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
+            for contact in self.problem.unknown() {
                 self.add_waves(places, &mut system, contact, first, &waves);
             }
         }
         for contact in self.problem.unknown() {
             self.add_in_space(places, &mut system, contact);
         }
+        let angles = border - self.turning.len();
+        for contact in self.problem.unknown() {
+            let columns = &self.columns[contact];
+            let first = places[contact].left.1 + places[contact].told.len();
+            for (place, other) in (first..).zip(columns.others()) {
+                let Some(group) = columns.tells_rotation_of(other) else { continue };
+                for (angle, sign) in self.angles_of(contact, group) {
+                    system.d[(place, angles + angle)] = -sign * columns.rotation(other);
+                }
+            }
+        }
         system
     }
 
-    fn waves(&self, contact: usize, nodes: Range<usize>) -> Waves {
+    fn zeta(&self, contact: usize, nodes: Range<usize>) -> &[f64] {
         let reach = self.layout.own[contact].reach;
-        let zeta = &self.layout.zeta[nodes.start.min(reach)..nodes.end.min(reach)];
-        match self.problem.sides[contact].given() {
-            Some(given) => Waves {
-                columns: Mat::zeros(zeta.len(), 0),
-                first: zeta.iter().map(|zeta| given.transform_minus_one(*zeta)).collect(),
-            },
-            None => {
-                Waves { columns: self.columns[contact].waves(zeta), first: self.columns[contact].first_minus_one(zeta) }
-            }
-        }
+        &self.layout.zeta[nodes.start.min(reach)..nodes.end.min(reach)]
+    }
+
+    /// The columns of a contact at some wavenumbers, what resultants and moments do to long waves left out; of a given pressure one column.
+    fn waves(&self, contact: usize, nodes: Range<usize>) -> Mat<f64> {
+        let zeta = self.zeta(contact, nodes);
+        let Some(given) = self.problem.sides[contact].given() else { return self.columns[contact].waves(zeta) };
+        let even = zeta.iter().map(|zeta| zeta * given.transform_minus_one(*zeta));
+        let odd = zeta.iter().filter(|_| self.moves).map(|zeta| zeta * given.odd_transform_less_moment(*zeta));
+        let column: Vec<f64> = even.chain(odd).collect();
+        Mat::from_fn(column.len(), 1, |k, _| column[k])
     }
 
     /// The neighbours of a contact, with the laminates between.
@@ -163,120 +261,105 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds what waves, from wavenumber number `first` on, do to the rows of one contact.
-    fn add_waves(&self, places: &Places, system: &mut System, contact: usize, first: usize, waves: &[Waves]) {
-        let columns = &waves[contact].columns;
-        let nodes = columns.nrows();
-        if columns.ncols() == 0 || nodes == 0 {
+    fn add_waves(&self, places: &[Places], system: &mut System, contact: usize, first: usize, waves: &[Mat<f64>]) {
+        let (zeta, columns) = (self.zeta(contact, first..first + TOGETHER), &self.columns[contact]);
+        if zeta.is_empty() {
             return;
         }
-        let mut weights = vec![0.0; nodes];
+        let parts = columns.parts();
+        let mut tests = waves[contact].clone();
+        let long = columns.long_waves(zeta);
+        for (column, values) in &long {
+            tests.col_as_slice_mut(*column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+        }
+        let mut weights = vec![0.0; zeta.len()];
         weights.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
-        let zeta = &self.layout.zeta[first..first + nodes];
-        // what the known resultants do
-        let known = weights.iter().zip(zeta).zip(&waves[contact].first);
-        let mut known: Vec<f64> = known.map(|((weight, zeta), first)| weight * zeta * (1.0 + first)).collect();
+        // neighbours carry the same resultants and moments, which do nothing between them
+        let by_long = Mat::from_fn(tests.nrows(), long.len(), |k, n| long[n].1[k]);
+        let by_long = product(&tests, &weights, &by_long, parts);
         for (other, laminate) in self.neighbours(contact) {
             let coupling = self.coupling(laminate, first);
             weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
-            let firsts = waves[contact].first.iter().zip(&waves[other].first);
-            for (((known, weight), zeta), (own, other)) in known.iter_mut().zip(coupling).zip(zeta).zip(firsts) {
-                *known += weight * zeta * (own - other);
-            }
-            let count = coupling.len().min(nodes).min(waves[other].columns.nrows());
-            if waves[other].columns.ncols() > 0 && count > 0 {
-                let block = product(columns, &coupling[..count], &waves[other].columns);
-                self.add(places, system, (contact, other), &block, -1.0 / PI);
-            }
+            let block = product(&tests, coupling, &waves[other], parts);
+            self.add(places, system, (contact, other), &block, -1.0 / PI);
         }
-        let block = product(columns, &weights, columns);
+        let mut block = product(&tests, &weights, &waves[contact], parts);
+        for (n, (column, _)) in long.iter().enumerate() {
+            (0..block.nrows()).for_each(|row| block[(row, *column)] += by_long[(row, n)]);
+        }
         self.add(places, system, (contact, contact), &block, 1.0 / PI);
-        let known = MatRef::from_column_major_slice(&known, nodes, 1);
-        let rows = columns.transpose() * known;
-        self.add_right(places, system, contact, |row| -rows[(self.row(contact, row), 0)] / PI);
-    }
-
-    /// The number of the column with which a row is tested: terms, then ends, then the other tests.
-    fn row(&self, contact: usize, row: Row) -> usize {
-        let columns = &self.columns[contact];
-        match row {
-            Row::Term(term) => term,
-            Row::Left(0) => 0,
-            Row::Left(other) => columns.terms() + columns.ends() + other - 1,
-        }
-    }
-
-    /// Adds to the right-hand sides of a contact.
-    fn add_right(&self, places: &Places, system: &mut System, contact: usize, value: impl Fn(Row) -> f64) {
-        for (term, place) in (1..).zip(places.terms[contact].clone()) {
-            system.f[place] += value(Row::Term(term));
-        }
-        for (row, place) in (0..).zip(places.ends[contact].clone()) {
-            system.left[place] += value(Row::Left(row));
-        }
     }
 
     /// Adds what the columns of one contact do to the rows of another, given as products of all columns of both.
     fn add(
         &self,
-        places: &Places,
+        places: &[Places],
         system: &mut System,
         (rows, columns): (usize, usize),
         block: &Mat<f64>,
         factor: f64,
     ) {
-        let terms = self.columns[columns].terms();
-        let add = |row: usize, into: &mut Mat<f64>, singular: &mut Mat<f64>, place: usize| {
-            for (column, at) in (1..).zip(places.terms[columns].clone()) {
-                into[(place, at)] += factor * block[(row, column)];
+        let own = &places[columns];
+        let (terms, ends) = (self.columns[columns].terms(), self.columns[columns].ends());
+        let moments = system.e.ncols() - self.turning.len() - self.free.len();
+        let add = |row: usize, place: usize, [into, border]: [&mut Mat<f64>; 2], right: &mut [f64]| {
+            for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
+                into[(place, at)] += factor * block[(row, *column)];
             }
-            for (column, at) in (terms..).zip(places.ends[columns].clone()) {
-                singular[(place, at)] += factor * block[(row, column)];
+            for (column, at) in (terms..terms + ends).zip(own.ends..) {
+                border[(place, at)] += factor * block[(row, column)];
+            }
+            for told in &own.told {
+                let value = factor * block[(row, told.column)];
+                right[place] -= value * told.known;
+                let moments = (moments..).zip(&told.by_moments);
+                moments.for_each(|(at, part)| border[(place, at)] += value * part);
             }
         };
-        for (term, place) in (1..).zip(places.terms[rows].clone()) {
-            add(self.row(rows, Row::Term(term)), &mut system.a, &mut system.e, place);
+        let System { a, e, b, d, f, left } = system;
+        for (row, place) in places[rows].terms.0.iter().zip(places[rows].terms.1..) {
+            add(*row, place, [a, e], f);
         }
-        for (left, place) in (0..).zip(places.ends[rows].clone()) {
-            add(self.row(rows, Row::Left(left)), &mut system.b, &mut system.d, place);
+        for (row, place) in places[rows].left.0.iter().zip(places[rows].left.1..) {
+            add(*row, place, [b, d], left);
         }
     }
 
     /// Adds what half-planes do, and the slope of the punch.
-    fn add_in_space(&self, places: &Places, system: &mut System, contact: usize) {
-        let columns = &self.columns[contact];
-        let limit = self.layout.own[contact].limit;
-        let InSpace { matrix, load } = columns.in_space(self.problem.sides[contact].profile());
-        let (terms, ends) = (columns.terms(), columns.ends());
-        // rows as of waves, none of ends
-        let row = |row: usize| row.checked_sub(terms + ends).map_or(row, |other| terms + other);
-        let block = Mat::from_fn(terms + ends + columns.others(), terms + ends, |at, column| {
-            if (terms..terms + ends).contains(&at) { 0.0 } else { matrix[(row(at), column)] }
-        });
-        self.add(places, system, (contact, contact), &block, limit);
-        self.add_right(places, system, contact, |at| {
-            let at = row(self.row(contact, at));
-            load[at] - limit * matrix[(at, 0)]
-        });
+    fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) {
+        let InSpace { matrix, load } = self.columns[contact].in_space(&self.problem.sides[contact]);
+        self.add(places, system, (contact, contact), &matrix, self.layout.own[contact].limit);
+        let Places { terms, left, .. } = &places[contact];
+        terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
+        left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
     }
 
-    /// Slopes of waves outside contacts, weights included, what half-planes do left out.
-    pub(super) fn response(&self, contact: usize, pressures: &[Pressure]) -> Vec<f64> {
-        let mut response = vec![0.0; self.layout.own[contact].reach];
-        for first in (0..response.len()).step_by(TOGETHER) {
-            let nodes = first..response.len().min(first + TOGETHER);
-            let part = &mut response[nodes.clone()];
-            let zeta = &self.layout.zeta[nodes.clone()];
-            let own = self.field(contact, nodes.clone(), pressures);
-            let weights = self.own(contact, first);
-            for (((out, weight), zeta), field) in part.iter_mut().zip(weights).zip(zeta).zip(&own) {
-                *out += weight / PI * (zeta + field);
-            }
+    /// Slopes of waves outside contacts, weights included, what half-planes do left out: of both parts of exp(iζx), one after the other.
+    pub(super) fn response(&self, contact: usize, pressures: &[Pressure]) -> [Vec<f64>; 2] {
+        let reach = self.layout.own[contact].reach;
+        let mut response = [vec![0.0; reach], vec![0.0; reach]];
+        for first in (0..reach).step_by(TOGETHER) {
+            let nodes = first..reach.min(first + TOGETHER);
+            let count = nodes.len();
+            let mut own = self.field(contact, nodes.clone(), pressures);
+            let mut sum = vec![0.0; own.len()];
             for (other, laminate) in self.neighbours(contact) {
                 let field = self.field(other, nodes.clone(), pressures);
-                let between = own.iter().zip(&field);
-                for ((out, weight), (own, field)) in part.iter_mut().zip(self.coupling(laminate, first)).zip(between) {
-                    *out += weight / PI * (own - field);
+                let there = field.len() * count / own.len();
+                for (k, weight) in self.coupling(laminate, first).iter().take(count.min(there)).enumerate() {
+                    for part in 0..own.len() / count {
+                        sum[part * count + k] += weight / PI * (own[part * count + k] - field[part * there + k]);
+                    }
                 }
+            }
+            self.add_long_waves(contact, nodes.clone(), pressures, &mut own);
+            for (k, weight) in self.own(contact, first).iter().take(count).enumerate() {
+                for part in 0..own.len() / count {
+                    sum[part * count + k] += weight / PI * own[part * count + k];
+                }
+            }
+            for (part, values) in sum.chunks(count).enumerate() {
+                response[part][nodes.clone()].copy_from_slice(values);
             }
         }
         response
@@ -289,36 +372,47 @@ impl<'a> Equations<'a> {
         columns.amplitudes(&pressures[first..first + columns.intervals.len()])
     }
 
-    /// ζ times the transform of the pressure of a contact less its resultant.
+    /// ζ times the transform of the pressure of a contact, less what its resultant and moment do to long waves.
     fn field(&self, contact: usize, nodes: Range<usize>, pressures: &[Pressure]) -> Vec<f64> {
-        let Waves { columns, first } = self.waves(contact, nodes.clone());
-        let mut field: Vec<f64> =
-            first.iter().zip(&self.layout.zeta[nodes]).map(|(first, zeta)| first * zeta).collect();
-        for (column, amplitude) in self.amplitudes(contact, pressures).iter().enumerate().skip(1) {
-            field.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
+        let columns = self.waves(contact, nodes);
+        if self.problem.is_known(contact) {
+            return columns.col_as_slice(0).to_vec();
         }
-        field
+        let mut amplitudes = self.amplitudes(contact, pressures);
+        self.columns[contact].as_told(&mut amplitudes);
+        combined(&columns, &amplitudes)
+    }
+
+    /// Adds what resultant and moment do to long waves.
+    fn add_long_waves(&self, contact: usize, nodes: Range<usize>, pressures: &[Pressure], field: &mut [f64]) {
+        let columns = &self.columns[contact];
+        let mut amplitudes = self.amplitudes(contact, pressures);
+        columns.as_told(&mut amplitudes);
+        for (column, values) in columns.long_waves(self.zeta(contact, nodes)) {
+            let amplitude = amplitudes.get(column).copied().unwrap_or(0.0);
+            field.iter_mut().zip(values).for_each(|(sum, value)| *sum += amplitude * value);
+        }
     }
 }
 
-/// A row of the equations: the test with an unknown term, or one of the remaining rows, as many as there are ends.
-#[derive(Clone, Copy)]
-enum Row {
-    Term(usize),
-    Left(usize),
+/// The sum of the first columns with these amplitudes.
+fn combined(columns: &Mat<f64>, amplitudes: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; columns.nrows()];
+    for (column, amplitude) in amplitudes.iter().enumerate().filter(|(_, amplitude)| **amplitude != 0.0) {
+        sum.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
+    }
+    sum
 }
 
-/// leftᵀ · weights · right, over as many wavenumbers as there are weights.
-fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>) -> Mat<f64> {
-    let count = weights.len();
-    let mut weighted = Mat::zeros(count, right.ncols());
-    for column in 0..right.ncols() {
-        let values = right.col_as_slice(column).iter().zip(weights);
-        weighted
-            .col_as_slice_mut(column)
-            .iter_mut()
-            .zip(values)
-            .for_each(|(out, (value, weight))| *out = value * weight);
+/// leftᵀ · weights · right, over as many wavenumbers as there are weights and values on both sides, real parts and imaginary ones.
+fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>, parts: usize) -> Mat<f64> {
+    let [own, other] = [left, right].map(|columns| columns.nrows() / parts);
+    let count = weights.len().min(own).min(other);
+    let mut product = Mat::zeros(left.ncols(), right.ncols());
+    for part in 0..parts {
+        let right = right.as_ref().subrows(part * other, count);
+        let weighted = Mat::from_fn(count, right.ncols(), |k, column| right[(k, column)] * weights[k]);
+        product += left.as_ref().subrows(part * own, count).transpose() * &weighted;
     }
-    left.as_ref().subrows(0, count).transpose() * &weighted
+    product
 }

@@ -5,6 +5,7 @@ use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
 use crate::contact::intervals::Lengths;
 use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Level;
+use crate::contact::intervals::support::{Interval, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use crate::numeric::quadrature::rule;
@@ -18,12 +19,23 @@ pub(super) struct Check {
     pub(super) tensions: Vec<f64>,
 }
 
-/// Checks the Signorini conditions; `None` if a pressure or a gap is negative. `coarse` has fewer terms, and tells how far gaps are known.
-pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64) -> Option<Check> {
+/// Where a pressure or a gap is negative.
+pub(super) enum Fault {
+    /// Inside an interval.
+    Tension,
+    /// Deepest at a place, and over this interval.
+    Penetration { contact: usize, punch: usize, at: f64, over: [f64; 2] },
+    /// Too many wavenumbers are needed to tell.
+    Unknown,
+}
+
+/// Checks the Signorini conditions. `coarse` has fewer terms, and tells how far gaps are known.
+pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64) -> Result<Check, Fault> {
     let count = problem.contacts();
     let [mut largest, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; count];
+    let mut leasts = Vec::new();
     for (interval, pressure) in level.support.0.iter().zip(&level.pressures) {
         let is_flat = problem.sides[interval.contact].is_flat();
         let pressure = if is_flat { pressure.clone() } else { pressure.regular() };
@@ -35,14 +47,19 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
         }
         let contact = interval.contact;
         (largest[contact], smallest[contact]) = (largest[contact].max(most), smallest[contact].min(least));
-        if interval.is_central() {
+        leasts.push(least);
+        if interval.is_even() {
             tensions[contact] = -least / most;
         }
     }
     // more tension than that belongs to another root, however badly its ends are known: where intervals that ought to be apart meet, the
     // ends of the gap between them are no better known than that it is short
-    if smallest.iter().zip(&largest).any(|(smallest, largest)| *smallest < -COARSE * largest) {
-        return None;
+    let is_pulled = |number: &usize| {
+        let contact = level.support.0[*number].contact;
+        leasts[*number] < -COARSE * largest[contact]
+    };
+    if (0..leasts.len()).any(|number| is_pulled(&number)) {
+        return Err(Fault::Tension);
     }
     let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
     // less than an answer is wrong by counts as zero
@@ -50,37 +67,63 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
     let mut min_gap = 0.0f64;
     let Lengths { ends, shortest } = Lengths::of(problem, &level.support);
     let span = problem.span(&ends);
-    let layout = Layout::without_tails(problem.kernel, &ends, &shortest, negligible(FIELDS), span)?;
+    let layout =
+        Layout::without_tails(problem.kernel, &ends, &shortest, negligible(FIELDS), span).ok_or(Fault::Unknown)?;
     for contact in problem.unknown() {
-        let edge = problem.sides[contact].edge().unwrap_or(span);
-        let places = |level: &Level| {
-            let intervals = level.support.of(contact);
-            let between = intervals.windows(2).map(|pair| [pair[0].to(), pair[1].from()]);
-            let inwards = intervals.first().filter(|first| !first.is_central()).map(|first| [first.from(), 0.0]);
-            let outwards = intervals.last().map(|last| [last.to(), span.min(edge)]);
-            between.chain(inwards).chain(outwards).collect::<Vec<_>>()
-        };
+        let places = |level: &Level| beside(problem, level.support.of(contact), contact, span);
         let gaps = gaps(problem, level, &layout, contact, &places(level));
         let before = self::gaps(problem, coarse, &layout, contact, &places(coarse));
-        for (gaps, before) in gaps.iter().zip(&before) {
+        for ((gaps, before), (punch, _)) in gaps.iter().zip(&before).zip(places(level)) {
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
-            if gaps.iter().any(|(_, gap)| *gap < -(zero * widest + SAFETY * known)) {
-                return None;
+            let penetrates = |gap: f64| gap < -(zero * widest + SAFETY * known);
+            let least = gaps.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+            if penetrates(least.1) {
+                let mut all: Vec<f64> = gaps.iter().filter(|(_, gap)| penetrates(*gap)).map(|(x, _)| *x).collect();
+                all.sort_by(f64::total_cmp);
+                return Err(Fault::Penetration { contact, punch, at: least.0, over: [all[0], all[all.len() - 1]] });
             }
-            min_gap = gaps.iter().fold(min_gap, |least, (_, gap)| least.min(*gap));
+            min_gap = min_gap.min(least.1);
         }
     }
-    Some(Check { min_pressure, min_gap, tensions })
+    Ok(Check { min_pressure, min_gap, tensions })
+}
+
+/// From the ends of intervals to the next ones, and to the middle of what is even, or as far as gaps are looked at, with the number of the punch.
+fn beside(problem: &Problem, intervals: &[Interval], contact: usize, span: f64) -> Vec<(usize, [f64; 2])> {
+    let groups: Vec<&[Interval]> = intervals.chunk_by(|a, b| a.punch == b.punch).collect();
+    let mut all = Vec::new();
+    for (k, group) in groups.iter().enumerate() {
+        let ([first, ..], [.., last]) = (group, group) else { continue };
+        let [left, right] = problem.sides[contact].ends_of(first.punch);
+        // half of the way to the next punch
+        let half = |a: &[Interval], b: &[Interval]| a.last().zip(b.first()).map(|(a, b)| 0.5 * (a.to() + b.from()));
+        let before = k.checked_sub(1).and_then(|before| half(groups[before], group)).unwrap_or(-span);
+        let after = groups.get(k + 1).and_then(|next| half(group, next)).unwrap_or(span);
+        let inwards = if first.parity == Parity::None { before.max(left) } else { 0.0 };
+        let between = group.windows(2).map(|pair| [pair[0].to(), pair[1].from()]);
+        let outside = [[first.from(), inwards], [last.to(), after.min(right)]];
+        let outside = outside.into_iter().filter(|[from, to]| from != to);
+        all.extend(between.chain(outside).map(|ends| (first.punch, ends)));
+    }
+    all
 }
 
 /// Places from one end of each gap to the other, dense next to both, and the gap there.
-fn gaps(problem: &Problem, level: &Level, layout: &Layout, contact: usize, all: &[[f64; 2]]) -> Vec<Vec<(f64, f64)>> {
+fn gaps(
+    problem: &Problem,
+    level: &Level,
+    layout: &Layout,
+    contact: usize,
+    all: &[(usize, [f64; 2])],
+) -> Vec<Vec<(f64, f64)>> {
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
-    let waves = equations.response(contact, &level.pressures);
+    let [even, odd] = &equations.response(contact, &level.pressures);
     let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
     let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.pressures));
-    let of = |[from, to]: &[f64; 2]| {
+    let of = |(punch, [from, to]): &(usize, [f64; 2])| {
+        let rotation = level.rotations[contact].get(*punch).unwrap_or(&0.0);
+        let height = |x: f64| side.height_under(*punch, x);
         let place = |t: f64| from + (to - from) * (FRAC_PI_2 * t).sin().powi(2);
         let mut near = 0.0;
         let at = |k: usize| {
@@ -90,10 +133,11 @@ fn gaps(problem: &Problem, level: &Level, layout: &Layout, contact: usize, all: 
                 near += weight * FRAC_PI_2 * (PI * t).sin() * (to - from) * limit * slope;
             }
             let x = place(t(k));
-            let far = waves.iter().zip(&layout.zeta).map(|(wave, zeta)| {
-                wave * 2.0 * (0.5 * zeta * (x + from)).sin() * (0.5 * zeta * (x - from)).sin() / zeta
+            let far = even.iter().zip(odd).zip(&layout.zeta).map(|((even, odd), zeta)| {
+                let (sin, cos) = (0.5 * zeta * (x + from)).sin_cos();
+                2.0 * (even * sin - odd * cos) * (0.5 * zeta * (x - from)).sin() / zeta
             });
-            (x, side.height(x) - side.height(*from) - near - far.sum::<f64>())
+            (x, height(x) - height(*from) - near - far.sum::<f64>() + rotation * (x - from))
         };
         (1..=PLACES).map(at).collect()
     };

@@ -1,12 +1,16 @@
-//! Contacts in any list of intervals: bodies that touch about the middle and again farther out, or are apart about the middle.
+//! Contacts in any list of intervals: bodies that touch about the middle and again farther out, are apart about the middle, or touch anywhere where
+//! nothing is even.
+mod anywhere;
 mod columns;
 mod equations;
 mod gaps;
 mod newton;
 mod pressure;
+mod space;
 mod support;
 #[cfg(test)]
 mod tests;
+mod waves;
 
 use std::f64::consts::PI;
 
@@ -16,16 +20,18 @@ use crate::contact::even::RightInterval;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
+use crate::contact::problem::placed::Placed;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::solution::{Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{self, Solution, Stats, Strip, Warning, WarningCode};
+pub(super) use anywhere::{Expected, solve as anywhere};
 use gaps::Check;
 use newton::{Level, converge};
-use support::{Interval, Support};
+use support::{Interval, Parity, Support};
 
 /// Terms on each interval: the first number of them, doubled until the tolerance is met, and the last.
 const COARSEST: usize = 12;
@@ -43,6 +49,13 @@ struct Work {
 }
 
 impl Work {
+    /// Counts a step.
+    fn step(&mut self) {
+        if let Some(steps) = self.steps.last_mut() {
+            *steps += 1;
+        }
+    }
+
     /// Counts the products of this number of columns; a Bessel function takes as long as some 64 multiplications. `None` if they are too many.
     fn spend(&mut self, columns: usize, wavenumbers: usize) -> Option<()> {
         let columns = columns as f64;
@@ -59,7 +72,7 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
     }
     // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
     let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
-        .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_central()));
+        .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_even()));
     let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;
     let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
     let mut starts: Vec<_> = loaded.into_iter().chain([all, merged]).collect();
@@ -71,7 +84,7 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
             work.steps.clear();
             let counts: Vec<usize> =
                 support.0.iter().map(|interval| resolved(problem, interval).clamp(count, 4 * COARSEST)).collect();
-            if let Some(first) = converge(problem, support.clone(), &counts, COARSE, &mut work)
+            if let Ok(first) = converge(problem, support.clone(), &counts, COARSE, &mut work)
                 && let Some(solution) = refine(problem, first, &mut work)
             {
                 return Some(solution);
@@ -84,31 +97,34 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
 fn resolved(problem: &Problem, interval: &Interval) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
-    let count = if interval.is_central() { 0.5 * orders } else { orders };
+    let count = if interval.is_even() { 0.5 * orders } else { orders };
     (count as usize).min(FINEST / 2)
 }
 
 /// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
 fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> {
     let mut before = first;
-    let mut change = f64::INFINITY;
+    let mut changes = [f64::INFINITY; 2];
+    let mut stalls = false;
     let mut best: Option<([Level; 2], Errors)> = None;
     loop {
         let counts: Vec<usize> = before.counts.iter().map(|count| count + count / 2).collect();
         if counts.iter().any(|count| *count > FINEST) {
             break;
         }
-        let Some(level) = converge(problem, before.support.clone(), &counts, ROUNDING, work) else { break };
-        let errors = Errors::between(&level, &before, &mut change);
+        let Ok(level) = converge(problem, before.support.clone(), &counts, ROUNDING, work) else { break };
+        let errors = Errors::between(&level, &before, &mut changes);
         // more terms do not help against what is due to something else
-        let done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
-        if best.as_ref().is_none_or(|(_, best)| errors.worst() < best.worst()) {
+        let is_better = best.as_ref().is_none_or(|(_, best)| errors.worst() < best.worst());
+        let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
+        if is_better {
             best = Some(([level.clone(), before], errors));
         }
-        if done {
+        // one change may be small by chance
+        if is_done || !is_better && stalls {
             break;
         }
-        before = level;
+        (before, stalls) = (level, !is_better);
     }
     let ([level, coarse], mut errors) = best?;
     if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
@@ -124,7 +140,7 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> 
         );
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
-    let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst())?;
+    let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst()).ok()?;
     // pressures in tension are wrong by that
     errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
     let terms = |contact| {
@@ -136,7 +152,10 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> 
         ..stats(problem.kernel)
     };
     let contacts = found(problem, &level, &errors);
-    Some(Answer { contacts, min_pressure, min_gap, stats, warnings }.into_solution(problem))
+    Some(
+        Answer { contacts, min_pressure, min_gap, tilts: tilts(problem, &level), stats, warnings }
+            .into_solution(problem),
+    )
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
@@ -156,14 +175,14 @@ fn starting_intervals(
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
-        intervals.extend(parts.iter().map(|part| Interval::new(contact, *part)));
+        intervals.extend(parts.iter().map(|part| Interval::even(contact, *part)));
     }
     Some(Support(intervals))
 }
 
 /// Lengths of the contacts; a prescribed traction has the lengths of the contact below.
 struct Lengths {
-    /// The outermost end of each contact.
+    /// As far as each contact reaches from x = 0.
     ends: Vec<f64>,
     /// Half of the shortest interval of each.
     shortest: Vec<f64>,
@@ -172,7 +191,8 @@ struct Lengths {
 impl Lengths {
     fn of(problem: &Problem, support: &Support) -> Self {
         let contacts = 0..problem.contacts();
-        let ends = contacts.clone().map(|i| support.of(i).last().map_or(0.0, Interval::to));
+        let reach = |interval: &Interval| interval.to().max(-interval.from());
+        let ends = contacts.clone().map(|i| support.of(i).iter().map(reach).fold(0.0, f64::max));
         let half = |interval: &Interval| interval.half;
         let shortest = contacts.map(|i| support.of(i).iter().map(half).fold(f64::INFINITY, f64::min));
         let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
@@ -210,34 +230,41 @@ struct Errors {
 }
 
 impl Errors {
-    /// Estimates them from what has changed since the level before, and how much less that is than what had changed then, `largest`.
-    fn between(level: &Level, before: &Level, largest_change: &mut f64) -> Self {
-        let apart = |new: f64, old: f64| if new == 0.0 { 0.0 } else { (new / old - 1.0).abs() };
-        let changes = level.support.0.iter().zip(&before.support.0);
-        let changes = changes.flat_map(|(new, old)| [apart(new.from(), old.from()), apart(new.to(), old.to())]);
-        let all = largest(changes);
-        let fall =
-            if largest_change.is_finite() { (all / *largest_change).clamp(LEAST_FALL, MOST_FALL) } else { MOST_FALL };
-        *largest_change = all;
-        let change = |new: f64, old: f64| SAFETY * fall / (1.0 - fall) * apart(new, old);
+    /// Estimates them from what has changed since the level before, and how much less that is than the largest changes then, of ends and of pressures.
+    fn between(level: &Level, before: &Level, largest_changes: &mut [f64; 2]) -> Self {
+        let apart = |(new, old): (&Interval, &Interval)| {
+            let sizes = new.sizes();
+            let moved = [new.from() - old.from(), new.to() - old.to()];
+            [0, 1].map(|k| if moved[k] == 0.0 { 0.0 } else { (moved[k] / sizes[k]).abs() })
+        };
+        let ends: Vec<[f64; 2]> = level.support.0.iter().zip(&before.support.0).map(apart).collect();
+        let by_contact = level.support.0.chunk_by(|a, b| a.contact == b.contact);
+        let widest: Vec<usize> = by_contact.map(|intervals| level.widest(intervals[0].contact)).collect();
+        let differ = |number: &usize| {
+            // none where the bodies are apart
+            let [new, old] = [level, before].map(|level| level.middle_pressure(*number));
+            if new == old { 0.0 } else { (new / old - 1.0).abs() }
+        };
+        let peaks: Vec<f64> = widest.iter().map(differ).collect();
+        let mut left = |kind: usize, change: f64| {
+            let fall = change / std::mem::replace(&mut largest_changes[kind], change);
+            let fall = if fall > 0.0 { fall.clamp(LEAST_FALL, MOST_FALL) } else { MOST_FALL };
+            SAFETY * fall / (1.0 - fall)
+        };
+        let (of_ends, of_peaks) =
+            (left(0, largest(ends.iter().flatten().copied())), left(1, largest(peaks.iter().copied())));
         let last = largest(level.steps.iter().map(|step| step.abs()));
         // short waves are felt where an interval is short
         let rest = |interval: &Interval| last + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
-        let ends = level.support.0.iter().zip(&before.support.0).map(|(new, old)| {
-            let rest = rest(new);
-            [change(new.from(), old.from()) + rest, change(new.to(), old.to()) + rest]
-        });
-        let firsts = level.support.0.iter().enumerate().filter(|(number, interval)| {
-            number.checked_sub(1).is_none_or(|before| level.support.0[before].contact != interval.contact)
-        });
-        let peak = |(number, interval): (usize, &Interval)| {
-            // none where the bodies are apart
-            let [new, old] = [level, before].map(|level| level.peak(number));
-            if new == 0.0 { 0.0 } else { change(new, old) + rest(interval) }
+        let rests: Vec<f64> = level.support.0.iter().map(rest).collect();
+        let peak = |(number, change): (usize, f64)| {
+            if level.middle_pressure(number) == 0.0 { 0.0 } else { of_peaks * change + rests[number] }
         };
-        let peaks = firsts.map(peak).collect();
-        let floor = largest(level.support.0.iter().map(rest));
-        Self { ends: ends.collect(), peaks, floor }
+        Self {
+            ends: ends.iter().zip(&rests).map(|(own, rest)| own.map(|change| of_ends * change + rest)).collect(),
+            peaks: widest.into_iter().zip(peaks).map(peak).collect(),
+            floor: largest(rests),
+        }
     }
 
     fn worst(&self) -> f64 {
@@ -246,11 +273,29 @@ impl Errors {
 }
 
 impl Level {
-    /// The pressure at x = 0 of an interval, per unit of P'.
-    fn peak(&self, number: usize) -> f64 {
-        let interval = &self.support.0[number];
-        if interval.is_central() { self.pressures[number].at(interval, 0.5 * PI) } else { 0.0 }
+    /// The number of the interval of a contact whose pressure in the middle tells how well pressures are known: where something is even the first
+    /// one, else the one with the largest force.
+    fn widest(&self, contact: usize) -> usize {
+        let first = self.support.0.partition_point(|interval| interval.contact < contact);
+        let numbers = first..first + self.support.of(contact).len();
+        let force = |number: usize| self.pressures[number].force();
+        let others = numbers.filter(|number| self.support.0[*number].parity == Parity::None);
+        others.max_by(|a, b| force(*a).total_cmp(&force(*b))).unwrap_or(first)
     }
+
+    /// The pressure in the middle of an interval, per unit of P'; 0 of one beside x = 0 where all is even.
+    fn middle_pressure(&self, number: usize) -> f64 {
+        let interval = &self.support.0[number];
+        if interval.parity == Parity::Pair { 0.0 } else { self.pressures[number].at(interval, 0.5 * PI) }
+    }
+}
+
+/// The angles of punches that are not one at x = 0 and upright: against the layer below, and with all layers.
+fn tilts(problem: &Problem, level: &Level) -> Vec<f64> {
+    let Some(Side::Punches(punches)) = problem.sides.first() else { return Vec::new() };
+    let below: f64 = level.rotations[1..].iter().flatten().sum();
+    let of = |(punch, rotation): (&Placed, &f64)| punch.angle().unwrap_or(rotation + below);
+    punches.iter().zip(&level.rotations[0]).map(of).collect()
 }
 
 /// What was found of each contact.
@@ -260,26 +305,40 @@ fn found(problem: &Problem, level: &Level, errors: &Errors) -> Vec<Found> {
         let is_flat = problem.sides[contact].is_flat();
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
-        let peak = level.peak(first);
-        let parts = numbers.clone().map(|number| {
-            let (interval, [from_error, to_error]) = (&level.support.0[number], errors.ends[number]);
-            let (from, to) = (interval.from(), interval.to());
-            let to_error = if is_flat { 0.0 } else { to_error * to };
-            RightInterval { from, from_error: from_error * from, to, to_error }
-        });
-        let strips = numbers.map(|number| {
+        let strip = |number: usize| {
             let (interval, pressure) = (&level.support.0[number], &level.pressures[number]);
             let terms = pressure.terms.iter().enumerate();
             let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
-            if interval.is_central() {
+            if interval.is_even() {
                 let corners = if is_flat { interval.unit() * pressure.singular[0] } else { 0.0 };
                 return Strip { corners, ..Strip::series(interval.half, all) };
             }
             let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
             Strip { at: interval.middle, skew: every_other(1), ..Strip::series(interval.half, every_other(0)) }
+        };
+        let strips: Vec<Strip> = numbers.clone().map(strip).collect();
+        let known = peaks.next().unwrap_or(&0.0);
+        let ends = numbers.map(|number| {
+            let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());
+            let [from_error, to_error] = [0, 1].map(|k| errors.ends[number][k] * sizes[k]);
+            RightInterval {
+                from: interval.from(),
+                from_error,
+                to: interval.to(),
+                to_error: if is_flat { 0.0 } else { to_error },
+            }
         });
-        let peak_error = peaks.next().unwrap_or(&0.0) * peak.abs();
-        Found { parts: parts.collect(), peak, peak_error, strips: strips.collect() }
+        if level.support.of(contact).iter().all(|interval| interval.parity != Parity::None) {
+            let peak = level.middle_pressure(first);
+            return Found::even(ends.collect(), [peak, known * peak.abs()], strips);
+        }
+        let intervals = ends.map(|RightInterval { from, from_error, to, to_error }| {
+            solution::Interval::new([from, from_error], [to, to_error])
+        });
+        let peak = strips.iter().map(|strip| strip.pressure(-problem.origin)).sum();
+        let peak_error = known * level.middle_pressure(level.widest(contact)).abs();
+        let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();
+        Found { intervals: intervals.collect(), peak, peak_error, strips, punches: numbers }
     };
     problem.unknown().map(of).collect()
 }

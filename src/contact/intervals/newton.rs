@@ -1,9 +1,9 @@
 //! The ends of all intervals at which no pressure is singular.
 use crate::contact::ends::broyden::Secants;
 use crate::contact::integrals::layout::{Layout, negligible};
-use crate::contact::intervals::equations::Equations;
+use crate::contact::intervals::equations::{Equations, Solved};
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::support::{Interval, Support};
+use crate::contact::intervals::support::{Interval, Parity, Support};
 use crate::contact::intervals::{Lengths, Work};
 use crate::contact::problem::Problem;
 use crate::contact::problem::iteration::Progress;
@@ -14,6 +14,8 @@ const MOST_OUT: f64 = 0.4;
 const MOST_STEPS: usize = 40;
 /// Steps that are shorter, in half-lengths, are Newton's.
 const SHORT: f64 = 0.1;
+/// Intervals that both grow into a gap shorter than this part of the shorter one are one.
+const TOGETHER: f64 = 0.03;
 /// An end with a weaker singularity, in units of the mean pressure, need not be known.
 const WEAK: f64 = 1e-9;
 
@@ -25,10 +27,22 @@ pub(super) struct Level {
     pub(super) counts: Vec<usize>,
     /// Of each interval.
     pub(super) pressures: Vec<Pressure>,
+    /// Of each contact, for each group of intervals, what turning bodies add to the slope of the gap.
+    pub(super) rotations: Vec<Vec<f64>>,
     /// The last step of each end, in half-lengths.
     pub(super) steps: Vec<f64>,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
     pub(super) left_out: Vec<f64>,
+}
+
+/// Why ends do not converge.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// Nothing presses on an interval of this list.
+    Vanishes(Support, usize),
+    /// An interval of this list grows together with the next one.
+    Meet(Support, usize),
+    Other,
 }
 
 /// What the pressure says of one end.
@@ -46,14 +60,14 @@ impl Look {
     }
 }
 
-/// Moves ends until no pressure is singular; `None` if that does not converge.
+/// Moves ends until no pressure is singular.
 pub(super) fn converge(
     problem: &Problem,
     mut support: Support,
     counts: &[usize],
     enough: f64,
     work: &mut Work,
-) -> Option<Level> {
+) -> Result<Level, Failure> {
     let negligible = negligible(problem.tolerance);
     let mut kept: Option<(Layout, Vec<f64>)> = None;
     let mut progress = Progress::default();
@@ -66,13 +80,18 @@ pub(super) fn converge(
             Some(kept) => kept,
             None => {
                 let Lengths { ends, shortest } = &lengths;
-                (Layout::without_tails(problem.kernel, ends, shortest, negligible, 0.0)?, ends.clone())
+                let layout = Layout::without_tails(problem.kernel, ends, shortest, negligible, 0.0);
+                (layout.ok_or(Failure::Other)?, ends.clone())
             }
         };
         let terms: usize = counts.iter().sum();
-        work.spend(terms, layout.zeta.len())?;
-        *work.steps.last_mut()? += 1;
-        let pressures = Equations::new(problem, &layout, &support, counts).solve()?;
+        work.spend(terms, layout.zeta.len()).ok_or(Failure::Other)?;
+        work.step();
+        let Solved { pressures, rotations } =
+            Equations::new(problem, &layout, &support, counts).solve().ok_or(Failure::Other)?;
+        if let Some(failure) = changes(&support, &pressures) {
+            return Err(failure);
+        }
         let looks = looks(problem, &support, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         let longest =
@@ -80,10 +99,10 @@ pub(super) fn converge(
         if longest < enough || progress.is_rounding(longest, 1e-7) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
-            return Some(Level { support, counts: counts.to_vec(), pressures, steps, left_out });
+            return Ok(Level { support, counts: counts.to_vec(), pressures, rotations, steps, left_out });
         }
         if !progress.goes_on(longest) || work.steps.last() > Some(&MOST_STEPS) {
-            return None;
+            return Err(Failure::Other);
         }
         if longest < SHORT {
             secants.improve(&Vec::new(), &mut Vec::new(), &mut steps);
@@ -96,9 +115,27 @@ pub(super) fn converge(
             }
         }
         limits.limit(&mut steps);
-        support = moved(problem, &support, &steps)?;
+        support = moved(problem, &support, &steps).ok_or(Failure::Other)?;
         kept = Some((layout, about));
     }
+}
+
+/// Whether the list of intervals changes, where nothing is even.
+fn changes(support: &Support, pressures: &[Pressure]) -> Option<Failure> {
+    let all = &support.0;
+    let is_free = |number: &usize| all[*number].parity == Parity::None;
+    let vanishes = |number: &usize| pressures[*number].force() <= 0.0 && support.of(all[*number].contact).len() > 1;
+    if let Some(number) = (0..all.len()).filter(is_free).find(vanishes) {
+        return Some(Failure::Vanishes(support.clone(), number));
+    }
+    let meets = |number: &usize| {
+        let [own, next] = [&all[*number], &all[*number + 1]];
+        let is_short = next.from() - own.to() < TOGETHER * own.half.min(next.half);
+        let grow = pressures[*number].singular[1] > 0.0 && pressures[*number + 1].singular[0] > 0.0;
+        (own.contact, own.punch) == (next.contact, next.punch) && is_short && grow
+    };
+    let meet = (0..all.len().saturating_sub(1)).filter(is_free).find(meets);
+    meet.map(|number| Failure::Meet(support.clone(), number))
 }
 
 /// How far each end may move, in half-lengths: steps back and forth grow shorter.
@@ -127,7 +164,12 @@ fn moved(problem: &Problem, support: &Support, steps: &[f64]) -> Option<Support>
         let outwards = (step * interval.half).min(MOST_OUT * support.gap(end));
         let place = support.place(end);
         let side = &problem.sides[interval.contact];
-        if end.side > 0.0 { side.within(place, place + outwards) - place } else { outwards }
+        let after = place + end.side * outwards;
+        match problem.placed(interval.contact, interval.punch) {
+            Some(punch) => end.side * (punch.within(place, after) - place),
+            None if end.side > 0.0 => side.within(place, after) - place,
+            None => outwards,
+        }
     });
     let moved = support.moved(&limited.collect::<Vec<_>>());
     moved.0.iter().all(|interval| interval.half > 0.0 && interval.half.is_finite()).then_some(moved)

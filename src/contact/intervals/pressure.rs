@@ -34,6 +34,12 @@ impl Pressure {
         interval.unit() * (self.terms.iter().enumerate().map(regular).sum::<f64>() + singular)
     }
 
+    /// The resultant on the interval and its mirror image.
+    pub(super) fn force(&self) -> f64 {
+        let of_ends: f64 = self.singular.iter().sum();
+        self.terms[0] + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
+    }
+
     /// The same with no singularity at an end that is found: what is left of it is rounding.
     pub(super) fn regular(&self) -> Self {
         Self { singular: vec![0.0; self.singular.len()], ..self.clone() }
@@ -62,7 +68,7 @@ impl Pressure {
     fn zero(&self, interval: &Interval, side: f64, places: usize) -> Option<f64> {
         let angle = |k: f64| PI * (k + 0.5) / places as f64;
         let phi = |k: f64| if side > 0.0 { angle(k) } else { PI - angle(k) };
-        let last = if interval.is_central() { places / 2 } else { places - 1 };
+        let last = if interval.is_even() { places / 2 } else { places - 1 };
         let all: Vec<f64> = (0..=last).map(|k| self.at(interval, phi(k as f64))).collect();
         let largest = (0..=last).max_by(|a, b| all[*a].total_cmp(&all[*b]))?;
         let zero = all[..largest].iter().rposition(|p| *p < 0.0)?;

@@ -1,13 +1,26 @@
-//! Where bodies touch: intervals of x ≥ 0, each with its mirror image, in the order of contacts and outwards.
+//! Where bodies touch, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
 use std::f64::consts::PI;
+
+/// What the mirror image of an interval about x = 0 is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Parity {
+    /// The interval itself: its pressure is even.
+    Even,
+    /// Another interval with the mirror image of its pressure.
+    Pair,
+    /// Nothing of the kind.
+    None,
+}
 
 /// An interval in which the bodies of a contact touch, in units of L.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interval {
     pub(super) contact: usize,
-    /// 0 if the interval is its own mirror image.
+    /// The number of the punch that presses there, from the left; 0 between layers.
+    pub(super) punch: usize,
     pub(super) middle: f64,
     pub(super) half: f64,
+    pub(super) parity: Parity,
 }
 
 /// One end of an interval.
@@ -20,18 +33,25 @@ pub(super) struct End {
 }
 
 impl Interval {
-    /// From one place to another; about x = 0 if it begins there.
-    pub(super) fn new(contact: usize, [from, to]: [f64; 2]) -> Self {
-        let middle = if from > 0.0 { 0.5 * (from + to) } else { 0.0 };
-        Self { contact, middle, half: to - middle }
+    /// From one place to another on x ≥ 0 where all is even; about x = 0 if it begins there.
+    pub(super) fn even(contact: usize, [from, to]: [f64; 2]) -> Self {
+        let (middle, parity) = if from > 0.0 { (0.5 * (from + to), Parity::Pair) } else { (0.0, Parity::Even) };
+        Self { contact, punch: 0, middle, half: to - middle, parity }
     }
 
-    pub(super) fn is_central(&self) -> bool {
-        self.middle == 0.0
+    /// From one place to another where nothing is even.
+    pub(super) fn anywhere(contact: usize, punch: usize, [left, right]: [f64; 2]) -> Self {
+        Self { contact, punch, middle: 0.5 * (left + right), half: 0.5 * (right - left), parity: Parity::None }
     }
 
+    /// Whether it is its own mirror image.
+    pub(super) fn is_even(&self) -> bool {
+        self.parity == Parity::Even
+    }
+
+    /// Where it begins, on x ≥ 0 if all is even.
     pub(super) fn from(&self) -> f64 {
-        if self.is_central() { 0.0 } else { self.middle - self.half }
+        if self.is_even() { 0.0 } else { self.middle - self.half }
     }
 
     pub(super) fn to(&self) -> f64 {
@@ -40,12 +60,17 @@ impl Interval {
 
     /// Itself, and its mirror image if that is another interval.
     pub(super) fn images(&self) -> f64 {
-        if self.is_central() { 1.0 } else { 2.0 }
+        if self.parity == Parity::Pair { 2.0 } else { 1.0 }
+    }
+
+    /// What its ends are compared with: their distance from the middle of what is even, or the half-length.
+    pub(super) fn sizes(&self) -> [f64; 2] {
+        if self.parity == Parity::None { [self.half; 2] } else { [self.from(), self.to()] }
     }
 
     /// The order j of the term sin jφ of number m of its pressure, x = middle + half cos φ.
     pub(super) fn order(&self, m: usize) -> usize {
-        if self.is_central() { 2 * m + 1 } else { m + 1 }
+        if self.is_even() { 2 * m + 1 } else { m + 1 }
     }
 
     /// The amplitude of sin φ on the interval and its mirror image that has the resultant 1.
@@ -55,7 +80,7 @@ impl Interval {
 
     /// Its ends that are not the mirror images of others: 1 for a right one, −1 for a left one.
     pub(super) fn sides(&self) -> &'static [f64] {
-        if self.is_central() { &[1.0] } else { &[-1.0, 1.0] }
+        if self.is_even() { &[1.0] } else { &[-1.0, 1.0] }
     }
 }
 
@@ -85,7 +110,7 @@ impl Support {
         interval.middle + end.side * interval.half
     }
 
-    /// From an end to the next interval of the same contact, or to the middle; infinite beyond the last one.
+    /// From an end to the next interval of the same contact, or to the middle of what is even; infinite where there is none.
     pub(super) fn gap(&self, end: End) -> f64 {
         let own = &self.0[end.interval];
         let same = |other: &&Interval| other.contact == own.contact;
@@ -93,7 +118,8 @@ impl Support {
             return self.0.get(end.interval + 1).filter(same).map_or(f64::INFINITY, |next| next.from() - own.to());
         }
         let before = end.interval.checked_sub(1).and_then(|before| self.0.get(before)).filter(same);
-        own.from() - before.map_or(0.0, Interval::to)
+        let first = if own.parity == Parity::None { f64::NEG_INFINITY } else { 0.0 };
+        own.from() - before.map_or(first, Interval::to)
     }
 
     /// With each end moved outwards by so much.
@@ -101,7 +127,7 @@ impl Support {
         let mut moved = self.clone();
         for (end, by) in self.ends().into_iter().zip(outwards) {
             let interval = &mut moved.0[end.interval];
-            if interval.is_central() {
+            if interval.is_even() {
                 interval.half += by;
             } else {
                 interval.half += 0.5 * by;

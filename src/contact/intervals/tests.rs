@@ -43,7 +43,7 @@ fn one_interval_is_what_another_solver_finds() {
                 let half = |contact: &Contact| contact.half_length().unwrap() / kernel.length();
                 let start = |contact: usize| {
                     let factor = if problem.sides[contact].is_flat() { 1.0 } else { factor };
-                    Interval::new(contact, [0.0, factor * half(&expected.contacts[contact])])
+                    Interval::even(contact, [0.0, factor * half(&expected.contacts[contact])])
                 };
                 let support = Support(problem.unknown().map(start).collect());
                 let counts = vec![20; support.0.len()];
@@ -66,47 +66,72 @@ fn one_interval_is_what_another_solver_finds() {
     }
 }
 
-/// Transforms, by a rule that knows nothing of Bessel functions.
+/// Columns with any amplitudes are the transform of the pressure that these are, by a rule that knows nothing of Bessel functions.
 #[test]
 fn columns_are_transforms_of_pressures() {
     for intervals in [
-        vec![Interval::new(0, [0.0, 0.8]), Interval::new(0, [1.3, 2.9])],
-        vec![Interval::new(0, [0.4, 0.9]), Interval::new(0, [1.0, 1.1])],
+        vec![Interval::even(0, [0.0, 0.8]), Interval::even(0, [1.3, 2.9])],
+        vec![Interval::even(0, [0.4, 0.9]), Interval::even(0, [1.0, 1.1])],
+        vec![Interval::anywhere(0, 0, [-1.7, -0.4])],
+        vec![
+            Interval::anywhere(0, 0, [-0.3, 0.9]),
+            Interval::anywhere(0, 0, [1.0, 1.1]),
+            Interval::anywhere(0, 1, [2.0, 3.1]),
+        ],
     ] {
-        let columns = Columns { intervals: &intervals, counts: &[4, 5] };
+        let counts = vec![5; intervals.len()];
+        let columns = Columns { intervals: &intervals, counts: &counts };
         let zeta = [1e-4, 0.3, 2.0, 9.0];
-        let waves = columns.waves(&zeta);
-        let singular = vec![0.0; columns.ends()];
-        let transform = |amplitudes: &[f64], zeta: f64| -> f64 {
-            let (terms, singular) = amplitudes.split_at(columns.terms());
-            let of = |(interval, pressure): (&Interval, Pressure)| {
+        let mut waves = columns.waves(&zeta);
+        for (column, values) in columns.long_waves(&zeta) {
+            waves.col_as_slice_mut(column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+        }
+        let amplitudes: Vec<f64> =
+            (0..columns.terms() + columns.ends()).map(|c| (1.3 * c as f64 + 0.4).sin()).collect();
+        let mut own = amplitudes.clone();
+        columns.as_they_are(&mut own);
+        let (terms, singular) = own.split_at(columns.terms());
+        let pressures = columns.pressures(terms, singular);
+        let transform = |zeta: f64, wave: fn(f64) -> f64| -> f64 {
+            let of = |(interval, pressure): (&Interval, &Pressure)| {
                 let points = 400;
                 let term = |k: usize| {
                     let phi = PI * (f64::from(k as u32) + 0.5) / points as f64;
                     let x = interval.middle + interval.half * phi.cos();
-                    pressure.at(interval, phi) * interval.half * phi.sin() * (zeta * x).cos()
+                    pressure.at(interval, phi) * interval.half * phi.sin() * wave(zeta * x)
                 };
                 interval.images() * (0..points).map(term).sum::<f64>() * PI / points as f64
             };
-            intervals.iter().zip(columns.pressures(terms, singular)).map(of).sum()
+            intervals.iter().zip(&pressures).map(of).sum()
         };
-        let amplitudes = |column: usize, value: f64| {
-            let mut all = [vec![0.0; columns.terms()], singular.clone()].concat();
-            all[column] = value;
-            all
-        };
-        for column in 0..columns.terms() + columns.ends() {
-            // all but the first one less what they have of it
-            let whole = transform(&amplitudes(column, 1.0), 0.0);
-            for (k, zeta) in zeta.iter().enumerate() {
-                let first = if column == 0 { 0.0 } else { whole * transform(&amplitudes(0, 1.0), *zeta) };
-                let expected = zeta * (transform(&amplitudes(column, 1.0), *zeta) - first);
-                let found = waves[(k, column)];
-                assert!(
-                    (found - expected).abs() < 1e-4 * zeta * zeta.min(1.0),
-                    "{column} at {zeta}: {found} {expected}"
-                );
+        for (k, wavenumber) in zeta.iter().enumerate() {
+            for part in 0..columns.parts() {
+                let expected = wavenumber * transform(*wavenumber, if part == 0 { f64::cos } else { f64::sin });
+                let row = part * zeta.len() + k;
+                let found: f64 = amplitudes.iter().enumerate().map(|(c, amplitude)| amplitude * waves[(row, c)]).sum();
+                assert!((found - expected).abs() < 1e-11 * wavenumber, "{part} at {wavenumber}: {found} {expected}");
             }
+        }
+    }
+}
+
+/// No column but the first ones of a group has a resultant, or a moment where nothing is even, and long waves keep their digits.
+#[test]
+fn long_waves_are_felt_through_resultants_and_moments() {
+    let intervals = [Interval::anywhere(0, 0, [-0.3, 0.9]), Interval::anywhere(0, 0, [1.0, 1.1])];
+    let columns = Columns { intervals: &intervals, counts: &[6, 4] };
+    let zeta = [1e-5, 2e-5];
+    let waves = columns.waves(&zeta);
+    let carried = columns.carried().len();
+    for column in 0..carried {
+        // the square of the wavenumber, or the cube, is the first power left of the transform
+        for (part, power) in [(0, 3), (1, 4)] {
+            let [one, two] = [0, 1].map(|k| waves[(2 * part + k, column)]);
+            let ratio = two / one / 2f64.powi(power);
+            assert!(
+                one == 0.0 || (ratio - 1.0).abs() < 1e-6 || one.abs() < 1e-3 * zeta[0].powi(power),
+                "{column}: {ratio}"
+            );
         }
     }
 }

@@ -23,34 +23,71 @@ pub(crate) struct Given<'a> {
     /// As far as they reach, or what rounding leaves of L, in units of L: the contacts see loads through their transform, which is exact for
     /// any half-width, and no wave in it is as short as this.
     pub(crate) half_length: f64,
+    /// Their moment about x = 0 over their resultant, in units of L.
+    pub(crate) moment: f64,
+    /// x = 0 is here in the scene, in units of L, which is so long there.
+    origin: f64,
+    length: f64,
     transform_minus_one: Box<dyn Fn(f64) -> f64 + 'a>,
+    odd_transform_less_moment: Box<dyn Fn(f64) -> f64 + 'a>,
 }
 
 impl<'a> Given<'a> {
-    /// Loads, with the length L in the units of the scene.
-    pub(crate) fn new(loads: &'a Loads, length: f64, twin: Twin) -> Self {
-        let half_length = (loads.reach() / length).max(ROUNDING);
-        let transform = move |zeta: f64| transform_minus_one(loads, zeta / length, twin);
-        Self { loads: Cow::Borrowed(loads), half_length, transform_minus_one: Box::new(transform) }
+    /// Loads, with places x from an origin in units of L, and the length L in the units of the scene.
+    pub(crate) fn new(loads: &'a Loads, origin: f64, length: f64, twin: Twin) -> Self {
+        let from = origin * length;
+        let even = move |zeta: f64| transform_minus_one(loads, from, zeta / length, twin);
+        let odd = move |zeta: f64| odd_transform_less_moment(loads, from, zeta / length, twin);
+        let reach =
+            loads.parts().fold(0.0, |reach: f64, (load, at, _)| reach.max((at - from).abs() + load.half_width()));
+        Self {
+            loads: Cow::Borrowed(loads),
+            half_length: (reach / length).max(ROUNDING),
+            moment: loads.parts().map(|(_, at, share)| share * (at - from) / length).sum(),
+            origin,
+            length,
+            transform_minus_one: Box::new(even),
+            odd_transform_less_moment: Box::new(odd),
+        }
     }
 
-    /// p̂/P − 1 at a wavenumber ζ.
+    /// ∫ p sin ζx dx/P − ζ times the moment at a wavenumber ζ.
+    pub(crate) fn odd_transform_less_moment(&self, zeta: f64) -> f64 {
+        (self.odd_transform_less_moment)(zeta)
+    }
+
+    /// Where each load presses, in units of L, from left to right.
+    pub(crate) fn places(&self) -> Vec<[f64; 2]> {
+        let from_origin = |x: &f64| x / self.length - self.origin;
+        intervals(&self.loads).iter().map(|Interval { left, right, .. }| [left, right].map(from_origin)).collect()
+    }
+
+    /// ∫ p cos ζx dx/P − 1 at a wavenumber ζ.
     pub(crate) fn transform_minus_one(&self, zeta: f64) -> f64 {
         (self.transform_minus_one)(zeta)
     }
 }
 
-/// p̂/P − 1 of even loads, with all its digits also for long waves.
-fn transform_minus_one(loads: &Loads, wavenumber: f64, twin: Twin) -> f64 {
+/// ∫ p cos ζx dx/P − 1 of loads, with all its digits also for long waves.
+fn transform_minus_one(loads: &Loads, origin: f64, wavenumber: f64, twin: Twin) -> f64 {
     let part = |(load, at, share): (&Load, f64, f64)| {
-        let (sin, cos) = (0.5 * wavenumber * at).sin_cos();
+        let (sin, cos) = (0.5 * wavenumber * (at - origin)).sin_cos();
         // cos λx (1 + transform_minus_one) − 1
         share * (transform_of_one(load, wavenumber, twin) * (cos * cos - sin * sin) - 2.0 * sin * sin)
     };
     loads.parts().map(part).sum()
 }
 
-/// The same of a load about its middle.
+/// ∫ p sin ζx dx/P of loads less λ times their moment, with all its digits also for long waves.
+fn odd_transform_less_moment(loads: &Loads, origin: f64, wavenumber: f64, twin: Twin) -> f64 {
+    let part = |(load, at, share): (&Load, f64, f64)| {
+        let phase = wavenumber * (at - origin);
+        share * (phase * bessel::sinc_minus_one(phase) + transform_of_one(load, wavenumber, twin) * phase.sin())
+    };
+    loads.parts().map(part).sum()
+}
+
+/// The even transform less 1 of a load about its middle.
 fn transform_of_one(load: &Load, wavenumber: f64, twin: Twin) -> f64 {
     // of (1 − s²)^(n/2)
     let of = |n| bessel::of_order_minus_one(n + twin.lengths, wavenumber * load.half_width());
@@ -128,8 +165,15 @@ pub(crate) fn contact(loads: &Loads, interface: Interface, force: f64, twin: Twi
     let is_loaded = intervals.iter().any(|interval| interval.left <= 0.0 && interval.right >= 0.0);
     // in the hole of a ring nothing presses but the rounding of two discs
     let central_pressure = if is_loaded { strips.iter().map(|strip| strip.pressure(0.0)).sum() } else { 0.0 };
-    let contact =
-        Contact { interface, central_pressure, central_pressure_error: 0.0, resultant: force, strips, intervals };
+    let contact = Contact {
+        interface,
+        central_pressure,
+        central_pressure_error: 0.0,
+        resultant: force,
+        strips,
+        intervals,
+        punches: Vec::new(),
+    };
     contact.with_forces()
 }
 
@@ -173,7 +217,15 @@ impl Given<'_> {
             let higher = modes.iter().enumerate().skip(1).map(|(m, y)| 2.0 * y * table[2 * m + 1] / z);
             bessel::jinc_minus_one_from(z, table[1]) + higher.sum::<f64>()
         };
-        Self { loads: Cow::Owned(Load::Line.into()), half_length, transform_minus_one: Box::new(transform_minus_one) }
+        Self {
+            loads: Cow::Owned(Load::Line.into()),
+            half_length,
+            moment: 0.0,
+            origin: 0.0,
+            length: 1.0,
+            transform_minus_one: Box::new(transform_minus_one),
+            odd_transform_less_moment: Box::new(|_| 0.0),
+        }
     }
 }
 
@@ -211,7 +263,7 @@ mod tests {
             let strips = strips(&loads, 3.0, Twin::Plane);
             for wavenumber in [1e-6, 0.3, 1.0, 7.0, 30.0] {
                 let (found, expected) = (
-                    3.0 * (1.0 + transform_minus_one(&loads, wavenumber, Twin::Plane)),
+                    3.0 * (1.0 + transform_minus_one(&loads, 0.0, wavenumber, Twin::Plane)),
                     by_series(&strips, wavenumber),
                 );
                 assert!((found - expected).abs() < 1e-13, "{loads} at {wavenumber}: {found} {expected}");
@@ -226,7 +278,7 @@ mod tests {
         for wavenumber in [1e-3, 1e-6, 1e-9] {
             let expected = -0.5 * moment * wavenumber * wavenumber;
             assert!(
-                (transform_minus_one(&loads, wavenumber, Twin::Plane) / expected - 1.0).abs() < 1e-6,
+                (transform_minus_one(&loads, 0.0, wavenumber, Twin::Plane) / expected - 1.0).abs() < 1e-6,
                 "{wavenumber}"
             );
         }

@@ -6,6 +6,7 @@ pub(crate) mod estimate;
 pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
+pub(crate) mod placed;
 pub(crate) mod profile;
 pub(crate) mod rows;
 pub(crate) mod support;
@@ -18,6 +19,7 @@ use crate::solution::Interface;
 
 use accuracy::MOST_OPERATIONS;
 use load::Given;
+use placed::Placed;
 use profile::{Local, Profile, Span};
 use rows::Slopes;
 use support::{End, Support, span};
@@ -30,6 +32,8 @@ pub(crate) struct Problem<'a> {
     pub(crate) interfaces: &'a [Interface],
     /// What is special about each of them.
     pub(crate) sides: Vec<Side<'a>>,
+    /// Where x = 0 is in the scene, in units of L: where the force acts, if anything is not even.
+    pub(crate) origin: f64,
     top: &'a Top,
     /// P' = P/(μ₀L).
     pub(crate) force: f64,
@@ -39,12 +43,24 @@ pub(crate) struct Problem<'a> {
     pub(crate) operations: f64,
 }
 
+/// What the intervals under one punch, or all those of one contact between layers, carry together.
+pub(crate) struct Group {
+    /// Their part of P'.
+    pub(crate) share: f64,
+    /// Their moment about x = 0 over P', in units of L; `None` if it is to be found. Between layers, less moments to be found on top.
+    pub(crate) moment: Option<f64>,
+    /// Whether the bodies may turn against each other.
+    pub(crate) turns: bool,
+}
+
 /// What is special about a contact.
 pub(crate) enum Side<'a> {
     /// A punch presses there.
     Profile(Profile<'a>),
     /// Two bodies that fit together lie on each other: the contact recedes.
     Closed,
+    /// Punches press there, and their contacts are not even.
+    Punches(Vec<Placed<'a>>),
     /// The pressure is given.
     Known(Given<'a>),
     /// The bodies stay together on a contact of this half-length, in units of L, whether they press or pull.
@@ -63,13 +79,17 @@ impl<'a> Problem<'a> {
         let length = kernel.length();
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
+        let origin = top.middle() / length;
         let side = match top {
-            Top::Loads(loads) => Side::Known(Given::new(loads, length, twin)),
-            Top::Punch(punch) => Side::Profile(Profile::new(punch, length, force, twin)),
+            Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
+            Top::Punches(punches) => match punches.alone().filter(|punch| punch.is_even()) {
+                Some(punch) => Side::Profile(Profile::new(punch, length, force, twin)),
+                None => Side::Punches(Placed::all(punches, origin, length, force)),
+            },
         };
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
         let sides = std::iter::once(side).chain(closed).collect();
-        Self { kernel, interfaces, sides, top, force, tolerance, operations: MOST_OPERATIONS }
+        Self { kernel, interfaces, sides, origin, top, force, tolerance, operations: MOST_OPERATIONS }
     }
 
     /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
@@ -116,6 +136,33 @@ impl<'a> Problem<'a> {
     /// The contacts whose pressure is to be found.
     pub(crate) fn unknown(&self) -> impl Iterator<Item = usize> {
         (0..self.contacts()).filter(|i| !self.is_known(*i))
+    }
+
+    /// What the groups of intervals of a contact carry, from left to right.
+    pub(crate) fn groups(&self, contact: usize) -> Vec<Group> {
+        match &self.sides[contact] {
+            Side::Known(given) => vec![Group { share: 1.0, moment: Some(given.moment), turns: false }],
+            Side::Profile(_) => vec![Group { share: 1.0, moment: None, turns: false }],
+            Side::Punches(all) => all.iter().map(Placed::group).collect(),
+            Side::Closed | Side::Joined(_) => {
+                let above = if contact > 0 { self.groups(0) } else { Vec::new() };
+                let moment = above.iter().filter_map(|group| group.moment).sum();
+                vec![Group { share: 1.0, moment: Some(moment), turns: true }]
+            }
+        }
+    }
+
+    /// Whether all contacts are even.
+    pub(crate) fn is_even(&self) -> bool {
+        match self.top {
+            Top::Loads(loads) => loads.is_even(),
+            Top::Punches(_) => !matches!(self.sides[0], Side::Punches(_)),
+        }
+    }
+
+    /// A punch of those that press on a contact where nothing is even.
+    pub(crate) fn placed(&self, contact: usize, punch: usize) -> Option<&Placed<'a>> {
+        if let Side::Punches(all) = &self.sides[contact] { all.get(punch) } else { None }
     }
 
     /// The profiles of all punches, with the contacts where they press.
@@ -178,7 +225,7 @@ impl<'a> Side<'a> {
     fn end(&self) -> End {
         match self {
             Self::Profile(profile) if profile.flat().is_some() => End::Edge { intensity: 1.0 },
-            Self::Profile(_) | Self::Closed => End::Free,
+            Self::Profile(_) | Self::Punches(_) | Self::Closed => End::Free,
             Self::Known(_) => End::Given,
             Self::Joined(_) => End::Edge { intensity: 1.0 },
         }
@@ -187,6 +234,22 @@ impl<'a> Side<'a> {
     /// Height above the apex at x (both in units of L), per unit of P', as the equations test it: about an axis after Abel's transform.
     pub(crate) fn height(&self, x: f64) -> f64 {
         self.profile().map_or(0.0, |profile| profile.tested_height(x))
+    }
+
+    /// Height above the tip of the punch of this number at x (both in units of L), per unit of P'.
+    pub(crate) fn height_under(&self, punch: usize, x: f64) -> f64 {
+        match self {
+            Self::Punches(all) => all.get(punch).map_or(0.0, |placed| placed.height(x)),
+            _ => self.height(x),
+        }
+    }
+
+    /// Where the punch of this number ends, in units of L; infinite where it does not.
+    pub(crate) fn ends_of(&self, punch: usize) -> [f64; 2] {
+        match self {
+            Self::Punches(all) => all.get(punch).map_or([f64::NEG_INFINITY, f64::INFINITY], Placed::ends),
+            _ => self.edge().map_or([f64::NEG_INFINITY, f64::INFINITY], |edge| [-edge, edge]),
+        }
     }
 
     /// Slope at x (in units of L), per unit of P'.

@@ -128,7 +128,11 @@ impl<'a> Profile<'a> {
 
     /// ∫ f'(as) s/√(1 − s²) ds / P'.
     pub(crate) fn first_row(&self, half_length: f64) -> f64 {
-        self.rows(Span::even(half_length), 1).rows[0][0]
+        // of an uneven profile the even part counts
+        match self.shape.is_even() {
+            true => self.rows(Span::even(half_length), 1).rows[0][0],
+            false => self.rows(Span::anywhere(0.0, half_length), 2).rows[1][0],
+        }
     }
 
     /// The pressure of a half-plane with λμ₀C = `limit` under a punch that is not smooth.

@@ -29,7 +29,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<So
     );
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..stats(problem.kernel) };
-    let answer = Answer { contacts, min_pressure: 0.0, min_gap: 0.0, stats, warnings };
+    let answer = Answer { contacts, min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings };
     Some(answer.into_solution(problem))
 }
 
@@ -60,7 +60,7 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         () => middle(last) / force,
     };
     // elements well inside a contact are the same on all grids: no better than the coarse ones
-    Some(Found { parts, peak, peak_error: super::COARSE.ends * peak + change / force, strips: last.strips(i, force) })
+    Some(Found::even(parts, [peak, super::COARSE.ends * peak + change / force], last.strips(i, force)))
 }
 
 /// Where contact i of the programme touches, from the middle outwards.

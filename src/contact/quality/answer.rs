@@ -23,6 +23,7 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
         contacts,
         min_pressure: check.min_pressure,
         min_gap: check.min_gap,
+        tilts: Vec::new(),
         stats: Stats {
             modes: level.counts,
             newton_steps: work.steps,
@@ -51,12 +52,10 @@ fn found(twin: Twin, level: &Level, i: usize) -> Found {
     }
     let (error, peak, size) = (level.errors[i], level.peaks[i] * unit, level.sizes[i] * unit);
     let to_error = error.length * half_length;
-    Found {
-        parts: vec![RightInterval { from: 0.0, from_error: 0.0, to: half_length, to_error }],
-        peak,
-        peak_error: if peak.is_finite() { error.pressure * size } else { f64::INFINITY },
-        strips: vec![Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) }],
-    }
+    let peak_error = if peak.is_finite() { error.pressure * size } else { f64::INFINITY };
+    let strip = Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) };
+    let part = RightInterval { from: 0.0, from_error: 0.0, to: half_length, to_error };
+    Found::even(vec![part], [peak, peak_error], vec![strip])
 }
 
 /// What is to be said of a tolerance that is not met, or beyond double precision.

@@ -1,6 +1,10 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
+use crate::contact::intervals::Expected;
 use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::load::Given;
+use crate::contact::problem::placed::Placed;
 use crate::contact::problem::profile::Profile;
+use crate::contact::problem::support::longest;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
@@ -38,7 +42,7 @@ pub(crate) fn length(kernel: &Kernel, top: &Top, force: f64) -> Option<f64> {
     }
     let length = match top {
         Top::Loads(loads) => loads.reach(),
-        Top::Punch(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], top, force, 0.0))[0],
+        Top::Punches(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], top, force, 0.0))[0],
     };
     (length.is_normal() && length > 0.0).then_some(length)
 }
@@ -62,10 +66,48 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
             Side::Profile(profile) => {
                 profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance))
             }
+            Side::Punches(all) => all.iter().map(|punch| longest(under(problem.kernel, punch))).fold(0.0, f64::max),
             Side::Closed => half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)),
         });
     }
     half_lengths
+}
+
+/// Where contacts may be that are not even: under each punch as by itself, below each load or contact as far as it would touch by itself, as one where
+/// these overlap.
+pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
+    let mut above: Vec<[f64; 2]> = problem.sides[0].given().map(Given::places).unwrap_or_default();
+    let mut all = Vec::new();
+    for contact in problem.unknown() {
+        let mut own: Vec<[f64; 2]> = Vec::new();
+        if let Side::Punches(punches) = &problem.sides[contact] {
+            own = punches.iter().map(|punch| under(problem.kernel, punch)).collect();
+            all.extend(own.iter().enumerate().map(|(punch, ends)| Expected { contact, punch, ends: *ends }));
+        } else {
+            let carried = carried(problem.kernel, contact - 1);
+            for [left, right] in &above {
+                let (middle, half) = (0.5 * (left + right), (0.5 * (right - left)).hypot(carried));
+                match own.last_mut().filter(|last| middle - half <= last[1]) {
+                    Some(last) => last[1] = last[1].max(middle + half),
+                    None => own.push([middle - half, middle + half]),
+                }
+            }
+            all.extend(own.iter().map(|ends| Expected { contact, punch: 0, ends: *ends }));
+        }
+        above = own;
+    }
+    all
+}
+
+/// From where to where the contact under a punch anywhere is expected.
+fn under(kernel: &Kernel, punch: &Placed) -> [f64; 2] {
+    let ends = punch.ends();
+    let half = under_punch(kernel, &punch.alone(), Kernel::closed);
+    let [left, right] = [punch.at() - half, punch.at() + half];
+    // next to the edges of a punch
+    let inside =
+        |x: f64, end: f64| if (x - punch.at()).abs() < (end - punch.at()).abs() { x } else { 0.5 * (end + punch.at()) };
+    [inside(left, ends[0]), inside(right, ends[1])]
 }
 
 /// Half-length of the contact below a laminate (in units of L) that a line load presses.

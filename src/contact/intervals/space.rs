@@ -1,0 +1,161 @@
+//! What columns do on a half-plane, and what punches do to their tests.
+use std::f64::consts::PI;
+
+use faer::Mat;
+
+use crate::contact::intervals::columns::{Columns, Other, Subtracted};
+use crate::contact::intervals::support::{Interval, Parity};
+use crate::contact::problem::Side;
+use crate::contact::problem::accuracy::PER_MODE;
+use crate::contact::problem::modes::alternating;
+use crate::contact::problem::profile::Span;
+use crate::numeric::dot;
+use crate::numeric::quadrature::rule;
+
+/// Quadrature points on an interval, besides the points that each term takes.
+const POINTS: usize = 48;
+
+/// What columns do on a half-plane with λμ₀C = 1, and what they do to a gap with a slope of its own.
+pub(super) struct InSpace {
+    /// Rows: tests as the terms are ordered, then the others; columns: terms, then ends.
+    pub(super) matrix: Mat<f64>,
+    pub(super) load: Vec<f64>,
+}
+
+impl Columns<'_> {
+    /// What the columns do on a half-plane with λμ₀C = 1, and the tests of the profile of a punch, if one presses.
+    pub(super) fn in_space(&self, side: &Side) -> InSpace {
+        let (terms, ends, others) = (self.terms(), self.ends(), self.others());
+        let rows = terms + ends + others.len();
+        let mut matrix = Mat::zeros(rows, terms + ends);
+        let mut load = vec![0.0; rows];
+        let place = |wanted: Other| others.iter().position(|other| *other == wanted).map(|place| terms + ends + place);
+        for (number, interval) in self.intervals.iter().enumerate() {
+            let (row, count) = (self.first(number), self.counts[number]);
+            let points = POINTS + PER_MODE * interval.order(count - 1);
+            let angles: Vec<f64> = (0..points).map(|q| PI * (q as f64 + 0.5) / points as f64).collect();
+            let places: Vec<f64> = angles.iter().map(|theta| interval.middle + interval.half * theta.cos()).collect();
+            let factor = 2.0 / (interval.half * points as f64);
+            let mean = place(Other::Mean(number));
+            // the test with k = 0 last
+            let all: Vec<(usize, usize)> =
+                (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
+            let tests = Mat::from_fn(all.len(), points, |m, q| factor * (all[m].1 as f64 * angles[q]).cos());
+            let tested = &tests * self.slopes_at(&places, Some(number));
+            for (m, (row, _)) in all.iter().enumerate() {
+                (0..terms + ends).for_each(|column| matrix[(*row, column)] = tested[(m, column)]);
+            }
+            let factor = 2.0 / (PI * interval.half);
+            let mut tests = self::tests(side, interval, count).into_iter().map(|test| factor * test);
+            if let Some(mean) = mean {
+                load[mean] = tests.next().unwrap_or(0.0);
+            }
+            load[row..row + count].iter_mut().zip(tests).for_each(|(load, test)| *load = test);
+            for m in 0..count {
+                matrix[(row + m, row + m)] += interval.unit() / (interval.half * interval.order(m) as f64);
+            }
+            if let Some(mean) = mean {
+                let end = terms + self.end(number);
+                for (place, side) in interval.sides().iter().enumerate() {
+                    matrix[(mean, end + place)] -= side * interval.unit() / interval.half;
+                }
+            }
+        }
+        for (row, other) in (terms + ends..).zip(&others) {
+            let Other::Closing(number) = *other else { continue };
+            let [from, to] = self.gap(number);
+            let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+            let factor = 2.0 / (PI * half);
+            let nodes: Vec<(f64, f64)> = rule(POINTS + self.counts.iter().max().unwrap_or(&0)).on(0.0, PI).collect();
+            let places: Vec<f64> = nodes.iter().map(|(theta, _)| middle + half * theta.cos()).collect();
+            let tests = Mat::from_fn(1, nodes.len(), |_, q| factor * nodes[q].1 * nodes[q].0.sin());
+            let tested = &tests * self.slopes_at(&places, None);
+            (0..terms + ends).for_each(|column| matrix[(row, column)] = tested[(0, column)]);
+            let height = |x: f64| side.height_under(self.intervals[number].punch, x);
+            load[row] = factor / half * (height(to) - height(from));
+        }
+        let subtracted = self.subtracted();
+        for Subtracted { into, from, part } in subtracted.iter().filter(|one| one.into < terms + ends) {
+            (0..rows).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);
+        }
+        let tests = |one: &&Subtracted| !(terms..terms + ends).contains(&one.into);
+        for Subtracted { into, from, part } in subtracted.iter().filter(tests) {
+            (0..terms + ends).for_each(|column| matrix[(*into, column)] -= part * matrix[(*from, column)]);
+            load[*into] -= part * load[*from];
+        }
+        InSpace { matrix, load }
+    }
+
+    /// [`Self::slopes`] at some places, one row for each.
+    fn slopes_at(&self, places: &[f64], within: Option<usize>) -> Mat<f64> {
+        let columns = self.terms() + self.ends();
+        let mut slopes = vec![0.0; columns];
+        let mut all = Mat::zeros(places.len(), columns);
+        for (row, x) in places.iter().enumerate() {
+            self.slopes(*x, within, &mut slopes);
+            slopes.iter().enumerate().for_each(|(column, slope)| all[(row, column)] = *slope);
+        }
+        all
+    }
+
+    /// The slopes that terms and singular pressures make at x on a half-plane with λμ₀C = 1, but for the pressures right there on interval
+    /// `within`.
+    fn slopes(&self, x: f64, within: Option<usize>, out: &mut [f64]) {
+        out.fill(0.0);
+        let mut end = self.terms();
+        for (number, interval) in self.intervals.iter().enumerate() {
+            let unit = interval.unit();
+            let first = self.first(number);
+            let mut add = |x: f64, sign: f64| {
+                let s = (x - interval.middle) / interval.half;
+                let root = (s * s - 1.0).max(f64::MIN_POSITIVE).sqrt() * s.signum();
+                // s − √(s² − 1) with the sign of s
+                let inside = (s + root).recip();
+                let square = inside * inside;
+                let (mut power, by) = if interval.is_even() { (inside, square) } else { (inside, inside) };
+                for (m, out) in out[first..first + self.counts[number]].iter_mut().enumerate() {
+                    *out += sign * unit * power / interval.order(m) as f64;
+                    power *= by;
+                }
+                for (place, side) in interval.sides().iter().enumerate() {
+                    let at_end = if interval.is_even() { 1.0 } else { 0.5 * (1.0 + side * inside) };
+                    out[end + place] += sign * unit * at_end / root;
+                }
+            };
+            if within != Some(number) {
+                add(x, 1.0);
+            }
+            if interval.parity == Parity::Pair {
+                add(-x, -1.0);
+            }
+            end += interval.sides().len();
+        }
+    }
+
+    /// The slope at x outside the contact that pressures make on a half-plane with λμ₀C = 1.
+    pub(super) fn slope(&self, x: f64, amplitudes: &[f64]) -> f64 {
+        let mut slopes = vec![0.0; self.terms() + self.ends()];
+        self.slopes(x, None, &mut slopes);
+        dot(&slopes, amplitudes)
+    }
+}
+
+/// ∫ f' cos kφ dφ of the slope f' of a punch over an interval, for the k of its terms, and first for k = 0 beside x = 0; none between layers.
+fn tests(side: &Side, interval: &Interval, count: usize) -> Vec<f64> {
+    let value = |[value, ..]: [f64; 3]| value;
+    match side {
+        Side::Punches(all) => all
+            .get(interval.punch)
+            .map(|punch| punch.rows(interval.middle, interval.half, count + 1))
+            .unwrap_or_default(),
+        Side::Profile(profile) if interval.is_even() => {
+            let rows = profile.rows(Span::even(interval.half), count).rows.into_iter();
+            rows.map(value).enumerate().map(|(m, value)| alternating(m) * value).collect()
+        }
+        Side::Profile(profile) => {
+            let rows = profile.rows(Span::anywhere(interval.middle, interval.half), count + 1).rows;
+            rows.into_iter().map(value).collect()
+        }
+        _ => Vec::new(),
+    }
+}

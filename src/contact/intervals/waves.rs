@@ -1,0 +1,137 @@
+//! Columns at wavenumbers, and what resultants, moments and rotations do to long waves.
+use faer::Mat;
+
+use crate::contact::intervals::columns::{Columns, Other, Subtracted};
+use crate::contact::intervals::support::{Interval, Parity};
+use crate::contact::problem::modes::alternating;
+use crate::numeric::bessel;
+
+impl Columns<'_> {
+    /// All columns at some wavenumbers: terms, singular pressures at ends, other tests; what resultants, moments and rotations do to long waves left out.
+    pub(super) fn waves(&self, zeta: &[f64]) -> Mat<f64> {
+        let (terms, ends, nodes) = (self.terms(), self.ends(), zeta.len());
+        let others = self.others();
+        let mut all = Mat::zeros(self.parts() * nodes, terms + ends + others.len());
+        for number in 0..self.intervals.len() {
+            self.add_waves(&mut all, number, zeta);
+        }
+        for (place, other) in (terms + ends..).zip(&others) {
+            if let Other::Closing(number) = *other {
+                let [from, to] = self.gap(number);
+                let ([resultant, moment], rotation) = (self.carried_by(*other), self.rotation(*other));
+                for (k, wave) in zeta.iter().enumerate() {
+                    let [sum, difference] =
+                        [to + from, to - from].map(|length| bessel::sinc_minus_one(0.5 * wave * length));
+                    all[(k, place)] = resultant * wave * less_one(sum, difference);
+                    if self.moves() {
+                        let cos = cosine_minus_one(0.5 * wave * (to + from));
+                        all[(nodes + k, place)] = -rotation * less_one(cos, difference) - moment * wave * wave;
+                    }
+                }
+            }
+        }
+        for Subtracted { into, from, part } in self.subtracted() {
+            (0..all.nrows()).for_each(|k| all[(k, into)] -= part * all[(k, from)]);
+        }
+        all
+    }
+
+    /// Adds the columns of one interval as they are.
+    fn add_waves(&self, all: &mut Mat<f64>, number: usize, zeta: &[f64]) {
+        let interval = &self.intervals[number];
+        let Interval { middle, half, .. } = *interval;
+        let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
+        let orders = (interval.order(count - 1) + 1).max(4);
+        let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
+        let mut table = vec![0.0; orders * nodes];
+        bessel::table(orders, &arguments, &mut table);
+        let j = |order: usize| &table[order * nodes..(order + 1) * nodes];
+        let phases: Vec<(f64, f64)> = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).collect();
+        for m in 0..count {
+            let order = interval.order(m);
+            let factor = 2.0 * alternating(order / 2) / half;
+            let column = all.col_as_slice_mut(first + m);
+            for ((k, j), (sin, cos)) in j(order).iter().enumerate().zip(&phases) {
+                let [real, imaginary] = if order.is_multiple_of(2) { [*sin, -cos] } else { [*cos, *sin] };
+                column[k] = factor * j * real;
+                if interval.parity == Parity::None {
+                    column[nodes + k] = factor * j * imaginary;
+                }
+            }
+        }
+        let end = self.terms() + self.end(number);
+        let mean = self.others().iter().position(|other| *other == Other::Mean(number));
+        let mean = mean.map(|place| self.terms() + self.ends() + place);
+        for (k, wave) in zeta.iter().enumerate() {
+            let (sin, phase) = (phases[k].0, wave * middle);
+            let jinc = bessel::jinc_minus_one_from(arguments[k], j(1)[k]);
+            let (zeroth, cos) = (jinc - j(2)[k], cosine_minus_one(phase));
+            all[(k, first)] = wave * less_one(jinc, cos);
+            for (place, side) in interval.sides().iter().enumerate() {
+                all[(k, end + place)] = if interval.is_even() {
+                    2.0 * wave * zeroth
+                } else {
+                    wave * (less_one(zeroth, cos) - side * j(1)[k] * sin)
+                };
+            }
+            if interval.parity == Parity::Pair
+                && let Some(mean) = mean
+            {
+                all[(k, mean)] = 2.0 * middle / half * wave * less_one(zeroth, bessel::sinc_minus_one(phase));
+            }
+            if interval.parity != Parity::None {
+                continue;
+            }
+            // sin z − z of long waves
+            let odd = phase * bessel::sinc_minus_one(phase);
+            let second = jinc + if arguments[k] > 0.0 { 2.0 * j(3)[k] / arguments[k] } else { 0.0 };
+            let row = nodes + k;
+            all[(row, first)] = wave * (odd + sin * jinc);
+            all[(row, first + 1)] = 0.25 * half * wave * wave * less_one(second, cos);
+            for (place, side) in interval.sides().iter().enumerate() {
+                let own = 0.5 * arguments[k] * jinc + j(1)[k] * cos;
+                all[(row, end + place)] = wave * (odd + sin * zeroth + side * own);
+            }
+            if let Some(mean) = mean {
+                let [_, moment] = self.carried_by(Other::Mean(number));
+                all[(k, mean)] = 2.0 / half * (odd + sin * zeroth);
+                all[(row, mean)] = -2.0 / half * less_one(zeroth, cos) - moment * wave * wave;
+            }
+        }
+    }
+
+    /// What [`Self::waves`] leaves out, with the columns it belongs to: resultants and moments of the first ones, and rotations of the tests that tell
+    /// them.
+    pub(super) fn long_waves(&self, zeta: &[f64]) -> Vec<(usize, Vec<f64>)> {
+        let carried = self.carried();
+        let of = |resultant: f64, moment: f64, rotation: f64| -> Vec<f64> {
+            let odd = zeta.iter().filter(|_| self.moves()).map(|wave| moment * wave * wave - rotation);
+            zeta.iter().map(|wave| resultant * wave).chain(odd).collect()
+        };
+        let mut all = Vec::new();
+        for first in self.groups().into_iter().map(|group| self.first(group.start)) {
+            all.push((first, of(1.0, 0.0, 0.0)));
+            if self.moves() {
+                all.push((first + 1, of(0.0, carried[first + 1][1], 0.0)));
+            }
+        }
+        for (place, other) in (carried.len()..).zip(self.others()) {
+            if self.tells_rotation_of(other).is_some() {
+                let [resultant, moment] = self.carried_by(other);
+                all.push((place, of(resultant, moment, self.rotation(other))));
+            }
+        }
+        all
+    }
+}
+
+/// cos z − 1.
+fn cosine_minus_one(z: f64) -> f64 {
+    let sine = (0.5 * z).sin();
+    -2.0 * sine * sine
+}
+
+/// (1 + a)(1 + b) − 1.
+fn less_one(a: f64, b: f64) -> f64 {
+    a + b + a * b
+}

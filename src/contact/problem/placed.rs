@@ -1,0 +1,92 @@
+//! A punch anywhere on the top face, one of those whose contacts are not even.
+use crate::contact::problem::Group;
+use crate::contact::problem::profile::{Profile, Span};
+use crate::contact::problem::twin::Twin;
+use crate::scene::{Pressed, Punch, Punches, Tilt};
+
+/// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
+pub(crate) struct Placed<'a> {
+    punch: &'a Punch,
+    profile: Profile<'a>,
+    at: f64,
+    /// Its part of P'.
+    share: f64,
+    tilt: Tilt,
+    length: f64,
+    force: f64,
+    /// Where the profile ends, from the tip.
+    ends: [f64; 2],
+}
+
+impl<'a> Placed<'a> {
+    /// All punches, with x = 0 at this place in units of L, pressed with P' together.
+    pub(crate) fn all(punches: &'a Punches, origin: f64, length: f64, force: f64) -> Vec<Self> {
+        let of = |(pressed, share): (&'a Pressed, f64)| Self {
+            punch: pressed.shape(),
+            profile: Profile::new(pressed.shape(), length, force, Twin::Plane),
+            at: pressed.at() / length - origin,
+            share,
+            tilt: pressed.tilt(),
+            length,
+            force,
+            ends: pressed.shape().ends().map(|end| end / length),
+        };
+        punches.parts().map(of).collect()
+    }
+
+    /// What the intervals under it carry.
+    pub(crate) fn group(&self) -> Group {
+        let moment = match self.tilt {
+            Tilt::Free { eccentricity } => Some(self.share * (self.at + eccentricity / self.length)),
+            Tilt::None | Tilt::Fixed(_) => None,
+        };
+        Group { share: self.share, moment, turns: moment.is_some() }
+    }
+
+    /// The angle by which it is turned, per unit of P', if that is prescribed.
+    pub(crate) fn angle(&self) -> Option<f64> {
+        self.tilt.angle().map(|angle| angle / self.force)
+    }
+
+    /// Height above the tip at x, per unit of P'.
+    pub(crate) fn height(&self, x: f64) -> f64 {
+        self.profile.height(x - self.at) + self.angle().unwrap_or(0.0) * (x - self.at)
+    }
+
+    /// ∫ f' cos kφ dφ of its slope f' over x = m + w cos φ, for k from 0 on.
+    pub(crate) fn rows(&self, middle: f64, half: f64, count: usize) -> Vec<f64> {
+        let rows = self.profile.rows(Span::anywhere(middle - self.at, half), count).rows;
+        let mut rows: Vec<f64> = rows.into_iter().map(|[value, ..]| value).collect();
+        if let Some(first) = rows.first_mut() {
+            *first += std::f64::consts::PI * self.angle().unwrap_or(0.0);
+        }
+        rows
+    }
+
+    /// Where the punch ends; infinite where it does not.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        self.ends.map(|end| self.at + end)
+    }
+
+    /// Where its tip is.
+    pub(crate) fn at(&self) -> f64 {
+        self.at
+    }
+
+    /// The profile by itself, pressed with its own part of the force.
+    pub(crate) fn alone(&self) -> Profile<'a> {
+        Profile::new(self.punch, self.length, self.share * self.force, Twin::Plane)
+    }
+
+    /// The place at which a step of an end from one place to another ends: next to the edge of the punch.
+    pub(crate) fn within(&self, before: f64, after: f64) -> f64 {
+        let [left, right] = self.ends();
+        if after >= right {
+            0.5 * (right + before)
+        } else if after <= left {
+            0.5 * (left + before)
+        } else {
+            after
+        }
+    }
+}
