@@ -92,8 +92,8 @@ pub struct Field {
     pressures: Vec<Pressure>,
     /// Whether the field is its own mirror image about x = 0: it is computed for x ≥ 0 then.
     is_even: bool,
-    /// For each contact a place at which the bodies touch: 0 unless they are apart there.
-    joints: Vec<f64>,
+    /// For each contact two places at which the bodies touch; of an even one the same twice, 0 unless they are apart there.
+    joints: Vec<[f64; 2]>,
     /// μ₀, by which displacements are multiplied.
     modulus: f64,
     /// Ratio of the largest to the smallest stiffness in the stack.
@@ -125,7 +125,7 @@ impl Field {
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let bodies = Body::all(stack, &layers, &pressures, modulus);
-        let joints = solution.contacts().iter().map(Contact::inside).collect();
+        let joints = solution.contacts().iter().map(Contact::touching).collect();
         let below = stack.base();
         let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
         let base = is_joined.then(|| below.foundation().number());

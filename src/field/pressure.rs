@@ -3,6 +3,7 @@ use num_complex::Complex64;
 
 use super::potentials::{Closed, Potentials};
 use super::strip::{Singularity, StripPressure};
+use crate::numeric::bessel;
 use crate::solution::{Contact, Form, Strip};
 
 /// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
@@ -38,7 +39,7 @@ pub(super) enum Parity {
 pub(super) struct Transform {
     /// p̂
     pub(super) value: f64,
-    /// p̂ − P, which is O(λ²), accurate to rounding; an odd pressure has no resultant.
+    /// What is left of p̂ without its limit for long waves, P, or λ times the moment of an odd pressure: accurate to rounding.
     pub(super) variation: f64,
 }
 
@@ -151,9 +152,13 @@ impl Pressure {
         self.strips.iter().map(|(at, strip)| self.images(*at) * strip.resultant()).sum()
     }
 
-    /// The resultant of the even part, which is the resultant of the pressure, or of the odd part.
-    pub(super) fn resultant_of(&self, parity: Parity) -> f64 {
-        if parity == Parity::Even { self.resultant() } else { 0.0 }
+    /// The limit of the transform for long waves: the resultant of the even part, the moment of the odd part times the wavenumber.
+    pub(super) fn of_long_waves(&self, parity: Parity, wavenumber: f64) -> f64 {
+        let moment = |(at, strip): &(f64, StripPressure)| at * strip.resultant() + strip.moment();
+        match parity {
+            Parity::Even => self.resultant(),
+            Parity::Odd => wavenumber * self.strips.iter().map(moment).sum::<f64>(),
+        }
     }
 
     /// The transforms of the even or of the odd part at some wavenumbers.
@@ -164,7 +169,7 @@ impl Pressure {
             let sines = if strip.is_skew() { strip.sines(wavenumbers) } else { Vec::new() };
             let variations = strip.minus_resultant(wavenumbers);
             for (q, ((sum, variation), wavenumber)) in sums.iter_mut().zip(variations).zip(wavenumbers).enumerate() {
-                let odd = sines.get(q).copied().unwrap_or(0.0);
+                let [odd, odd_variation] = sines.get(q).copied().unwrap_or_default();
                 match parity {
                     Parity::Even if *at == 0.0 => {
                         sum.value += resultant + variation;
@@ -179,10 +184,11 @@ impl Pressure {
                         sum.variation += wave * variation - 2.0 * images * sin * sin * resultant + odd;
                     }
                     Parity::Odd => {
-                        let (sin, cos) = (wavenumber * at).sin_cos();
-                        let value = sin * (resultant + variation) + cos * odd;
-                        sum.value += value;
-                        sum.variation += value;
+                        let phase = wavenumber * at;
+                        let ((sin, cos), half) = (phase.sin_cos(), (0.5 * phase).sin());
+                        sum.value += sin * (resultant + variation) + cos * odd;
+                        let of_place = resultant * phase * bessel::sinc_minus_one(phase) + sin * variation;
+                        sum.variation += of_place + cos * odd_variation - 2.0 * half * half * (odd - odd_variation);
                     }
                 }
             }

@@ -87,17 +87,19 @@ impl Field {
         for Joint { layer, depth, x, .. } in &joints {
             let set = if *x == 0.0 { middle } else { sets.len() };
             rows.push(Row { layer: *layer, depth: *depth, set });
-            if *x > 0.0 {
+            if *x != 0.0 {
                 sets.push(vec![*x]);
             }
         }
         let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set], true)).collect();
         self.integrate(&rows, &sets, precision, &mut values)?;
-        let lifts = self.lifts(&joints, &values[asked..]);
+        let motions = self.motions(&joints, &values[asked..]);
         values.truncate(asked);
         for (row, values) in rows.iter().zip(&mut values) {
-            let lift = lifts[self.layers[row.layer].body];
-            values.iter_mut().for_each(|value| value[4] += lift);
+            let placed = &self.layers[row.layer];
+            let depth = row.depth + placed.top - self.bodies[placed.body].top;
+            let places = values.iter_mut().zip(&sets[row.set]);
+            places.for_each(|(value, x)| motions[placed.body].add_to(value, *x, depth));
         }
         Ok(values)
     }
@@ -231,7 +233,13 @@ impl Field {
         let (wavenumbers, weights) = panel.points();
         let of = |(pressure, cut_off): (&Pressure, &CutOff)| match cut_off.end > panel.lo {
             true => pressure.transforms(parity, &wavenumbers),
-            false => vec![Transform { value: 0.0, variation: -pressure.resultant_of(parity) }; wavenumbers.len()],
+            false => {
+                let variation = |wavenumber: &f64| -pressure.of_long_waves(parity, *wavenumber);
+                wavenumbers
+                    .iter()
+                    .map(|wavenumber| Transform { value: 0.0, variation: variation(wavenumber) })
+                    .collect()
+            }
         };
         let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
         Waves { parity, from: panel.lo, wavenumbers, weights, transforms }

@@ -22,7 +22,7 @@ impl StripPressure {
         let sample = |k: i32| {
             let wavenumbers = [0.0, FRAC_PI_2].map(|quarter| (SAMPLED.powi(k) + quarter) / self.half_length);
             let even = self.minus_resultant(&wavenumbers).into_iter().map(|variation| self.resultant() + variation);
-            even.chain(self.sines(&wavenumbers)).fold(0.0, f64::hypot)
+            even.chain(self.sines(&wavenumbers).into_iter().map(|[value, _]| value)).fold(0.0, f64::hypot)
         };
         (0..SAMPLES).map(sample).collect()
     }
@@ -74,8 +74,13 @@ impl StripPressure {
         PI * self.half_length * (0.5 * self.first() * jinc_minus_one + sum / z + corners + tip)
     }
 
-    /// ∫ of the odd part of the pressure times sin λx dx, at some wavenumbers.
-    pub(super) fn sines(&self, wavenumbers: &[f64]) -> Vec<f64> {
+    /// The moment of the odd part of the pressure about its middle.
+    pub(super) fn moment(&self) -> f64 {
+        0.25 * PI * self.half_length.powi(2) * self.skew.first().copied().unwrap_or(0.0)
+    }
+
+    /// ∫ of the odd part of the pressure times sin λx dx, at some wavenumbers, and that less λ times the moment, accurate to rounding.
+    pub(super) fn sines(&self, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
         let n = wavenumbers.len();
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
         let orders = orders(&arguments, 2 * self.skew.len() + 1, false);
@@ -83,7 +88,11 @@ impl StripPressure {
         bessel::table(orders, &arguments, &mut bessel);
         let term = |i: usize, m: usize| (2 * m + 2) as f64 * self.skew[m] * bessel[(2 * m + 2) * n + i];
         let count = self.skew.len().min((orders - 1) / 2);
-        (0..n).map(|i| PI / wavenumbers[i] * (0..count).map(|m| term(i, m)).sum::<f64>()).collect()
+        let of = |i: usize| {
+            let sum = |from: usize| PI / wavenumbers[i] * (from..count).map(|m| term(i, m)).sum::<f64>();
+            [sum(0), wavenumbers[i] * self.moment() * bessel::of_order_minus_one(4, arguments[i]) + sum(1)]
+        };
+        (0..n).map(of).collect()
     }
 }
 
