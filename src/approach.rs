@@ -79,6 +79,9 @@ pub enum ApproachError {
     /// There is no punch.
     #[error("a prescribed traction has no approach")]
     Load,
+    /// There are several punches, or one away from x = 0 or turned.
+    #[error("the approach is computed for one punch that is symmetric about x = 0 only")]
+    Punches,
     /// The displacement of the top face cannot be computed.
     #[error(transparent)]
     Field(#[from] FieldError),
@@ -89,6 +92,7 @@ impl ApproachError {
     pub fn hint(&self) -> String {
         match self {
             Self::Field(cause) => cause.hint().unwrap_or_default(),
+            Self::Punches => "prescribe the force of each punch".to_owned(),
             _ => "prescribe `force`, or `half_length` of the contact under a punch".to_owned(),
         }
     }
@@ -96,7 +100,8 @@ impl ApproachError {
 
 /// The punch, if an approach is defined for it on a stack.
 pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, ApproachError> {
-    let punch = top.punch().ok_or(ApproachError::Load)?;
+    let missing = if top.loads().is_some() { ApproachError::Load } else { ApproachError::Punches };
+    let punch = top.punch().filter(|punch| punch.is_even()).ok_or(missing)?;
     // displacements vanish far from a force that does not act on a whole line
     if stack.geometry().is_axisymmetric() {
         return Ok(punch);
@@ -181,7 +186,7 @@ fn sunk(
     solution: &Solution,
 ) -> Result<[f64; 2], FieldError> {
     let window = |contact: &Contact| {
-        let middle = contact.inside();
+        let [middle, _] = contact.touching();
         Window { middle, half: contact.innermost().right - middle }
     };
     let windows: Vec<Window> = solution.contacts().iter().map(window).collect();

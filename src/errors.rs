@@ -6,7 +6,7 @@ use crate::axis::AxisError;
 use crate::contact::{ContactError, NoSolution};
 use crate::field::FieldError;
 use crate::options::OptionsError;
-use crate::scene::{HeightsError, LoadsError, Scene, SceneError, ValueError};
+use crate::scene::{HeightsError, LoadsError, PunchesError, Scene, SceneError, ValueError};
 use crate::stack::StackError;
 use crate::system::Unresolved;
 
@@ -88,6 +88,12 @@ impl From<LoadsError> for Error {
     }
 }
 
+impl From<PunchesError> for Error {
+    fn from(error: PunchesError) -> Self {
+        Self::Value(error.into())
+    }
+}
+
 impl Error {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     ///
@@ -138,7 +144,7 @@ impl Scene {
             }
             Error::NoSolution(cause @ NoSolution::Unreachable { .. }) => self.error_at_force(cause.hint(), cause),
             Error::Contact(
-                cause @ (ContactError::UnevenLoads | ContactError::UnevenPunch | ContactError::LoadsUnknown { .. }),
+                cause @ (ContactError::UnevenPunch | ContactError::SharpPunches | ContactError::LoadsUnknown { .. }),
             ) => self.error_at_top(cause.hint().unwrap_or_default(), cause),
             Error::Approach(cause) => self.error_at_force(Some(cause.hint()), cause),
             _ => None,

@@ -107,10 +107,11 @@ pub use recede_layers::{
     PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
-    ElasticCylinder, Force, HeightsError, Item, Load, Loads, LoadsError, MAX_BYTES, MAX_ITEMS, PlacedLoad, Punch,
-    Scene, SceneError, Spring, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
+    ElasticCylinder, Force, HeightsError, Item, Load, Loads, LoadsError, MAX_BYTES, MAX_ITEMS, PlacedLoad, Pressed,
+    Punch, Punches, PunchesError, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge,
+    scene_schema, visible,
 };
-pub use solution::{Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
+pub use solution::{Carried, Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,
     StackProblem,

@@ -186,7 +186,8 @@ impl Model {
     /// ```
     ///
     /// # Errors
-    /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined;
+    /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined; [`ApproachError::Punches`] for
+    /// several punches;
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
         if !self.is_of(solution) {

@@ -30,7 +30,7 @@ pub struct ContactProfile {
     pub interface: Interface,
     /// The pressure (compression positive), in stress; infinite at a sharp corner, or under the tip of a wedge.
     pub pressure: Vec<f64>,
-    /// How far the bodies are apart, in length: 0 where they touch; infinite beyond the edge of a punch. None under a given pressure.
+    /// How far the bodies are apart, in length: 0 where they touch; infinite beyond the edge of a punch. None under a given pressure, and under several punches.
     pub gap: Option<Vec<f64>>,
 }
 
@@ -83,14 +83,14 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
 /// The profile of a solution at places along x.
 pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
     let field = Field::new(stack, solution);
-    // a place more, in each contact, from which its gap is counted
+    // two places more in each contact, between which its gap is none: bodies may have turned against each other
     let mut places = x.to_vec();
-    places.extend(solution.contacts().iter().map(Contact::inside));
+    places.extend(solution.contacts().iter().flat_map(Contact::touching));
     let mut faces: Vec<FaceProfile> =
         field.faces(&places)?.into_iter().map(|(layer, side, points)| FaceProfile { layer, side, points }).collect();
     let seen = Seen { top, field: &field, faces: &faces, x: &places };
     let contacts = solution.contacts().iter().enumerate().map(|(i, contact)| {
-        let gap = seen.gap(contact, i, x.len() + i).map(|gap| gap.into_iter().take(x.len()).collect());
+        let gap = seen.gap(contact, i, x.len() + 2 * i).map(|gap| gap.into_iter().take(x.len()).collect());
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
         ContactProfile { interface: contact.interface, pressure, gap }
     });
@@ -108,19 +108,24 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    /// How far the bodies of contact i are apart; `None` under a given pressure. At place number `inside` they touch.
-    fn gap(&self, contact: &Contact, i: usize, inside: usize) -> Option<Vec<f64>> {
+    /// How far the bodies of contact i are apart; `None` under a given pressure, and under several punches. At place number `first` and the next one they
+    /// touch.
+    fn gap(&self, contact: &Contact, i: usize, first: usize) -> Option<Vec<f64>> {
         let Self { top, field, faces, x } = self;
         let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
         let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
         let apart: Vec<f64> = match contact.interface {
             Interface::Punch => {
-                let punch = top.punch()?;
+                let mut parts = top.punches()?.parts();
+                let (pressed, punch) = parts.next().map(|(pressed, _)| (pressed, pressed.shape()))?;
+                if parts.next().is_some() {
+                    return None;
+                }
                 let flattened = punch.material().map(|material| field.flattening(i, &material, x));
                 // nothing is above the stack beyond the edge of a punch
                 let [left, right] = punch.ends();
                 let profile = |x: f64| if left <= x && x <= right { punch.profile(x) } else { f64::INFINITY };
-                let height = |k: usize| profile(x[k]) + flattened.as_ref().map_or(0.0, |all| all[k]);
+                let height = |k: usize| profile(x[k] - pressed.at()) + flattened.as_ref().map_or(0.0, |all| all[k]);
                 (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
             }
             Interface::Between { above, below } => {
@@ -131,6 +136,9 @@ impl Seen<'_> {
         };
         let touching = contact.intervals();
         let touches = |x: f64| touching.iter().any(|interval| interval.left <= x && x <= interval.right);
-        Some(apart.iter().zip(*x).map(|(gap, x)| if touches(*x) { 0.0 } else { gap - apart[inside] }).collect())
+        let (from, to) = (x[first], x[first + 1]);
+        let turn = if from < to { (apart[first + 1] - apart[first]) / (to - from) } else { 0.0 };
+        let closed = |x: f64| apart[first] + turn * (x - from);
+        Some(apart.iter().zip(*x).map(|(gap, x)| if touches(*x) { 0.0 } else { gap - closed(*x) }).collect())
     }
 }

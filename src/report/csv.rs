@@ -7,10 +7,10 @@ use crate::solution::Contact;
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "interface,{},resultant", Contact::COLUMNS.join(","))?;
-    for contact in report.solution.contacts() {
+    for (name, contact) in report.contacts() {
         // neither names nor numbers need quotes; `{:?}` prints as many digits as identify the number
         let numbers = contact.numbers().map(number).join(",");
-        writeln!(out, "{},{numbers},{:?}", report.name(contact), contact.resultant)?;
+        writeln!(out, "{name},{numbers},{:?}", contact.resultant)?;
     }
     Ok(())
 }

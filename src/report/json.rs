@@ -13,6 +13,8 @@ struct Document<'a> {
     scene: &'a str,
     units: Option<Units>,
     contacts: Vec<Contact>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    punches: Vec<Punch>,
     force: f64,
     force_error: f64,
     #[serde(flatten)]
@@ -87,6 +89,15 @@ impl Approach {
             approach_note: note,
         }
     }
+}
+
+/// One of several punches.
+#[derive(Serialize)]
+struct Punch {
+    /// `null`: it is not computed yet.
+    approach: Option<f64>,
+    #[serde(flatten)]
+    carried: solution::Carried,
 }
 
 #[derive(Serialize)]
@@ -171,11 +182,12 @@ impl Contact {
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let solution = report.solution;
-    let contacts = solution.contacts().iter().map(|contact| Contact::of(report.name(contact), contact));
+    let contacts = report.contacts().into_iter().map(|(name, contact)| Contact::of(name, &contact));
     let document = Document {
         scene: report.scene.title(),
         units: report.scene.units.as_ref().map(|units| Units::of(units, report.force())),
         contacts: contacts.collect(),
+        punches: solution.punches().iter().map(|carried| Punch { approach: None, carried: *carried }).collect(),
         force: solution.force(),
         force_error: solution.force_error(),
         approach: report.approach.map(Approach::of),

@@ -68,6 +68,17 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
+    /// The contacts from the top down, those of several punches each by itself, with what they are called.
+    fn contacts(&self) -> Vec<(String, Contact)> {
+        let of = |contact: &Contact| {
+            let each = contact.of_each_punch();
+            let is_one = each.len() == 1;
+            let name = |k: usize| if is_one { self.name(contact) } else { format!("{} {}", self.name(contact), k + 1) };
+            each.into_iter().enumerate().map(|(k, own)| (name(k), own)).collect::<Vec<_>>()
+        };
+        self.solution.contacts().iter().flat_map(of).collect()
+    }
+
     /// What a contact is called: loads in place of the punch are none.
     fn name(&self, contact: &Contact) -> String {
         match (contact.interface, self.scene.top.loads()) {

@@ -68,9 +68,9 @@ fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
         header(&format!("pressure at {} = 0", words.along), stress),
         header("resultant", line_load),
     ]);
-    for contact in report.solution.contacts() {
+    for (name, contact) in report.contacts() {
         table.add_row([
-            report.name(contact),
+            name,
             match (contact.half_length(), contact.half_length_error()) {
                 (Some(half_length), Some(error)) => digits.with_error(half_length, error),
                 _ => "see below".to_owned(),
@@ -99,8 +99,7 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let (solution, digits) = (report.solution, Digits(report.digits));
     let Words { along, distance, line_load: concentrated, .. } = report.scene.geometry.words();
     let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
-    for contact in solution.contacts() {
-        let name = report.name(contact);
+    for (name, contact) in report.contacts() {
         if contact.half_length().is_none() {
             let is_even = contact.is_even();
             // of an even contact x ≥ 0 only: the rest is the mirror image, or the other half of a ring

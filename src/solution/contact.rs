@@ -19,6 +19,8 @@ pub struct Contact {
     pub(crate) strips: Vec<Strip>,
     /// Where the bodies touch, from left to right; one interval at least.
     pub(crate) intervals: Vec<Interval>,
+    /// Under several punches the number of the punch, from the left, of each interval and strip; else none.
+    pub(crate) punches: Vec<usize>,
 }
 
 /// An interval in which the bodies of a contact touch. Lengths are in the unit of the scene.
@@ -88,16 +90,43 @@ impl Contact {
         self.intervals.first().filter(|interval| interval.left == -interval.right && self.intervals.len() == 1)
     }
 
+    /// The contact under each of several punches, from left to right; itself if there is one punch.
+    pub(crate) fn of_each_punch(&self) -> Vec<Self> {
+        let mut numbers = self.punches.clone();
+        numbers.dedup();
+        if numbers.len() < 2 {
+            return vec![self.clone()];
+        }
+        let of = |number: &usize| {
+            let own = |k: &usize| self.punches[*k] == *number;
+            let strips: Vec<Strip> = (0..self.strips.len()).filter(own).map(|k| self.strips[k].clone()).collect();
+            let is_here = strips.iter().any(|strip| strip.at - strip.extent <= 0.0 && strip.at + strip.extent >= 0.0);
+            Self {
+                central_pressure: if is_here { self.central_pressure } else { 0.0 },
+                resultant: strips.iter().map(Strip::resultant).sum(),
+                intervals: (0..self.intervals.len()).filter(own).map(|k| self.intervals[k]).collect(),
+                punches: Vec::new(),
+                strips,
+                ..*self
+            }
+        };
+        numbers.iter().map(of).collect()
+    }
+
     /// The interval about x = 0; where the bodies are apart there, the next one to the right, or the last one of all.
     pub(crate) fn innermost(&self) -> Interval {
         let next = self.intervals.iter().find(|interval| interval.right >= 0.0);
         next.or(self.intervals.last()).copied().unwrap_or_default()
     }
 
-    /// A place at which the bodies touch: 0 unless they are apart there.
-    pub(crate) fn inside(&self) -> f64 {
+    /// Two places at which the bodies touch; the same twice if the contact is its own mirror image: 0 unless they are apart there.
+    pub(crate) fn touching(&self) -> [f64; 2] {
+        let ends = self.intervals.first().zip(self.intervals.last());
+        if let Some((first, last)) = ends.filter(|_| !self.is_even()) {
+            return [first.left, last.right];
+        }
         let Interval { left, right, .. } = self.innermost();
-        if left <= 0.0 && right >= 0.0 { 0.0 } else { 0.5 * (left + right) }
+        [if left <= 0.0 && right >= 0.0 { 0.0 } else { 0.5 * (left + right) }; 2]
     }
 
     /// As far as the bodies touch on either side of x = 0: the half-length, or the distance of the farthest end.

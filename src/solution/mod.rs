@@ -9,6 +9,8 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+use serde::Serialize;
+
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums, jacobi_weights};
@@ -147,13 +149,60 @@ pub struct Solution {
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,
+    /// What each punch carries, if they are not one at x = 0 that is not turned.
+    pub(crate) punches: Vec<Carried>,
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
     pub(crate) stats: Stats,
     pub(crate) warnings: Vec<Warning>,
 }
 
+/// What one of several punches, or one away from x = 0 or turned, carries.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Carried {
+    /// Its force, per unit length out of plane.
+    pub force: f64,
+    /// The angle by which it is turned, in radians, which is added to its slope.
+    pub tilt: f64,
+    /// The moment of the pressures under it about its tip, per unit length out of plane: > 0 if they act on its right.
+    pub moment: f64,
+}
+
 impl Solution {
+    /// All that is even about x = 0, moved along x.
+    pub(crate) fn moved(mut self, by: f64) -> Self {
+        for contact in &mut self.contacts {
+            contact.strips.iter_mut().for_each(|strip| strip.at += by);
+            for interval in &mut contact.intervals {
+                interval.left += by;
+                interval.right += by;
+                interval.centroid += by;
+            }
+            contact.central_pressure = contact.strips.iter().map(|strip| strip.pressure(0.0)).sum();
+            if contact.central_pressure == 0.0 || contact.central_pressure.is_infinite() {
+                contact.central_pressure_error = 0.0;
+            }
+        }
+        self
+    }
+
+    /// What each punch carries, from left to right; none for loads, and for one punch at x = 0 that is not turned.
+    ///
+    /// ```
+    /// use recede::{HalfPlane, Homogeneous, Model, Plane, Pressed, Punch, Punches, Stack, Tilt};
+    /// let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+    /// let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// let roller = |at: f64, force: f64| Pressed::new(Punch::parabola(100.0)?, at, force, Tilt::None);
+    /// let punches = Punches::new(&[roller(0.0, 2e-3)?, roller(1.5, 1e-3)?])?;
+    /// let solution = Model::new(stack)?.press(punches, 3e-3)?;
+    /// let [left, right] = solution.punches() else { unreachable!() };
+    /// assert!((left.force - 2e-3).abs() < 1e-12 && (right.force - 1e-3).abs() < 1e-12);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn punches(&self) -> &[Carried] {
+        &self.punches
+    }
+
     /// The contacts from the top down: the punch first.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
