@@ -138,7 +138,10 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     let Contact { central_pressure, central_pressure_error, .. } = *contact;
-    let Interval { left: opening, right: half_length, right_error: half_length_error, .. } = contact.innermost();
+    let Interval { left: opening, right, right_error: half_length_error, .. } = contact.innermost();
+    // where something is even, the right half of what there is
+    let (from, half_length) = if contact.is_even() { (0.0, right) } else { (opening, right - opening) };
+    let is_apart = opening > 0.0 || right < 0.0;
     if contact.interface == Interface::Punch && scene.top.loads().is_some() {
         // the traction is prescribed
         return None;
@@ -146,7 +149,7 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     let punch = scene.top.punch().filter(|_| contact.interface == Interface::Punch);
     let sharp = punch.is_some_and(Punch::is_sharp);
     for (name, value, infinite) in [("half-length", half_length, false), ("pressure", central_pressure, sharp)] {
-        let none = name == "pressure" && opening > 0.0 && value == 0.0;
+        let none = name == "pressure" && is_apart && value == 0.0;
         if !(none || value > 0.0 && value.is_infinite() == infinite) {
             return Some(format!("the {name} is {value:e}"));
         }
@@ -166,7 +169,7 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     if edge.is_some_and(|edge| half_length >= edge) {
         return Some("the contact reaches past the edge of the punch".to_owned());
     }
-    let pressures = (0..PLACES).map(|i| contact.pressure(half_length * (i as f64 + 0.5) / PLACES as f64));
+    let pressures = (0..PLACES).map(|i| contact.pressure(from + half_length * (i as f64 + 0.5) / PLACES as f64));
     let pressures: Vec<f64> = pressures.collect();
     let largest = pressures.iter().copied().fold(0.0, f64::max);
     let smallest = pressures.iter().copied().fold(largest, f64::min);
@@ -174,7 +177,7 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
         return Some("a pressure is not a number".to_owned());
     }
     // tension below the answer's own error estimate is no error
-    let allowed = if sharp || opening > 0.0 { TENSION } else { TENSION.max(central_pressure_error / central_pressure) };
+    let allowed = if sharp || is_apart { TENSION } else { TENSION.max(central_pressure_error / central_pressure) };
     (smallest < -allowed * largest).then(|| format!("tension of {:.1e} of the largest pressure", -smallest / largest))
 }
 

@@ -60,9 +60,7 @@ pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
     let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units.stress, ..kinds });
     let items = kinds.items(&scenario)?;
-    // only where no layer may lift off loads need not be symmetric
-    let is_joined = items.iter().all(|item| !matches!(item, Item::Receding));
-    Ok(Scene::new(scenario.plane, kinds.top(&scenario, is_joined)?, scenario.force, items))
+    Ok(Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items))
 }
 
 /// The same scene about an axis, with the last of several loads as a ring, and layers and a base of isotropic materials in place of
@@ -95,7 +93,7 @@ pub fn about_axis(mut scene: Scene) -> Scene {
 
 impl Kinds {
     /// A punch of about the curvature of the scenario's, over the contact that this has on a half-plane, or loads.
-    fn top(&self, scenario: &Scenario, is_joined: bool) -> Result<Top, ValueError> {
+    fn top(&self, scenario: &Scenario) -> Result<Top, ValueError> {
         let (radius, share) = (scenario.radius, self.share);
         let width = (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius);
         let height = 0.5 * width * width / radius;
@@ -117,7 +115,7 @@ impl Kinds {
             8 => return Load::parabolic(width).map(Top::from),
             9 => return Load::elliptic(width).map(Top::from),
             10 => Punch::flat(width),
-            11 => return self.several(width, is_joined).map(Top::from),
+            11 => return self.several(width).map(Top::from),
             // lowest on either side of x = 0
             12 => Punch::polynomial(width, &[-share * height, height]),
             _ => scenario.punch(),
@@ -125,14 +123,14 @@ impl Kinds {
         punch.map(Top::from)
     }
 
-    /// Two strips and a line between them, or the like; on joined layers only what is on the right.
-    fn several(&self, width: f64, is_joined: bool) -> Result<Loads, ValueError> {
+    /// Two strips and a line on one side, and every second time their mirror images.
+    fn several(&self, width: f64) -> Result<Loads, ValueError> {
         let part = 0.5 * width;
         let mut loads = vec![(Load::Line, 0.0, 0.1)];
         for (load, at, force) in
             [(Load::parabolic(part)?, 0.5 * part, 0.1 + self.share), (Load::uniform(part)?, self.share * width, 1.0)]
         {
-            if !is_joined {
+            if (10.0 * self.share).fract() < 0.5 {
                 loads.push((load.clone(), -at, force));
             }
             loads.push((load, at, force));
