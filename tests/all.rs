@@ -10,6 +10,7 @@ mod contact;
 mod scenario;
 mod support;
 
+mod anywhere;
 mod approach;
 mod boundary_layers;
 mod cli;
@@ -47,6 +48,7 @@ mod outputs;
 mod paper;
 mod parquet;
 mod parts;
+mod placed_punches;
 mod plies;
 mod plot;
 mod profile;

@@ -50,7 +50,7 @@ fn intervals_carry_the_force_in_balance() {
         let force: f64 = intervals.iter().map(|interval| interval.force).sum();
         let moment: f64 = intervals.iter().map(|interval| interval.force * interval.centroid).sum();
         assert!((force / contact.resultant - 1.0).abs() < 1e-12, "{name}: {force} {}", contact.resultant);
-        // loads on joined layers need not be symmetric
+        // what presses need not be symmetric
         let mean = contact.resultant / contact.reach();
         let is_mirrored = |x: f64| (contact.pressure(x) - contact.pressure(-x)).abs() < 1e-9 * mean;
         if [0.1, 0.3, 0.6, 0.9].into_iter().all(|part| is_mirrored(part * contact.reach())) {
@@ -58,7 +58,9 @@ fn intervals_carry_the_force_in_balance() {
             let whole = contact.half_length().is_some();
             assert_eq!(whole, intervals.len() == 1, "{name}");
         } else {
-            assert_eq!(contact.interface, recede::Interface::Punch, "{name}");
+            // loads may overlap on an interval that is symmetric
+            let is_given = contact.interface == recede::Interface::Punch;
+            assert!(is_given || contact.half_length().is_none(), "{name}");
         }
         for interval in intervals {
             assert!((interval.left..=interval.right).contains(&interval.centroid), "{name}: {interval:?}");

@@ -258,7 +258,7 @@ fn a_table_of_both_sides_is_that_of_one_if_they_are_the_same() {
 }
 
 #[test]
-fn uneven_punches_are_read_written_and_swept_and_refused_where_they_stand() {
+fn uneven_punches_are_read_written_and_swept_and_sharp_ones_refused() {
     let table = "Table([(-2, 0.2), (-1, 0.06), (0, 0), (1, 0.05), (2, 0.3)])";
     let (force, depth) = ("force: 0.02", "depth: 0.001");
     for punch in ["Wedge(slope: 0.1, left: 0.2)", table] {
@@ -276,9 +276,15 @@ fn uneven_punches_are_read_written_and_swept_and_refused_where_they_stand() {
             for method in [Method::Galerkin, Method::Collocation] {
                 let model = Model::new(scene.stack().unwrap()).unwrap();
                 let options = Options { method, ..Options::default() };
-                let error = scene.locate(model.press_with(&scene.top, scene.force, &options).unwrap_err());
+                let found = model.press_with(&scene.top, scene.force, &options);
+                // a smooth one is solved for
+                if punch == table && given == force && method == Method::Galerkin {
+                    let contact = found.unwrap().contacts()[0].clone();
+                    assert!(contact.half_length().is_none() && (contact.resultant / 0.02 - 1.0).abs() < 1e-12);
+                    continue;
+                }
+                let error = scene.locate(found.unwrap_err());
                 assert!(error.is_input() && error.hint().is_some(), "{error}");
-                assert!(error.to_string().starts_with("scene:1:37: the punch is not symmetric about x = 0"), "{error}");
             }
         }
     }
