@@ -23,7 +23,10 @@ from ._errors import InputError as InputError
 from ._errors import Interrupted as Interrupted
 from ._errors import NoSolutionError as NoSolutionError
 from ._errors import SolutionWarning as SolutionWarning
+from ._items import Fixed as Fixed
+from ._items import Free as Free
 from ._items import Item as Item
+from ._items import Tilt as Tilt
 from ._recede import Contact as Contact
 from ._recede import Field as Field
 from ._recede import Model as Model
@@ -39,6 +42,7 @@ from ._table import Columns as Columns
 from ._text import FunctionLayer as FunctionLayer
 from ._text import Stack as Stack
 from ._values import PlacedLoad as PlacedLoad
+from ._values import Pressed as Pressed
 from ._values import Units as Units
 from .items import *  # noqa: F403
 

@@ -8,10 +8,10 @@ from typing import Any, ClassVar
 
 from ._errors import InputError
 from ._recede import CompiledTop, Scene
-from ._values import Written, hints, is_record, kept, members, written
+from ._values import Number, Written, hints, is_record, kept, members, written
 
 #: What the reader of scenes calls the item that it reads.
-OWNER = r"(?:layer \d+ \(\w+\)|the springs below layer \d+|the punch|the load)"
+OWNER = r"(?:layer \d+ \(\w+\)|the springs below layer \d+|the punch|the load|punch \d+)"
 #: Units for numbers that have one.
 UNITS = 'units: (length: "m", force: "N"), '
 PUNCH = "punch: Parabola(radius: 1.0)"
@@ -156,6 +156,48 @@ class Load(_Top):
 
     __slots__ = ()
     _key = "load"
+
+
+class Tilt(Item):
+    """Whether a punch turns, by small angles."""
+
+    __slots__ = ()
+
+    def _scenes(self) -> list[str]:
+        punches = f"punches: [(shape: Parabola(radius: 1.0), at: 0.0, force: 1.0, tilt: {self.ron()})]"
+        return [f"Scene(geometry: PlaneStrain, {UNITS}{punches}, stack: [{GROUND}])"]
+
+    def _path(self, field: str) -> str:
+        # the first one is the field of the punch
+        return ".".join([type(self).__name__, *field.split(".")[1:]])
+
+
+class Fixed(Tilt):
+    """A punch is turned by a small angle, which is added to its slope, and cannot turn farther.
+
+    Args:
+        value: the angle, in radians. Allowed: a finite number.
+    """
+
+    __slots__ = ("value",)
+    value: float | str
+
+    def __init__(self, value: Number) -> None:
+        self._set(value=value)
+
+
+class Free(Tilt):
+    """A punch turns freely until the pressures under it have the moment of its force.
+
+    Args:
+        eccentricity: how far to the right of its tip its force acts, in length. Allowed: a finite number.
+    """
+
+    __slots__ = ("eccentricity",)
+    eccentricity: float | str
+
+    def __init__(self, *, eccentricity: Number) -> None:
+        self._set(eccentricity=eccentricity)
 
 
 class Profile(Item):

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Fields
-from ._items import Item, Load, Punch
+from ._items import Item, Load, Punch, Tilt
 from ._solutions import Contacts, Interval, Solutions
 from ._table import Columns
 from ._text import Stack
-from ._values import PlacedLoad, Units
+from ._values import PlacedLoad, Pressed, Units
 
 __all__ = [
     "CompiledTop",
@@ -38,6 +38,8 @@ class Scene:
         stack: a `Stack`, or its items from the top down.
         punch: such as `Cylinder(radius=500)`; its tip is at x = 0.
         force: the force, per unit length out of the plane, or the whole force in axisymmetric scenes; a number > 0.
+        punches: in place of punch and force: several punches, each with the place of its tip on x, its force, and a tilt if it is turned,
+            such as `[(Cylinder(radius=100), 0.0, 0.002), (Flat(half_width=0.5), 3.0, 0.001, Free(eccentricity=0.1))]`.
         load: a pressure that is given, in place of the punch.
         loads: in place of punch and force: several loads, each with the place of its middle on x and its force, such as
             `[(Line(), -0.5, 0.2), (Uniform(half_width=0.2), 1.0, 0.8)]`.
@@ -59,6 +61,7 @@ class Scene:
         punch: Punch | None = None,
         force: float | str | None = None,
         *,
+        punches: Iterable[Pressed | tuple[Punch, float, float] | tuple[Punch, float, float, Tilt | None] | Mapping[str, object]] | None = None,
         load: Load | None = None,
         loads: Iterable[PlacedLoad | tuple[Load, float, float] | Mapping[str, object]] | None = None,
         half_length: float | str | None = None,
@@ -110,7 +113,10 @@ class Scene:
         """The stack."""
     @property
     def punch(self) -> Punch | None:
-        """The punch; None where a load takes its place."""
+        """The punch; None where others, or a load, take its place."""
+    @property
+    def punches(self) -> tuple[Pressed, ...] | None:
+        """The punches, where they are several, or one away from x = 0 or tilted, with their places, forces and tilts; or None."""
     @property
     def load(self) -> Load | None:
         """The load in place of a punch, or None."""

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ._items import Item, Load, Punch, StackItem, named
+from ._items import Item, Load, Punch, StackItem, Tilt, named
 from ._recede import Model, Scene, Solution
-from ._values import PlacedLoad, Units, kept, written
+from ._values import PlacedLoad, Pressed, Units, kept, written
 
 INDENT = "    "
 KINDS_OF_FORCE = ("force", "half_length", "depth")
@@ -126,6 +126,7 @@ def scene(
     punch: Any,
     force: Any,
     *,
+    punches: Any = None,
     load: Any = None,
     loads: Any = None,
     half_length: Any = None,
@@ -157,7 +158,8 @@ def scene(
     chosen = geometry or (stack.geometry if isinstance(stack, Stack) else "PlaneStrain")
     text.add(f"{INDENT}geometry: {chosen},", f"geometry={chosen!r}")
     placed = None if loads is None else kept(loads, tuple[PlacedLoad, ...], "loads")
-    for called, one in {"punch": punch, "load": load, "loads": placed, **numbers}.items():
+    pressed = None if punches is None else kept(punches, tuple[Pressed, ...], "punches")
+    for called, one in {"punch": punch, "punches": pressed, "load": load, "loads": placed, **numbers}.items():
         if one is not None:
             value = kept(one, object, called)
             text.add(f"{INDENT}{called}: {written(value)},", one if isinstance(one, Item) else f"{called}={value!r}")
@@ -213,6 +215,10 @@ def parts(text: str) -> dict[str, Any]:
     found["units"] = Units(**data["units"]) if data.get("units") else None
     found["stack"] = Stack([named(StackItem, one) for one in data["stack"]], data["geometry"])
     found |= {name: part(text, name) for name in ("punch", "load")}
+    punches = data.get("punches")
+    found["punches"] = punches and tuple(
+        Pressed(named(Punch, one["shape"]), one["at"], one["force"], named(Tilt, one["tilt"]) if "tilt" in one else None) for one in punches
+    )
     loads = data.get("loads")
     found["loads"] = loads and tuple(PlacedLoad(named(Load, one["load"]), one["at"], one["force"]) for one in loads)
     return found

@@ -44,6 +44,22 @@ class PlacedLoad(NamedTuple):
     force: Number
 
 
+class Pressed(NamedTuple):
+    """One of several punches of a scene, such as `Pressed(Flat(half_width=0.5), at=3.0, force=0.001, tilt=Free(eccentricity=0.1))`.
+
+    Args:
+        shape: the punch.
+        at: where its tip is on x, in length.
+        force: the force on it, per unit length out of the plane.
+        tilt: None if it cannot turn, `Fixed(angle)` if it is turned by a small angle, `Free(eccentricity=...)` if it turns freely.
+    """
+
+    shape: Written
+    at: Number
+    force: Number
+    tilt: Written | None = None
+
+
 class Written:
     """What has a text of its own in a scene."""
 

@@ -69,6 +69,8 @@ impl Source {
 ///     stack: a `Stack`, or its items from the top down.
 ///     punch: such as `Cylinder(radius=500)`; its tip is at x = 0.
 ///     force: the force, per unit length out of the plane, or the whole force in axisymmetric scenes; a number > 0.
+///     punches: in place of punch and force: several punches, each with the place of its tip on x, its force, and a tilt if it is turned,
+///         such as `[(Cylinder(radius=100), 0.0, 0.002), (Flat(half_width=0.5), 3.0, 0.001, Free(eccentricity=0.1))]`.
 ///     load: a pressure that is given, in place of the punch.
 ///     loads: in place of punch and force: several loads, each with the place of its middle on x and its force, such as
 ///         `[(Line(), -0.5, 0.2), (Uniform(half_width=0.2), 1.0, 0.8)]`.
@@ -138,13 +140,14 @@ impl Scene {
 #[pymethods]
 impl Scene {
     #[new]
-    #[pyo3(signature = (stack, punch=None, force=None, *, load=None, loads=None, half_length=None, depth=None, geometry=None, name=None, description=None, units=None))]
+    #[pyo3(signature = (stack, punch=None, force=None, *, punches=None, load=None, loads=None, half_length=None, depth=None, geometry=None, name=None, description=None, units=None))]
     #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
     fn new(
         py: Python<'_>,
         stack: &Bound<'_, PyAny>,
         punch: Option<&Bound<'_, PyAny>>,
         force: Option<&Bound<'_, PyAny>>,
+        punches: Option<&Bound<'_, PyAny>>,
         load: Option<&Bound<'_, PyAny>>,
         loads: Option<&Bound<'_, PyAny>>,
         half_length: Option<&Bound<'_, PyAny>>,
@@ -156,6 +159,7 @@ impl Scene {
     ) -> PyResult<Self> {
         let fields = PyDict::new(py);
         let given = [
+            ("punches", punches),
             ("load", load),
             ("loads", loads),
             ("half_length", half_length),
@@ -249,10 +253,16 @@ impl Scene {
         self.part(py, "stack")
     }
 
-    /// The punch; None where a load takes its place.
+    /// The punch; None where others, or a load, take its place.
     #[getter]
     fn punch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.part(py, "punch")
+    }
+
+    /// The punches, where they are several, or one away from x = 0 or tilted, with their places, forces and tilts; or None.
+    #[getter]
+    fn punches<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "punches")
     }
 
     /// The load in place of a punch, or None.

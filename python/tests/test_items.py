@@ -330,3 +330,31 @@ def test_several_loads_have_places_and_forces():
         assert [(one.left, one.right, one.force) for one in contact.intervals] == [(-0.5, -0.5, 0.2), (0.8, 1.2, 0.8)]
     with pytest.raises(recede.InputError, match="`loads` and `force`"):
         Scene(stack, force=1.0, loads=placed)
+
+
+def test_several_punches_have_places_forces_and_tilts():
+    stack = Stack([Homogeneous(thickness=1.0, young=200.0, poisson=0.3), recede.Bonded(), recede.HalfPlane(young=70.0, poisson=0.3)])
+    roller, block = recede.Cylinder(radius=100.0), recede.Flat(half_width=0.5)
+    free, fixed = recede.Free(eccentricity=0.1), recede.Fixed(0.01)
+    pressed = (recede.Pressed(roller, at=0.0, force=0.002), recede.Pressed(block, at=3.0, force=0.001, tilt=free))
+    named = [{"shape": roller, "at": 0.0, "force": 0.002}, {"shape": block, "at": 3.0, "force": 0.001, "tilt": free}]
+    for punches in (pressed, named, [(roller, 0.0, 0.002), (block, 3.0, 0.001, free)]):
+        scene = Scene(stack, punches=punches)
+        assert scene.punches == pressed and scene.punch is scene.loads is scene.force is None
+        assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
+        with pytest.raises(recede.InputError, match="a punch with a sharp tip"):
+            scene.solve()
+    (turned,) = Scene(stack, punches=[(block, 0.0, 0.001, fixed)]).punches
+    assert turned.tilt == fixed and repr(fixed) == "Fixed(value=0.01)" and isinstance(fixed, recede.Tilt)
+    # one at x = 0 that is not turned is the punch
+    one = Scene(stack, punches=[(block, 0.0, 0.001)])
+    assert (one.punch, one.force, one.punches) == (block, 0.001, None) and one.solve() == Scene(stack, block, 0.001).solve()
+    assert Scene(stack, punches=[(block, 1.0, 0.001, recede.Fixed("45 deg"))]).number("punches[1].tilt") == np.pi / 4
+    for make, message in [
+        (lambda: Scene(stack, force=1.0, punches=pressed), "`punches` and `force`"),
+        (lambda: recede.Free(eccentricity=float("inf")), r"^`Free.eccentricity`: found inf"),
+        (lambda: recede.Fixed(float("nan")), r"^`Fixed`: found NaN|^`Fixed.*: found NaN"),
+        (lambda: Scene(stack, punches=[(block, 0.0, 0.001, recede.Free(eccentricity=0.5))]), "eccentricity of punch 1 is 0.5"),
+    ]:
+        with pytest.raises(recede.InputError, match=message):
+            make()
