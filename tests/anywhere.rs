@@ -1,7 +1,7 @@
 //! Contacts where nothing is even.
 //!
-//! Goal: under loads anywhere contacts are those of independent programs; they move with the loads, are mirrored with them, and where loads are even but
-//! for their place, they are what the solver for even contacts finds; every contact carries the force on its line of action; random scenes are solved.
+//! Goal: under loads and punches anywhere independent programs find the same contacts; they move with the loads, are mirrored with them, and where loads are even but
+//! for their place, the solver for even contacts finds the same; every contact carries the force on its line of action; random scenes are solved.
 //!
 //! Source of the numbers: an independent program, see [`ASYMMETRIC`].
 use recede::selftest::{Check, Outcome, Ranges, scene_of_any_kind};

@@ -37,9 +37,7 @@ pub(crate) fn press_to<E: From<ContactError>>(
     press: impl Fn(f64) -> Result<Solution, ContactError>,
     measure: impl Fn(&Solution) -> Result<Measured, E>,
 ) -> Result<Solution, E> {
-    let missing =
-        if top.loads().is_some() { ContactError::LoadControlled(controlled) } else { ContactError::UnevenPunch };
-    let punch = top.punch().filter(|punch| punch.is_even()).ok_or(missing)?;
+    let punch = even_punch(top, controlled)?;
     let unreachable = |below, above| {
         let punch = top.label(kernel.geometry());
         ContactError::from(NoSolution::Unreachable { controlled, punch, wanted, below, above })
@@ -90,6 +88,13 @@ pub(crate) fn press_to<E: From<ContactError>>(
             Err(ContactError::from(NoSolution::ForceNotFound { controlled, punch, wanted, below, above, cause }).into())
         }
     }
+}
+
+/// The punch, of which alone something else than the force can be prescribed.
+fn even_punch(top: &Top, controlled: Controlled) -> Result<&Punch, ContactError> {
+    let missing =
+        if top.loads().is_some() { ContactError::LoadControlled(controlled) } else { ContactError::UnevenPunch };
+    top.punch().filter(|punch| punch.is_even()).ok_or(missing)
 }
 
 /// A force that was solved for, and what was found.

@@ -49,7 +49,7 @@ impl Measure {
         if self.is_norm() { value * value } else { value }
     }
 
-    /// Its value from that of the smooth function.
+    /// Its value from the value of the smooth function.
     pub(super) fn value(self, smooth: f64) -> f64 {
         if self.is_norm() { smooth.abs().sqrt().copysign(smooth) } else { smooth }
     }

@@ -13,7 +13,7 @@ pub(super) const POINTS: usize = 5;
 /// times the distance from the ends, or from the loaded face. Half as long, searches take twice as long and find the same.
 const LONGEST: [f64; 2] = [0.5, 1.0];
 const GROWTH: f64 = 3.0;
-/// Pieces that are shorter than this part of their distance from 0 are left out: their ends are the same but for rounding, or those of a
+/// Pieces that are shorter than this part of their distance from 0 are left out: their ends are the same but for rounding, or the ends of a
 /// load that ends abruptly, of which stresses have limits from either side.
 const ROUNDED: f64 = 1e-9;
 /// Layers are searched to this number of half-lengths beyond the ends of their loads or, where stresses far from loads are wanted, to this

@@ -1,5 +1,5 @@
 //! Where stresses are largest: layers are cut into pieces, and in each of them the highest place of the polynomial through the values at
-//! its Chebyshev points is the middle of a smaller piece, until the values are those of the polynomial. All quantities are searched for
+//! its Chebyshev points is the middle of a smaller piece, until the values and the polynomial are the same. All quantities are searched for
 //! at once, since the sums over wavenumbers are shared.
 use super::error::FieldError;
 use super::measure::{Extent, Measure, Search};
@@ -166,7 +166,7 @@ fn uppermost(candidates: Vec<Candidate>) -> Option<Peak> {
     same.min_by(|a, b| a.layer.cmp(&b.layer).then(b.value.total_cmp(&a.value)))
 }
 
-/// The highest pieces, those that are followed.
+/// The highest pieces, which are followed.
 fn promising(mut all: Vec<(Polynomial, f64)>, measure: Measure) -> Vec<Candidate> {
     let highest = all.iter().fold(0.0, |highest: f64, (one, _)| highest.max(one.highest_point().1));
     all.retain(|(one, error)| one.highest_point().1 + error >= PROMISING * highest);

@@ -68,7 +68,7 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// The contacts from the top down, those of several punches each by itself, with what they are called.
+    /// The names and contacts from the top down; the contact under each of several punches stands by itself.
     fn contacts(&self) -> Vec<(String, Contact)> {
         let of = |contact: &Contact| {
             let each = contact.of_each_punch();

@@ -11,7 +11,7 @@ pub(super) fn without_units(scene: &mut Node, origin: &Origin) -> Result<(), Sce
     let Kind::Fields(fields) = &mut scene.kind else { return Ok(()) };
     let of_numbers = fields.iter_mut().filter(|field| !matches!(&*field.name, "name" | "description" | "units"));
     for Entry { name, value, .. } in of_numbers {
-        // the numbers of punches that say nothing else, those of tables, are lengths
+        // numbers of punches that say nothing else are lengths: heights and places in tables
         let own = if &**name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) };
         let dimension = own.or(matches!(&**name, "punch" | "punches").then_some(Dimension::LENGTH));
         convert(value, dimension, units.as_ref(), origin)?;

@@ -143,7 +143,7 @@ impl Pressed {
         format!("{} at {:?}", self.shape.label(Geometry::PlaneStrain), self.at())
     }
 
-    /// Why it is none, as number so many in the list.
+    /// Whether it is legal as the punch of this number in the list.
     fn check(&self, number: usize) -> Result<(), PunchesError> {
         match (&self.shape, self.tilt) {
             (Punch::Flat { half_width }, Tilt::Free { eccentricity }) if eccentricity.abs() >= half_width.get() => {

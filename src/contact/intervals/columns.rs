@@ -90,6 +90,12 @@ impl Columns<'_> {
         self.groups().into_iter().flat_map(of).collect()
     }
 
+    /// The place of a test that is no column, behind all columns.
+    pub(super) fn place(&self, wanted: Other) -> Option<usize> {
+        let place = self.others().iter().position(|other| *other == wanted);
+        place.map(|place| self.terms() + self.ends() + place)
+    }
+
     /// The first interval of the group of an interval.
     fn head(&self, interval: usize) -> usize {
         let punch = self.intervals[interval].punch;
@@ -171,16 +177,15 @@ impl Columns<'_> {
         for (into, interval) in self.interval_of_columns().into_iter().enumerate() {
             all.extend(self.subtracted_from(into, interval, carried[into], &carried));
         }
-        let place = |wanted: Other| others.iter().position(|other| *other == wanted);
         for (number, other) in others.iter().enumerate().filter(|(_, other)| self.tells_rotation_of(**other).is_none())
         {
             let (Other::Mean(interval) | Other::Closing(interval)) = *other;
             let into = carried.len() + number;
             let head = Other::Mean(self.head(interval));
             let mut own = self.carried_by(*other);
-            if let Some(from) = place(head).filter(|_| self.moves()) {
+            if let Some(from) = self.place(head).filter(|_| self.moves()) {
                 let part = self.rotation(*other) / self.rotation(head);
-                all.push(Subtracted { into, from: carried.len() + from, part });
+                all.push(Subtracted { into, from, part });
                 own.iter_mut().zip(self.carried_by(head)).for_each(|(own, first)| *own -= part * first);
             }
             all.extend(self.subtracted_from(into, interval, own, &carried));

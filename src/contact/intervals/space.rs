@@ -29,14 +29,13 @@ impl Columns<'_> {
         let rows = terms + ends + others.len();
         let mut matrix = Mat::zeros(rows, terms + ends);
         let mut load = vec![0.0; rows];
-        let place = |wanted: Other| others.iter().position(|other| *other == wanted).map(|place| terms + ends + place);
         for (number, interval) in self.intervals.iter().enumerate() {
             let (row, count) = (self.first(number), self.counts[number]);
             let points = POINTS + PER_MODE * interval.order(count - 1);
             let angles: Vec<f64> = (0..points).map(|q| PI * (q as f64 + 0.5) / points as f64).collect();
             let places: Vec<f64> = angles.iter().map(|theta| interval.middle + interval.half * theta.cos()).collect();
             let factor = 2.0 / (interval.half * points as f64);
-            let mean = place(Other::Mean(number));
+            let mean = self.place(Other::Mean(number));
             // the test with k = 0 last
             let all: Vec<(usize, usize)> =
                 (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();

@@ -60,8 +60,7 @@ impl Columns<'_> {
             }
         }
         let end = self.terms() + self.end(number);
-        let mean = self.others().iter().position(|other| *other == Other::Mean(number));
-        let mean = mean.map(|place| self.terms() + self.ends() + place);
+        let mean = self.place(Other::Mean(number));
         for (k, wave) in zeta.iter().enumerate() {
             let (sin, phase) = (phases[k].0, wave * middle);
             let jinc = bessel::jinc_minus_one_from(arguments[k], j(1)[k]);

@@ -43,7 +43,7 @@ pub(crate) struct Problem<'a> {
     pub(crate) operations: f64,
 }
 
-/// What the intervals under one punch, or all those of one contact between layers, carry together.
+/// Force, moment and rotation of a group of intervals: under one punch, or all intervals of a contact between layers.
 pub(crate) struct Group {
     /// Their part of P'.
     pub(crate) share: f64,
@@ -160,7 +160,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// A punch of those that press on a contact where nothing is even.
+    /// The punch of this number on a contact where nothing is even.
     pub(crate) fn placed(&self, contact: usize, punch: usize) -> Option<&Placed<'a>> {
         if let Side::Punches(all) = &self.sides[contact] { all.get(punch) } else { None }
     }
