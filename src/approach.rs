@@ -154,7 +154,7 @@ fn stiffness(
         let corners: f64 = tangent.strips.iter().map(|strip| strip.corners).sum();
         let (a, error) = (contact.half_length().unwrap_or(0.0), contact.half_length_error().unwrap_or(0.0));
         let around = if stack.geometry().is_axisymmetric() { std::f64::consts::PI * a } else { 1.0 };
-        2.0 * std::f64::consts::PI * around * a * corners * corners / kernel.contact_modulus(i, None) * error
+        2.0 * std::f64::consts::PI * around * a * corners * corners / kernel.contact_modulus(i) * error
     });
     let relative = ROUNDING + relative_error(tangent, false);
     let error = SAFETY * (ends.sum::<f64>() + (compliance - second).abs() + relative * compliance.abs());

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
 use crate::collocation;
-use crate::contact::{self, Controlled, Measured, Table};
+use crate::contact::{self, Asked, Controlled, Measured, Table};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
@@ -12,7 +12,6 @@ use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Scene, Top};
 use crate::solution::{Contact, Interface, Owner, Solution};
 use crate::stack::Stack;
-use crate::validity;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
 ///
@@ -102,27 +101,31 @@ impl Model {
         if let Some(material) = top.material() {
             self.stack.check_punch(&material)?;
         }
-        let (kernel, table) = (&self.kernel, self.table.as_deref());
-        contact::is_solvable(top, kernel)?;
-        let press = |force: f64| match options.method {
-            Method::Galerkin => contact::press(kernel, table, &self.interfaces, top, force, options),
-            Method::Collocation => collocation::press(kernel, &self.interfaces, top, force, options),
+        let asked = Asked {
+            stack: &self.key,
+            kernel: &self.kernel,
+            table: self.table.as_deref(),
+            interfaces: &self.interfaces,
+            top,
+            tolerance: options.tolerance,
         };
-        let solution = match force {
-            Force::Given(force) => press(force)?,
+        asked.is_solvable()?;
+        let press = |force: f64| match options.method {
+            Method::Galerkin => contact::press(&asked, force),
+            Method::Collocation => collocation::press(&asked, force),
+        };
+        match force {
+            Force::Given(force) => Ok(press(force)?),
             Force::ForHalfLength(wanted) => {
                 let wanted = (Controlled::HalfLength, wanted);
-                contact::press_to(kernel, top, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))?
+                contact::press_to(&self.kernel, top, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))
             }
             Force::ForDepth(wanted) => {
                 approach::defined(top, &self.stack)?;
                 let depth = |found: &Solution| Ok::<_, Error>(approach::depth(top, &self.stack, found)?);
-                contact::press_to(kernel, top, (Controlled::Approach, wanted), options, press, depth)?
+                contact::press_to(&self.kernel, top, (Controlled::Approach, wanted), options, press, depth)
             }
-        };
-        let mut solution = Solution { stack: Some(self.key.clone()), ..solution };
-        solution.warnings.extend(validity::warnings(top, kernel, &solution));
-        Ok(solution)
+        }
     }
 
     /// Whether a solution belongs to the stack.

@@ -2,7 +2,7 @@
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::scene::{Punch, Top};
-use crate::solution::{Contact, Interval, Solution, Warning, WarningCode};
+use crate::solution::{Contact, Interval, Warning, WarningCode};
 
 /// A contact longer than this part of the radius of its punch is long: strains under a cylinder are about a/(4R).
 const LONG: f64 = 0.3;
@@ -13,17 +13,16 @@ const LARGE: f64 = 0.1;
 /// In how many places the slope of a punch is looked at in each interval.
 const PLACES: usize = 32;
 
-/// What is to be said of a solution for a stack with this kernel.
-pub(crate) fn warnings(top: &Top, kernel: &Kernel, solution: &Solution) -> Vec<Warning> {
-    let Some(first) = solution.contacts().first() else { return Vec::new() };
+/// What is to be said of contacts of a stack and a punch with this kernel together.
+pub(crate) fn warnings(top: &Top, kernel: &Kernel, contacts: &[Contact]) -> Vec<Warning> {
+    let Some(first) = contacts.first() else { return Vec::new() };
     let shape = top.punch().and_then(|punch| match radius(punch) {
         Some(radius) => long(first.reach() / radius, kernel.geometry()),
         None => steep(punch, first),
     });
-    let (contacts, material) = (solution.contacts().iter().enumerate(), top.material());
-    let pressures = contacts.filter_map(|(i, contact)| {
+    let pressures = contacts.iter().enumerate().filter_map(|(i, contact)| {
         let name = if i == 0 && top.loads().is_some() { "load".to_owned() } else { contact.interface.to_string() };
-        large(&name, contact, kernel.geometry(), kernel.contact_modulus(i, material.as_ref()))
+        large(&name, contact, kernel.geometry(), kernel.contact_modulus(i))
     });
     shape.into_iter().chain(pressures).collect()
 }

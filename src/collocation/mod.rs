@@ -12,11 +12,8 @@ mod spectrum;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::options::Options;
-use crate::scene::Top;
-use crate::solution::{Interface, Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Solution, Stats, Strip, Warning, WarningCode};
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::even::RightInterval;
@@ -25,7 +22,7 @@ use crate::contact::problem::modes::alternating;
 use crate::contact::problem::{Problem, Side};
 use crate::contact::quality::levels::Start;
 use crate::contact::starts::order::solve_in_order;
-use crate::contact::{ContactError, NoSolution, kernel_under};
+use crate::contact::{Asked, ContactError, NoSolution};
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -59,15 +56,9 @@ struct Discretised {
 }
 
 /// Presses a punch on a stack: the answer in the units of the scene.
-pub(crate) fn press(
-    kernel: &Kernel,
-    interfaces: &[Interface],
-    top: &Top,
-    force: f64,
-    options: &Options,
-) -> Result<Solution, ContactError> {
-    let kernel = &*kernel_under(kernel, top, force);
-    let problem = Problem::new(kernel, interfaces, top, force, options.tolerance);
+pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError> {
+    let kernel = &*asked.kernel_under(force);
+    let problem = asked.problem(kernel, force);
     if (0..problem.contacts()).any(|i| problem.is_known(i)) {
         return Err(ContactError::LoadByCollocation);
     }
@@ -82,8 +73,7 @@ pub(crate) fn press(
         let (Start::Guess { half_lengths } | Start::Cold { half_lengths } | Start::Warm { half_lengths, .. }) = start;
         collocation.refine(half_lengths).map(Into::into)
     };
-    let solution = solve_in_order(&problem, solve, |_, _| None)?;
-    Ok(Solution { force, ..solution })
+    Ok(solve_in_order(&problem, solve, |_, _| None)?.into_solution(&problem, force, Some(asked.stack)))
 }
 
 struct Collocation<'a> {
@@ -95,7 +85,7 @@ struct Collocation<'a> {
 
 impl Collocation<'_> {
     /// Doubles the number of nodes until two answers agree.
-    fn refine(&mut self, half_lengths: Vec<f64>) -> Result<Solution, ContactError> {
+    fn refine(&mut self, half_lengths: Vec<f64>) -> Result<Answer, ContactError> {
         let tolerance = self.problem.tolerance;
         let singular = self.spatial.diagonals.iter().any(|diagonal| diagonal.jump.is_some());
         let mut count = COARSEST;
@@ -125,7 +115,7 @@ impl Collocation<'_> {
                     );
                     warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
                 }
-                return self.solution(&nodes, &level, &errors, warnings);
+                return self.answer(&nodes, &level, &errors, warnings);
             }
             before = level;
         }
@@ -201,14 +191,14 @@ impl Collocation<'_> {
         derivatives
     }
 
-    /// The solution, if it is admissible.
-    fn solution(
+    /// The answer, if it is admissible.
+    fn answer(
         &mut self,
         nodes: &Nodes,
         level: &Discretised,
         errors: &[Estimate],
         warnings: Vec<Warning>,
-    ) -> Result<Solution, ContactError> {
+    ) -> Result<Answer, ContactError> {
         let problem = self.problem;
         let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
         let extent = problem.span(&level.half_lengths);
@@ -231,7 +221,7 @@ impl Collocation<'_> {
             wavenumbers: problem.kernel.work().wavenumbers + self.spatial.samples(),
             ..stats(problem.kernel)
         };
-        Ok(Answer { contacts, min_pressure, min_gap, tilts: Vec::new(), stats, warnings }.into_solution(problem))
+        Ok(Answer { contacts, min_pressure, min_gap, tilts: Vec::new(), stats, warnings })
     }
 
     /// The smallest pressure at the nodes of contact i; an error if it is negative.

@@ -1,16 +1,18 @@
-//! The one assembly of a solution: what was found of each contact, put into the units of the scene.
+//! What was found of all contacts, in units of L and P', and the one assembly of a solution, in the units of the scene.
 use crate::contact::even::{RightInterval, whole};
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::{self, Kernel};
-use crate::solution::{Carried, Contact, Interface, Interval, Solution, Stats, Strip, Warning};
+use crate::solution::{Carried, Contact, Interface, Interval, Owner, Solution, Stats, Strip, Warning};
+use crate::validity;
 
 /// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
+#[derive(Clone)]
 pub(crate) struct Found {
     /// Where the bodies touch, one interval at least, from left to right.
     pub(crate) intervals: Vec<Interval>,
-    /// Pressure at x = 0, and its absolute error.
+    /// Pressure in the middle of what is even, elsewhere in the middle of the interval with the largest force, and its absolute error.
     pub(crate) peak: f64,
     pub(crate) peak_error: f64,
     /// The pressures whose sum is the pressure of the contact, from left to right.
@@ -26,7 +28,7 @@ pub(crate) struct Answer {
     /// Smallest pressure inside and smallest gap outside the contacts, the latter per unit of P'.
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
-    /// The angles of punches, per unit of P', if they are not one at x = 0 that is not turned.
+    /// The angles of punches, per unit of P', if they are not one that is even and not turned.
     pub(crate) tilts: Vec<f64>,
     /// What it took.
     pub(crate) stats: Stats,
@@ -34,10 +36,15 @@ pub(crate) struct Answer {
 }
 
 impl Answer {
-    /// The solution in the units of the scene.
-    pub(crate) fn into_solution(self, problem: &Problem) -> Solution {
+    /// Where all pressures are given.
+    pub(crate) fn known(problem: &Problem) -> Self {
+        let stats = Stats { modes: vec![1; problem.contacts()], ..stats(problem.kernel) };
+        Self { contacts: Vec::new(), min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings: Vec::new() }
+    }
+
+    /// The solution in the units of the scene, under a force in these units, for a stack.
+    pub(crate) fn into_solution(self, problem: &Problem, force: f64, stack: Option<&Owner>) -> Solution {
         let (length, unit) = (problem.kernel.length(), problem.kernel.modulus() * problem.force);
-        let force = problem.total_force();
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
             Some(given) => Some(load::contact(&given.loads, *interface, force, problem.twin())),
@@ -58,18 +65,21 @@ impl Answer {
                 };
                 all.iter().zip(&on).zip(&self.tilts).map(of).collect()
             }
+            Some(Side::Profile(_)) if problem.origin != 0.0 => vec![Carried { force, tilt: 0.0, moment: 0.0 }],
             _ => Vec::new(),
         };
+        let mut warnings = self.warnings;
+        warnings.extend(validity::warnings(problem.top, problem.kernel, &contacts));
         Solution {
             contacts,
             punches,
-            stack: None,
+            stack: stack.cloned(),
             force,
             force_error: 0.0,
             min_pressure: self.min_pressure * unit,
             min_gap: self.min_gap * problem.force * length,
             stats: self.stats,
-            warnings: self.warnings,
+            warnings,
         }
     }
 }
@@ -79,6 +89,16 @@ impl Found {
     pub(crate) fn even(parts: Vec<RightInterval>, [peak, peak_error]: [f64; 2], strips: Vec<Strip>) -> Self {
         let (strips, intervals) = whole(strips, parts);
         Self { intervals, peak, peak_error, strips, punches: Vec::new() }
+    }
+
+    /// As far as the bodies touch from x = 0.
+    pub(crate) fn reach(&self) -> f64 {
+        Interval::reach(&self.intervals)
+    }
+
+    /// The interval about x = 0, or the next one.
+    pub(crate) fn innermost(&self) -> Interval {
+        Interval::innermost(&self.intervals)
     }
 
     fn into_contact(self, interface: Interface, origin: f64, length: f64, unit: f64) -> Contact {
@@ -92,12 +112,17 @@ impl Found {
             .map(|strip| strip.scaled(length, unit))
             .map(|strip| Strip { at: origin + strip.at, ..strip })
             .collect();
+        // the series of a sharp tip is summed in closed form in the middle
+        let is_middle = origin == 0.0 && self.punches.is_empty();
+        let central_pressure =
+            if is_middle { self.peak * unit } else { strips.iter().map(|strip| strip.pressure(0.0)).sum() };
+        // an infinite pressure is known, and so is none
+        let is_known = central_pressure.is_infinite() || !is_middle && central_pressure == 0.0;
         let contact = Contact {
             interface,
             punches: self.punches,
-            central_pressure: self.peak * unit,
-            // an infinite pressure is known
-            central_pressure_error: if self.peak.is_finite() { self.peak_error * unit } else { 0.0 },
+            central_pressure,
+            central_pressure_error: if is_known { 0.0 } else { self.peak_error * unit },
             resultant: strips.iter().map(Strip::resultant).sum(),
             strips,
             intervals: self.intervals.iter().map(interval).collect(),

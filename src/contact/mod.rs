@@ -21,108 +21,96 @@ mod thin;
 use std::borrow::Cow;
 
 use crate::kernel::Kernel;
-use crate::options::Options;
-use crate::scene::{Punch, Top};
-use crate::solution::{Carried, Interface, Solution, Stats};
+use crate::scene::Top;
+use crate::solution::{Interface, Owner, Solution};
 
 pub(crate) use controlled::{Measured, press_to};
 pub use error::{ContactError, Controlled, NoSolution};
 pub(crate) use starts::table::Table;
 pub(crate) use tangent::tangent;
 
-use answer::{Answer, stats};
+use answer::Answer;
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
 use problem::iteration::Operations;
-use problem::load;
-use problem::twin::Twin;
 use quality::levels::{Start, refine};
 use quality::{admissible, estimates};
 use starts::formulas;
 use starts::order::{Attempt, solve_in_order};
 
-/// Presses a punch or loads with a force on a stack: the answer in the units of the scene. It may start from a table of solutions for
-/// this kernel.
-pub(crate) fn press(
-    kernel: &Kernel,
-    table: Option<&Table>,
-    interfaces: &[Interface],
-    top: &Top,
-    force: f64,
-    options: &Options,
-) -> Result<Solution, ContactError> {
-    let is_sought = kernel.contacts() > 1 || top.loads().is_none();
-    if let Some((even, by)) = top.about_its_middle().filter(|_| is_sought) {
-        let mut solution = press(kernel, table, interfaces, &even, force, options)?.moved(by);
-        match top {
-            Top::Loads(loads) => {
-                solution.contacts[0] = load::contact(loads, interfaces[0], force, Twin::of(kernel.geometry()))
-            }
-            Top::Punches(_) => solution.punches = vec![Carried { force, tilt: 0.0, moment: 0.0 }],
-        }
-        return Ok(solution);
-    }
-    let table = table.filter(|_| top.material().is_none());
-    let own = &*kernel_under(kernel, top, force);
-    let problem = Problem::new(own, interfaces, top, force, options.tolerance);
-    if problem.unknown().next().is_some() && !problem.is_even() {
-        return Ok(Solution { force, ..intervals::anywhere(&problem, &formulas::anywhere(&problem))? });
-    }
-    // a table is for one kernel
-    let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
-    let solution = thin::solve(&problem, |problem| solve(problem, table_of(problem)))?;
-    Ok(Solution { force, ..solution })
+/// What is asked of the solver: everything but the force.
+pub(crate) struct Asked<'a> {
+    /// The stack, to which solutions belong.
+    pub(crate) stack: &'a Owner,
+    pub(crate) kernel: &'a Kernel,
+    /// A table of solutions for this kernel, if starts may be taken from one.
+    pub(crate) table: Option<&'a Table>,
+    pub(crate) interfaces: &'a [Interface],
+    pub(crate) top: &'a Top,
+    /// Relative error wanted.
+    pub(crate) tolerance: f64,
 }
 
-/// Whether punches have no sharp tips or corners but one even punch by itself, or the pressures of loads are known.
-pub(crate) fn is_solvable(top: &Top, kernel: &Kernel) -> Result<(), ContactError> {
-    let geometry = kernel.geometry();
-    match top {
-        Top::Punches(punches) if punches.alone().is_some_and(Punch::is_even) => Ok(()),
-        Top::Punches(_) if top.about_its_middle().is_some() => Ok(()),
-        Top::Punches(punches) if punches.parts().any(|(pressed, _)| pressed.shape().is_singular()) => {
-            Err(ContactError::SharpPunches)
-        }
-        Top::Loads(loads) if !loads.are_known_in(geometry) => {
-            Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry })
-        }
-        _ => Ok(()),
-    }
-}
-
-/// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
-pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, top: &Top, force: f64) -> Cow<'a, Kernel> {
-    let kernel = match top.material() {
-        Some(material) => Cow::Owned(kernel.under_half_plane(&material)),
-        None => Cow::Borrowed(kernel),
+/// Presses a punch or loads with a force on a stack: the answer in the units of the scene.
+pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError> {
+    let own = &*asked.kernel_under(force);
+    let problem = asked.problem(own, force);
+    let answer = if problem.unknown().next().is_none() {
+        Answer::known(&problem)
+    } else if problem.is_even() {
+        // a table is for one kernel
+        let table = asked.table.filter(|_| asked.top.material().is_none());
+        let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
+        thin::solve(&problem, |problem| solve(problem, table_of(problem)))?
+    } else {
+        intervals::anywhere(&problem, &formulas::anywhere(&problem))?
     };
-    match formulas::length(&kernel, top, force) {
-        Some(length) => Cow::Owned(kernel.measured_in(length)),
-        None => kernel,
+    Ok(answer.into_solution(&problem, force, Some(asked.stack)))
+}
+
+impl Asked<'_> {
+    /// Whether punches have no sharp tips or corners but one even punch by itself, or the pressures of loads are known.
+    pub(crate) fn is_solvable(&self) -> Result<(), ContactError> {
+        let geometry = self.kernel.geometry();
+        match self.top {
+            Top::Punches(_) if self.top.even_punch().is_some() => Ok(()),
+            Top::Punches(punches) if punches.parts().any(|(pressed, _)| pressed.shape().is_singular()) => {
+                Err(ContactError::SharpPunches)
+            }
+            Top::Loads(loads) if !loads.are_known_in(geometry) => {
+                Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
+    pub(crate) fn kernel_under(&self, force: f64) -> Cow<'_, Kernel> {
+        let kernel = match self.top.material() {
+            Some(material) => Cow::Owned(self.kernel.under_half_plane(&material)),
+            None => Cow::Borrowed(self.kernel),
+        };
+        match formulas::length(&kernel, self.top, force) {
+            Some(length) => Cow::Owned(kernel.measured_in(length)),
+            None => kernel,
+        }
+    }
+
+    /// The problem on its kernel with a force in the units of the scene.
+    pub(crate) fn problem<'b>(&'b self, kernel: &'b Kernel, force: f64) -> Problem<'b> {
+        Problem::new(kernel, self.interfaces, self.top, force, self.tolerance)
     }
 }
 
-/// Solves from the first of the starting points that leads to an admissible solution.
-fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactError> {
-    if problem.unknown().next().is_none() {
-        let stats = Stats { modes: vec![1; problem.contacts()], ..stats(problem.kernel) };
-        let known = Answer {
-            contacts: Vec::new(),
-            min_pressure: 0.0,
-            min_gap: 0.0,
-            tilts: Vec::new(),
-            stats,
-            warnings: Vec::new(),
-        };
-        return Ok(known.into_solution(problem));
-    }
+/// Solves from the first of the starting points that leads to an admissible answer.
+fn solve(problem: &Problem, table: Option<&Table>) -> Result<Answer, ContactError> {
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     if let Some(start) = table.and_then(|table| table.start(problem))
         && let Ok(attempt) = solve_from(problem, start, &mut work)
-        && attempt.solution.warnings.is_empty()
+        && attempt.answer.warnings.is_empty()
     {
-        return Ok(attempt.solution);
+        return Ok(attempt.answer);
     }
     solve_in_order(
         problem,
@@ -144,8 +132,7 @@ fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attemp
     }
     let check = admissible::check(problem, &refined.level)?;
     let recontacts = check.recontacts.iter().map(|recontact| problem.interfaces[recontact.contact]).collect();
-    let solution = quality::answer::answer(problem, refined, check, work.clone()).into_solution(problem);
-    Ok(Attempt { solution, recontacts })
+    Ok(Attempt { answer: quality::answer::answer(problem, refined, check, work.clone()), recontacts })
 }
 
 #[cfg(test)]

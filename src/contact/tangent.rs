@@ -2,6 +2,7 @@
 //!
 //! They vanish at the ends of their contacts, or are the pressures of a flat punch: to first order the contacts stay as long as they are. What a unit
 //! force adds is the pressure of contacts of these half-lengths that are joined, singular at their ends.
+use crate::contact::answer::Answer;
 use crate::contact::ends::newton::Work;
 use crate::contact::error::ContactError;
 use crate::contact::problem::Problem;
@@ -25,13 +26,14 @@ pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option
     let contacts = solution.contacts();
     let half_lengths: Vec<f64> = contacts.iter().map(Contact::half_length).collect::<Option<_>>()?;
     let interfaces: Vec<Interface> = contacts.iter().map(|contact| contact.interface).collect();
-    Some(solve(&Problem::joined(kernel, &interfaces, top, &half_lengths, TOLERANCE)))
+    let problem = Problem::joined(kernel, &interfaces, top, &half_lengths, TOLERANCE);
+    Some(solve(&problem).map(|answer| answer.into_solution(&problem, 1.0, None)))
 }
 
-fn solve(problem: &Problem) -> Result<Solution, ContactError> {
+fn solve(problem: &Problem) -> Result<Answer, ContactError> {
     let half_lengths = formulas::half_lengths(problem);
     let mut work = Work { operations: Operations::at_most(MOST), ..Work::default() };
     work.operations.start();
     let refined = refine(problem, Start::Guess { half_lengths }, &mut work)?;
-    Ok(answer(problem, refined, Check::default(), work).into_solution(problem))
+    Ok(answer(problem, refined, Check::default(), work))
 }

@@ -11,13 +11,14 @@
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY, SLOW};
 use std::f64::consts::PI;
 
+use crate::contact::answer::Answer;
 use crate::contact::error::ContactError;
 use crate::contact::problem::modes::{COARSEST, FINEST};
 use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
 use crate::kernel::{DECAYED, Kernel};
 use crate::numeric;
-use crate::solution::{Contact, Interface, Solution, Warning, WarningCode};
+use crate::solution::{Interface, Warning, WarningCode};
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin {
@@ -44,40 +45,30 @@ const JUDGED: usize = 2;
 /// Which layers these are is judged by the contacts that were found: those that formulas expect may be wrong by any factor.
 pub(super) fn solve(
     problem: &Problem,
-    solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
-) -> Result<Solution, ContactError> {
+    solve: impl Fn(&Problem) -> Result<Answer, ContactError>,
+) -> Result<Answer, ContactError> {
     let mut half_lengths = formulas::half_lengths(problem);
     for _ in 0..JUDGED {
         let Some(thin) = Thin::new(problem, half_lengths.clone())? else { break };
-        match thin.solve(problem, &solve)? {
-            Thinned::Whole(solution) => return Ok(solution),
-            Thinned::Without(solution) => {
-                let length = problem.kernel.length();
-                let found: Vec<f64> =
-                    solution.contacts.iter().map(|contact| contact.innermost().right / length).collect();
-                if problem.unknown().all(|i| (found[i] / half_lengths[i]).ln().abs() <= AS_LONG) {
-                    return Ok(solution);
-                }
-                half_lengths = found;
-            }
+        let (answer, is_whole) = thin.solve(problem, &solve)?;
+        let mut is_as_judged = true;
+        for (found, i) in answer.contacts.iter().zip(problem.unknown()) {
+            let before = std::mem::replace(&mut half_lengths[i], found.innermost().right);
+            is_as_judged &= (half_lengths[i] / before).ln().abs() <= AS_LONG;
+        }
+        if is_whole || is_as_judged {
+            return Ok(answer);
         }
     }
     solve(problem)
 }
 
-/// A solution for the whole stack, or without what is thin.
-enum Thinned {
-    Whole(Solution),
-    Without(Solution),
-}
-
-/// The largest relative error of a solution.
-fn worst(solution: &Solution) -> f64 {
-    let errors = solution.contacts.iter().flat_map(|contact| {
-        let pressure = contact.central_pressure_error / contact.central_pressure;
+/// The largest relative error of an answer.
+fn worst(answer: &Answer) -> f64 {
+    let errors = answer.contacts.iter().flat_map(|contact| {
         // a pressure of 0 is known, and an infinite one cannot be missed
-        let known = contact.central_pressure == 0.0 || contact.central_pressure.is_infinite();
-        [contact.innermost().end_error(), if known { 0.0 } else { pressure }]
+        let is_known = contact.peak == 0.0 || contact.peak.is_infinite();
+        [contact.innermost().end_error(), if is_known { 0.0 } else { contact.peak_error / contact.peak }]
     });
     numeric::largest(errors)
 }
@@ -104,33 +95,30 @@ impl Thin {
         Ok((!thin.contacts.is_empty() || !thin.joined.is_empty()).then_some(thin))
     }
 
-    /// Solves without what is thin, or the whole problem where that makes the smaller error.
+    /// Solves without what is thin, or the whole problem where that makes the smaller error; whether it was the whole problem.
     fn solve(
         &self,
         problem: &Problem,
-        solve: impl Fn(&Problem) -> Result<Solution, ContactError>,
-    ) -> Result<Thinned, ContactError> {
+        solve: impl Fn(&Problem) -> Result<Answer, ContactError>,
+    ) -> Result<(Answer, bool), ContactError> {
         let without = |operations: f64| {
             let interfaces = self.interfaces(problem.interfaces);
             // no more digits are of use than are left
             let tolerance = problem.tolerance.max(0.1 * self.error);
-            let mut simpler = problem.on(&self.kernel, &interfaces, tolerance);
-            simpler.operations = operations;
-            Ok(self.admit(solve(&simpler)?, problem.interfaces))
+            let simpler = Problem { operations, ..problem.on(&self.kernel, &interfaces, tolerance) };
+            solve(&simpler).map(|answer| (self.admit(answer, problem), false))
         };
         if self.error <= problem.tolerance || self.is_unresolved() {
-            let found = without(problem.operations);
-            return found.map(Thinned::Without).or_else(|_: ContactError| solve(problem).map(Thinned::Whole));
+            return without(problem.operations).or_else(|_| Ok((solve(problem)?, true)));
         }
-        let found = solve(problem);
-        if found.as_ref().is_ok_and(|all| worst(all) <= self.error) {
-            return found.map(Thinned::Whole);
+        let whole = solve(problem);
+        if whole.as_ref().is_ok_and(|whole| worst(whole) <= self.error) {
+            return Ok((whole?, true));
         }
         // both together take half as long again as one at most
-        match (&found, without(0.5 * problem.operations)) {
-            (Ok(all), Ok(without)) if worst(all) <= worst(&without) => found.map(Thinned::Whole),
-            (_, Ok(without)) => Ok(Thinned::Without(without)),
-            (_, Err(_)) => found.map(Thinned::Whole),
+        match without(0.5 * problem.operations) {
+            Ok((less, _)) if !whole.as_ref().is_ok_and(|whole| worst(whole) <= worst(&less)) => Ok((less, false)),
+            _ => Ok((whole?, true)),
         }
     }
 
@@ -165,35 +153,34 @@ impl Thin {
         (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
     }
 
-    /// The answer for all contacts of the stack, with what is left out in its errors, and a warning that says so.
-    fn admit(&self, mut solution: Solution, interfaces: &[Interface]) -> Solution {
-        let solved = self.interfaces(interfaces);
-        for contact in &mut solution.contacts {
+    /// The answer for all contacts of the problem, with what is left out in its errors, and a warning that says so.
+    fn admit(&self, mut answer: Answer, problem: &Problem) -> Answer {
+        let solved = self.interfaces(problem.interfaces);
+        for contact in &mut answer.contacts {
             for interval in &mut contact.intervals {
                 interval.left_error += self.error * interval.left.abs();
                 interval.right_error += self.error * interval.right.abs();
             }
-            if contact.central_pressure.is_finite() {
-                contact.central_pressure_error += self.error * contact.central_pressure.abs();
-            }
+            contact.peak_error += self.error * contact.peak.abs();
         }
-        solution.warnings.extend(self.contacts.iter().map(|(contact, error)| {
+        answer.warnings.extend(self.contacts.iter().map(|(contact, error)| {
             left_out(format!(
                 "a layer next to the contact {} is so thin that it is left out: it changes the ends of contacts and pressures by \
                  about {error:.0e}, and the pressure near the ends of the contact over about as long as it is thick",
                 solved[*contact]
             ))
         }));
+        let known = (0..problem.contacts()).filter(|i| problem.is_known(*i)).count();
         for (lower, error) in self.joined.iter().rev() {
-            let interface = interfaces[*lower];
-            solution.contacts.insert(*lower, Contact { interface, ..solution.contacts[*lower - 1].clone() });
-            solution.stats.modes.insert(*lower, solution.stats.modes[*lower - 1]);
-            solution.warnings.push(left_out(format!(
-                "the layer above the contact {interface} is so thin that it is left out, and both of its faces carry the same \
-                 pressure: that changes the ends of the contact by about {error:.0e}, and the pressure near the ends of the contact"
+            answer.contacts.insert(lower - known, answer.contacts[lower - known - 1].clone());
+            answer.stats.modes.insert(*lower, answer.stats.modes[*lower - 1]);
+            answer.warnings.push(left_out(format!(
+                "the layer above the contact {} is so thin that it is left out, and both of its faces carry the same \
+                 pressure: that changes the ends of the contact by about {error:.0e}, and the pressure near the ends of the contact",
+                problem.interfaces[*lower]
             )));
         }
-        solution
+        answer
     }
 }
 

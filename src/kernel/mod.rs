@@ -221,11 +221,9 @@ impl Kernel {
         0.25 * (material.kappa(self.chains.geometry.plane()) + 1.0) * self.chains.modulus / material.shear_modulus
     }
 
-    /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain; the punch belongs to
-    /// contact 0.
-    pub(crate) fn contact_modulus(&self, contact: usize, punch: Option<&Isotropic>) -> f64 {
-        let punch = punch.filter(|_| contact == 0).map_or(0.0, |material| self.half_plane(material));
-        2.0 * self.chains.modulus / (self.asymptotes[contact].limit + punch)
+    /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain.
+    pub(crate) fn contact_modulus(&self, contact: usize) -> f64 {
+        2.0 * self.chains.modulus / self.asymptotes[contact].limit
     }
 
     /// The same with the compliance of a punch added to contact 0 at all wavenumbers.

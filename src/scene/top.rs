@@ -48,7 +48,22 @@ impl Top {
 
     /// The material of an elastic punch; `None` if it is rigid, and for loads.
     pub fn material(&self) -> Option<Isotropic> {
-        self.punch().and_then(Punch::material)
+        self.even_punch().and_then(Punch::material)
+    }
+
+    /// The punch, if it is an even one by itself that is not turned, wherever its tip is.
+    pub(crate) fn even_punch(&self) -> Option<&Punch> {
+        let punches = self.punches()?;
+        let at_zero = punches.alone().filter(|punch| punch.is_even());
+        at_zero.or_else(|| punches.about_its_middle().map(|(punch, _)| punch))
+    }
+
+    /// Whether all that presses is its own mirror image about the place where the force acts.
+    pub(crate) fn is_even(&self) -> bool {
+        match self {
+            Self::Punches(_) => self.even_punch().is_some(),
+            Self::Loads(loads) => loads.is_even() || loads.about_its_middle().is_some(),
+        }
     }
 
     /// Where the force acts on x, in length; 0 of what is even.
@@ -56,15 +71,7 @@ impl Top {
         match self {
             Self::Punches(punches) => punches.middle(),
             Self::Loads(loads) if loads.is_even() => 0.0,
-            Self::Loads(loads) => loads.middle(),
-        }
-    }
-
-    /// What presses, moved to where it is even about x = 0, and how far it has been to the right of there; `None` if it is even where it is, or nowhere.
-    pub(crate) fn about_its_middle(&self) -> Option<(Self, f64)> {
-        match self {
-            Self::Punches(punches) => punches.about_its_middle().map(|(punch, by)| (punch.clone().into(), by)),
-            Self::Loads(loads) => loads.about_its_middle().map(|(loads, by)| (loads.into(), by)),
+            Self::Loads(loads) => loads.about_its_middle().map_or_else(|| loads.middle(), |(_, by)| by),
         }
     }
 

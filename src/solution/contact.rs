@@ -57,6 +57,17 @@ impl Interval {
         Self { left, left_error, right, right_error, force: 0.0, centroid: 0.0 }
     }
 
+    /// Of intervals from left to right the one about x = 0; where there is none, the next one to the right, or the last one of all.
+    pub(crate) fn innermost(all: &[Self]) -> Self {
+        let next = all.iter().find(|interval| interval.right >= 0.0);
+        next.or(all.last()).copied().unwrap_or_default()
+    }
+
+    /// As far as intervals from left to right reach on either side of x = 0.
+    pub(crate) fn reach(all: &[Self]) -> f64 {
+        all.first().zip(all.last()).map_or(0.0, |(first, last)| last.right.max(-first.left))
+    }
+
     /// Its mirror image about x = 0, without a force.
     pub(crate) fn mirrored(&self) -> Self {
         Self::new([-self.right, self.right_error], [-self.left, self.left_error])
@@ -115,8 +126,7 @@ impl Contact {
 
     /// The interval about x = 0; where the bodies are apart there, the next one to the right, or the last one of all.
     pub(crate) fn innermost(&self) -> Interval {
-        let next = self.intervals.iter().find(|interval| interval.right >= 0.0);
-        next.or(self.intervals.last()).copied().unwrap_or_default()
+        Interval::innermost(&self.intervals)
     }
 
     /// Two places at which the bodies touch; the same twice if the contact is its own mirror image: 0 unless they are apart there.
@@ -131,8 +141,7 @@ impl Contact {
 
     /// As far as the bodies touch on either side of x = 0: the half-length, or the distance of the farthest end.
     pub fn reach(&self) -> f64 {
-        let ends = self.intervals.first().zip(self.intervals.last());
-        ends.map_or(0.0, |(first, last)| last.right.max(-first.left))
+        Interval::reach(&self.intervals)
     }
 
     /// Whether the contact is its own mirror image about x = 0.

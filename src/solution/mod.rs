@@ -169,23 +169,6 @@ pub struct Carried {
 }
 
 impl Solution {
-    /// All that is even about x = 0, moved along x.
-    pub(crate) fn moved(mut self, by: f64) -> Self {
-        for contact in &mut self.contacts {
-            contact.strips.iter_mut().for_each(|strip| strip.at += by);
-            for interval in &mut contact.intervals {
-                interval.left += by;
-                interval.right += by;
-                interval.centroid += by;
-            }
-            contact.central_pressure = contact.strips.iter().map(|strip| strip.pressure(0.0)).sum();
-            if contact.central_pressure == 0.0 || contact.central_pressure.is_infinite() {
-                contact.central_pressure_error = 0.0;
-            }
-        }
-        self
-    }
-
     /// What each punch carries, from left to right; none for loads, and for one punch at x = 0 that is not turned.
     ///
     /// ```

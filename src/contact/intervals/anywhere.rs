@@ -1,6 +1,7 @@
 //! Intervals where nothing is even: where they begin, and how their list changes until no pressure and no gap is negative.
 use std::f64::consts::PI;
 
+use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::gaps::{self, Fault};
 use crate::contact::intervals::newton::{Failure, Level, converge};
@@ -9,7 +10,6 @@ use crate::contact::intervals::{COARSEST, Work, refine, resolved};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE};
 use crate::contact::problem::iteration::Operations;
-use crate::solution::Solution;
 
 /// Changes of the list at most.
 const MOST_CHANGES: usize = 30;
@@ -25,7 +25,7 @@ pub(crate) struct Expected {
 ///
 /// # Errors
 /// [`NoSolution::NotConverged`] if no list of intervals was found without tension and penetration.
-pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Solution, ContactError> {
+pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     let of = |Expected { contact, punch, ends }: &Expected| Interval::anywhere(*contact, *punch, *ends);
     let mut support = Support(expected.iter().map(of).collect());
@@ -37,7 +37,7 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Solution
             Ok(level) => match negative(&level) {
                 Some(split) => Some(split),
                 None => match checked(problem, &level, &mut work) {
-                    Ok(solution) => return Ok(solution),
+                    Ok(answer) => return Ok(answer),
                     Err(next) => next,
                 },
             },
@@ -50,7 +50,7 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Solution
 }
 
 /// The answer, or a list that is nearer to it, if there is one.
-fn checked(problem: &Problem, level: &Level, work: &mut Work) -> Result<Solution, Option<Support>> {
+fn checked(problem: &Problem, level: &Level, work: &mut Work) -> Result<Answer, Option<Support>> {
     match gaps::check(problem, level, level, COARSE) {
         Ok(_) => refine(problem, level.clone(), work).ok_or(None),
         Err(Fault::Penetration { contact, punch, at, over }) => {

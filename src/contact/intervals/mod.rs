@@ -27,7 +27,7 @@ use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
-use crate::solution::{self, Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 pub(super) use anywhere::{Expected, solve as anywhere};
 use gaps::Check;
 use newton::{Level, converge};
@@ -65,7 +65,7 @@ impl Work {
 
 /// Presses a punch on a stack some contacts of which have several intervals, about where `active` says; `None` if no admissible answer was
 /// found, or the pressure under the punch is of another kind.
-pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Solution> {
+pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Answer> {
     let is_plane = problem.twin() == Twin::Plane;
     if !is_plane || problem.sides.iter().any(Side::is_sharp) {
         return None;
@@ -85,9 +85,9 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Sol
             let counts: Vec<usize> =
                 support.0.iter().map(|interval| resolved(problem, interval).clamp(count, 4 * COARSEST)).collect();
             if let Ok(first) = converge(problem, support.clone(), &counts, COARSE, &mut work)
-                && let Some(solution) = refine(problem, first, &mut work)
+                && let Some(answer) = refine(problem, first, &mut work)
             {
-                return Some(solution);
+                return Some(answer);
             }
         }
     }
@@ -102,7 +102,7 @@ fn resolved(problem: &Problem, interval: &Interval) -> usize {
 }
 
 /// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
-fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> {
+fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Answer> {
     let mut before = first;
     let mut changes = [f64::INFINITY; 2];
     let mut stalls = false;
@@ -152,10 +152,7 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> 
         ..stats(problem.kernel)
     };
     let contacts = found(problem, &level, &errors);
-    Some(
-        Answer { contacts, min_pressure, min_gap, tilts: tilts(problem, &level), stats, warnings }
-            .into_solution(problem),
-    )
+    Some(Answer { contacts, min_pressure, min_gap, tilts: tilts(problem, &level), stats, warnings })
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
@@ -335,8 +332,8 @@ fn found(problem: &Problem, level: &Level, errors: &Errors) -> Vec<Found> {
         let intervals = ends.map(|RightInterval { from, from_error, to, to_error }| {
             solution::Interval::new([from, from_error], [to, to_error])
         });
-        let peak = strips.iter().map(|strip| strip.pressure(-problem.origin)).sum();
-        let peak_error = known * level.middle_pressure(level.widest(contact)).abs();
+        let peak = level.middle_pressure(level.widest(contact));
+        let peak_error = known * peak.abs();
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();
         Found { intervals: intervals.collect(), peak, peak_error, strips, punches: numbers }
     };

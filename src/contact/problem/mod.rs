@@ -34,7 +34,7 @@ pub(crate) struct Problem<'a> {
     pub(crate) sides: Vec<Side<'a>>,
     /// Where x = 0 is in the scene, in units of L: where the force acts, if anything is not even.
     pub(crate) origin: f64,
-    top: &'a Top,
+    pub(crate) top: &'a Top,
     /// P' = P/(μ₀L).
     pub(crate) force: f64,
     /// Relative error wanted.
@@ -82,7 +82,7 @@ impl<'a> Problem<'a> {
         let origin = top.middle() / length;
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
-            Top::Punches(punches) => match punches.alone().filter(|punch| punch.is_even()) {
+            Top::Punches(punches) => match top.even_punch() {
                 Some(punch) => Side::Profile(Profile::new(punch, length, force, twin)),
                 None => Side::Punches(Placed::all(punches, origin, length, force)),
             },
@@ -154,10 +154,7 @@ impl<'a> Problem<'a> {
 
     /// Whether all contacts are even.
     pub(crate) fn is_even(&self) -> bool {
-        match self.top {
-            Top::Loads(loads) => loads.is_even(),
-            Top::Punches(_) => !matches!(self.sides[0], Side::Punches(_)),
-        }
+        self.top.is_even()
     }
 
     /// The punch of this number on a contact where nothing is even.

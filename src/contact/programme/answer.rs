@@ -9,7 +9,7 @@ use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
-use crate::solution::{Form, Solution, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Form, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
 use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
@@ -18,7 +18,7 @@ use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
 const MOST_ERROR: f64 = 0.25;
 
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
-pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Solution> {
+pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Answer> {
     let all = cycles(problem, expected, far, FINE);
     let found = |(i, contact): (usize, usize)| found(problem, contact, &all, i);
     let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
@@ -29,8 +29,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<So
     );
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..stats(problem.kernel) };
-    let answer = Answer { contacts, min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings };
-    Some(answer.into_solution(problem))
+    Some(Answer { contacts, min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings })
 }
 
 /// What contact i of the programme, contact `contact` of the problem, is.

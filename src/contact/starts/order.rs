@@ -5,6 +5,7 @@
 //!    sees several intervals in a contact, [`intervals`] solves for these; else Newton's method begins at its ends.
 //! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning, unless there is
 //!    a solution with a large error estimate that has the same pressures.
+use crate::contact::answer::{Answer, Found};
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals;
 use crate::contact::problem::Problem;
@@ -14,7 +15,7 @@ use crate::contact::quality::estimates::ENDLESS;
 use crate::contact::quality::levels::Start;
 use crate::contact::starts::formulas;
 use crate::numeric::largest;
-use crate::solution::{Interface, Solution};
+use crate::solution::Interface;
 
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
@@ -24,15 +25,15 @@ const SHORTER: usize = 5;
 /// Each time by this many thicknesses of the thinner body: over about that length it carries a bending moment.
 const BENT: f64 = 2.5;
 
-/// An admissible solution, and the contacts with intervals of re-contact the force in which is left out.
+/// An admissible answer, and the contacts with intervals of re-contact the force in which is left out.
 pub(crate) struct Attempt {
-    pub(crate) solution: Solution,
+    pub(crate) answer: Answer,
     pub(crate) recontacts: Vec<Interface>,
 }
 
-impl From<Solution> for Attempt {
-    fn from(solution: Solution) -> Self {
-        Self { solution, recontacts: Vec::new() }
+impl From<Answer> for Attempt {
+    fn from(answer: Answer) -> Self {
+        Self { answer, recontacts: Vec::new() }
     }
 }
 
@@ -41,30 +42,29 @@ impl From<Solution> for Attempt {
 pub(crate) fn solve_in_order(
     problem: &Problem,
     solve: impl FnMut(Start) -> Result<Attempt, ContactError>,
-    low_accuracy: impl FnOnce(&[f64], f64) -> Option<Solution>,
-) -> Result<Solution, ContactError> {
+    low_accuracy: impl FnOnce(&[f64], f64) -> Option<Answer>,
+) -> Result<Answer, ContactError> {
     let expected = formulas::half_lengths(problem);
     // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be
     if let Some(error) = problem.too_small(&expected).and_then(|_| problem.too_small(&formulas::shortest(problem))) {
         return Err(error);
     }
     let mut search = Search { problem, solve, expected, doubtful: None, several: None, far: 0.0 };
-    let solution = match search.run()? {
-        Outcome::Solved(solution) => *solution,
+    let answer = match search.run()? {
+        Outcome::Solved(answer) => *answer,
         Outcome::Failed(failure) => {
             let doubtful = search.doubtful.take().filter(|(_, attempt)| search.knows_all(attempt));
             match (doubtful, low_accuracy(&search.expected, search.far)) {
                 // the quadratic programme has one solution only; its pressures decide, not its ends, which it resolves badly where
                 // pressures are small
-                (Some((_, attempt)), Some(low)) if !agree(&attempt.solution, &low) => low,
-                (Some((_, attempt)), _) => attempt.solution,
+                (Some((_, attempt)), Some(low)) if !agree(&attempt.answer, &low) => low,
+                (Some((_, attempt)), _) => attempt.answer,
                 (None, low) => low.ok_or(*failure)?,
             }
         }
     };
-    let length = problem.kernel.length();
-    let reaches: Vec<f64> = solution.contacts.iter().map(|contact| contact.reach() / length).collect();
-    problem.too_small(&reaches).map_or(Ok(solution), Err)
+    let reaches: Vec<f64> = answer.contacts.iter().map(Found::reach).collect();
+    problem.too_small(&reaches).map_or(Ok(answer), Err)
 }
 
 /// A root of the equations with a contact in tension, in units of L.
@@ -77,7 +77,7 @@ struct RootInTension {
 
 /// How a step of the search ended, unless there is no solution for certain.
 enum Outcome {
-    Solved(Box<Solution>),
+    Solved(Box<Answer>),
     Failed(Box<ContactError>),
 }
 
@@ -118,14 +118,14 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
             let is_asked = certain.is_some() || left_out && several(self.problem, all, false).is_some();
             if self.several.is_none() && is_asked {
-                if let Some(solution) = intervals::solve(self.problem, all) {
-                    return Ok(Outcome::Solved(Box::new(solution)));
+                if let Some(answer) = intervals::solve(self.problem, all) {
+                    return Ok(Outcome::Solved(Box::new(answer)));
                 }
                 // one of the intervals may carry a force next to nothing
                 self.several = certain.map(|i| self.problem.interfaces[i]);
             }
-            if let Some(solution) = self.confirmed(all) {
-                return Ok(Outcome::Solved(Box::new(solution)));
+            if let Some(answer) = self.confirmed(all) {
+                return Ok(Outcome::Solved(Box::new(answer)));
             }
             match self.solve_from_ends(self.ends(all), failure)? {
                 Outcome::Failed(last) => failure = last,
@@ -143,15 +143,15 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             Err(failure @ ContactError::NoSolution(_)) => return Ok(Outcome::Failed(Box::new(failure))),
             Err(error) => return Err(error),
         };
-        let contacts = &attempt.solution.contacts;
+        let contacts = &attempt.answer.contacts;
         let errors = contacts.iter().map(|contact| contact.innermost().end_error());
         let endless = errors.clone().filter(|error| *error >= ENDLESS).count();
         let worst = largest(errors.filter(|error| error.is_nan() || *error < ENDLESS));
         let knows_all = self.knows_all(&attempt);
         // a solution of few digits may know more ends
         let knows_most = self.doubtful.as_ref().is_none_or(|((fewer, _), _)| endless <= *fewer);
-        if knows_all && knows_most && (attempt.solution.warnings.is_empty() || worst <= COARSE) {
-            return Ok(Outcome::Solved(Box::new(attempt.solution)));
+        if knows_all && knows_most && (attempt.answer.warnings.is_empty() || worst <= COARSE) {
+            return Ok(Outcome::Solved(Box::new(attempt.answer)));
         }
         if knows_all && self.doubtful.as_ref().is_none_or(|(least, _)| (endless, worst) < *least) {
             self.doubtful = Some(((endless, worst), attempt));
@@ -165,18 +165,16 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
     }
 
     /// The doubtful solution, if the quadratic programme has found the same contacts.
-    fn confirmed(&mut self, active: &[ActiveIntervals]) -> Option<Solution> {
-        let length = self.problem.kernel.length();
-        let is_same = |solution: &Solution| {
-            let contacts = solution.contacts.iter().zip(active);
-            let mut known = contacts.filter(|(contact, _)| contact.innermost().end_error() < CONFIRMED);
-            !active.is_empty()
-                && known.all(|(contact, active)| {
-                    (contact.innermost().right / (active.end() * length)).ln().abs() < CONFIRMED
-                })
+    fn confirmed(&mut self, active: &[ActiveIntervals]) -> Option<Answer> {
+        let unknown = self.problem.unknown().filter_map(|i| active.get(i));
+        let seen: Vec<f64> = unknown.map(ActiveIntervals::end).collect();
+        let is_same = |answer: &Answer| {
+            let ends = answer.contacts.iter().map(Found::innermost).zip(&seen);
+            let mut known = ends.filter(|(end, _)| end.end_error() < CONFIRMED);
+            !seen.is_empty() && known.all(|(end, seen)| (end.right / seen).ln().abs() < CONFIRMED)
         };
-        let (_, attempt) = self.doubtful.take_if(|(_, attempt)| is_same(&attempt.solution))?;
-        Some(attempt.solution)
+        let (_, attempt) = self.doubtful.take_if(|(_, attempt)| is_same(&attempt.answer))?;
+        Some(attempt.answer)
     }
 
     /// Where the quadratic programme sees the ends of the contacts about the middle; as expected where it sees none.
@@ -245,8 +243,8 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
         let uncertain = several(self.problem, active, false);
         let is_apart = |active: &ActiveIntervals| active.intervals().first().is_some_and(|first| first[0] > 0.0);
         let may_be_several = uncertain.is_some() || active.iter().any(is_apart);
-        let solution = may_be_several.then(|| intervals::solve(self.problem, active)).flatten();
-        solution.map(|solution| Outcome::Solved(Box::new(solution))).or_else(|| uncertain.map(failed))
+        let answer = may_be_several.then(|| intervals::solve(self.problem, active)).flatten();
+        answer.map(|answer| Outcome::Solved(Box::new(answer))).or_else(|| uncertain.map(failed))
     }
 
     /// The error that says where contact i touches.
@@ -257,12 +255,10 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
     }
 }
 
-/// Whether the pressures of two solutions at x = 0 are the same but for their errors.
-fn agree(one: &Solution, other: &Solution) -> bool {
-    let mut pairs = one.contacts.iter().zip(&other.contacts).filter(|(one, _)| one.central_pressure.is_finite());
-    pairs.all(|(a, b)| {
-        (a.central_pressure - b.central_pressure).abs() <= a.central_pressure_error + b.central_pressure_error
-    })
+/// Whether the pressures of two answers at x = 0 are the same but for their errors.
+fn agree(one: &Answer, other: &Answer) -> bool {
+    let mut pairs = one.contacts.iter().zip(&other.contacts).filter(|(one, _)| one.peak.is_finite());
+    pairs.all(|(a, b)| (a.peak - b.peak).abs() <= a.peak_error + b.peak_error)
 }
 
 /// The contact in which bodies touch in several intervals, or in none about the middle.
