@@ -89,6 +89,7 @@ mod validity;
 
 pub use approach::{Approach, ApproachError, Stiffness};
 pub use axis::{Axis, AxisError};
+pub use collocation::Collocated;
 pub use contact::{ContactError, Controlled, NoSolution};
 pub use errors::Error;
 pub use field::{
@@ -97,7 +98,7 @@ pub use field::{
 };
 pub use geometry::{Geometry, Words};
 pub use model::{Model, solve};
-pub use options::{Method, Options, OptionsError};
+pub use options::{Options, OptionsError};
 pub use profile::{ContactProfile, FaceProfile, FaceProfiles, profile_places};
 /// The crate of the layers: for user-defined layer types, and the laws that they have to obey.
 pub use recede_layers as layers;

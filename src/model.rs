@@ -2,12 +2,12 @@
 use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
-use crate::collocation;
+use crate::collocation::{self, Collocated};
 use crate::contact::{self, Asked, Controlled, Measured, Table};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
-use crate::options::{Method, Options, OptionsError};
+use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Scene, Top};
 use crate::solution::{Contact, Interface, Owner, Solution};
@@ -95,25 +95,12 @@ impl Model {
         let top = &top.into();
         let force = force.into().checked()?;
         options.check()?;
-        if options.method == Method::Collocation && self.stack.geometry().is_axisymmetric() {
-            return Err(OptionsError::CollocationIsPlane.into());
-        }
         if let Some(material) = top.material() {
             self.stack.check_punch(&material)?;
         }
-        let asked = Asked {
-            stack: &self.key,
-            kernel: &self.kernel,
-            table: self.table.as_deref(),
-            interfaces: &self.interfaces,
-            top,
-            tolerance: options.tolerance,
-        };
+        let asked = self.asked(top, options);
         asked.is_solvable()?;
-        let press = |force: f64| match options.method {
-            Method::Galerkin => contact::press(&asked, force),
-            Method::Collocation => collocation::press(&asked, force),
-        };
+        let press = |force: f64| contact::press(&asked, force);
         match force {
             Force::Given(force) => Ok(press(force)?),
             Force::ForHalfLength(wanted) => {
@@ -126,6 +113,48 @@ impl Model {
                 contact::press_to(&self.kernel, top, (Controlled::Approach, wanted), options, press, depth)
             }
         }
+    }
+
+    /// What is asked of the solver, but for the force.
+    fn asked<'a>(&'a self, top: &'a Top, options: &Options) -> Asked<'a> {
+        Asked {
+            stack: &self.key,
+            kernel: &self.kernel,
+            table: self.table.as_deref(),
+            interfaces: &self.interfaces,
+            top,
+            tolerance: options.tolerance,
+        }
+    }
+
+    /// Checks a solution of this model by collocation, which shares no discretisation with the solver: for each contact what is left in
+    /// its equations at the half-lengths that were found, and how much the pressures differ. To be told to a relative error.
+    ///
+    /// ```
+    /// use recede::{HalfPlane, Homogeneous, Model, Options, Plane, Punch, Stack};
+    /// let strip = Homogeneous::new(1.0, 1.0, 0.25)?;
+    /// let stack = Stack::builder(Plane::Strain).layer(strip).receding().layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// let (model, punch) = (Model::new(stack)?, Punch::cylinder(500.0)?);
+    /// let solution = model.press(&punch, 0.002)?;
+    /// for contact in model.collocate(&punch, &solution, &Options::default())? {
+    ///     assert!(contact.residual.abs() < 1e-10 && contact.pressure_difference < 1e-9);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Contact`] unless the problem is plane and all contacts are single intervals about x = 0 that end where the pressure vanishes;
+    /// [`FieldError::OtherStack`] if the solution is one of another stack.
+    pub fn collocate(
+        &self,
+        top: impl Into<Top>,
+        solution: &Solution,
+        options: &Options,
+    ) -> Result<Vec<Collocated>, Error> {
+        if !self.is_of(solution) {
+            return Err(FieldError::OtherStack.into());
+        }
+        Ok(collocation::check(&self.asked(&top.into(), options), solution)?)
     }
 
     /// Whether a solution belongs to the stack.

@@ -1,39 +1,22 @@
-//! What a solution has to fulfil, and how it is found.
+//! What a solution has to fulfil.
 
-/// What a solution has to fulfil, and how it is found.
+/// What a solution has to fulfil.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Relative error allowed in half-lengths and in the pressures at x = 0, dimensionless, 1e-13 ..= 1e-2.
     pub tolerance: f64,
-    /// Discretisation of the contact equations.
-    pub method: Method,
-}
-
-/// Discretisation of the contact equations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// Pressures as sine series, slopes tested with Chebyshev polynomials, integrals over the wavenumber: fast and exact.
-    #[default]
-    Galerkin,
-    /// Pressures at nodes, slopes compared at places between them, kernels as functions of the distance: an independent
-    /// check, slower and, next to graded faces, less exact. The error estimate is the difference between the answers for
-    /// two numbers of nodes.
-    Collocation,
 }
 
 impl Default for Options {
-    /// Ten digits, by the Galerkin method.
+    /// Ten digits.
     fn default() -> Self {
-        Self { tolerance: 1e-10, method: Method::default() }
+        Self { tolerance: 1e-10 }
     }
 }
 
 /// Why options say nothing that can be fulfilled.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum OptionsError {
-    /// Collocation is for plane problems.
-    #[error("method: found `collocation`, allowed in axisymmetric problems is `galerkin`")]
-    CollocationIsPlane,
     /// A relative tolerance that double precision cannot reach, or that says nothing.
     #[error("tolerance: found {found:?}, allowed is 1e-13 <= tolerance <= 1e-2")]
     Tolerance {

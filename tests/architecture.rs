@@ -26,7 +26,7 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
     ("kernel", &["numeric", "stack", "system"]),
     ("validity", &["kernel", "scene"]),
     ("contact", &["kernel", "numeric", "scene", "system", "validity"]),
-    ("collocation", &["contact", "kernel", "numeric", "scene", "system"]),
+    ("collocation", &["contact", "kernel", "numeric", "system"]),
     ("field", &["numeric", "stack", "system"]),
     ("approach", &["contact", "field", "kernel", "numeric", "scene", "stack"]),
     // put together from the errors of the stages, for all that stands above them
@@ -35,7 +35,7 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
     ("model", &["approach", "collocation", "contact", "errors", "field", "kernel", "profile", "scene", "stack"]),
     ("sweep", &["approach", "axis", "errors", "field", "model", "scene", "stack"]),
     ("plot", &["axis", "field", "files", "scene", "stack", "sweep"]),
-    ("report", &["approach", "errors", "field", "profile", "scene", "sweep"]),
+    ("report", &["approach", "collocation", "errors", "field", "profile", "scene", "sweep"]),
     (
         "selftest",
         &[

@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 
 use crate::support::outwards;
 use recede::{
-    ContactError, Error, Exponential, HalfPlane, Homogeneous, Load, Method, Model, Options, Plane, Punch, Scene,
-    Solution, Stack,
+    ContactError, Error, Exponential, HalfPlane, Homogeneous, Load, Model, Options, Plane, Punch, Scene, Solution,
+    Stack,
 };
 
 fn model(stack: recede::StackBuilder) -> Model {
@@ -163,8 +163,9 @@ fn a_thin_strip_is_bent_away_from_the_middle_of_a_wide_punch() {
 #[test]
 fn where_it_cannot_be_it_is_said() {
     let (_, model) = layered().remove(0);
-    let options = Options { method: Method::Collocation, ..Options::default() };
-    let refused = model.press_with(Punch::flat(0.5).unwrap(), 0.01, &options).unwrap_err();
+    let punch = Punch::flat(0.5).unwrap();
+    let solution = model.press(&punch, 0.01).unwrap();
+    let refused = model.collocate(&punch, &solution, &Options::default()).unwrap_err();
     assert!(
         matches!(refused, Error::Contact(ContactError::FlatByCollocation))
             && refused.hint().unwrap().contains("RoundedFlat")

@@ -8,8 +8,8 @@
 use crate::support::{self, innermost_end};
 
 use recede::{
-    ContactError, Controlled, Error, Exponential, Force, HalfPlane, Load, Method, Model, NoSolution, Options, Plane,
-    Punch, Scene, Stack, Sweep, report::SweepCsv,
+    ContactError, Controlled, Error, Exponential, Force, HalfPlane, Load, Model, NoSolution, Plane, Punch, Scene,
+    Stack, Sweep, report::SweepCsv,
 };
 
 fn half_plane() -> Model {
@@ -65,15 +65,6 @@ fn the_force_found_makes_the_contact_as_long_as_wanted() {
             );
         }
     }
-}
-
-#[test]
-fn collocation_finds_the_same_force() {
-    let punch = Punch::parabola(50.0).unwrap();
-    let options = Options { method: Method::Collocation, tolerance: 1e-7 };
-    let force = |options: &Options| strip().press_with(&punch, Force::ForHalfLength(0.4), options).unwrap().force();
-    let [found, expected] = [force(&options), force(&Options::default())];
-    assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
 }
 
 #[test]

@@ -9,8 +9,8 @@ use crate::support;
 use crate::closed_forms::line_load;
 use crate::support::outwards;
 use recede::{
-    ContactError, Error, Exponential, HalfPlane, Homogeneous, Interval, Load, Loads, Method, Model, Options, Plane,
-    Punch, Scene, Solution, Stack, StackBuilder, Top,
+    ContactError, Error, Exponential, HalfPlane, Homogeneous, Interval, Load, Loads, Model, Options, Plane, Punch,
+    Scene, Solution, Stack, StackBuilder, Top,
 };
 
 fn strip() -> StackBuilder {
@@ -380,7 +380,7 @@ fn the_command_solves_them() {
     let collocation = support::recede(&["solve", "-", "--method", "collocation"], SCENE.as_bytes());
     assert_eq!(collocation.status, Some(2), "{}", collocation.stdout);
     let model = Model::new(strip().rigid().build().unwrap()).unwrap();
-    let options = Options { method: Method::Collocation, ..Options::default() };
-    let refused = model.press_with(Load::Line, 1.0, &options);
+    let solution = model.press(Load::Line, 1.0).unwrap();
+    let refused = model.collocate(Load::Line, &solution, &Options::default());
     assert!(matches!(refused, Err(Error::Contact(ContactError::LoadByCollocation))));
 }

@@ -8,9 +8,7 @@
 use std::f64::consts::PI;
 
 use crate::closed_forms::{Elastic, hertz, punches};
-use recede::{
-    Exponential, HalfPlane, Homogeneous, Interval, Method, Model, Options, Plane, Punch, Scene, Solution, Stack,
-};
+use recede::{Exponential, HalfPlane, Homogeneous, Interval, Model, Options, Plane, Punch, Scene, Solution, Stack};
 
 use crate::support::outwards;
 
@@ -201,12 +199,11 @@ fn elastic_cylinders_share_the_flattening() {
     for model in half_planes() {
         let exact = hertz::cylinder(equivalent, 20.0, 0.05).unwrap();
         let punch = Punch::elastic_cylinder(20.0, 3.0, 0.2).unwrap();
-        for method in [Method::Galerkin, Method::Collocation] {
-            let options = Options { method, tolerance: 1e-10 };
-            let solution = model.press_with(&punch, 0.05, &options).unwrap();
-            close(solution.contacts()[0].half_length().unwrap(), exact.half_length(), 1e-10, "elastic cylinder");
-            close(solution.contacts()[0].central_pressure, exact.central_pressure(), 1e-9, "elastic cylinder");
-        }
+        let solution = model.press(&punch, 0.05).unwrap();
+        close(solution.contacts()[0].half_length().unwrap(), exact.half_length(), 1e-10, "elastic cylinder");
+        close(solution.contacts()[0].central_pressure, exact.central_pressure(), 1e-9, "elastic cylinder");
+        let checked = model.collocate(&punch, &solution, &Options::default()).unwrap();
+        assert!(checked[0].residual.abs() < 1e-9 && checked[0].pressure_difference < 1e-8, "{checked:?}");
     }
     for model in layered() {
         let rigid = model.press(Punch::cylinder(100.0).unwrap(), 0.01).unwrap();
@@ -273,19 +270,19 @@ fn uneven_punches_are_read_written_and_swept_and_sharp_ones_refused() {
             for again in [Scene::from_ron(&scene.to_ron()).unwrap(), Scene::from_json(&scene.to_json()).unwrap()] {
                 assert_eq!(again.top.punch(), Some(own));
             }
-            for method in [Method::Galerkin, Method::Collocation] {
-                let model = Model::new(scene.stack().unwrap()).unwrap();
-                let options = Options { method, ..Options::default() };
-                let found = model.press_with(&scene.top, scene.force, &options);
-                // a smooth one is solved for
-                if punch == table && given == force && method == Method::Galerkin {
-                    let contact = found.unwrap().contacts()[0].clone();
-                    assert!(contact.half_length().is_none() && (contact.resultant / 0.02 - 1.0).abs() < 1e-12);
-                    continue;
-                }
-                let error = scene.locate(found.unwrap_err());
-                assert!(error.is_input() && error.hint().is_some(), "{error}");
+            let model = Model::new(scene.stack().unwrap()).unwrap();
+            let found = model.press(&scene.top, scene.force);
+            // a smooth one is solved for
+            if punch == table && given == force {
+                let solution = found.unwrap();
+                let contact = &solution.contacts()[0];
+                assert!(contact.half_length().is_none() && (contact.resultant / 0.02 - 1.0).abs() < 1e-12);
+                let checked = model.collocate(&scene.top, &solution, &Options::default());
+                assert!(checked.unwrap_err().is_input());
+                continue;
             }
+            let error = scene.locate(found.unwrap_err());
+            assert!(error.is_input() && error.hint().is_some(), "{error}");
         }
     }
     let text = "Scene(geometry: PlaneStrain, punch: Wedge(slope: 0.1, left: 0.2), force: 0.02,
@@ -381,16 +378,8 @@ fn both_methods_agree_on_layers() {
                 contacts.iter().all(|c| c.half_length_error().unwrap() < 1e-9 * c.half_length().unwrap()),
                 "stack {i}, {punch}: {found:?}"
             );
-            let options = Options { method: Method::Collocation, tolerance: error };
-            let other = model.press_with(&punch, 0.02, &options).unwrap();
-            for (found, other) in contacts.iter().zip(other.contacts()) {
-                close(
-                    found.half_length().unwrap(),
-                    other.half_length().unwrap(),
-                    error,
-                    &format!("stack {i}, {punch}"),
-                );
-            }
+            let checked = model.collocate(&punch, &found, &Options { tolerance: error }).unwrap();
+            assert!(checked.iter().all(|contact| contact.residual.abs() < error), "stack {i}, {punch}: {checked:?}");
         }
     }
 }

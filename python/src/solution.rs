@@ -95,6 +95,7 @@ impl Solution {
             approach: Some(&approach),
             max_shear,
             extremes: extremes.as_ref(),
+            collocated: None,
             digits: None,
             seconds: *seconds,
         };

@@ -36,7 +36,7 @@ pub struct Solve {
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
-    /// Discretisation of the contact equations
+    /// `collocation` checks the solution by a second discretisation of the contact equations
     #[arg(long, value_enum, default_value_t = Method::Galerkin)]
     method: Method,
     /// Tell, on standard error, what was computed and what was not needed
@@ -68,7 +68,7 @@ enum Format {
 enum Method {
     /// Sine series, tested with Chebyshev polynomials
     Galerkin,
-    /// Pressures at nodes: slower, an independent check
+    /// The same, and an independent check of it: pressures at nodes, at the half-lengths that were found
     Collocation,
 }
 
@@ -76,11 +76,7 @@ impl Solve {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = self.format()?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let method = match self.method {
-            Method::Galerkin => recede::Method::Galerkin,
-            Method::Collocation => recede::Method::Collocation,
-        };
-        let options = Options { tolerance: self.tolerance, method };
+        let options = Options { tolerance: self.tolerance };
         let start = Instant::now();
         let (model, solution) = Model::new(scene.stack()?)
             .and_then(|model| model.press_with(&scene.top, scene.force, &options).map(|solution| (model, solution)))
@@ -95,10 +91,19 @@ impl Solve {
         if self.stats {
             tell(&solution.stats().to_string());
         }
+        let collocated = match self.method {
+            Method::Galerkin => None,
+            Method::Collocation => {
+                let checked = model.collocate(&scene.top, &solution, &options);
+                Some(checked.map_err(|error| scene.locate(error))?)
+            }
+        };
+        let collocated = collocated.as_deref();
         let digits = self.digits.map(usize::from);
         let approach = approach.as_ref();
         let extremes = extremes.as_ref();
-        let report = Report { scene: &scene, solution: &solution, approach, max_shear, extremes, digits, seconds };
+        let report =
+            Report { scene: &scene, solution: &solution, approach, max_shear, extremes, collocated, digits, seconds };
         let format = match format {
             Format::Table => report::Format::Table,
             Format::Json => report::Format::Json,

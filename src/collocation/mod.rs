@@ -1,264 +1,87 @@
-//! A second, independent discretisation of the contact equations: pressures at nodes, slopes compared at collocation points between
-//! them, kernels as functions of the distance. Slower than the Galerkin solver; its purpose is to check that.
+//! A check of a solution by a second, independent discretisation of the contact equations: at the half-lengths that were found, pressures at nodes
+//! make slopes at collocation points between them, with kernels as functions of the distance.
 //!
-//! It shares with the Galerkin solver the flexibilities at single wavenumbers, the problem, the order of starting points, and the
-//! assembly of an answer.
+//! It shares with the Galerkin solver the flexibilities at single wavenumbers, and the problem.
 mod equations;
-mod gaps;
 mod nodes;
 mod spatial;
 mod spectrum;
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
-
-use crate::numeric::largest;
-use crate::solution::{Solution, Stats, Strip, Warning, WarningCode};
-
-use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::even::RightInterval;
-use crate::contact::problem::estimate::Estimate;
-use crate::contact::problem::modes::alternating;
-use crate::contact::problem::{Problem, Side};
-use crate::contact::quality::levels::Start;
-use crate::contact::starts::order::solve_in_order;
-use crate::contact::{Asked, ContactError, NoSolution};
+use crate::contact::problem::Side;
+use crate::contact::{Asked, ContactError};
+use crate::solution::{Interface, Solution};
 
 use equations::Pressures;
 use nodes::Nodes;
 use spatial::Spatial;
 
-/// Numbers of nodes: the first, doubled until the tolerance is met, and the last.
+/// Numbers of nodes: the first, doubled until what is found changes by less than the tolerance, and the last.
 const COARSEST: usize = 16;
 const FINEST: usize = 512;
-/// Longest step in the logarithm of a half-length.
-const LONGEST_STEP: f64 = 0.5;
-/// Steps for one number of nodes.
-const STEPS: usize = 30;
-/// Newton's method has converged if a step is below this, or if steps below the second value no longer become shorter, which is rounding.
-const CONVERGED: f64 = 1e-13;
-const SHORT: f64 = 1e-8;
-/// Step of the finite differences for derivatives by the logarithm of a half-length.
-const DIFFERENCE: f64 = 1e-5;
-/// Relative rounding error of a half-length.
-const ROUNDING: f64 = 1e-12;
-/// Pressures and gaps below zero by less than this part of the largest value are zero.
-const ZERO: f64 = 1e-5;
 
-/// Half-lengths and pressures for one number of nodes.
-struct Discretised {
-    half_lengths: Vec<f64>,
-    pressures: Pressures,
-    /// p(0) per unit of P'.
-    peaks: Vec<f64>,
-    /// Length of the last step.
-    last_step: f64,
+/// What collocation says of one contact of a solution.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Collocated {
+    /// The contact.
+    pub interface: Interface,
+    /// What is left in its equations where its pressure has the right resultant: a slope that grows from 0 in the middle to this at the end, over
+    /// the slope there on a half-plane under an elliptic pressure of the same resultant. Dimensionless; 0 at the right half-lengths.
+    pub residual: f64,
+    /// The largest difference between the pressures at the nodes by both discretisations, over the largest pressure there; dimensionless.
+    pub pressure_difference: f64,
+    /// Number of nodes.
+    pub nodes: usize,
 }
 
-/// Presses a punch on a stack: the answer in the units of the scene.
-pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError> {
-    let kernel = &*asked.kernel_under(force);
-    let problem = asked.problem(kernel, force);
+/// Solves the collocated equations at the half-lengths of a solution.
+///
+/// # Errors
+/// [`ContactError`] if collocation does not know contacts of this kind, or if the fields of a layer cannot be computed.
+pub(crate) fn check(asked: &Asked, solution: &Solution) -> Result<Vec<Collocated>, ContactError> {
+    let kernel = &*asked.kernel_under(solution.force());
+    let problem = asked.problem(kernel, solution.force());
     if (0..problem.contacts()).any(|i| problem.is_known(i)) {
         return Err(ContactError::LoadByCollocation);
-    }
-    if !problem.is_even() {
-        return Err(ContactError::UnevenByCollocation);
     }
     if problem.sides.iter().any(Side::is_flat) {
         return Err(ContactError::FlatByCollocation);
     }
-    let mut collocation = Collocation { problem: &problem, spatial: Spatial::new(kernel)?, steps: Vec::new() };
-    let solve = |start: Start| {
-        let (Start::Guess { half_lengths } | Start::Cold { half_lengths } | Start::Warm { half_lengths, .. }) = start;
-        collocation.refine(half_lengths).map(Into::into)
-    };
-    Ok(solve_in_order(&problem, solve, |_, _| None)?.into_solution(&problem, force, Some(asked.stack)))
-}
-
-struct Collocation<'a> {
-    problem: &'a Problem<'a>,
-    spatial: Spatial,
-    /// Newton steps taken on each level.
-    steps: Vec<usize>,
-}
-
-impl Collocation<'_> {
-    /// Doubles the number of nodes until two answers agree.
-    fn refine(&mut self, half_lengths: Vec<f64>) -> Result<Answer, ContactError> {
-        let tolerance = self.problem.tolerance;
-        let singular = self.spatial.diagonals.iter().any(|diagonal| diagonal.jump.is_some());
-        let mut count = COARSEST;
-        let mut jacobian = None;
-        let mut nodes = Nodes::new(count, singular);
-        let mut before = self.converge(&nodes, half_lengths, &mut jacobian)?;
-        loop {
-            count *= 2;
-            nodes = Nodes::new(count, singular);
-            let level = self.converge(&nodes, before.half_lengths.clone(), &mut jacobian)?;
-            let error = |new: f64, old: f64| (new / old - 1.0).abs() + level.last_step + ROUNDING;
-            let errors: Vec<Estimate> = (0..level.peaks.len())
-                .map(|i| {
-                    let length = error(level.half_lengths[i], before.half_lengths[i]);
-                    Estimate::new(length, error(level.peaks[i], before.peaks[i]) + length)
-                })
-                .collect();
-            let worst = largest(errors.iter().map(|error| error.worst()));
-            if worst.is_nan() {
-                return Err(self.problem.not_converged(&level.half_lengths));
+    let half_length = |contact: &crate::solution::Contact| contact.half_length().map(|a| a / kernel.length());
+    let half_lengths: Option<Vec<f64>> = solution.contacts().iter().map(half_length).collect();
+    let half_lengths = half_lengths
+        .filter(|_| problem.is_even() && !kernel.geometry().is_axisymmetric())
+        .ok_or(ContactError::UnevenByCollocation)?;
+    let mut spatial = Spatial::new(kernel)?;
+    spatial.cover(2.0 * half_lengths.iter().copied().fold(0.0, f64::max));
+    let singular = spatial.diagonals.iter().any(|diagonal| diagonal.jump.is_some());
+    let unit = kernel.modulus() * problem.force;
+    let mut count = COARSEST;
+    let mut before: Vec<Collocated> = Vec::new();
+    loop {
+        let nodes = Nodes::new(count, singular);
+        let Pressures { phi, slack } = equations::solve(&spatial, &nodes, &problem, &half_lengths);
+        let of = |(i, contact): (usize, &crate::solution::Contact)| {
+            let (mut largest, mut off) = (0.0f64, 0.0f64);
+            for (phi, s) in phi[i].iter().zip(&nodes.s) {
+                let (a, root) = (half_lengths[i], ((1.0 - s) * (1.0 + s)).sqrt());
+                let expected = contact.pressure(s * a * kernel.length());
+                (largest, off) = (largest.max(expected), off.max((phi * root / a * unit - expected).abs()));
             }
-            if worst <= tolerance || count >= FINEST {
-                let mut warnings = Vec::new();
-                if worst > tolerance {
-                    let message = format!(
-                        "the tolerance {tolerance:e} is not met with {count} nodes; the error estimates tell what was reached"
-                    );
-                    warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
-                }
-                return self.answer(&nodes, &level, &errors, warnings);
+            Collocated {
+                interface: contact.interface,
+                residual: slack[i] * 0.5 * std::f64::consts::PI / spatial.diagonals[i].limit,
+                pressure_difference: off / largest,
+                nodes: count,
             }
-            before = level;
-        }
-    }
-
-    /// Newton's method for the logarithms of the half-lengths. The derivatives are finite differences, and kept as long as
-    /// steps with them become shorter, also from one number of nodes to the next.
-    fn converge(
-        &mut self,
-        nodes: &Nodes,
-        mut half_lengths: Vec<f64>,
-        jacobian: &mut Option<Mat<f64>>,
-    ) -> Result<Discretised, ContactError> {
-        let mut last = f64::INFINITY;
-        self.steps.push(0);
-        for _ in 0..STEPS {
-            let pressures = self.solve(nodes, &half_lengths);
-            if let Some(steps) = self.steps.last_mut() {
-                *steps += 1;
-            }
-            let derivatives = match jacobian.take() {
-                Some(kept) => kept,
-                None => self.derivatives(nodes, &half_lengths, &pressures.slack),
-            };
-            let right = Mat::from_fn(half_lengths.len(), 1, |i, _| -pressures.slack[i]);
-            let step: Vec<f64> = derivatives.partial_piv_lu().solve(&right).col(0).iter().copied().collect();
-            let longest = step.iter().fold(0.0, |longest: f64, step| longest.max(step.abs()));
-            if step.iter().any(|step| !step.is_finite()) {
-                break;
-            }
-            if longest < CONVERGED || last < SHORT && longest > 0.5 * last {
-                *jacobian = Some(derivatives);
-                let peaks = pressures.phi.iter().zip(&half_lengths).map(|(phi, a)| peak(nodes, phi) / a).collect();
-                return Ok(Discretised { half_lengths, pressures, peaks, last_step: longest });
-            }
-            // derivatives with which steps no longer become shorter are computed anew
-            *jacobian = (longest < 0.1 * last && longest < 0.1).then_some(derivatives);
-            last = longest;
-            let shorten = (LONGEST_STEP / longest).min(1.0);
-            for (a, step) in half_lengths.iter_mut().zip(&step) {
-                *a *= (shorten * step).exp();
-            }
-            for i in 0..half_lengths.len() {
-                let Some(edge) = self.problem.sides[i].edge().filter(|edge| half_lengths[i] >= *edge) else { continue };
-                half_lengths[i] = edge * (1.0 - 1e-4);
-                if let Some(error) = self.problem.too_small(&half_lengths) {
-                    return Err(error);
-                }
-            }
-        }
-        *jacobian = None;
-        Err(self.problem.not_converged(&half_lengths))
-    }
-
-    fn solve(&mut self, nodes: &Nodes, half_lengths: &[f64]) -> Pressures {
-        let longest = half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-        self.spatial.cover(2.0 * longest);
-        equations::solve(&self.spatial, nodes, self.problem, half_lengths)
-    }
-
-    /// dσ/d ln a, one column per half-length.
-    fn derivatives(&mut self, nodes: &Nodes, half_lengths: &[f64], slack: &[f64]) -> Mat<f64> {
-        let n = half_lengths.len();
-        let mut derivatives = Mat::zeros(n, n);
-        for by in 0..n {
-            let mut moved = half_lengths.to_vec();
-            moved[by] *= DIFFERENCE.exp();
-            let changed = self.solve(nodes, &moved).slack;
-            for i in 0..n {
-                derivatives[(i, by)] = (changed[i] - slack[i]) / DIFFERENCE;
-            }
-        }
-        derivatives
-    }
-
-    /// The answer, if it is admissible.
-    fn answer(
-        &mut self,
-        nodes: &Nodes,
-        level: &Discretised,
-        errors: &[Estimate],
-        warnings: Vec<Warning>,
-    ) -> Result<Answer, ContactError> {
-        let problem = self.problem;
-        let longest = level.half_lengths.iter().fold(0.0, |longest: f64, a| longest.max(*a));
-        let extent = problem.span(&level.half_lengths);
-        self.spatial.cover(extent + longest);
-        let (mut min_pressure, mut min_gap) = (0.0f64, 0.0f64);
-        let mut contacts = Vec::new();
-        for (i, error) in errors.iter().enumerate() {
-            min_pressure = min_pressure.min(self.least_pressure(nodes, level, i)?);
-            min_gap = min_gap.min(self.least_gap(nodes, level, i, extent)?);
-            let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
-            let coefficients: Vec<f64> = nodes.coefficients(phi).iter().map(|c| c / a).collect();
-            let peak = if problem.sides[i].is_sharp() { f64::INFINITY } else { level.peaks[i] };
-            let part = RightInterval { from: 0.0, from_error: 0.0, to: a, to_error: error.length * a };
-            contacts.push(Found::even(vec![part], [peak, error.pressure * peak], vec![Strip::series(a, coefficients)]));
-        }
-        let stats = Stats {
-            modes: vec![nodes.half(); problem.contacts()],
-            newton_steps: self.steps.clone(),
-            factorisations: self.steps.iter().sum(),
-            wavenumbers: problem.kernel.work().wavenumbers + self.spatial.samples(),
-            ..stats(problem.kernel)
         };
-        Ok(Answer { contacts, min_pressure, min_gap, tilts: Vec::new(), stats, warnings })
-    }
-
-    /// The smallest pressure at the nodes of contact i; an error if it is negative.
-    fn least_pressure(&self, nodes: &Nodes, level: &Discretised, i: usize) -> Result<f64, ContactError> {
-        let (a, phi) = (level.half_lengths[i], &level.pressures.phi[i]);
-        let mut least = 0.0f64;
-        for (phi, s) in phi.iter().zip(&nodes.s) {
-            let pressure = phi * (1.0 - s * s).sqrt() / a;
-            if pressure < -ZERO * level.peaks[i].abs() {
-                let length = self.problem.kernel.length();
-                let half_lengths = level.half_lengths.iter().map(|a| a * length).collect();
-                let (interface, x) = (self.problem.interfaces[i], s * a * length);
-                return Err(NoSolution::Tension { interface, x, half_lengths }.into());
-            }
-            least = least.min(pressure);
+        let found: Vec<Collocated> = solution.contacts().iter().enumerate().map(of).collect();
+        let same = |(new, old): (&Collocated, &Collocated)| {
+            (new.residual - old.residual).abs() <= asked.tolerance
+                && (new.pressure_difference - old.pressure_difference).abs() <= asked.tolerance
+        };
+        if !before.is_empty() && found.iter().zip(&before).all(same) || count >= FINEST {
+            return Ok(found);
         }
-        Ok(least)
+        (before, count) = (found, 2 * count);
     }
-
-    /// The smallest gap outside contact i; an error if it is negative.
-    fn least_gap(&self, nodes: &Nodes, level: &Discretised, i: usize, extent: f64) -> Result<f64, ContactError> {
-        let side = &self.problem.sides[i];
-        let gaps = gaps::gaps(&self.spatial, nodes, side, &level.half_lengths, &level.pressures, (i, extent));
-        let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
-        let mut least = 0.0f64;
-        for (x, gap) in gaps {
-            if gap < -ZERO * widest {
-                let x = x * self.problem.kernel.length();
-                return Err(NoSolution::Penetration { interface: self.problem.interfaces[i], x }.into());
-            }
-            least = least.min(gap);
-        }
-        Ok(least)
-    }
-}
-
-/// φ at s = 0.
-fn peak(nodes: &Nodes, phi: &[f64]) -> f64 {
-    nodes.coefficients(phi).iter().enumerate().map(|(m, c)| alternating(m) * c).sum()
 }

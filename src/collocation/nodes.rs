@@ -45,15 +45,6 @@ impl Nodes {
         let Some(weights) = &self.singular else { return [[0.0; 2]; 2] };
         [0, 1].map(|kind| [weights[kind][(j, k)], weights[kind][(j, self.count - 1 - k)]])
     }
-
-    /// c_m of √(1 − s²) φ = Σ c_m sin (2m + 1)θ, s = cos θ.
-    pub(super) fn coefficients(&self, phi: &[f64]) -> Vec<f64> {
-        let step = PI / (self.count + 1) as f64;
-        let value = |k: usize| (step * (k + 1) as f64).sin() * phi[k];
-        let sine = |m: usize, k: usize| (step * ((2 * m + 1) * (k + 1) % (2 * (self.count + 1))) as f64).sin();
-        let coefficient = |m: usize| (0..self.half()).map(|k| sine(m, k) * value(k)).sum::<f64>();
-        (0..self.half()).map(|m| 4.0 / (self.count + 1) as f64 * coefficient(m)).collect()
-    }
 }
 
 /// Weights of sign(r_j − s) and ln|r_j − s|.
@@ -116,16 +107,6 @@ mod tests {
             let expected =
                 -0.5 * PI * (LN_2 - (2.0 * psi).cos() / 2.0) - 0.25 * PI * (psi.cos() - (3.0 * psi).cos() / 3.0);
             assert!((log - expected).abs() < 1e-14, "{log} is not {expected}");
-        }
-    }
-
-    #[test]
-    fn coefficients_are_those_of_the_sine_series() {
-        let nodes = Nodes::new(10, false);
-        let phi: Vec<f64> = nodes.s.iter().map(|s| 3.0 + 4.0 * s * s).collect();
-        // sin θ (3 + 4 cos²θ) = 4 sin θ + sin 3θ
-        for (found, expected) in nodes.coefficients(&phi).into_iter().zip([4.0, 1.0, 0.0, 0.0, 0.0]) {
-            assert!((found - expected).abs() < 1e-14);
         }
     }
 }

@@ -8,7 +8,7 @@
 //!
 //! e_i being the equal-pressure response and k_il the coupling. No integral diverges, and none is cut off. Next to a
 //! graded face M has a jump and a logarithm at u = 0, which are split off: M = sign(u) E(u) + ln|u| O(u) + R(u).
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 use crate::contact::ContactError;
 use crate::kernel::Kernel;
@@ -100,12 +100,6 @@ impl Spatial {
         })
     }
 
-    /// Wavenumbers sampled.
-    pub(super) fn samples(&self) -> usize {
-        let diagonals = self.diagonals.iter().map(|diagonal| diagonal.spectrum.samples).sum::<usize>();
-        diagonals + self.coupling.iter().map(|(spectrum, _)| spectrum.samples).sum::<usize>()
-    }
-
     /// Makes the tables long enough for distances up to `u`.
     pub(super) fn cover(&mut self, u: f64) {
         for Diagonal { limit, jump, spectrum, asymptote, regular } in &mut self.diagonals {
@@ -153,11 +147,6 @@ impl Diagonal {
     /// R(u), odd.
     pub(super) fn regular(&self, u: f64) -> f64 {
         self.regular.odd(u)
-    }
-
-    /// M(u), u ≠ 0.
-    pub(super) fn total(&self, u: f64) -> f64 {
-        self.regular(u) + self.jump.map_or(0.0, |jump| u.signum() * jump.even(u) + u.abs().ln() * jump.odd(u))
     }
 }
 
@@ -210,10 +199,4 @@ impl Samples {
         let value = self.pieces.get(at).map_or(f64::NAN, |piece| piece.eval(u.abs()));
         if u < 0.0 { -value } else { value }
     }
-}
-
-/// Σ over the pressure's sine series of ∫ p(t)/(x − t) dt outside the contact, x = a cosh τ.
-pub(super) fn cauchy_outside(coefficients: &[f64], tau: f64) -> f64 {
-    let terms = coefficients.iter().enumerate().map(|(m, c)| c * (-((2 * m + 1) as f64) * tau).exp());
-    PI * terms.sum::<f64>()
 }

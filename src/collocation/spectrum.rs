@@ -29,15 +29,13 @@ const TURNED: f64 = 24.0;
 /// A component of the kernel times a power of ζ, on panels from zero to the wavenumber from which on its asymptote holds.
 pub(super) struct Spectrum {
     panels: Vec<Series>,
-    /// Samples taken.
-    pub(super) samples: usize,
 }
 
 impl Spectrum {
     /// The coupling of contacts i and i + 1, times ζ³.
     pub(super) fn coupling(kernel: &Kernel, i: usize) -> Result<Self, Unresolved> {
         let coupling = |zeta: f64| kernel.flexibilities(zeta).map_or(f64::NAN, |(c, _)| c[i].coupling);
-        let mut spectrum = Self { panels: Vec::new(), samples: 0 };
+        let mut spectrum = Self { panels: Vec::new() };
         let mut edge = 0.0;
         for doubling in 0..DOUBLINGS {
             let next = f64::from(2u32).powi(doubling as i32);
@@ -58,13 +56,12 @@ impl Spectrum {
                 below - i.checked_sub(1).map_or(-kernel.punch(), |above| laminates[above].equal_bottom)
             })
         };
-        let mut spectrum = Self { panels: Vec::new(), samples: 0 };
+        let mut spectrum = Self { panels: Vec::new() };
         let mut edge = 0.0;
         for doubling in 0..DOUBLINGS {
             let next = f64::from(2u32).powi(doubling as i32);
             spectrum.resolve(kernel, edge, next, &|zeta| response(zeta) * zeta)?;
             edge = next;
-            spectrum.samples += POINTS;
             if let Some(asymptote) = Asymptote::fit(edge, response) {
                 return Ok((spectrum, asymptote));
             }
@@ -80,7 +77,6 @@ impl Spectrum {
         function: &dyn Fn(f64) -> f64,
     ) -> Result<(), Unresolved> {
         let panel = Series::of(from, to, POINTS, |zeta| function(zeta.max(LOWEST)));
-        self.samples += POINTS;
         if panel.coefficients().iter().any(|c| !c.is_finite()) {
             return Err(unresolved(kernel, to));
         }

@@ -10,7 +10,7 @@ use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::BEST;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
-use crate::options::{Method, Options};
+use crate::options::Options;
 use crate::scene::{Punch, Top};
 use crate::solution::{Solution, Stats};
 
@@ -47,9 +47,8 @@ pub(crate) fn press_to<E: From<ContactError>>(
     if is_length && (wanted <= flat || edge.is_some_and(|edge| wanted >= edge)) {
         return Err(unreachable(edge, Some(flat)).into());
     }
-    let floor = if options.method == Method::Collocation { options.tolerance } else { BEST };
     let mut search =
-        Search::new(wanted, MET * options.tolerance.max(floor), first_guess(kernel, punch, controlled, wanted));
+        Search::new(wanted, MET * options.tolerance.max(BEST), first_guess(kernel, punch, controlled, wanted));
     let mut all = Stats::default();
     for _ in 0..TRIALS {
         let force = search.trial.exp();

@@ -7,10 +7,10 @@ use crate::system::Unresolved;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// A given pressure, and a method that wants a punch.
-    #[error("a given pressure in place of a punch is solved for by the Galerkin method only")]
+    #[error("a given pressure in place of a punch cannot be checked by collocation")]
     LoadByCollocation,
     /// A flat punch with sharp corners, and a method that wants pressures that end at 0.
-    #[error("a flat punch with sharp corners is solved for by the Galerkin method only")]
+    #[error("a flat punch with sharp corners cannot be checked by collocation")]
     FlatByCollocation,
     /// A given pressure, and a half-length of the contact under a punch, or its approach.
     #[error("{}: under a given pressure there is nothing that a force could be found for", .0.field())]
@@ -32,8 +32,8 @@ pub enum ContactError {
          the infinite pressures of two sides would differ"
     )]
     SharpPunches,
-    /// Contacts that are not symmetric, by collocation.
-    #[error("the method `collocation` is for what is symmetric about x = 0")]
+    /// Contacts that are not of the kind that collocation knows.
+    #[error("collocation checks contacts of plane scenes that are each one interval about x = 0")]
     UnevenByCollocation,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
@@ -81,7 +81,7 @@ impl ContactError {
             Self::SharpPunches => {
                 Some("round it a little: `RoundedFlat(...)` in place of `Flat`, a `Table` in place of a wedge".to_owned())
             }
-            Self::UnevenByCollocation => Some("use the method `galerkin`".to_owned()),
+            Self::UnevenByCollocation => None,
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
         }
@@ -171,8 +171,6 @@ pub enum NoSolution {
         interface: Interface,
         /// Where, in length.
         x: f64,
-        /// The half-lengths with which it would be, from the top down, in length.
-        half_lengths: Vec<f64>,
     },
     /// Bodies touch in more than one interval, and where exactly was not found.
     #[error("the contact at {} is not one interval: the bodies touch {} from its middle", place(.interface), intervals(.parts))]

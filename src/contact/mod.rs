@@ -30,14 +30,9 @@ pub(crate) use starts::table::Table;
 pub(crate) use tangent::tangent;
 
 use answer::Answer;
-use ends::newton::Work;
 use problem::Problem;
-use problem::estimate::Estimate;
-use problem::iteration::Operations;
-use quality::levels::{Start, refine};
-use quality::{admissible, estimates};
 use starts::formulas;
-use starts::order::{Attempt, solve_in_order};
+use starts::order::solve_in_order;
 
 /// What is asked of the solver: everything but the force.
 pub(crate) struct Asked<'a> {
@@ -62,7 +57,7 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
         // a table is for one kernel
         let table = asked.table.filter(|_| asked.top.material().is_none());
         let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
-        thin::solve(&problem, |problem| solve(problem, table_of(problem)))?
+        thin::solve(&problem, |problem| solve_in_order(problem, table_of(problem)))?
     } else {
         intervals::anywhere(&problem, &formulas::anywhere(&problem))?
     };
@@ -103,38 +98,6 @@ impl Asked<'_> {
     }
 }
 
-/// Solves from the first of the starting points that leads to an admissible answer.
-fn solve(problem: &Problem, table: Option<&Table>) -> Result<Answer, ContactError> {
-    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    if let Some(start) = table.and_then(|table| table.start(problem))
-        && let Ok(attempt) = solve_from(problem, start, &mut work)
-        && attempt.answer.warnings.is_empty()
-    {
-        return Ok(attempt.answer);
-    }
-    solve_in_order(
-        problem,
-        |start| solve_from(problem, start, &mut work),
-        |expected, far| programme::answer(problem, expected, far),
-    )
-}
-
-/// Newton's method over refinement levels, the sign check, and the answer.
-fn solve_from(problem: &Problem, start: Start, work: &mut Work) -> Result<Attempt, ContactError> {
-    work.operations.start();
-    let refined = refine(problem, start, work)?;
-    // a half-length that no pressure is sensitive to need not be known
-    let is_unknown = |error: &Estimate| {
-        error.worst().is_nan() || error.length > estimates::UNKNOWN && error.pressure > estimates::UNKNOWN
-    };
-    if refined.level.errors.iter().any(is_unknown) {
-        return Err(problem.not_converged(&refined.level.support.half_lengths));
-    }
-    let check = admissible::check(problem, &refined.level)?;
-    let recontacts = check.recontacts.iter().map(|recontact| problem.interfaces[recontact.contact]).collect();
-    Ok(Attempt { answer: quality::answer::answer(problem, refined, check, work.clone()), recontacts })
-}
-
 #[cfg(test)]
 mod tests {
     use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
@@ -142,7 +105,9 @@ mod tests {
     use super::*;
     use crate::contact::problem::Side;
     use crate::contact::problem::load::Given;
+    use crate::scene::Punch;
     use crate::stack::Stack;
+    use crate::{Model, Options};
 
     #[test]
     fn the_pressure_of_a_punch_given_as_a_load_makes_the_same_contacts() {
@@ -154,15 +119,15 @@ mod tests {
             stack().layer(graded).receding().layer(strip()).receding().rigid(),
         ] {
             let stack = stack.build().unwrap();
-            let (kernel, interfaces, options) = (Kernel::new(&stack).unwrap(), stack.contacts(), Options::default());
+            let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
             let punch = Top::from(Punch::parabola(100.0).unwrap());
             for force in [1e-4, 0.02] {
-                let expected = press(&kernel, None, &interfaces, &punch, force, &options).unwrap();
+                let expected = Model::new(stack.clone()).unwrap().press(&punch, force).unwrap();
                 let top = &expected.contacts[0];
                 let given = Given::of(top.innermost().right / kernel.length(), &top.strips[0].coefficients);
-                let mut problem = Problem::new(&kernel, &interfaces, &punch, force, options.tolerance);
+                let mut problem = Problem::new(&kernel, &interfaces, &punch, force, Options::default().tolerance);
                 problem.sides[0] = Side::Known(given);
-                let found = solve(&problem, None).unwrap();
+                let found = solve_in_order(&problem, None).unwrap().into_solution(&problem, force, None);
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
                     assert!(
                         (found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-10,

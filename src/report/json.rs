@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::{Report, extremes};
 use crate::approach::{self, ApproachError, Stiffness};
+use crate::collocation::Collocated;
 use crate::scene::{self, Dimension, visible_json};
 use crate::solution;
 
@@ -21,6 +22,8 @@ struct Document<'a> {
     approach: Option<Approach>,
     min_pressure: f64,
     min_gap: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    collocation: Option<&'a [Collocated]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     max_shear: Option<MaxShear>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -193,6 +196,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         approach: report.approach.map(Approach::of),
         min_pressure: solution.min_pressure(),
         min_gap: solution.min_gap(),
+        collocation: report.collocated,
         max_shear: report.max_shear.map(|max| MaxShear {
             value: max.value,
             x: max.x,

@@ -17,6 +17,7 @@ use std::io;
 pub use field::{FieldFormat, write_field};
 
 use crate::approach::{Approach, ApproachError};
+use crate::collocation::Collocated;
 use crate::field::{Extremes, MaxShear};
 use crate::scene::{Dimension, Scene, Units};
 use crate::solution::{Contact, Interface, Solution};
@@ -45,7 +46,7 @@ pub enum Format {
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
 /// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, extremes: None,
-///     digits: None, seconds: 0.0 };
+///     collocated: None, digits: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -61,6 +62,8 @@ pub struct Report<'a> {
     pub max_shear: Option<MaxShear>,
     /// Stresses by which layers and bonds break, if they were requested: see [`crate::Field::extremes`].
     pub extremes: Option<&'a Extremes>,
+    /// What collocation says of each contact, if it was requested: see [`crate::Model::collocate`].
+    pub collocated: Option<&'a [Collocated]>,
     /// Significant digits of the numbers in a table, at most; `None` shows as many as their errors justify.
     pub digits: Option<usize>,
     /// Time it took, in seconds.

@@ -7,6 +7,7 @@ use super::digits::{Digits, shown};
 use super::ruled::ruled;
 use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
+use crate::collocation::Collocated;
 use crate::field::MaxShear;
 use crate::geometry::Words;
 use crate::scene::{Dimension, visible};
@@ -29,6 +30,10 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
 
     writeln!(out, "{}", contacts(report, [&length, &stress, &line_load]))?;
     notes(report, out)?;
+    for Collocated { interface, residual, pressure_difference, nodes } in report.collocated.unwrap_or_default() {
+        let [residual, off] = [residual.abs(), *pressure_difference].map(|number| format!("{number:.0e}"));
+        writeln!(out, "{interface} by collocation with {nodes} nodes: residual {residual}, pressures differ by {off}")?;
+    }
     if let Some(Ok(approach)) = approach {
         let of_stiffness =
             if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };

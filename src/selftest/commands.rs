@@ -68,6 +68,7 @@ fn reports(
         approach: Some(approach),
         max_shear: max_shear.filter(|found| found.value.is_finite()),
         extremes: extremes.as_ref(),
+        collocated: None,
         digits: None,
         seconds: 0.0,
     };

@@ -9,7 +9,7 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
@@ -37,6 +37,12 @@ impl fmt::Display for Interface {
             Self::Punch => write!(f, "punch"),
             Self::Between { above, below } => write!(f, "{above}|{below}"),
         }
+    }
+}
+
+impl Serialize for Interface {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

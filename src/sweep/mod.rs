@@ -304,7 +304,7 @@ impl Sweep {
             }
         }
         hasher.write(&self.options.tolerance.to_bits().to_le_bytes());
-        hasher.write(&[self.options.method as u8, u8::from(self.approach), u8::from(self.extremes)]);
+        hasher.write(&[u8::from(self.approach), u8::from(self.extremes)]);
         hasher.write(env!("CARGO_PKG_VERSION").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
         hasher.finish()

@@ -8,14 +8,13 @@ use super::newton::converge;
 use super::pressure::Pressure;
 use super::support::{Interval, Support};
 use super::{Work, refine};
-use crate::contact::press;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
 use crate::kernel::Kernel;
-use crate::options::Options;
 use crate::scene::{Load, Punch, Top};
 use crate::solution::Contact;
 use crate::stack::Stack;
+use crate::{Model, Options};
 
 /// Contacts of one interval, from half-lengths that are a third too long or too short, are what the solver for one interval finds.
 #[test]
@@ -37,7 +36,7 @@ fn one_interval_is_what_another_solver_finds() {
             Top::from(Punch::flat(0.4).unwrap()),
             Top::from(Load::uniform(0.3).unwrap()),
         ] {
-            let expected = press(&kernel, None, &interfaces, &top, 0.01, &options).unwrap();
+            let expected = Model::new(stack.clone()).unwrap().press_with(&top, 0.01, &options).unwrap();
             let problem = Problem::new(&kernel, &interfaces, &top, 0.01, options.tolerance);
             for factor in [0.7, 1.4] {
                 let half = |contact: &Contact| contact.half_length().unwrap() / kernel.length();
@@ -49,7 +48,7 @@ fn one_interval_is_what_another_solver_finds() {
                 let counts = vec![20; support.0.len()];
                 let mut work = Work::default();
                 let first = converge(&problem, support, &counts, COARSE, &mut work).unwrap();
-                let found = refine(&problem, first, &mut work).unwrap();
+                let found = refine(&problem, first, &mut work).unwrap().into_solution(&problem, 0.01, None);
                 for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
                     let off = found.half_length().unwrap() - expected.half_length().unwrap();
                     let claimed = found.innermost().right_error + expected.innermost().right_error;

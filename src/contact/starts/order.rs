@@ -6,55 +6,54 @@
 //! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning, unless there is
 //!    a solution with a large error estimate that has the same pressures.
 use crate::contact::answer::{Answer, Found};
+use crate::contact::ends::newton::Work;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::estimate::Estimate;
+use crate::contact::problem::iteration::Operations;
 use crate::contact::programme::{self, ActiveIntervals};
-use crate::contact::quality::estimates::ENDLESS;
-use crate::contact::quality::levels::Start;
+use crate::contact::quality::admissible;
+use crate::contact::quality::answer::answer;
+use crate::contact::quality::estimates::{ENDLESS, UNKNOWN};
+use crate::contact::quality::levels::{Start, refine};
 use crate::contact::starts::formulas;
+use crate::contact::starts::table::Table;
 use crate::numeric::largest;
 use crate::solution::Interface;
 
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
-/// How often Newton's method starts from the ends that the quadratic programme has seen, with a shorter contact each time there is
-/// tension. With three, two of 2,001 random scenes are not found that are with five.
-const SHORTER: usize = 5;
-/// Each time by this many thicknesses of the thinner body: over about that length it carries a bending moment.
-const BENT: f64 = 2.5;
 
 /// An admissible answer, and the contacts with intervals of re-contact the force in which is left out.
-pub(crate) struct Attempt {
-    pub(crate) answer: Answer,
-    pub(crate) recontacts: Vec<Interface>,
+struct Attempt {
+    answer: Answer,
+    recontacts: Vec<Interface>,
 }
 
-impl From<Answer> for Attempt {
-    fn from(answer: Answer) -> Self {
-        Self { answer, recontacts: Vec::new() }
+/// Tries starting points in order of cost: an entry of a table of solutions where there is one, and then as above.
+pub(crate) fn solve_in_order(problem: &Problem, table: Option<&Table>) -> Result<Answer, ContactError> {
+    let work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
+    let mut search = Search { problem, work, expected: Vec::new(), doubtful: None, several: None, far: 0.0 };
+    if let Some(start) = table.and_then(|table| table.start(problem))
+        && let Ok(attempt) = search.solve_from(start)
+        && attempt.answer.warnings.is_empty()
+    {
+        return Ok(attempt.answer);
     }
-}
-
-/// Tries starting points in order of cost. `solve` goes on from one; `low_accuracy` is asked in the end, with the
-/// half-lengths that formulas expect, and how far out the last answer had penetration.
-pub(crate) fn solve_in_order(
-    problem: &Problem,
-    solve: impl FnMut(Start) -> Result<Attempt, ContactError>,
-    low_accuracy: impl FnOnce(&[f64], f64) -> Option<Answer>,
-) -> Result<Answer, ContactError> {
-    let expected = formulas::half_lengths(problem);
+    search.expected = formulas::half_lengths(problem);
     // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be
-    if let Some(error) = problem.too_small(&expected).and_then(|_| problem.too_small(&formulas::shortest(problem))) {
+    if problem.too_small(&search.expected).is_some()
+        && let Some(error) = problem.too_small(&formulas::shortest(problem))
+    {
         return Err(error);
     }
-    let mut search = Search { problem, solve, expected, doubtful: None, several: None, far: 0.0 };
     let answer = match search.run()? {
         Outcome::Solved(answer) => *answer,
         Outcome::Failed(failure) => {
             let doubtful = search.doubtful.take().filter(|(_, attempt)| search.knows_all(attempt));
-            match (doubtful, low_accuracy(&search.expected, search.far)) {
+            match (doubtful, programme::answer(problem, &search.expected, search.far)) {
                 // the quadratic programme has one solution only; its pressures decide, not its ends, which it resolves badly where
                 // pressures are small
                 (Some((_, attempt)), Some(low)) if !agree(&attempt.answer, &low) => low,
@@ -67,23 +66,16 @@ pub(crate) fn solve_in_order(
     problem.too_small(&reaches).map_or(Ok(answer), Err)
 }
 
-/// A root of the equations with a contact in tension, in units of L.
-struct RootInTension {
-    half_lengths: Vec<f64>,
-    contact: usize,
-    /// Where the tension begins.
-    x: f64,
-}
-
 /// How a step of the search ended, unless there is no solution for certain.
 enum Outcome {
     Solved(Box<Answer>),
     Failed(Box<ContactError>),
 }
 
-struct Search<'a, F> {
+struct Search<'a> {
     problem: &'a Problem<'a>,
-    solve: F,
+    work: Work,
+    /// Half-lengths by formulas.
     expected: Vec<f64>,
     /// The best solution with a large error estimate, how many of its ends are not known, and the estimate of the others: Newton's
     /// method may have converged to a non-physical root.
@@ -94,7 +86,7 @@ struct Search<'a, F> {
     far: f64,
 }
 
-impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
+impl Search<'_> {
     fn run(&mut self) -> Result<Outcome, ContactError> {
         let mut failure = match self.attempt(Start::Guess { half_lengths: self.expected.clone() })? {
             Outcome::Failed(failure) => failure,
@@ -127,7 +119,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             if let Some(answer) = self.confirmed(all) {
                 return Ok(Outcome::Solved(Box::new(answer)));
             }
-            match self.solve_from_ends(self.ends(all), failure)? {
+            match self.attempt(Start::Cold { half_lengths: self.ends(all) })? {
                 Outcome::Failed(last) => failure = last,
                 solved => return Ok(solved),
             }
@@ -138,7 +130,7 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
 
     /// Newton's method from a start; a solution that may be that of a non-physical root is kept aside.
     fn attempt(&mut self, start: Start) -> Result<Outcome, ContactError> {
-        let attempt = match (self.solve)(start) {
+        let attempt = match self.solve_from(start) {
             Ok(attempt) => attempt,
             Err(failure @ ContactError::NoSolution(_)) => return Ok(Outcome::Failed(Box::new(failure))),
             Err(error) => return Err(error),
@@ -157,6 +149,22 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             self.doubtful = Some(((endless, worst), attempt));
         }
         Ok(Outcome::Failed(Box::new(NoSolution::NotConverged.into())))
+    }
+
+    /// Newton's method over refinement levels, the sign check, and the answer.
+    fn solve_from(&mut self, start: Start) -> Result<Attempt, ContactError> {
+        let problem = self.problem;
+        self.work.operations.start();
+        let refined = refine(problem, start, &mut self.work)?;
+        // a half-length that no pressure is sensitive to need not be known
+        let is_unknown =
+            |error: &Estimate| error.worst().is_nan() || error.length > UNKNOWN && error.pressure > UNKNOWN;
+        if refined.level.errors.iter().any(is_unknown) {
+            return Err(problem.not_converged(&refined.level.support.half_lengths));
+        }
+        let check = admissible::check(problem, &refined.level)?;
+        let recontacts = check.recontacts.iter().map(|recontact| problem.interfaces[recontact.contact]).collect();
+        Ok(Attempt { answer: answer(problem, refined, check, self.work.clone()), recontacts })
     }
 
     /// Whether a solution misses no re-contact interval that the quadratic programme has found.
@@ -185,52 +193,6 @@ impl<F: FnMut(Start) -> Result<Attempt, ContactError>> Search<'_, F> {
             end => end,
         };
         self.expected.iter().enumerate().map(end).collect()
-    }
-
-    /// Newton's method from the ends of the quadratic programme; then from those of the last root in tension, with a shorter contact
-    /// where the tension is. If its other ends are next to those of the quadratic programme, they are right to more digits.
-    fn solve_from_ends(&mut self, ends: Vec<f64>, mut failure: Box<ContactError>) -> Result<Outcome, ContactError> {
-        let is_next = |root: &RootInTension| {
-            let mut others = (0..ends.len()).filter(|k| *k != root.contact);
-            others.all(|k| (root.half_lengths[k] / ends[k]).ln().abs() < CONFIRMED)
-        };
-        let mut root = self.root_in_tension(&failure).filter(is_next);
-        let mut start = ends.clone();
-        for so_far in 0..SHORTER {
-            match self.attempt(Start::Cold { half_lengths: start.clone() })? {
-                Outcome::Failed(last) => failure = last,
-                solved => return Ok(solved),
-            }
-            root = self.root_in_tension(&failure).or(root);
-            let Some(root) = &root else { break };
-            start.clone_from(if is_next(root) { &root.half_lengths } else { &ends });
-            start[root.contact] = self.shorter(root, so_far);
-        }
-        Ok(Outcome::Failed(failure))
-    }
-
-    /// The root that failed for tension in a contact whose end is sought.
-    fn root_in_tension(&self, failure: &ContactError) -> Option<RootInTension> {
-        let ContactError::NoSolution(NoSolution::Tension { interface, x, half_lengths }) = failure else { return None };
-        let length = self.problem.kernel.length();
-        let free = |i: &usize| self.problem.interfaces[*i] == *interface && !self.problem.sides[*i].is_flat();
-        let contact = (0..half_lengths.len()).find(free)?;
-        Some(RootInTension { half_lengths: half_lengths.iter().map(|a| a / length).collect(), contact, x: x / length })
-    }
-
-    /// Where a contact in tension may end: where the tension begins, or a neighbour's contact ends shortly before, since nothing presses
-    /// there any more. Tried again, where the thinner of its bodies carries no bending moment.
-    fn shorter(&self, root: &RootInTension, so_far: usize) -> f64 {
-        let RootInTension { half_lengths, contact, x } = root;
-        let laminates = self.problem.kernel.laminates();
-        let neighbours = contact.checked_sub(1).into_iter().chain([*contact]).filter_map(|l| laminates.get(l));
-        let thickness = neighbours.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
-        let shortly_before =
-            |k: &usize| k.abs_diff(*contact) == 1 && (x - BENT * thickness..*x).contains(&half_lengths[*k]);
-        match (0..half_lengths.len()).find(shortly_before) {
-            Some(k) if so_far == 0 => half_lengths[k],
-            _ => (x - BENT * so_far as f64 * thickness).max(0.5 * x),
-        }
     }
 
     /// What is left where Newton's method has failed from all starts: several intervals, if the quadratic programme may have

@@ -2,7 +2,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use recede::{BaseChain, BlockSystem, Flexibility, FreeChain, Item, Method, Model, Options, Plane, Scene, Stack, Wave};
+use recede::{BaseChain, BlockSystem, Flexibility, FreeChain, Item, Model, Options, Plane, Scene, Stack, Wave};
 
 use super::literal::Transforms;
 use super::literal::determinants::Paper;
@@ -80,7 +80,7 @@ pub fn values(solution: &recede::Solution) -> Vec<f64> {
 
 fn truth(scene: &Scene, known: Option<&Known>) -> Vec<f64> {
     let model = Model::new(scene.stack().expect("a legal stack")).expect("a legal model");
-    let options = Options { tolerance: 1e-13, method: Method::Galerkin };
+    let options = Options { tolerance: 1e-13 };
     let solution = model.press_with(&scene.top, scene.force, &options).expect("a solution");
     let mut truth = values(&solution);
     if let Some(known) = known {
