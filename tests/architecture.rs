@@ -46,9 +46,8 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.
-const ROOMS: [&str; 14] = [
+const ROOMS: [&str; 13] = [
     "error",
-    "even",
     "problem",
     "answer",
     "integrals",

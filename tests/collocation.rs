@@ -78,16 +78,16 @@ fn contacts_that_collocation_does_not_know_are_refused() {
             "Scene(geometry: PlaneStrain, {top}, stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, Rigid])"
         )
     };
-    for (top, expected) in [
-        ("load: Line, force: 0.01", ContactError::LoadByCollocation),
-        ("punch: Flat(half_width: 0.5), force: 0.01", ContactError::FlatByCollocation),
-        ("punches: [(shape: Cylinder(radius: 10), at: 0.5, force: 0.01)]", ContactError::UnevenByCollocation),
+    for top in [
+        "load: Line, force: 0.01",
+        "punch: Flat(half_width: 0.5), force: 0.01",
+        "punches: [(shape: Cylinder(radius: 10), at: 0.5, force: 0.01)]",
     ] {
         let scene = Scene::from_ron(&text(top)).unwrap();
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let solution = model.press(&scene.top, scene.force).unwrap();
         let refused = model.collocate(&scene.top, &solution, &Options::default()).unwrap_err();
-        assert!(matches!(&refused, Error::Contact(found) if *found == expected), "{top}: {refused}");
+        assert!(matches!(&refused, Error::Contact(ContactError::NotCollocated)), "{top}: {refused}");
         assert!(refused.is_input());
     }
 }

@@ -382,5 +382,5 @@ fn the_command_solves_them() {
     let model = Model::new(strip().rigid().build().unwrap()).unwrap();
     let solution = model.press(Load::Line, 1.0).unwrap();
     let refused = model.collocate(Load::Line, &solution, &Options::default());
-    assert!(matches!(refused, Err(Error::Contact(ContactError::LoadByCollocation))));
+    assert!(matches!(refused, Err(Error::Contact(ContactError::NotCollocated))));
 }

@@ -7,9 +7,10 @@ mod nodes;
 mod spatial;
 mod spectrum;
 
-use crate::contact::problem::Side;
+use std::f64::consts::PI;
+
 use crate::contact::{Asked, ContactError};
-use crate::solution::{Interface, Solution};
+use crate::solution::{Contact, Interface, Solution};
 
 use equations::Pressures;
 use nodes::Nodes;
@@ -40,17 +41,11 @@ pub struct Collocated {
 pub(crate) fn check(asked: &Asked, solution: &Solution) -> Result<Vec<Collocated>, ContactError> {
     let kernel = &*asked.kernel_under(solution.force());
     let problem = asked.problem(kernel, solution.force());
-    if (0..problem.contacts()).any(|i| problem.is_known(i)) {
-        return Err(ContactError::LoadByCollocation);
-    }
-    if problem.sides.iter().any(Side::is_flat) {
-        return Err(ContactError::FlatByCollocation);
-    }
-    let half_length = |contact: &crate::solution::Contact| contact.half_length().map(|a| a / kernel.length());
+    let half_length = |contact: &Contact| contact.half_length().map(|a| a / kernel.length());
     let half_lengths: Option<Vec<f64>> = solution.contacts().iter().map(half_length).collect();
-    let half_lengths = half_lengths
-        .filter(|_| problem.is_even() && !kernel.geometry().is_axisymmetric())
-        .ok_or(ContactError::UnevenByCollocation)?;
+    let is_smooth = problem.sides.iter().all(|side| side.given().is_none() && !side.is_flat());
+    let is_known = is_smooth && problem.is_even() && !kernel.geometry().is_axisymmetric();
+    let half_lengths = half_lengths.filter(|_| is_known).ok_or(ContactError::NotCollocated)?;
     let mut spatial = Spatial::new(kernel)?;
     spatial.cover(2.0 * half_lengths.iter().copied().fold(0.0, f64::max));
     let singular = spatial.diagonals.iter().any(|diagonal| diagonal.jump.is_some());
@@ -60,7 +55,7 @@ pub(crate) fn check(asked: &Asked, solution: &Solution) -> Result<Vec<Collocated
     loop {
         let nodes = Nodes::new(count, singular);
         let Pressures { phi, slack } = equations::solve(&spatial, &nodes, &problem, &half_lengths);
-        let of = |(i, contact): (usize, &crate::solution::Contact)| {
+        let of = |(i, contact): (usize, &Contact)| {
             let (mut largest, mut off) = (0.0f64, 0.0f64);
             for (phi, s) in phi[i].iter().zip(&nodes.s) {
                 let (a, root) = (half_lengths[i], ((1.0 - s) * (1.0 + s)).sqrt());
@@ -69,7 +64,7 @@ pub(crate) fn check(asked: &Asked, solution: &Solution) -> Result<Vec<Collocated
             }
             Collocated {
                 interface: contact.interface,
-                residual: slack[i] * 0.5 * std::f64::consts::PI / spatial.diagonals[i].limit,
+                residual: slack[i] * 0.5 * PI / spatial.diagonals[i].limit,
                 pressure_difference: off / largest,
                 nodes: count,
             }

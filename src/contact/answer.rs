@@ -1,5 +1,4 @@
 //! What was found of all contacts, in units of L and P', and the one assembly of a solution, in the units of the scene.
-use crate::contact::even::{RightInterval, whole};
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
@@ -85,9 +84,18 @@ impl Answer {
 }
 
 impl Found {
-    /// What is even: intervals and strips of x ≥ 0, from the middle outwards.
-    pub(crate) fn even(parts: Vec<RightInterval>, [peak, peak_error]: [f64; 2], strips: Vec<Strip>) -> Self {
-        let (strips, intervals) = whole(strips, parts);
+    /// What is even about x = 0, from intervals and strips of x ≥ 0, from the middle outwards: an interval that begins at 0 is one with its
+    /// mirror image.
+    pub(crate) fn even(right: &[Interval], [peak, peak_error]: [f64; 2], strips: &[Strip]) -> Self {
+        let mut intervals: Vec<Interval> = right.iter().rev().map(Interval::mirrored).collect();
+        let left = intervals.pop_if(|_| right[0].left == 0.0);
+        intervals.extend(right);
+        if let Some(Interval { left, left_error, .. }) = left {
+            let middle = &mut intervals[right.len() - 1];
+            (middle.left, middle.left_error) = (left, left_error);
+        }
+        let images = strips.iter().rev().filter(|strip| strip.at > 0.0).map(Strip::mirrored);
+        let strips = images.chain(strips.iter().cloned()).collect();
         Self { intervals, peak, peak_error, strips, punches: Vec::new() }
     }
 

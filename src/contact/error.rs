@@ -6,12 +6,11 @@ use crate::system::Unresolved;
 /// Why a contact problem was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
-    /// A given pressure, and a method that wants a punch.
-    #[error("a given pressure in place of a punch cannot be checked by collocation")]
-    LoadByCollocation,
-    /// A flat punch with sharp corners, and a method that wants pressures that end at 0.
-    #[error("a flat punch with sharp corners cannot be checked by collocation")]
-    FlatByCollocation,
+    /// Contacts of a kind that collocation does not know.
+    #[error(
+        "collocation checks contacts of plane scenes under one punch, each of them one interval about x = 0 that ends where its pressure vanishes"
+    )]
+    NotCollocated,
     /// A given pressure, and a half-length of the contact under a punch, or its approach.
     #[error("{}: under a given pressure there is nothing that a force could be found for", .0.field())]
     LoadControlled(Controlled),
@@ -32,9 +31,6 @@ pub enum ContactError {
          the infinite pressures of two sides would differ"
     )]
     SharpPunches,
-    /// Contacts that are not of the kind that collocation knows.
-    #[error("collocation checks contacts of plane scenes that are each one interval about x = 0")]
-    UnevenByCollocation,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -47,13 +43,11 @@ impl ContactError {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::LoadByCollocation
-            | Self::FlatByCollocation
+            Self::NotCollocated
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
             | Self::UnevenPunch
-            | Self::SharpPunches
-            | Self::UnevenByCollocation => true,
+            | Self::SharpPunches => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -62,10 +56,7 @@ impl ContactError {
     /// What to do about it, if that can be said.
     pub fn hint(&self) -> Option<String> {
         match self {
-            Self::LoadByCollocation => None,
-            Self::FlatByCollocation => {
-                Some("round its corners a little: `RoundedFlat(half_width: ..., radius: ...)`".to_owned())
-            }
+            Self::NotCollocated => Some("leave out `--method collocation`".to_owned()),
             Self::LoadControlled(_) => Some("give the force instead, the resultant of the pressure".to_owned()),
             Self::LoadsUnknown { geometry, .. } => Some(
                 match geometry {
@@ -81,7 +72,6 @@ impl ContactError {
             Self::SharpPunches => {
                 Some("round it a little: `RoundedFlat(...)` in place of `Flat`, a `Table` in place of a wedge".to_owned())
             }
-            Self::UnevenByCollocation => None,
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
         }

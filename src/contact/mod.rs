@@ -8,7 +8,6 @@ mod controlled;
 mod ends;
 mod equations;
 mod error;
-pub(crate) mod even;
 mod integrals;
 mod intervals;
 pub(crate) mod problem;

@@ -16,7 +16,6 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::LAYOUT_SERVES;
-use crate::contact::even::RightInterval;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
@@ -318,24 +317,18 @@ fn found(problem: &Problem, level: &Level, errors: &Errors) -> Vec<Found> {
         let ends = numbers.map(|number| {
             let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());
             let [from_error, to_error] = [0, 1].map(|k| errors.ends[number][k] * sizes[k]);
-            RightInterval {
-                from: interval.from(),
-                from_error,
-                to: interval.to(),
-                to_error: if is_flat { 0.0 } else { to_error },
-            }
+            let to_error = if is_flat { 0.0 } else { to_error };
+            solution::Interval::new([interval.from(), from_error], [interval.to(), to_error])
         });
+        let intervals: Vec<solution::Interval> = ends.collect();
         if level.support.of(contact).iter().all(|interval| interval.parity != Parity::None) {
             let peak = level.middle_pressure(first);
-            return Found::even(ends.collect(), [peak, known * peak.abs()], strips);
+            return Found::even(&intervals, [peak, known * peak.abs()], &strips);
         }
-        let intervals = ends.map(|RightInterval { from, from_error, to, to_error }| {
-            solution::Interval::new([from, from_error], [to, to_error])
-        });
         let peak = level.middle_pressure(level.widest(contact));
         let peak_error = known * peak.abs();
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();
-        Found { intervals: intervals.collect(), peak, peak_error, strips, punches: numbers }
+        Found { intervals, peak, peak_error, strips, punches: numbers }
     };
     problem.unknown().map(of).collect()
 }

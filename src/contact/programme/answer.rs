@@ -3,13 +3,12 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::even::RightInterval;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, load};
 use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
-use crate::solution::{Form, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Form, Interval, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
 use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
@@ -41,12 +40,12 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
     }
     let side = &problem.sides[contact];
     let parts = parts(last, i, side)?;
-    let is_open = parts[0].from > 0.0;
+    let is_open = parts[0].left > 0.0;
     let middle = |round: &Cycle| round.pressure(i, 0);
     let change = if is_open || side.is_sharp() { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     // next to nothing depends on ends that are not known better than the grid resolves them
-    let lengths = parts.iter().map(|part| part.to_error / part.to).zip(&parts);
-    let lengths = lengths.filter(|(_, part)| part.to_error <= last.resolution(part.to)).map(|(error, _)| error);
+    let lengths = parts.iter().map(|part| part.right_error / part.right).zip(&parts);
+    let lengths = lengths.filter(|(_, part)| part.right_error <= last.resolution(part.right)).map(|(error, _)| error);
     // stiff layers wrapped round a punch may carry a pressure next to nothing about x = 0
     let worst = largest(lengths.chain([change / last.largest(i)]));
     // what is no number is no answer either
@@ -59,11 +58,11 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         () => middle(last) / force,
     };
     // elements well inside a contact are the same on all grids: no better than the coarse ones
-    Some(Found::even(parts, [peak, super::COARSE.ends * peak + change / force], last.strips(i, force)))
+    Some(Found::even(&parts, [peak, super::COARSE.ends * peak + change / force], &last.strips(i, force)))
 }
 
 /// Where contact i of the programme touches, from the middle outwards.
-fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<RightInterval>> {
+fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Interval>> {
     let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
     let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { last.resolution(end) };
@@ -71,25 +70,23 @@ fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<RightInterval>> {
     let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
     // a decaying contact is given as far as it carries one, and an end beyond is not known
     let end = last.decays(i);
-    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| RightInterval {
-        from: *from,
-        from_error: error(*from),
-        to: if to.is_finite() { *to } else { end },
-        to_error: if to.is_finite() { error(*to).max(to - end) } else { ENDLESS * end },
+    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| {
+        let right = if to.is_finite() { [*to, error(*to).max(to - end)] } else { [end, ENDLESS * end] };
+        Interval::new([*from, error(*from)], right)
     });
-    let mut parts: Vec<RightInterval> = parts.collect();
+    let mut parts: Vec<Interval> = parts.collect();
     // where bodies graze each other next to an end, the end may be anywhere
     let mut before = 0.0;
     for part in &mut parts {
-        if let Some(grazed) = last.first_pressing(i, (before * part.from).sqrt(), part.from) {
-            part.from_error = part.from_error.max(part.from - grazed);
+        if let Some(grazed) = last.first_pressing(i, (before * part.left).sqrt(), part.left) {
+            part.left_error = part.left_error.max(part.left - grazed);
         }
-        before = part.to;
+        before = part.right;
     }
     let first = parts.first_mut()?;
     // a gap about x = 0 counts if it is longer than artefacts of the grid
-    if last.grid.edges().partition_point(|edge| *edge < first.from) <= 3 * UNRESOLVED {
-        (first.from, first.from_error) = (0.0, 0.0);
+    if last.grid.edges().partition_point(|edge| *edge < first.left) <= 3 * UNRESOLVED {
+        (first.left, first.left_error) = (0.0, 0.0);
     }
     Some(parts)
 }

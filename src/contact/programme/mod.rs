@@ -273,19 +273,9 @@ fn runs(touching: &[bool]) -> Vec<Range<usize>> {
     runs.filter(|(touches, _)| *touches).map(|(_, run)| run).collect()
 }
 
-/// All intervals of elements that touch.
+/// All intervals of elements that touch; one at the end of the grid does not end.
 fn intervals(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
-    let mut parts: Vec<[f64; 2]> = Vec::new();
-    let mut before = false;
-    for (e, touches) in touching.iter().enumerate() {
-        let [from, to] = grid.element(e);
-        let to = if e + 1 == touching.len() { f64::INFINITY } else { to };
-        match (before, touches, parts.last_mut()) {
-            (true, true, Some(part)) => part[1] = to,
-            (_, true, _) => parts.push([from, to]),
-            _ => {}
-        }
-        before = *touches;
-    }
-    parts
+    let edges = grid.edges();
+    let to = |end: usize| if end == touching.len() { f64::INFINITY } else { edges[end] };
+    runs(touching).into_iter().map(|run| [edges[run.start], to(run.end)]).collect()
 }

@@ -3,13 +3,12 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::{Answer, Found, stats};
 use crate::contact::ends::newton::Work;
-use crate::contact::even::RightInterval;
 use crate::contact::problem::Problem;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible::{Check, Recontact};
 use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
 use crate::contact::quality::levels::Refined;
-use crate::solution::{Stats, Strip, Warning, WarningCode};
+use crate::solution::{Interval, Stats, Strip, Warning, WarningCode};
 
 /// The answer that a level is, and what the user should know of it.
 pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Work) -> Answer {
@@ -54,8 +53,7 @@ fn found(twin: Twin, level: &Level, i: usize) -> Found {
     let to_error = error.length * half_length;
     let peak_error = if peak.is_finite() { error.pressure * size } else { f64::INFINITY };
     let strip = Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) };
-    let part = RightInterval { from: 0.0, from_error: 0.0, to: half_length, to_error };
-    Found::even(vec![part], [peak, peak_error], vec![strip])
+    Found::even(&[Interval::new([0.0; 2], [half_length, to_error])], [peak, peak_error], &[strip])
 }
 
 /// What is to be said of a tolerance that is not met, or beyond double precision.
