@@ -47,46 +47,51 @@ pub(crate) fn press_to<E: From<ContactError>>(
     if is_length && (wanted <= flat || edge.is_some_and(|edge| wanted >= edge)) {
         return Err(unreachable(edge, Some(flat)).into());
     }
-    let mut search =
-        Search::new(wanted, MET * options.tolerance.max(BEST), first_guess(kernel, punch, controlled, wanted));
+    let enough = MET * options.tolerance.max(BEST);
+    let (trial, slope) = first_guess(kernel, punch, controlled, wanted);
+    let mut search = Search { enough, trial, slope, tried: Vec::new() };
     let mut all = Stats::default();
     for _ in 0..TRIALS {
         let force = search.trial.exp();
         if !force.is_normal() {
-            return Err(unreachable(search.low.map(|known| known.value), search.above(edge)).into());
+            let [below, above] = search.reached(edge);
+            return Err(unreachable(below, above).into());
         }
-        match press(force) {
+        search.note(match press(force) {
             Ok(mut solution) => {
                 all.newton_steps.append(&mut solution.stats.newton_steps);
                 all.factorisations += solution.stats.factorisations;
                 all.interpolated += solution.stats.interpolated;
                 all.stopped.append(&mut solution.stats.stopped);
-                if let Some(relative) = search.solved(&measure(&solution)?) {
+                let Measured { value, error } = measure(&solution)?;
+                let (missing, error) = ((wanted / value).ln(), error / value);
+                if missing.abs() <= enough.max(MET * error) {
                     let Stats { newton_steps, factorisations, interpolated, stopped, .. } = all;
                     let stats = Stats { newton_steps, factorisations, interpolated, stopped, ..solution.stats };
-                    let force_error = search.slope * relative * solution.force;
+                    let force_error = search.slope_to(missing) * (error + missing.abs()) * force;
                     return Ok(Solution { force_error, stats, ..solution });
                 }
+                Outcome::Solved { missing, value }
             }
             // so much that the punch is too small for it
-            Err(ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => search.too_large(),
-            Err(ContactError::NoSolution(failure)) => search.failed(failure),
+            Err(ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => Outcome::TooLarge,
+            Err(ContactError::NoSolution(failure)) => Outcome::Failed(failure),
             Err(error) => return Err(error.into()),
-        }
+        });
         if search.is_narrow() {
             break;
         }
     }
-    let (below, above) = (search.low.map(|known| known.value), search.above(edge));
-    match search.failure {
+    let [below, above] = search.reached(edge);
+    let is_narrow = search.is_narrow();
+    let cause = match search.tried.pop() {
+        Some((_, Outcome::Failed(failure))) => Some(Box::new(failure)),
         // it jumps from one to the other
-        None if search.is_narrow() => Err(unreachable(below, above).into()),
-        failure => {
-            let cause = failure.map(Box::new);
-            let punch = top.label(kernel.geometry());
-            Err(ContactError::from(NoSolution::ForceNotFound { controlled, punch, wanted, below, above, cause }).into())
-        }
-    }
+        _ if is_narrow => return Err(unreachable(below, above).into()),
+        _ => None,
+    };
+    let punch = top.label(kernel.geometry());
+    Err(ContactError::from(NoSolution::ForceNotFound { controlled, punch, wanted, below, above, cause }).into())
 }
 
 /// The punch, of which alone something else than the force can be prescribed.
@@ -96,150 +101,118 @@ fn even_punch(top: &Top, controlled: Controlled) -> Result<&Punch, ContactError>
     top.punch().filter(|punch| punch.is_even()).ok_or(missing)
 }
 
-/// A force that was solved for, and what was found.
-#[derive(Clone, Copy)]
-struct Known {
-    /// ln P.
-    trial: f64,
-    /// The logarithm of what is wanted over what was found.
-    missing: f64,
-    value: f64,
+/// What came of a force that was tried.
+enum Outcome {
+    /// The logarithm of what is wanted over what was found, and the latter.
+    Solved { missing: f64, value: f64 },
+    /// The punch is too small for it.
+    TooLarge,
+    /// The solver failed.
+    Failed(NoSolution),
 }
 
-/// The secant method for the logarithm of the force.
+/// The secant method for the logarithm of the force, from all that was tried.
 struct Search {
-    wanted: f64,
-    /// It is to be met to this, relative.
+    /// What is wanted is to be met to this, relative.
     enough: f64,
     /// ln P of the force to be tried.
     trial: f64,
     /// The derivative of ln P with respect to the logarithm of what is prescribed.
     slope: f64,
-    last: Option<Known>,
-    /// The largest force known to be too small, and the smallest found to be too large.
-    low: Option<Known>,
-    high: Option<Known>,
-    /// ln P of the smallest force known to be too large, for the contact or for the punch.
-    too_large: f64,
-    /// How long [low, too_large] was when it was last halved.
-    width: f64,
-    /// Trials since then.
-    since: usize,
-    /// Why the solver failed last, unless a force was solved for afterwards; the first such ln P, and how many there were.
-    failure: Option<NoSolution>,
-    first_failed: f64,
-    failures: usize,
+    /// ln P of the forces tried, and what came of them.
+    tried: Vec<(f64, Outcome)>,
 }
 
 impl Search {
-    /// Begins with a guess of ln P, and of its slope.
-    fn new(wanted: f64, enough: f64, (trial, slope): (f64, f64)) -> Self {
-        Self {
-            wanted,
-            enough,
-            trial,
-            slope,
-            last: None,
-            low: None,
-            high: None,
-            too_large: f64::INFINITY,
-            width: f64::INFINITY,
-            since: 0,
-            failure: None,
-            first_failed: 0.0,
-            failures: 0,
+    /// ln P and value of the largest force known to be too small, and of the smallest known to be too large, for which the value is not known if the
+    /// punch is too small for it; infinite where there is none.
+    fn bracket(&self) -> [(f64, Option<f64>); 2] {
+        let mut bracket = [(f64::NEG_INFINITY, None), (f64::INFINITY, None)];
+        for (trial, outcome) in &self.tried {
+            let [low, high] = &mut bracket;
+            match outcome {
+                Outcome::Solved { missing, value } if *missing > 0.0 && *trial > low.0 => *low = (*trial, Some(*value)),
+                Outcome::Solved { missing, value } if *missing < 0.0 && *trial < high.0 => {
+                    *high = (*trial, Some(*value))
+                }
+                Outcome::TooLarge if *trial <= high.0 => *high = (*trial, None),
+                _ => {}
+            }
         }
+        bracket
     }
 
-    /// ln P of the largest force known to be too small.
-    fn too_small(&self) -> f64 {
-        self.low.map_or(f64::NEG_INFINITY, |known| known.trial)
-    }
-
-    /// The least value found that is too large; the half-length of the punch, if it was too small for that force.
-    fn above(&self, edge: Option<f64>) -> Option<f64> {
-        self.high.map(|known| known.value).or(edge.filter(|_| self.too_large.is_finite()))
+    /// The values on either side of the one that is wanted, as far as they are known; `edge` is the half-length of the punch.
+    fn reached(&self, edge: Option<f64>) -> [Option<f64>; 2] {
+        let [low, high] = self.bracket();
+        [low.1, high.1.or(edge.filter(|_| high.0.is_finite()))]
     }
 
     /// Whether the bracket of the force is as narrow as what is wanted is to be met, or as rounding.
     fn is_narrow(&self) -> bool {
-        self.too_large - self.too_small() <= self.enough.max(f64::EPSILON * self.trial.abs())
+        let [low, high] = self.bracket();
+        high.0 - low.0 <= self.enough.max(f64::EPSILON * self.trial.abs())
     }
 
-    /// Takes note of what was found at a force, and chooses the next one; the relative error of what is prescribed, if it is as large as
-    /// wanted.
-    fn solved(&mut self, found: &Measured) -> Option<f64> {
-        let missing = (self.wanted / found.value).ln();
-        let known = Known { trial: self.trial, missing, value: found.value };
-        if let Some(last) = self.last
-            && last.missing != missing
-        {
-            let secant = (known.trial - last.trial) / (last.missing - missing);
-            self.slope = if secant.is_finite() && secant > 0.0 { secant } else { self.slope };
-        }
-        let error = found.error / found.value;
-        if missing.abs() <= self.enough.max(MET * error) {
-            return Some(error + missing.abs());
-        }
-        (self.failure, self.failures) = (None, 0);
-        if missing > 0.0 && known.trial > self.too_small() {
-            self.low = Some(known);
-        } else if missing < 0.0 && known.trial < self.too_large {
-            (self.high, self.too_large) = (Some(known), known.trial);
-        }
-        self.last = Some(known);
-        let next = known.trial + (self.slope * missing).clamp(-LONGEST, LONGEST);
-        let inside = self.too_small() < next && next < self.too_large;
-        self.trial = if inside && !self.is_slow() { next } else { self.between(0.5) };
-        None
+    /// The forces that were solved for, the last first, and what was missing.
+    fn solved(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.tried.iter().rev().filter_map(|(trial, outcome)| match outcome {
+            Outcome::Solved { missing, .. } => Some((*trial, *missing)),
+            _ => None,
+        })
     }
 
-    /// Takes note of a force that is too large for the punch, and chooses a smaller one.
-    fn too_large(&mut self) {
-        self.too_large = self.too_large.min(self.trial);
-        self.high = None;
-        (self.failure, self.failures) = (None, 0);
-        self.trial = self.between(0.5);
+    /// The slope from the last force that was solved for to the one that is tried, at which this is missing.
+    fn slope_to(&self, missing: f64) -> f64 {
+        let secant = self.solved().next().map(|(before, was)| (self.trial - before) / (was - missing));
+        secant.filter(|secant| secant.is_finite() && *secant > 0.0).unwrap_or(self.slope)
     }
 
-    /// Whether secants have not halved the interval for two trials, as next to where the half-length jumps.
-    fn is_slow(&mut self) -> bool {
-        let width = self.too_large - self.too_small();
-        if width.is_infinite() || width <= 0.5 * self.width {
-            (self.width, self.since) = (width, 0);
+    /// Takes note of what came of the force that was tried, and chooses the next one.
+    fn note(&mut self, outcome: Outcome) {
+        if let Outcome::Solved { missing, .. } = outcome {
+            self.slope = self.slope_to(missing);
         }
-        self.since += 1;
-        self.since > 2
-    }
-
-    /// A place in the interval, as far from its lower end as this part of it; a step beyond its only end if one is not known.
-    fn between(&self, part: f64) -> f64 {
-        match (self.too_small(), self.too_large) {
-            (f64::NEG_INFINITY, high) => high - LONGEST,
-            (low, f64::INFINITY) => low + LONGEST,
-            (low, high) => low + part * (high - low),
-        }
-    }
-
-    /// Takes note of a failure, and chooses another force: within the interval; on the way from what is known to what failed;
-    /// or on either side of the first guess.
-    fn failed(&mut self, failure: NoSolution) {
-        if self.failures == 0 {
-            self.first_failed = self.trial;
-        }
-        self.failure = Some(failure);
-        self.failures += 1;
-        let known = self.low.or(self.high).map(|known| known.trial);
-        self.trial = match known {
-            Some(_) if self.too_small().is_finite() && self.too_large.is_finite() => {
-                self.between(scattered(self.failures))
+        self.tried.push((self.trial, outcome));
+        let [(low, _), (high, _)] = self.bracket();
+        self.trial = match &self.tried[self.tried.len() - 1] {
+            (trial, Outcome::Solved { missing, .. }) => {
+                let next = trial + (self.slope * missing).clamp(-LONGEST, LONGEST);
+                // as next to where the half-length jumps: secants come from one side only
+                let is_slow = self.solved().take(3).filter(|(_, other)| other * missing > 0.0).count() == 3;
+                let is_between = low < next && next < high;
+                let is_bracketed = low.is_finite() && high.is_finite();
+                if is_between && !(is_slow && is_bracketed) { next } else { between(low, high, 0.5) }
             }
-            Some(known) => known + scattered(self.failures) * (self.first_failed - known),
-            None => {
-                let side = if self.failures.is_multiple_of(2) { 1.0 } else { -1.0 };
-                self.first_failed + side * LONGEST * scattered(self.failures.div_ceil(2))
+            (_, Outcome::TooLarge) => between(low, high, 0.5),
+            // a failure says nothing: another force within the bracket, on the way to what failed first, or on either side of it
+            (_, Outcome::Failed(_)) => {
+                let failed = self.tried.iter().rev().take_while(|(_, outcome)| matches!(outcome, Outcome::Failed(_)));
+                let all: Vec<f64> = failed.map(|(trial, _)| *trial).collect();
+                let (first, count) = (all[all.len() - 1], all.len());
+                let part = scattered(count);
+                match [low, high].map(f64::is_finite) {
+                    [true, true] => between(low, high, part),
+                    [false, false] => {
+                        let side = if count.is_multiple_of(2) { 1.0 } else { -1.0 };
+                        first + side * LONGEST * scattered(count.div_ceil(2))
+                    }
+                    [is_low, _] => {
+                        let known = if is_low { low } else { high };
+                        known + part * (first - known)
+                    }
+                }
             }
         };
+    }
+}
+
+/// A place in a bracket, as far from its lower end as this part of it; a step beyond its only end if one is not known.
+fn between(low: f64, high: f64, part: f64) -> f64 {
+    match (low, high) {
+        (f64::NEG_INFINITY, high) => high - LONGEST,
+        (low, f64::INFINITY) => low + LONGEST,
+        (low, high) => low + part * (high - low),
     }
 }
 

@@ -246,7 +246,7 @@ impl Panel {
         let columns: &[f64] = if from == self.from && to == self.to {
             chebyshev::panel_matrix(count)
         } else {
-            columns.resize(count * POINTS);
+            columns.resize(count * POINTS, 0.0);
             for (k, zeta) in zeta.iter().enumerate() {
                 self.row(*zeta).iter().enumerate().for_each(|(j, value)| columns[j * count + k] = *value);
             }

@@ -35,7 +35,7 @@ pub(crate) struct Equations<'a> {
     /// Where mode m of contact i stands: first modes first.
     place: Vec<Vec<usize>>,
     /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
-    /// coupling; else those of contact i.
+    /// coupling; else the modes of contact i.
     differences: Vec<Columns>,
     /// What the edge singularity at the corners of a punch adds to the pressure of each contact.
     pub(super) edges: Vec<Option<EdgePressure>>,
@@ -49,7 +49,7 @@ pub(super) struct EdgePressure {
     pub(super) rows: Rows,
 }
 
-/// Fields at the rows of one contact.
+/// Transforms at the rows of one contact.
 pub(crate) type Rows = Buffer;
 
 impl<'a> Equations<'a> {
@@ -243,7 +243,7 @@ impl<'a> Equations<'a> {
     /// then.
     pub(crate) fn derivatives(&self, modes: &[Vec<f64>], slopes: &[Option<Slopes>]) -> Vec<Vec<Rows>> {
         let n = self.contacts();
-        let Fields { pressures, jumps } = self.fields(modes);
+        let Transforms { pressures, jumps } = self.fields(modes);
         let mut derivatives = Vec::with_capacity(n);
         let counts: Vec<usize> = modes.iter().map(Vec::len).collect();
         for by in 0..n {
@@ -320,7 +320,7 @@ impl<'a> Equations<'a> {
     }
 
     /// What all modes make, and what neighbours differ by. `modes` may be more than are solved for.
-    fn fields(&self, modes: &[Vec<f64>]) -> Fields {
+    fn fields(&self, modes: &[Vec<f64>]) -> Transforms {
         let n = self.contacts();
         let solved = |i: usize| self.modes[i].min(modes[i].len());
         let unknowns = self.unknowns_of(modes);
@@ -337,7 +337,7 @@ impl<'a> Equations<'a> {
             add(pressure, &self.bases[i].combine(&modes[i][..solved(i)]));
             self.add_edge(i, pressure);
         }
-        Fields { pressures, jumps }
+        Transforms { pressures, jumps }
     }
 
     /// What the kernels make of a pressure and of the jumps to its neighbours.
@@ -354,13 +354,13 @@ impl<'a> Equations<'a> {
     /// The slope transforms of all contacts, weights included and g∞ left out: what the kernels make of the modes.
     /// `modes` may be more than are solved for.
     pub(crate) fn responses(&self, modes: &[Vec<f64>]) -> Vec<Rows> {
-        let Fields { pressures, jumps } = self.fields(modes);
+        let Transforms { pressures, jumps } = self.fields(modes);
         pressures.iter().enumerate().map(|(i, pressure)| self.response(i, pressure, &jumps)).collect()
     }
 }
 
 /// Transforms at the rows of each contact.
-struct Fields {
+struct Transforms {
     /// p̂_i.
     pressures: Vec<Rows>,
     /// p̂_i − p̂_(i+1) at the rows of the coupling.

@@ -2,11 +2,12 @@
 use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
+use crate::contact::ends::newton::Work;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::gaps::{self, Fault};
-use crate::contact::intervals::newton::{Failure, Level, converge};
-use crate::contact::intervals::support::{Interval, Support};
-use crate::contact::intervals::{COARSEST, Work, refine, resolved};
+use crate::contact::intervals::newton::{Approximation, Failure, converge};
+use crate::contact::intervals::support::{ContactInterval, Intervals};
+use crate::contact::intervals::{COARSEST, refine, resolved};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE};
 use crate::contact::problem::iteration::Operations;
@@ -27,8 +28,8 @@ pub(crate) struct Expected {
 /// [`NoSolution::NotConverged`] if no list of intervals was found without tension and penetration.
 pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    let of = |Expected { contact, punch, ends }: &Expected| Interval::anywhere(*contact, *punch, *ends);
-    let mut support = Support(expected.iter().map(of).collect());
+    let of = |Expected { contact, punch, ends }: &Expected| ContactInterval::anywhere(*contact, *punch, *ends);
+    let mut support = Intervals(expected.iter().map(of).collect());
     for _ in 0..MOST_CHANGES {
         work.steps.clear();
         let counts: Vec<usize> =
@@ -50,7 +51,7 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, 
 }
 
 /// The answer, or a list that is nearer to it, if there is one.
-fn checked(problem: &Problem, level: &Level, work: &mut Work) -> Result<Answer, Option<Support>> {
+fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<Intervals>> {
     match gaps::check(problem, level, level, COARSE) {
         Ok(_) => refine(problem, level.clone(), work).ok_or(None),
         Err(Fault::Penetration { contact, punch, at, over }) => {
@@ -61,7 +62,7 @@ fn checked(problem: &Problem, level: &Level, work: &mut Work) -> Result<Answer, 
 }
 
 /// The list with an interval split where its pressure is negative between places where it is not; `None` if none is.
-fn negative(level: &Level) -> Option<Support> {
+fn negative(level: &Approximation) -> Option<Intervals> {
     for (number, (interval, pressure)) in level.support.0.iter().zip(&level.pressures).enumerate() {
         let places = 2 * PER_MODE * pressure.terms.len();
         let phi = |k: usize| PI * k as f64 / places as f64;
@@ -74,35 +75,35 @@ fn negative(level: &Level) -> Option<Support> {
         let place = |k: usize| interval.middle + interval.half * phi(k + 1).cos();
         let mut parts = level.support.0.clone();
         let ends = [[interval.from(), place(last)], [place(first), interval.to()]];
-        let parts_of = ends.map(|ends| Interval::anywhere(interval.contact, interval.punch, ends));
+        let parts_of = ends.map(|ends| ContactInterval::anywhere(interval.contact, interval.punch, ends));
         parts.splice(number..=number, parts_of.into_iter().filter(|part| part.half > 0.0));
-        return Some(Support(parts));
+        return Some(Intervals(parts));
     }
     None
 }
 
 /// The list with an interval about a place of penetration, half as wide as that.
-fn with_interval(support: &Support, (contact, punch): (usize, usize), at: f64, over: [f64; 2]) -> Support {
+fn with_interval(support: &Intervals, (contact, punch): (usize, usize), at: f64, over: [f64; 2]) -> Intervals {
     let mut all = support.0.clone();
     let ends = over.map(|end| 0.5 * (at + end));
-    let interval = Interval::anywhere(contact, punch, ends);
+    let interval = ContactInterval::anywhere(contact, punch, ends);
     let place = all.partition_point(|other| (other.contact, other.middle) < (contact, interval.middle));
     all.insert(place, interval);
-    Support(all)
+    Intervals(all)
 }
 
 /// The list after a failure: without an interval that vanishes, or with two as one that meet.
-fn changed(failure: Failure) -> Option<Support> {
+fn changed(failure: Failure) -> Option<Intervals> {
     match failure {
-        Failure::Vanishes(Support(mut all), number) => {
+        Failure::Vanishes(Intervals(mut all), number) => {
             all.remove(number);
-            Some(Support(all))
+            Some(Intervals(all))
         }
-        Failure::Meet(Support(mut all), number) => {
+        Failure::Meet(Intervals(mut all), number) => {
             let next = all.remove(number + 1);
             let own = &mut all[number];
-            *own = Interval::anywhere(own.contact, own.punch, [own.from(), next.to()]);
-            Some(Support(all))
+            *own = ContactInterval::anywhere(own.contact, own.punch, [own.from(), next.to()]);
+            Some(Intervals(all))
         }
         Failure::Other => None,
     }

@@ -12,12 +12,12 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::support::{Interval, Parity};
+use crate::contact::intervals::support::{ContactInterval, Parity};
 
 /// The intervals of one contact, with the numbers of terms on each.
 #[derive(Clone, Copy)]
 pub(super) struct Columns<'a> {
-    pub(super) intervals: &'a [Interval],
+    pub(super) intervals: &'a [ContactInterval],
     pub(super) counts: &'a [usize],
 }
 
@@ -109,8 +109,9 @@ impl Columns<'_> {
 
     /// Resultants and moments of the terms and then of the singular pressures at the ends; no moments of what is even.
     pub(super) fn carried(&self) -> Vec<Carried> {
-        let moment =
-            |interval: &Interval, arm: f64| if interval.parity == Parity::None { interval.middle + arm } else { 0.0 };
+        let moment = |interval: &ContactInterval, arm: f64| {
+            if interval.parity == Parity::None { interval.middle + arm } else { 0.0 }
+        };
         let term = |(number, m): (usize, usize)| {
             let interval = &self.intervals[number];
             match interval.order(m) {
@@ -132,7 +133,7 @@ impl Columns<'_> {
     pub(super) fn carried_by(&self, other: Other) -> Carried {
         match other {
             Other::Mean(number) => {
-                let Interval { middle, half, .. } = self.intervals[number];
+                let ContactInterval { middle, half, .. } = self.intervals[number];
                 [2.0 * middle / half, 0.5 * half + middle * middle / half]
             }
             Other::Closing(number) => {
@@ -229,7 +230,7 @@ impl Columns<'_> {
     /// The pressures with these amplitudes.
     pub(super) fn pressures(&self, terms: &[f64], singular: &[f64]) -> Vec<Pressure> {
         let (mut terms, mut singular) = (terms.iter().copied(), singular.iter().copied());
-        let of = |(interval, count): (&Interval, &usize)| Pressure {
+        let of = |(interval, count): (&ContactInterval, &usize)| Pressure {
             terms: terms.by_ref().take(*count).collect(),
             singular: singular.by_ref().take(interval.sides().len()).collect(),
         };

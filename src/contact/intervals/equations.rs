@@ -15,7 +15,7 @@ use crate::contact::integrals::layout::Layout;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::space::InSpace;
-use crate::contact::intervals::support::{Parity, Support};
+use crate::contact::intervals::support::{Intervals, Parity};
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
 
@@ -73,7 +73,12 @@ struct System {
 }
 
 impl<'a> Equations<'a> {
-    pub(super) fn new(problem: &'a Problem<'a>, layout: &'a Layout, support: &'a Support, counts: &'a [usize]) -> Self {
+    pub(super) fn new(
+        problem: &'a Problem<'a>,
+        layout: &'a Layout,
+        support: &'a Intervals,
+        counts: &'a [usize],
+    ) -> Self {
         let mut next = 0;
         let columns = (0..problem.contacts()).map(|contact| {
             let intervals = support.of(contact);

@@ -4,14 +4,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
 use crate::contact::intervals::Lengths;
 use crate::contact::intervals::equations::Equations;
-use crate::contact::intervals::newton::Level;
-use crate::contact::intervals::support::{Interval, Parity};
+use crate::contact::intervals::newton::Approximation;
+use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use crate::numeric::quadrature::rule;
 
 /// What the check found, per unit of P'.
-pub(super) struct Check {
+pub(super) struct Signs {
     /// Smallest pressure in the contacts, and smallest gap outside.
     pub(super) min_pressure: f64,
     pub(super) min_gap: f64,
@@ -30,7 +30,12 @@ pub(super) enum Fault {
 }
 
 /// Checks the Signorini conditions. `coarse` has fewer terms, and tells how far gaps are known.
-pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64) -> Result<Check, Fault> {
+pub(super) fn check(
+    problem: &Problem,
+    level: &Approximation,
+    coarse: &Approximation,
+    error: f64,
+) -> Result<Signs, Fault> {
     let count = problem.contacts();
     let [mut largest, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
     // about the middle, where pressures are said to be right to a part of what they are there
@@ -70,7 +75,7 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
     let layout =
         Layout::without_tails(problem.kernel, &ends, &shortest, negligible(FIELDS), span).ok_or(Fault::Unknown)?;
     for contact in problem.unknown() {
-        let places = |level: &Level| beside(problem, level.support.of(contact), contact, span);
+        let places = |level: &Approximation| beside(problem, level.support.of(contact), contact, span);
         let gaps = gaps(problem, level, &layout, contact, &places(level));
         let before = self::gaps(problem, coarse, &layout, contact, &places(coarse));
         for ((gaps, before), (punch, _)) in gaps.iter().zip(&before).zip(places(level)) {
@@ -86,18 +91,20 @@ pub(super) fn check(problem: &Problem, level: &Level, coarse: &Level, error: f64
             min_gap = min_gap.min(least.1);
         }
     }
-    Ok(Check { min_pressure, min_gap, tensions })
+    Ok(Signs { min_pressure, min_gap, tensions })
 }
 
 /// From the ends of intervals to the next ones, and to the middle of what is even, or as far as gaps are looked at, with the number of the punch.
-fn beside(problem: &Problem, intervals: &[Interval], contact: usize, span: f64) -> Vec<(usize, [f64; 2])> {
-    let groups: Vec<&[Interval]> = intervals.chunk_by(|a, b| a.punch == b.punch).collect();
+fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span: f64) -> Vec<(usize, [f64; 2])> {
+    let groups: Vec<&[ContactInterval]> = intervals.chunk_by(|a, b| a.punch == b.punch).collect();
     let mut all = Vec::new();
     for (k, group) in groups.iter().enumerate() {
         let ([first, ..], [.., last]) = (group, group) else { continue };
         let [left, right] = problem.sides[contact].ends_of(first.punch);
         // half of the way to the next punch
-        let half = |a: &[Interval], b: &[Interval]| a.last().zip(b.first()).map(|(a, b)| 0.5 * (a.to() + b.from()));
+        let half = |a: &[ContactInterval], b: &[ContactInterval]| {
+            a.last().zip(b.first()).map(|(a, b)| 0.5 * (a.to() + b.from()))
+        };
         let before = k.checked_sub(1).and_then(|before| half(groups[before], group)).unwrap_or(-span);
         let after = groups.get(k + 1).and_then(|next| half(group, next)).unwrap_or(span);
         let inwards = if first.parity == Parity::None { before.max(left) } else { 0.0 };
@@ -112,7 +119,7 @@ fn beside(problem: &Problem, intervals: &[Interval], contact: usize, span: f64) 
 /// Places from one end of each gap to the other, dense next to both, and the gap there.
 fn gaps(
     problem: &Problem,
-    level: &Level,
+    level: &Approximation,
     layout: &Layout,
     contact: usize,
     all: &[(usize, [f64; 2])],

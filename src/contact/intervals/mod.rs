@@ -15,7 +15,7 @@ mod waves;
 use std::f64::consts::PI;
 
 use crate::contact::answer::{Answer, Found, stats};
-use crate::contact::ends::newton::LAYOUT_SERVES;
+use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
@@ -28,9 +28,9 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 pub(super) use anywhere::{Expected, solve as anywhere};
-use gaps::Check;
-use newton::{Level, converge};
-use support::{Interval, Parity, Support};
+use gaps::Signs;
+use newton::{Approximation, converge};
+use support::{ContactInterval, Intervals, Parity};
 
 /// Terms on each interval: the first number of them, doubled until the tolerance is met, and the last.
 const COARSEST: usize = 12;
@@ -38,29 +38,6 @@ const FINEST: usize = 256;
 /// Changes from level to level are said to fall at least this fast, and at most.
 const MOST_FALL: f64 = 0.5;
 const LEAST_FALL: f64 = 0.01;
-
-/// What Newton's method has done, all attempts together.
-#[derive(Default)]
-struct Work {
-    /// Steps for each number of terms.
-    steps: Vec<usize>,
-    operations: Operations,
-}
-
-impl Work {
-    /// Counts a step.
-    fn step(&mut self) {
-        if let Some(steps) = self.steps.last_mut() {
-            *steps += 1;
-        }
-    }
-
-    /// Counts the products of this number of columns; a Bessel function takes as long as some 64 multiplications. `None` if they are too many.
-    fn spend(&mut self, columns: usize, wavenumbers: usize) -> Option<()> {
-        let columns = columns as f64;
-        self.operations.spend(wavenumbers as f64 * columns * (columns + 64.0) + columns.powi(3) / 3.0)
-    }
-}
 
 /// Presses a punch on a stack some contacts of which have several intervals, about where `active` says; `None` if no admissible answer was
 /// found, or the pressure under the punch is of another kind.
@@ -94,18 +71,18 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Ans
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
-fn resolved(problem: &Problem, interval: &Interval) -> usize {
+fn resolved(problem: &Problem, interval: &ContactInterval) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
     let count = if interval.is_even() { 0.5 * orders } else { orders };
     (count as usize).min(FINEST / 2)
 }
 
 /// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
-fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Answer> {
+fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<Answer> {
     let mut before = first;
     let mut changes = [f64::INFINITY; 2];
     let mut stalls = false;
-    let mut best: Option<([Level; 2], Errors)> = None;
+    let mut best: Option<([Approximation; 2], Errors)> = None;
     loop {
         let counts: Vec<usize> = before.counts.iter().map(|count| count + count / 2).collect();
         if counts.iter().any(|count| *count > FINEST) {
@@ -139,7 +116,7 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Answer> {
         );
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
-    let Check { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst()).ok()?;
+    let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst()).ok()?;
     // pressures in tension are wrong by that
     errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
     let terms = |contact| {
@@ -160,7 +137,7 @@ fn starting_intervals(
     problem: &Problem,
     active: &[ActiveIntervals],
     which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
-) -> Option<Support> {
+) -> Option<Intervals> {
     let mut intervals = Vec::new();
     for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
         let mut parts = which(active);
@@ -171,9 +148,9 @@ fn starting_intervals(
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
-        intervals.extend(parts.iter().map(|part| Interval::even(contact, *part)));
+        intervals.extend(parts.iter().map(|part| ContactInterval::even(contact, *part)));
     }
-    Some(Support(intervals))
+    Some(Intervals(intervals))
 }
 
 /// Lengths of the contacts; a prescribed traction has the lengths of the contact below.
@@ -185,11 +162,11 @@ struct Lengths {
 }
 
 impl Lengths {
-    fn of(problem: &Problem, support: &Support) -> Self {
+    fn of(problem: &Problem, support: &Intervals) -> Self {
         let contacts = 0..problem.contacts();
-        let reach = |interval: &Interval| interval.to().max(-interval.from());
+        let reach = |interval: &ContactInterval| interval.to().max(-interval.from());
         let ends = contacts.clone().map(|i| support.of(i).iter().map(reach).fold(0.0, f64::max));
-        let half = |interval: &Interval| interval.half;
+        let half = |interval: &ContactInterval| interval.half;
         let shortest = contacts.map(|i| support.of(i).iter().map(half).fold(f64::INFINITY, f64::min));
         let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
         for (i, side) in problem.sides.iter().enumerate() {
@@ -227,8 +204,8 @@ struct Errors {
 
 impl Errors {
     /// Estimates them from what has changed since the level before, and how much less that is than the largest changes then, of ends and of pressures.
-    fn between(level: &Level, before: &Level, largest_changes: &mut [f64; 2]) -> Self {
-        let apart = |(new, old): (&Interval, &Interval)| {
+    fn between(level: &Approximation, before: &Approximation, largest_changes: &mut [f64; 2]) -> Self {
+        let apart = |(new, old): (&ContactInterval, &ContactInterval)| {
             let sizes = new.sizes();
             let moved = [new.from() - old.from(), new.to() - old.to()];
             [0, 1].map(|k| if moved[k] == 0.0 { 0.0 } else { (moved[k] / sizes[k]).abs() })
@@ -251,7 +228,8 @@ impl Errors {
             (left(0, largest(ends.iter().flatten().copied())), left(1, largest(peaks.iter().copied())));
         let last = largest(level.steps.iter().map(|step| step.abs()));
         // short waves are felt where an interval is short
-        let rest = |interval: &Interval| last + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
+        let rest =
+            |interval: &ContactInterval| last + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
         let rests: Vec<f64> = level.support.0.iter().map(rest).collect();
         let peak = |(number, change): (usize, f64)| {
             if level.middle_pressure(number) == 0.0 { 0.0 } else { of_peaks * change + rests[number] }
@@ -268,7 +246,7 @@ impl Errors {
     }
 }
 
-impl Level {
+impl Approximation {
     /// The number of the interval of a contact whose pressure in the middle tells how well pressures are known: where something is even the first
     /// one, else the one with the largest force.
     fn widest(&self, contact: usize) -> usize {
@@ -287,7 +265,7 @@ impl Level {
 }
 
 /// The angles of punches that are not one at x = 0 and upright: against the layer below, and with all layers.
-fn tilts(problem: &Problem, level: &Level) -> Vec<f64> {
+fn tilts(problem: &Problem, level: &Approximation) -> Vec<f64> {
     let Some(Side::Punches(punches)) = problem.sides.first() else { return Vec::new() };
     let below: f64 = level.rotations[1..].iter().flatten().sum();
     let of = |(punch, rotation): (&Placed, &f64)| punch.angle().unwrap_or(rotation + below);
@@ -295,7 +273,7 @@ fn tilts(problem: &Problem, level: &Level) -> Vec<f64> {
 }
 
 /// What was found of each contact.
-fn found(problem: &Problem, level: &Level, errors: &Errors) -> Vec<Found> {
+fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found> {
     let mut peaks = errors.peaks.iter();
     let of = |contact: usize| {
         let is_flat = problem.sides[contact].is_flat();

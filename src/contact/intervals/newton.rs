@@ -1,10 +1,11 @@
 //! The ends of all intervals at which no pressure is singular.
 use crate::contact::ends::broyden::Secants;
+use crate::contact::ends::newton::Work;
 use crate::contact::integrals::layout::{Layout, negligible};
+use crate::contact::intervals::Lengths;
 use crate::contact::intervals::equations::{Equations, Solved};
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::support::{Interval, Parity, Support};
-use crate::contact::intervals::{Lengths, Work};
+use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::iteration::Progress;
 
@@ -21,8 +22,8 @@ const WEAK: f64 = 1e-9;
 
 /// Ends and pressures for one number of terms.
 #[derive(Clone)]
-pub(super) struct Level {
-    pub(super) support: Support,
+pub(super) struct Approximation {
+    pub(super) support: Intervals,
     /// Terms of each interval.
     pub(super) counts: Vec<usize>,
     /// Of each interval.
@@ -39,9 +40,9 @@ pub(super) struct Level {
 #[derive(Debug)]
 pub(super) enum Failure {
     /// Nothing presses on an interval of this list.
-    Vanishes(Support, usize),
+    Vanishes(Intervals, usize),
     /// An interval of this list grows together with the next one.
-    Meet(Support, usize),
+    Meet(Intervals, usize),
     Other,
 }
 
@@ -63,11 +64,11 @@ impl Look {
 /// Moves ends until no pressure is singular.
 pub(super) fn converge(
     problem: &Problem,
-    mut support: Support,
+    mut support: Intervals,
     counts: &[usize],
     enough: f64,
     work: &mut Work,
-) -> Result<Level, Failure> {
+) -> Result<Approximation, Failure> {
     let negligible = negligible(problem.tolerance);
     let mut kept: Option<(Layout, Vec<f64>)> = None;
     let mut progress = Progress::default();
@@ -84,8 +85,10 @@ pub(super) fn converge(
                 (layout.ok_or(Failure::Other)?, ends.clone())
             }
         };
-        let terms: usize = counts.iter().sum();
-        work.spend(terms, layout.zeta.len()).ok_or(Failure::Other)?;
+        let terms = counts.iter().sum::<usize>() as f64;
+        // a Bessel function takes as long as some 64 multiplications
+        let products = layout.zeta.len() as f64 * terms * (terms + 64.0);
+        work.operations.spend(products + terms.powi(3) / 3.0).ok_or(Failure::Other)?;
         work.step();
         let Solved { pressures, rotations } =
             Equations::new(problem, &layout, &support, counts).solve().ok_or(Failure::Other)?;
@@ -99,7 +102,7 @@ pub(super) fn converge(
         if longest < enough || progress.is_rounding(longest, 1e-7) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
-            return Ok(Level { support, counts: counts.to_vec(), pressures, rotations, steps, left_out });
+            return Ok(Approximation { support, counts: counts.to_vec(), pressures, rotations, steps, left_out });
         }
         if !progress.goes_on(longest) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Other);
@@ -121,7 +124,7 @@ pub(super) fn converge(
 }
 
 /// Whether the list of intervals changes, where nothing is even.
-fn changes(support: &Support, pressures: &[Pressure]) -> Option<Failure> {
+fn changes(support: &Intervals, pressures: &[Pressure]) -> Option<Failure> {
     let all = &support.0;
     let is_free = |number: &usize| all[*number].parity == Parity::None;
     let vanishes = |number: &usize| pressures[*number].force() <= 0.0 && support.of(all[*number].contact).len() > 1;
@@ -158,7 +161,7 @@ impl Limits {
 }
 
 /// Takes steps, none longer than allowed; `None` if intervals vanish.
-fn moved(problem: &Problem, support: &Support, steps: &[f64]) -> Option<Support> {
+fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Option<Intervals> {
     let limited = support.ends().into_iter().zip(steps).map(|(end, step)| {
         let interval = &support.0[end.interval];
         let outwards = (step * interval.half).min(MOST_OUT * support.gap(end));
@@ -176,8 +179,8 @@ fn moved(problem: &Problem, support: &Support, steps: &[f64]) -> Option<Support>
 }
 
 /// What pressures say of all ends; the corners of a flat punch are where they are.
-fn looks(problem: &Problem, support: &Support, pressures: &[Pressure]) -> Vec<Look> {
-    let of = |(interval, pressure): (&Interval, &Pressure)| -> Vec<Look> {
+fn looks(problem: &Problem, support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
+    let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
         let corner = problem.sides[interval.contact].is_flat();
         let of = |(side, q): (&f64, &f64)| match corner {
             true => Look { q: 0.0, step: 0.0 },

@@ -1,7 +1,7 @@
 //! The pressure of one interval, and what it says of its ends.
 use std::f64::consts::PI;
 
-use crate::contact::intervals::support::Interval;
+use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::PER_MODE;
 
 /// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
@@ -19,7 +19,7 @@ pub(super) struct Pressure {
 
 impl Pressure {
     /// At x = middle + half cos φ.
-    pub(super) fn at(&self, interval: &Interval, phi: f64) -> f64 {
+    pub(super) fn at(&self, interval: &ContactInterval, phi: f64) -> f64 {
         let regular = |(m, y): (usize, &f64)| {
             let order = interval.order(m) as f64;
             y / order * (order * phi).sin()
@@ -47,7 +47,7 @@ impl Pressure {
 
     /// The step of an end outwards, in half-lengths: the sign of the intensity q says which way, and next to the end the pressure is unit (κφ + q/φ), as of an end
     /// farther out by q/κ.
-    pub(super) fn step(&self, interval: &Interval, side: f64, q: f64) -> f64 {
+    pub(super) fn step(&self, interval: &ContactInterval, side: f64, q: f64) -> f64 {
         let sign = |m: usize| if side > 0.0 || interval.order(m) % 2 == 1 { 1.0 } else { -1.0 };
         // the last terms, which truncation changes most, do not count
         let smooth = |m: usize| (-12.0 * (m as f64 / self.terms.len() as f64).powi(4)).exp();
@@ -65,7 +65,7 @@ impl Pressure {
     }
 
     /// How far from an end the pressure is negative, seen from its largest value, in half-lengths.
-    fn zero(&self, interval: &Interval, side: f64, places: usize) -> Option<f64> {
+    fn zero(&self, interval: &ContactInterval, side: f64, places: usize) -> Option<f64> {
         let angle = |k: f64| PI * (k + 0.5) / places as f64;
         let phi = |k: f64| if side > 0.0 { angle(k) } else { PI - angle(k) };
         let last = if interval.is_even() { places / 2 } else { places - 1 };

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use faer::Mat;
 
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
-use crate::contact::intervals::support::{Interval, Parity};
+use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Side;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::modes::alternating;
@@ -140,8 +140,8 @@ impl Columns<'_> {
 }
 
 /// ∫ f' cos kφ dφ of the slope f' of a punch over an interval, for the k of its terms, and first for k = 0 beside x = 0; none between layers.
-fn tests(side: &Side, interval: &Interval, count: usize) -> Vec<f64> {
-    let value = |[value, ..]: [f64; 3]| value;
+fn tests(side: &Side, interval: &ContactInterval, count: usize) -> Vec<f64> {
+    let value = |[value, _]: [f64; 2]| value;
     match side {
         Side::Punches(all) => all
             .get(interval.punch)

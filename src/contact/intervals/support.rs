@@ -14,7 +14,7 @@ pub(super) enum Parity {
 
 /// An interval in which the bodies of a contact touch, in units of L.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Interval {
+pub(super) struct ContactInterval {
     pub(super) contact: usize,
     /// The number of the punch that presses there, from the left; 0 between layers.
     pub(super) punch: usize,
@@ -32,7 +32,7 @@ pub(super) struct End {
     pub(super) side: f64,
 }
 
-impl Interval {
+impl ContactInterval {
     /// From one place to another on x ≥ 0 where all is even; about x = 0 if it begins there.
     pub(super) fn even(contact: usize, [from, to]: [f64; 2]) -> Self {
         let (middle, parity) = if from > 0.0 { (0.5 * (from + to), Parity::Pair) } else { (0.0, Parity::Even) };
@@ -86,11 +86,11 @@ impl Interval {
 
 /// All intervals of all contacts.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Support(pub(super) Vec<Interval>);
+pub(super) struct Intervals(pub(super) Vec<ContactInterval>);
 
-impl Support {
+impl Intervals {
     /// The intervals of a contact.
-    pub(super) fn of(&self, contact: usize) -> &[Interval] {
+    pub(super) fn of(&self, contact: usize) -> &[ContactInterval] {
         let first = self.0.partition_point(|interval| interval.contact < contact);
         let after = self.0.partition_point(|interval| interval.contact <= contact);
         &self.0[first..after]
@@ -98,7 +98,7 @@ impl Support {
 
     /// All ends, from the top down and outwards.
     pub(super) fn ends(&self) -> Vec<End> {
-        let of = |(interval, own): (usize, &Interval)| {
+        let of = |(interval, own): (usize, &ContactInterval)| {
             own.sides().iter().map(move |side| End { interval, side: *side }).collect::<Vec<_>>()
         };
         self.0.iter().enumerate().flat_map(of).collect()
@@ -113,13 +113,13 @@ impl Support {
     /// From an end to the next interval of the same contact, or to the middle of what is even; infinite where there is none.
     pub(super) fn gap(&self, end: End) -> f64 {
         let own = &self.0[end.interval];
-        let same = |other: &&Interval| other.contact == own.contact;
+        let same = |other: &&ContactInterval| other.contact == own.contact;
         if end.side > 0.0 {
             return self.0.get(end.interval + 1).filter(same).map_or(f64::INFINITY, |next| next.from() - own.to());
         }
         let before = end.interval.checked_sub(1).and_then(|before| self.0.get(before)).filter(same);
         let first = if own.parity == Parity::None { f64::NEG_INFINITY } else { 0.0 };
-        own.from() - before.map_or(first, Interval::to)
+        own.from() - before.map_or(first, ContactInterval::to)
     }
 
     /// With each end moved outwards by so much.

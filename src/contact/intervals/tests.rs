@@ -6,8 +6,9 @@ use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 use super::columns::Columns;
 use super::newton::converge;
 use super::pressure::Pressure;
-use super::support::{Interval, Support};
-use super::{Work, refine};
+use super::refine;
+use super::support::{ContactInterval, Intervals};
+use crate::contact::ends::newton::Work;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
 use crate::kernel::Kernel;
@@ -42,9 +43,9 @@ fn one_interval_is_what_another_solver_finds() {
                 let half = |contact: &Contact| contact.half_length().unwrap() / kernel.length();
                 let start = |contact: usize| {
                     let factor = if problem.sides[contact].is_flat() { 1.0 } else { factor };
-                    Interval::even(contact, [0.0, factor * half(&expected.contacts[contact])])
+                    ContactInterval::even(contact, [0.0, factor * half(&expected.contacts[contact])])
                 };
-                let support = Support(problem.unknown().map(start).collect());
+                let support = Intervals(problem.unknown().map(start).collect());
                 let counts = vec![20; support.0.len()];
                 let mut work = Work::default();
                 let first = converge(&problem, support, &counts, COARSE, &mut work).unwrap();
@@ -69,13 +70,13 @@ fn one_interval_is_what_another_solver_finds() {
 #[test]
 fn columns_are_transforms_of_pressures() {
     for intervals in [
-        vec![Interval::even(0, [0.0, 0.8]), Interval::even(0, [1.3, 2.9])],
-        vec![Interval::even(0, [0.4, 0.9]), Interval::even(0, [1.0, 1.1])],
-        vec![Interval::anywhere(0, 0, [-1.7, -0.4])],
+        vec![ContactInterval::even(0, [0.0, 0.8]), ContactInterval::even(0, [1.3, 2.9])],
+        vec![ContactInterval::even(0, [0.4, 0.9]), ContactInterval::even(0, [1.0, 1.1])],
+        vec![ContactInterval::anywhere(0, 0, [-1.7, -0.4])],
         vec![
-            Interval::anywhere(0, 0, [-0.3, 0.9]),
-            Interval::anywhere(0, 0, [1.0, 1.1]),
-            Interval::anywhere(0, 1, [2.0, 3.1]),
+            ContactInterval::anywhere(0, 0, [-0.3, 0.9]),
+            ContactInterval::anywhere(0, 0, [1.0, 1.1]),
+            ContactInterval::anywhere(0, 1, [2.0, 3.1]),
         ],
     ] {
         let counts = vec![5; intervals.len()];
@@ -92,7 +93,7 @@ fn columns_are_transforms_of_pressures() {
         let (terms, singular) = own.split_at(columns.terms());
         let pressures = columns.pressures(terms, singular);
         let transform = |zeta: f64, wave: fn(f64) -> f64| -> f64 {
-            let of = |(interval, pressure): (&Interval, &Pressure)| {
+            let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
                 let points = 400;
                 let term = |k: usize| {
                     let phi = PI * (f64::from(k as u32) + 0.5) / points as f64;
@@ -117,7 +118,7 @@ fn columns_are_transforms_of_pressures() {
 /// No column but the first ones of a group has a resultant, or a moment where nothing is even, and long waves keep their digits.
 #[test]
 fn long_waves_are_felt_through_resultants_and_moments() {
-    let intervals = [Interval::anywhere(0, 0, [-0.3, 0.9]), Interval::anywhere(0, 0, [1.0, 1.1])];
+    let intervals = [ContactInterval::anywhere(0, 0, [-0.3, 0.9]), ContactInterval::anywhere(0, 0, [1.0, 1.1])];
     let columns = Columns { intervals: &intervals, counts: &[6, 4] };
     let zeta = [1e-5, 2e-5];
     let waves = columns.waves(&zeta);

@@ -2,7 +2,7 @@
 use faer::Mat;
 
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
-use crate::contact::intervals::support::{Interval, Parity};
+use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::modes::alternating;
 use crate::numeric::bessel;
 
@@ -39,7 +39,7 @@ impl Columns<'_> {
     /// Adds the columns of one interval as they are.
     fn add_waves(&self, all: &mut Mat<f64>, number: usize, zeta: &[f64]) {
         let interval = &self.intervals[number];
-        let Interval { middle, half, .. } = *interval;
+        let ContactInterval { middle, half, .. } = *interval;
         let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
         let orders = (interval.order(count - 1) + 1).max(4);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();

@@ -143,7 +143,7 @@ impl<'a> Profile<'a> {
         // each mode alone
         let (twin, factor) = (self.twin, self.twin.alone(half_length) / limit);
         let rows = self.rows(Span::even(half_length), modes).rows;
-        let mode = |(m, [value, ..]): (usize, &[f64; 3])| factor * (order(m) + twin.shift) * value / twin.scale(m);
+        let mode = |(m, [value, ..]): (usize, &[f64; 2])| factor * (order(m) + twin.shift) * value / twin.scale(m);
         Some(Local { modes: rows.iter().enumerate().map(mode).collect(), peak: factor / PI * self.apex(half_length) })
     }
 }

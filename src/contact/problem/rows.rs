@@ -26,15 +26,15 @@ const TIP_CELLS: usize = 27;
 
 /// The slope of a profile, per unit of P', against the tests of an interval.
 pub(crate) struct Slopes {
-    /// ∫ f'(m + w s) C_k ..., its derivative with respect to ln w and, for rows of all k, its derivative with respect to m, times w.
-    pub(crate) rows: Vec<[f64; 3]>,
+    /// ∫ f'(m + w s) C_k ... and its derivative with respect to ln w.
+    pub(crate) rows: Vec<[f64; 2]>,
     /// w.
     pub(crate) half_length: f64,
     twin: Twin,
 }
 
 /// θ, and what is there to be added to the rows, times their tests.
-type Place = (f64, [f64; 3]);
+type Node = (f64, [f64; 2]);
 
 impl Slopes {
     /// The right-hand side of mode `m`.
@@ -50,7 +50,7 @@ impl Slopes {
     /// Adds amplitude · |s|^power sign(s) to odd rows: ∫ cos^ν θ C_k dθ is a product of gamma functions.
     fn add_power(&mut self, power: f64, amplitude: f64) {
         let mut value = 2.0 * amplitude * self.twin.moment(power + 1.0);
-        for (m, [row, slope, _]) in self.rows.iter_mut().enumerate() {
+        for (m, [row, slope]) in self.rows.iter_mut().enumerate() {
             *row += value;
             *slope += power * value;
             let k = order(m);
@@ -59,14 +59,14 @@ impl Slopes {
     }
 
     /// Adds places to the first `count` rows, by the recurrence of the tests.
-    fn add(&mut self, step: usize, count: usize, places: &[Place]) {
+    fn add(&mut self, step: usize, count: usize, places: &[Node]) {
         let steps: Vec<[f64; 3]> = (0..count).map(|m| self.twin.steps(m, step)).collect();
         vectorised(
             #[inline(always)]
             || {
                 for some in places.chunks(LANES) {
                     let [mut turn, mut test, mut before] = [[0.0; LANES]; 3];
-                    let mut own = [[0.0; LANES]; 3];
+                    let mut own = [[0.0; LANES]; 2];
                     for (lane, (theta, parts)) in some.iter().enumerate() {
                         let s = theta.cos();
                         let start = if step == 2 { [(2.0 * theta).cos(), s, -s] } else { [s, 1.0, s] };
@@ -74,7 +74,7 @@ impl Slopes {
                         own.iter_mut().zip(parts).for_each(|(own, part)| own[lane] = *part);
                     }
                     for (row, [up, stay, down]) in self.rows.iter_mut().zip(&steps) {
-                        for (sum, own) in row.iter_mut().zip(&own).take(4 - step) {
+                        for (sum, own) in row.iter_mut().zip(&own) {
                             (0..LANES).for_each(|lane| *sum += own[lane] * test[lane]);
                         }
                         for lane in 0..LANES {
@@ -89,10 +89,10 @@ impl Slopes {
 }
 
 impl Profile<'_> {
-    /// The first `count` rows on an interval, with derivatives with respect to both of its ends.
+    /// The first `count` rows on an interval, with derivatives with respect to its length.
     pub(crate) fn rows(&self, span: Span, count: usize) -> Slopes {
         debug_assert!(span.step == 1 || self.shape.is_even(), "an uneven profile has rows of even k as well");
-        let mut slopes = Slopes { rows: vec![[0.0; 3]; count], half_length: span.half, twin: self.twin };
+        let mut slopes = Slopes { rows: vec![[0.0; 2]; count], half_length: span.half, twin: self.twin };
         match &self.shape {
             Shape::Flat(_) => {}
             Shape::Powers { .. } if span.step == 2 => {
@@ -150,7 +150,7 @@ impl Profile<'_> {
     }
 
     /// Places from one to the next of some `limits` inside the interval, for what oscillates like cos(phase · θ).
-    fn between(&self, span: Span, limits: &[f64], phase: f64) -> Vec<Place> {
+    fn between(&self, span: Span, limits: &[f64], phase: f64) -> Vec<Node> {
         let angle = |x: &f64| ((x - span.middle * self.length) / (span.half * self.length)).acos();
         let last = if span.step == 2 { FRAC_PI_2 } else { PI };
         let ends: Vec<f64> = std::iter::once(last).chain(limits.iter().map(angle)).chain([0.0]).collect();
@@ -161,7 +161,7 @@ impl Profile<'_> {
                 // about the tip
                 let rise = (self.shape.slope(*x) - self.shape.slope(-x)) / self.force;
                 let theta = (-span.middle / span.half).acos();
-                places.push((theta, [0.0, rise / theta.tan(), rise / theta.sin()]));
+                places.push((theta, [0.0, rise / theta.tan()]));
                 continue;
             }
             let parts = (phase * (to - from) / PHASE).ceil().max(1.0);
@@ -183,17 +183,15 @@ impl Profile<'_> {
     }
 
     /// What a place with a weight adds to the rows; to odd ones its mirror image adds the same.
-    fn place(&self, span: Span, theta: f64, weight: f64) -> Place {
+    fn place(&self, span: Span, theta: f64, weight: f64) -> Node {
         let (s, weight) = (theta.cos(), span.step as f64 * weight);
         if self.twin == Twin::Round {
             let [_, value, slope] = self.abel(span.half * s);
-            return (theta, [value, slope, 0.0].map(|value| theta.sin() * weight * value));
+            return (theta, [value, slope].map(|value| theta.sin() * weight * value));
         }
         let (arm, weight) = (span.half * s * self.length, weight / self.force);
         let x = span.middle * self.length + arm;
-        let curvature = self.shape.curvature(x);
-        let shift = weight * (span.half * self.length) * curvature;
-        (theta, [weight * self.shape.slope(x), weight * arm * curvature, shift])
+        (theta, [weight * self.shape.slope(x), weight * arm * self.shape.curvature(x)])
     }
 
     /// Height above the apex at x (both in units of L), per unit of P', and about an axis A(x).

@@ -98,7 +98,7 @@ fn corners_tips_and_given_loads_are_known_as_well() {
                 assert!(kernel.contacts() == 1 && punch.loads().is_some(), "{number}, {punch:?}");
                 continue;
             };
-            let coarse = coarse.into_solution(&problem, problem.total_force(), None);
+            let coarse = coarse.into_solution(&problem, scene.force.number(), None);
             for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
                 let off = (coarse.innermost().right - fine.innermost().right).abs();
                 assert!(

@@ -279,7 +279,7 @@ fn transforms(problem: &Problem, level: &Level, modes: &[Vec<f64>]) -> Option<Wa
     let strong = vec![false; counts.len() - 1];
     let equations = Equations::new(&layout, &bases, &counts, &strong, &level.support);
     let mut slopes = equations.responses(modes);
-    slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach));
+    slopes.iter_mut().zip(&layout.own).for_each(|(slopes, own)| slopes.resize(own.reach, 0.0));
     let limits = layout.own.iter().map(|own| own.limit).collect();
     Some(Waves { zeta: layout.zeta, limits, slopes })
 }

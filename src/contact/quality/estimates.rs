@@ -57,8 +57,8 @@ pub(crate) struct Level {
 }
 
 impl Level {
-    /// Errors are estimated from what the sweeps have changed, and from how fast the highest modes fall, less those of the
-    /// asymptotic part under a punch that is not smooth: these are known, however slowly they fall. Parts of the kernels below
+    /// Errors are estimated from what the sweeps have changed, and from how fast the highest modes fall, less the modes of the
+    /// asymptotic part under a punch that is not smooth: the latter are known, however slowly they fall. Parts of the kernels below
     /// `negligible` were left out.
     pub(crate) fn new(found: Converged, problem: &Problem, negligible: f64) -> Self {
         let counts: Vec<usize> = found.modes.iter().map(Vec::len).collect();

@@ -12,8 +12,8 @@ use crate::contact::quality::estimates::{BEST, Level};
 use crate::kernel::Kernel;
 use crate::solution::Stopped;
 
-/// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the longest wave whose compliance is that of
-/// the layers at the faces of the contact alone.
+/// Orders of the modes solved for, 2 per mode, reach this part of the turning point of the longest wave whose compliance is the
+/// compliance of the layers at the faces of the contact alone.
 const PER_WAVE: f64 = 0.6;
 /// Where the first modes have failed before, the first steps have this many times more: next to thin, stiff coatings, and in
 /// decaying contacts, few modes lead astray. With no more than at first some of these are missed; with twice as many, the first
@@ -297,7 +297,7 @@ fn enough_modes(coarse: &[f64], solved: usize, tolerance: f64) -> usize {
     if last < tolerance { solved + MORE / 4 } else { usize::MAX }
 }
 
-/// Modes to begin with: enough to resolve waves so short that their compliance is that of the layers at the faces alone.
+/// Modes to begin with: enough to resolve waves so short that the layers at the faces alone make their compliance.
 fn coarsest(kernel: &Kernel, half_lengths: &[f64], finest: usize) -> Vec<usize> {
     let modes = |(i, a): (usize, &f64)| {
         let wanted = (PER_WAVE * a * kernel.governed_by_faces(i)).min(finest as f64).max(COARSEST as f64);

@@ -34,7 +34,7 @@ fn force_on(kernel: &Kernel, profile: &Profile, half_length: f64, compliance: fn
     twin.force_under(profile.first_row(half_length), half_length, compliance(kernel, TYPICAL / half_length))
 }
 
-/// The length of the contact itself, in the unit of the scene, where the stack has none: that of a given pressure, or what
+/// The length of the contact itself, in the unit of the scene, where the stack has none: the length of a given pressure, or what
 /// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
 pub(crate) fn length(kernel: &Kernel, top: &Top, force: f64) -> Option<f64> {
     if !kernel.has_no_length() {
@@ -133,7 +133,7 @@ fn under_punch(kernel: &Kernel, profile: &Profile, compliance: fn(&Kernel, f64) 
     // as far as doubles reach
     let longest = 300.0 * std::f64::consts::LN_10;
     let (mut low, mut high) = (-longest, profile.edge().map_or(longest, f64::ln));
-    // the logarithm of the force is nearly linear in that of the half-length
+    // the logarithm of the force is nearly linear in the logarithm of the half-length
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
     while high - low > COARSE {

@@ -3,7 +3,7 @@
 //! 1. Closed-form estimates of the half-lengths ([`super::formulas`]).
 //! 2. The coarse quadratic programme, asked once the former have failed: it cannot converge to a non-physical root. Where it
 //!    sees several intervals in a contact, [`intervals`] solves for these; else Newton's method begins at its ends.
-//! 3. If Newton's method fails from there, the low-accuracy answer is that of the fine quadratic programme, with a warning, unless there is
+//! 3. If Newton's method fails from there, the fine quadratic programme gives the low-accuracy answer, with a warning, unless there is
 //!    a solution with a large error estimate that has the same pressures.
 use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::Work;
@@ -128,7 +128,7 @@ impl Search<'_> {
         Ok(self.in_intervals(&active).unwrap_or(Outcome::Failed(failure)))
     }
 
-    /// Newton's method from a start; a solution that may be that of a non-physical root is kept aside.
+    /// Newton's method from a start; a solution that may belong to a non-physical root is kept aside.
     fn attempt(&mut self, start: Start) -> Result<Outcome, ContactError> {
         let attempt = match self.solve_from(start) {
             Ok(attempt) => attempt,

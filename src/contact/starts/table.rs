@@ -27,26 +27,26 @@ const POINTS: usize = 10;
 /// The answers of one stack under parabolas.
 #[derive(Debug)]
 pub(crate) struct Table {
-    points: Vec<OnceLock<Option<Answer>>>,
+    points: Vec<OnceLock<Option<Entry>>>,
     nodes: Vec<f64>,
     weights: Vec<f64>,
 }
 
 /// Logarithms of the half-lengths, and the modes.
 #[derive(Debug)]
-struct Answer {
+struct Entry {
     lengths: Vec<f64>,
     modes: Modes,
 }
 
 /// Where a load lies in the table.
-struct Place<'a> {
-    answers: Vec<&'a Answer>,
+struct Neighbours<'a> {
+    answers: Vec<&'a Entry>,
     /// What each of them contributes.
     row: [f64; POINTS],
 }
 
-impl Place<'_> {
+impl Neighbours<'_> {
     fn half_length(&self, i: usize) -> f64 {
         let terms = self.answers.iter().zip(&self.row).map(|(answer, part)| part * answer.lengths[i]);
         terms.sum::<f64>().exp()
@@ -95,23 +95,23 @@ impl Table {
         usable.then(|| Start::Warm { half_lengths, modes: (0..contacts).map(|i| place.modes(i)).collect() })
     }
 
-    fn place(&self, kernel: &Kernel, load: f64) -> Option<Place<'_>> {
+    fn place(&self, kernel: &Kernel, load: f64) -> Option<Neighbours<'_>> {
         let at = load.ln() / APART + 0.5 * COUNT as f64;
         let first = (at.floor() as usize).checked_sub(POINTS / 2 - 1)?;
         let points = self.points.get(first..first + POINTS)?;
-        let answers: Option<Vec<&Answer>> = points
+        let answers: Option<Vec<&Entry>> = points
             .iter()
             .zip(first..)
-            .map(|(point, k)| point.get_or_init(|| answer(kernel, APART * (k as f64 - 0.5 * COUNT as f64))).as_ref())
+            .map(|(point, k)| point.get_or_init(|| entry(kernel, APART * (k as f64 - 0.5 * COUNT as f64))).as_ref())
             .collect();
         let mut row = [0.0; POINTS];
         interpolation_row(&self.nodes, &self.weights, at - first as f64, &mut row);
-        Some(Place { answers: answers?, row })
+        Some(Neighbours { answers: answers?, row })
     }
 }
 
 /// The answer at one point; `None` if it is not as good as answers usually are.
-fn answer(kernel: &Kernel, load: f64) -> Option<Answer> {
+fn entry(kernel: &Kernel, load: f64) -> Option<Entry> {
     let unit = kernel.length();
     let punch = Top::from(Punch::parabola(unit).ok()?);
     let interfaces = vec![Interface::Punch; kernel.contacts()];
@@ -120,5 +120,5 @@ fn answer(kernel: &Kernel, load: f64) -> Option<Answer> {
     let start = Start::Guess { half_lengths: formulas::half_lengths(&problem) };
     let Refined { level, not_met, .. } = refine(&problem, start, &mut Work::default()).ok()?;
     let lengths = level.support.half_lengths.iter().map(|a| a.ln()).collect();
-    not_met.is_none().then_some(Answer { lengths, modes: level.modes })
+    not_met.is_none().then_some(Entry { lengths, modes: level.modes })
 }
