@@ -43,6 +43,7 @@ mod list;
 mod loads;
 mod many_loads;
 mod merge;
+mod moved_loads;
 #[cfg(unix)]
 mod outputs;
 mod paper;

@@ -16,7 +16,7 @@ use equations::Pressures;
 use nodes::Nodes;
 use spatial::Spatial;
 
-/// Numbers of nodes: the first, doubled until what is found changes by less than the tolerance, and the last.
+/// Numbers of nodes: the first, doubled until residuals change by less than the tolerance, and the last.
 const COARSEST: usize = 16;
 const FINEST: usize = 512;
 
@@ -70,9 +70,11 @@ pub(crate) fn check(asked: &Asked, solution: &Solution) -> Result<Vec<Collocated
             }
         };
         let found: Vec<Collocated> = solution.contacts().iter().enumerate().map(of).collect();
+        // of a difference one digit is enough
         let same = |(new, old): (&Collocated, &Collocated)| {
+            let [off, before] = [new, old].map(|found| found.pressure_difference);
             (new.residual - old.residual).abs() <= asked.tolerance
-                && (new.pressure_difference - old.pressure_difference).abs() <= asked.tolerance
+                && (off - before).abs() <= asked.tolerance.max(0.5 * off)
         };
         if !before.is_empty() && found.iter().zip(&before).all(same) || count >= FINEST {
             return Ok(found);
