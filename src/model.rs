@@ -240,7 +240,6 @@ mod tests {
     use super::*;
     use crate::field::FieldPoint;
     use crate::scene::{Item, Load, Loads, Punch};
-    use crate::solution::Interval;
 
     #[test]
     fn a_field_is_that_of_a_solution_of_the_same_stack() {
@@ -333,26 +332,13 @@ mod tests {
         .into()
     }
 
-    /// The pressures and intervals of a load, moved along x.
-    fn moved(solution: &Solution, by: f64) -> Solution {
-        let mut moved = solution.clone();
-        for contact in &mut moved.contacts {
-            contact.strips.iter_mut().for_each(|strip| strip.at += by);
-            contact
-                .intervals
-                .iter_mut()
-                .for_each(|Interval { left, right, .. }| (*left, *right) = (*left + by, *right + by));
-        }
-        moved
-    }
-
     #[test]
     fn the_field_of_a_load_moves_with_it() {
         for (number, model) in bonded_stacks().iter().enumerate() {
             for load in [Load::Line, Load::uniform(0.3).unwrap(), Load::elliptic(0.4).unwrap()] {
                 let about_0 = model.press(load, 0.2).unwrap();
                 // not above x = 0, from where displacements are counted
-                let [here, there] = [-0.5, 0.75].map(|by| (model.field(&moved(&about_0, by)).unwrap(), by));
+                let [here, there] = [-0.5, 0.75].map(|by| (model.field(&about_0.clone().moved(by)).unwrap(), by));
                 let at = |(field, by): &(Field, f64), x: f64, depth: f64| field.at(x + by, depth).unwrap();
                 let origins = [&here, &there].map(|field| at(field, 0.0, 0.4));
                 for (x, depth) in [(0.1, 0.2), (-0.35, 0.0), (1.7, 0.45), (-4.0, 0.3), (0.0, 0.05), (-0.75, 0.4)] {
@@ -378,7 +364,7 @@ mod tests {
         for model in &bonded_stacks() {
             let loads = Loads::new(&parts).unwrap();
             let all = model.press(&loads, loads.force()).unwrap();
-            let each = parts.clone().map(|(load, at, force)| moved(&model.press(load, force).unwrap(), at));
+            let each = parts.clone().map(|(load, at, force)| model.press(load, force).unwrap().moved(at));
             let [all, one, other] = [&all, &each[0], &each[1]].map(|solution| model.field(solution).unwrap());
             for (x, depth) in [(0.1, 0.2), (-0.5, 0.3), (1.1, 0.0), (-4.0, 0.45), (0.0, 0.1)] {
                 let [found, one, other] = [&all, &one, &other].map(|field| field.at(x, depth).unwrap());
@@ -421,7 +407,7 @@ mod tests {
     fn what_is_on_one_side_is_the_mirror_image_of_what_is_on_the_other() {
         for model in &bonded_stacks() {
             let about_0 = model.press(Load::uniform(0.3).unwrap(), 0.2).unwrap();
-            let [left, right] = [-0.6, 0.6].map(|by| model.field(&moved(&about_0, by)).unwrap());
+            let [left, right] = [-0.6, 0.6].map(|by| model.field(&about_0.clone().moved(by)).unwrap());
             for (x, depth) in [(0.1, 0.2), (-0.35, 0.0), (1.7, 0.45)] {
                 let [found, image] = [left.at(x, depth).unwrap(), right.at(-x, depth).unwrap()];
                 let turned = FieldPoint { x, u: -image.u, slope: -image.slope, sigma_xy: -image.sigma_xy, ..image };
