@@ -11,13 +11,17 @@ pub struct Options {
 
 /// Discretisation of the contact equations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Method {
-    /// Pressures as sine series, slopes tested with Chebyshev polynomials, integrals over the wavenumber: fast and exact.
+    /// Sine series, tested with Chebyshev polynomials
+    ///
+    /// Integrals over the wavenumber: fast and exact.
     #[default]
     Galerkin,
-    /// Pressures at nodes, slopes compared at places between them, kernels as functions of the distance: an independent
-    /// check, slower and, next to graded faces, less exact. The error estimate is the difference between the answers for
-    /// two numbers of nodes.
+    /// Pressures at nodes: slower, an independent check
+    ///
+    /// Slopes are compared at places between the nodes, and kernels are functions of the distance; next to graded faces it is less exact.
+    /// The error estimate is the difference between the answers for two numbers of nodes.
     Collocation,
 }
 

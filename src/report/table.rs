@@ -60,14 +60,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
 /// A line for each contact.
 fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
     let (digits, words) = (Digits(report.digits), report.scene.geometry.words());
-    let header = |name: &str, label: &str| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
-    let mut table = ruled();
-    table.set_header([
-        "contact".to_owned(),
-        header(words.half_length, length),
-        header(&format!("pressure at {} = 0", words.along), stress),
-        header("resultant", line_load),
-    ]);
+    let pressure = format!("pressure at {} = 0", words.along);
+    let mut table =
+        ruled([("contact", ""), (words.half_length, length), (&pressure, stress), ("resultant", line_load)]);
     for (name, contact) in report.contacts() {
         table.add_row([
             name,
