@@ -64,18 +64,14 @@ fn row(path: &Path, csv: &SweepCsv, line: &str) -> Result<usize, Failure> {
             "scene, --vary, --approach, --extremes, --tolerance and the version of recede have to be those with which the parts were computed",
         ));
     }
+    let start: String = line.trim_end().chars().take(60).collect();
     let row = csv.row_of(line).filter(|row| csv.is_line_of(line, *row));
     row.ok_or_else(|| {
         Failure::usage(
-            format!("{name}, line 2: it cannot be told which row of the sweep this is, `{}`", start(line)),
+            format!("{name}, line 2: it cannot be told which row of the sweep this is, `{start}`"),
             "where an axis has a value twice, rows cannot be told apart; otherwise the file was changed: compute this part again",
         )
     })
-}
-
-/// The beginning of a line, to be shown.
-fn start(line: &str) -> String {
-    line.trim_end().chars().take(60).collect()
 }
 
 fn cut_off(path: &Path) -> Failure {

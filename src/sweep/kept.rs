@@ -14,7 +14,7 @@ const KEPT: usize = 512;
 /// Fewer where they have more numbers than these in all, 256 MB of them: then some are made more than once.
 const MOST_NUMBERS: usize = 1 << 25;
 /// A table of heights of the most rows, and the curve through them, have about so many numbers; other punches have fewer.
-const NUMBERS_OF_TOP: usize = 10_000;
+pub(super) const NUMBERS_OF_TOP: usize = 10_000;
 
 /// Rows per stack from which on a table of solutions to start from saves time.
 const MANY: usize = 100;
@@ -26,23 +26,15 @@ type Slot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 #[derive(Debug)]
 pub(super) struct Kept<T> {
     slots: Mutex<VecDeque<(Vec<u64>, Slot<T>)>>,
-    /// How many numbers something stores, about.
     numbers: fn(&T) -> usize,
 }
 
-impl Kept<Model> {
-    pub(super) fn models() -> Self {
-        Self { slots: Mutex::default(), numbers: Model::stored_numbers }
-    }
-}
-
-impl Kept<Top> {
-    pub(super) fn tops() -> Self {
-        Self { slots: Mutex::default(), numbers: |_| NUMBERS_OF_TOP }
-    }
-}
-
 impl<T> Kept<T> {
+    /// Nothing; `numbers` says how many numbers something stores, about.
+    pub(super) fn new(numbers: fn(&T) -> usize) -> Self {
+        Self { slots: Mutex::default(), numbers }
+    }
+
     /// What was made for these changes; made if it is not kept.
     fn get(&self, changes: &[Change], make: impl FnOnce() -> Result<T, Error>) -> Result<Arc<T>, Error> {
         let key = changes.iter().map(|(_, value)| value.to_bits()).collect();
@@ -110,7 +102,7 @@ mod tests {
     #[test]
     fn what_is_kept_is_bounded_in_number_and_size() {
         for (numbers, most) in [(1, KEPT), (MOST_NUMBERS / 10, 12), (2 * MOST_NUMBERS, 1)] {
-            let kept = Kept { slots: Mutex::default(), numbers: |numbers: &usize| *numbers };
+            let kept = Kept::new(|numbers: &usize| *numbers);
             for key in 0..2 * KEPT as u64 {
                 let made = kept.slot(vec![key]).get_or_init(|| Ok(Arc::new(numbers))).clone();
                 assert_eq!(*made.unwrap(), numbers);

@@ -21,7 +21,7 @@ use recede_layers::tree::ReadError;
 pub use parallel::ParallelRows;
 pub use part::{Part, PartError};
 
-use kept::Kept;
+use kept::{Kept, NUMBERS_OF_TOP};
 
 use crate::approach::{Approach, ApproachError};
 use crate::axis::{Axis, AxisError};
@@ -126,7 +126,8 @@ impl Sweep {
             }
             (_, None) => 1,
         };
-        let (options, models, tops) = (Options::default(), Kept::models(), Kept::tops());
+        let (options, models, tops) =
+            (Options::default(), Kept::new(Model::stored_numbers), Kept::new(|_| NUMBERS_OF_TOP));
         let (approach, extremes, interfaces) = (false, false, Vec::new());
         let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models, tops };
         sweep.interfaces = sweep.all_interfaces()?;
