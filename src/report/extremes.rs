@@ -36,11 +36,9 @@ pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, s
     let mut table = ruled([("largest", ""), ("stress", stress), (&format!("at {place}"), length), ("depth", length)]);
     let mut add = |what: String, found: Option<Extreme>, none: &str| {
         let row = match found {
-            Some(Extreme { value, error, x, depth, .. }) => [
-                if value.is_finite() { digits.with_error(value, error) } else { "infinite".to_owned() },
-                shown::<3>(x),
-                shown::<3>(depth),
-            ],
+            Some(Extreme { value, error, x, depth, .. }) => {
+                [digits.or_infinite(value, error), shown::<3>(x), shown::<3>(depth)]
+            }
             None => [none.to_owned(), String::new(), String::new()],
         };
         table.add_row([what].into_iter().chain(row));
@@ -58,7 +56,7 @@ pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, s
 }
 
 /// The columns of a sweep by name, with the numbers of a row. They are the same whichever layers are there: each layer that the scene has
-/// may have them, and the interface below it unless that is one that opens. NaN for what is not there; a tension or shear stress that is
+/// may have them, and the interface below it unless that opens. NaN for what is not there; a tension or shear stress that is
 /// nowhere is 0.
 pub(super) fn cells(scene: &Scene, extremes: Option<&Extremes>) -> Vec<(String, f64)> {
     let mut cells = Vec::new();

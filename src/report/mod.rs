@@ -24,6 +24,8 @@ use crate::solution::{Contact, Interface, Solution};
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
 pub use profile::{profile_columns, write_profile};
+#[doc(hidden)]
+pub use ruled::ruled;
 pub use sweep::SweepCsv;
 
 /// How a report, or a field, is written.

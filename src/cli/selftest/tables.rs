@@ -2,7 +2,8 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use comfy_table::{LineStyle, Table, TableStyle};
+use comfy_table::Table;
+use recede::report::ruled;
 
 use super::workers::{Answer, Compared, Ended};
 
@@ -16,8 +17,6 @@ const CAUTION: f64 = 1000.0;
 const LOW_ACCURACY: f64 = 0.01;
 /// A stricter answer is not more accurate if its own estimate is larger than this part of the other.
 const UNSEEN: f64 = 0.1;
-const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
-const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 /// The number of scenes for each status and reason.
 pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
@@ -117,10 +116,7 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
 }
 
 fn table<const N: usize>(header: [&str; N]) -> Table {
-    let mut table = Table::new();
-    table.load_style(RULES);
-    table.set_header(header);
-    table
+    ruled(header.map(|name| (name, "")))
 }
 
 /// A row of quantiles.

@@ -59,7 +59,7 @@ pub(super) struct Compared {
 
 impl From<Comparison> for Compared {
     fn from(one: Comparison) -> Self {
-        // what is no number is as bad as can be
+        // an error that is no number counts as infinite
         let or_infinite = |value: f64| if value.is_nan() { f64::INFINITY } else { value };
         Self {
             interface: one.interface.to_string(),
