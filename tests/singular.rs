@@ -3,7 +3,7 @@
 //!
 //! Laws: the largest shear stress under a uniform load q on a half-plane is q/π; answers do not depend on the unit of length;
 //! what is infinite is never a number; stresses across interfaces are continuous; ε_zz = 0 in plane strain.
-use recede::report::{FieldFormat, write_field};
+use recede::report::{Format, write_field};
 use recede::{
     EngineeringConstants, Exponential, Field, FieldPoint, FieldQuantity, HalfPlane, Homogeneous, Isotropic, Layer,
     Load, Material, Model, Orthotropic, OrthotropicHalfPlane, Plane, Punch, Solution, Stack, StackBuilder,
@@ -101,8 +101,7 @@ fn singular_points_are_infinite_and_nothing_else_is() {
                 }
             }
             let mut text = Vec::new();
-            write_field(&grid.points()[..1], recede::Geometry::PlaneStrain, None, FieldFormat::Json, &mut text)
-                .unwrap();
+            write_field(&grid.points()[..1], recede::Geometry::PlaneStrain, None, Format::Json, &mut text).unwrap();
             let json: serde_json::Value = serde_json::from_slice(&text).unwrap();
             assert!(json["points"][0]["sigma_yy"].is_null() && json["points"][0]["u"].is_number());
             // on a face that is not isotropic, stresses along and across it are infinite, and different
@@ -157,7 +156,7 @@ fn a_stress_that_is_not_known_is_no_number() {
         assert_eq!((above.sigma_zz.is_finite(), above.von_mises().is_finite()), (known, known));
         assert!(below.von_mises().is_finite() && above.max_shear().is_finite());
         let mut text = Vec::new();
-        write_field(&[above], recede::Geometry::PlaneStrain, None, FieldFormat::Csv, &mut text).unwrap();
+        write_field(&[above], recede::Geometry::PlaneStrain, None, Format::Csv, &mut text).unwrap();
         let empty = String::from_utf8(text).unwrap().trim_end().split(',').filter(|field| field.is_empty()).count();
         assert_eq!(empty, if known { 0 } else { 2 });
     }

@@ -119,6 +119,27 @@ fn contacts_are_found_though_the_first_row_has_no_solution() {
 }
 
 #[test]
+fn each_of_several_punches_has_columns_of_its_own() {
+    let text = "Scene(geometry: PlaneStrain, punches: [(shape: Parabola(radius: 50), at: 4.0, force: 2e-3),
+        (shape: Parabola(radius: 100), at: 0.0, force: 1e-3)], stack: [Homogeneous(thickness: 1, shear_modulus: 1,
+        poisson: 0.25), Bonded, HalfPlane(shear_modulus: 2, poisson: 0.25)])";
+    let sweep = Sweep::new(Scene::from_ron(text).unwrap(), vec!["punches[1].at=[4, 5]".parse().unwrap()]).unwrap();
+    let csv = SweepCsv::new(&sweep);
+    let header = csv.header().unwrap();
+    assert!(header.starts_with("punches_1_at,punch_1_half_length,") && !header.contains("punch_left"), "{header}");
+    for row in sweep.rows() {
+        let numbers = csv.numbers(&row);
+        let number = |name: &str| numbers[header.split(',').position(|column| column == name).unwrap()];
+        // from left to right, whatever their order in the scene
+        for (k, interval) in row.result.unwrap().contacts()[0].intervals().iter().enumerate() {
+            let ends = ["left", "right"].map(|end| number(&format!("punch_{}_{end}", k + 1)));
+            assert_eq!(ends, [interval.left, interval.right]);
+        }
+        assert!(number("punch_1_right") < 1.0 && number("punch_2_left") > row.values[0] - 1.0);
+    }
+}
+
+#[test]
 fn contacts_that_only_some_rows_have_are_columns_of_all() {
     let sweep = sweep(&["layer[2].thickness=[0,1]"]);
     let header = SweepCsv::new(&sweep).header().unwrap();

@@ -226,6 +226,9 @@ class Solution:
     def load(self) -> Load | None:
         """The load in place of a punch, or None."""
     @property
+    def loads(self) -> tuple[PlacedLoad, ...] | None:
+        """The loads in place of a punch, where they are several, with their places and forces; or None."""
+    @property
     def contacts(self) -> Contacts:
         """The contacts from the top down, the punch first; `contacts["2|3"]` is the one between the layers 2 and 3."""
 

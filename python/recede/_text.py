@@ -202,33 +202,33 @@ def with_punch(punch: Any, geometry: str, units: tuple[str, str] | None) -> tupl
     return scene([_Ground()], own, 1.0, load=load, geometry=geometry, units=units)[:2]
 
 
-def part(text: str, name: str) -> Item | None:
-    """The punch or the load of a scene in JSON."""
-    data = json.loads(text)
-    return named({"punch": Punch, "load": Load}[name], data[name]) if name in data else None
-
-
-def parts(text: str) -> dict[str, Any]:
-    """What a scene in JSON is made of, by the names of the arguments of `Scene`."""
-    data: dict[str, Any] = json.loads(text)
-    found = {name: data.get(name) for name in ("name", "description", *KINDS_OF_FORCE)}
-    found["units"] = Units(**data["units"]) if data.get("units") else None
-    found["stack"] = Stack([named(StackItem, one) for one in data["stack"]], data["geometry"])
-    found |= {name: part(text, name) for name in ("punch", "load")}
-    punches = data.get("punches")
-    found["punches"] = punches and tuple(
+#: How the parts of a scene that are no plain values are made of its JSON, by the names of the arguments of `Scene`.
+MADE: dict[str, Callable[[Any], Any]] = {
+    "units": lambda units: Units(**units),
+    "punch": lambda punch: named(Punch, punch),
+    "punches": lambda punches: tuple(
         Pressed(named(Punch, one["shape"]), one["at"], one["force"], named(Tilt, one["tilt"]) if "tilt" in one else None) for one in punches
-    )
-    loads = data.get("loads")
-    found["loads"] = loads and tuple(PlacedLoad(named(Load, one["load"]), one["at"], one["force"]) for one in loads)
-    return found
+    ),
+    "load": lambda load: named(Load, load),
+    "loads": lambda loads: tuple(PlacedLoad(named(Load, one["load"]), one["at"], one["force"]) for one in loads),
+}
 
 
-def scene_repr(found: Mapping[str, Any]) -> str:
-    """A scene in Python."""
-    first = ", ".join(repr(found[name]) for name in ("stack", "punch", "force"))
-    rest = (f", {name}={value!r}" for name, value in found.items() if name not in ("stack", "punch", "force") and value is not None)
-    return f"Scene({first}{''.join(rest)})"
+def part(text: str, name: str) -> Any:
+    """A part of a scene in JSON, by the name of the argument of `Scene`; None if the scene has none."""
+    data: dict[str, Any] = json.loads(text)
+    if name == "stack":
+        return Stack([named(StackItem, one) for one in data["stack"]], data["geometry"])
+    made = data.get(name)
+    return made and MADE.get(name, lambda value: value)(made)
+
+
+def scene_repr(text: str) -> str:
+    """A scene in JSON as it is written in Python."""
+    first = ", ".join(repr(part(text, name)) for name in ("stack", "punch", "force"))
+    names = ("name", "description", "half_length", "depth", "units", "load", "punches", "loads")
+    rest = {name: part(text, name) for name in names}
+    return f"Scene({first}{''.join(f', {name}={value!r}' for name, value in rest.items() if value is not None)})"
 
 
 def scene_of(stack: Any) -> Scene:

@@ -1,7 +1,7 @@
 //! Numbers from and to arrays of numpy, by the buffer protocol.
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
-use pyo3::types::PyByteArray;
+use pyo3::types::{PyByteArray, PyDict};
 
 /// The numbers of an array of doubles, row by row.
 pub fn read(array: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
@@ -19,4 +19,11 @@ pub fn array<'py>(py: Python<'py>, values: &[f64]) -> PyResult<Bound<'py, PyAny>
     };
     let memory = PyByteArray::new_with(py, size_of_val(values), fill)?;
     py.import("numpy")?.call_method1("frombuffer", (memory,))
+}
+
+/// Columns of numbers by name, as arrays.
+pub fn columns(py: Python<'_>, columns: Vec<(String, Vec<f64>)>) -> PyResult<Bound<'_, PyDict>> {
+    let all = PyDict::new(py);
+    columns.into_iter().try_for_each(|(name, values)| all.set_item(name, array(py, &values)?))?;
+    Ok(all)
 }

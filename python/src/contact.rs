@@ -26,7 +26,7 @@ impl Contact {
 
     /// As in reports: a load is no punch.
     fn name(&self) -> String {
-        match (self.inner().interface, self.solved.pressed.top.loads()) {
+        match (self.inner().interface, self.solved.scene.top.loads()) {
             (recede::Interface::Punch, Some(_)) => "load".to_owned(),
             (interface, _) => interface.to_string(),
         }
@@ -114,9 +114,9 @@ impl Contact {
 
     /// How far the bodies are apart at places x, in length; 0 where they touch, NaN where x is NaN.
     fn gap<'py>(&self, py: Python<'py>, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        let Solved { solver, pressed, solution, .. } = &*self.solved;
+        let Solved { solver, scene, solution, .. } = &*self.solved;
         at_places(py, x, |places| {
-            let profile = py.detach(|| solver.model.profile(&pressed.top, solution, places));
+            let profile = py.detach(|| solver.model.profile(&scene.top, solution, places));
             let mut profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
             profile.contacts.swap_remove(self.index).gap.ok_or_else(|| {
                 let error = Error::Approach(ApproachError::Load);

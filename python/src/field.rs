@@ -3,9 +3,9 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use recede::{BondExtremes, Extreme, FieldPoint, FieldQuantity, Geometry, LayerExtremes, Point};
+use recede::{BondExtremes, Extreme, FieldPoint, LayerExtremes, Point};
 
-use crate::arrays::{array, read};
+use crate::arrays::{self, read};
 use crate::errors::raised;
 use crate::model::Solver;
 use crate::solution::dictionary;
@@ -22,31 +22,9 @@ impl Field {
         Self { inner, solver: Arc::clone(solver) }
     }
 
-    fn geometry(&self) -> Geometry {
-        self.solver.scene.geometry
-    }
-
     /// A column for each quantity, by its name in the geometry.
     fn columns<'py>(&self, py: Python<'py>, points: &[FieldPoint]) -> PyResult<Bound<'py, PyDict>> {
-        let columns = PyDict::new(py);
-        let add = |name: &str, of: &dyn Fn(&FieldPoint) -> f64| {
-            let values: Vec<f64> = points.iter().map(of).collect();
-            columns.set_item(name, array(py, &values)?)
-        };
-        let geometry = self.geometry();
-        add("x", &|point| point.x)?;
-        add("depth", &|point| point.depth)?;
-        add("layer", &|point| point.layer as f64)?;
-        for quantity in FieldQuantity::ALL {
-            add(quantity.name_in(geometry), &|point| quantity.of_in(point, geometry))?;
-        }
-        add("slope", &|point| point.slope)?;
-        if geometry.is_axisymmetric() {
-            for (k, name) in ["eps_rr", "eps_tt", "eps_zz"].into_iter().enumerate() {
-                add(name, &|point| point.strains.map_or(f64::NAN, |strains| strains[k]))?;
-            }
-        }
-        Ok(columns)
+        arrays::columns(py, recede::report::field_columns(points, self.solver.scene.geometry))
     }
 }
 

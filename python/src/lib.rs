@@ -3,14 +3,23 @@ mod arrays;
 mod contact;
 mod errors;
 mod field;
-mod files;
 mod function;
 mod model;
 mod scene;
 mod solution;
 mod sweep;
 
+use std::path::PathBuf;
+
 use pyo3::prelude::*;
+
+/// Writes all of a file. A regular file appears when it is complete and keeps its permissions, links are followed, anything else is
+/// written through.
+#[pyfunction]
+fn replace(py: Python<'_>, path: PathBuf, data: Vec<u8>) -> PyResult<()> {
+    let written = py.detach(|| recede::files::replace(&path, |out| out.write_all(&data)));
+    written.map_err(|error| errors::os_error(py, &path, &error))
+}
 
 /// Compiled part of `recede`.
 #[pymodule]
@@ -23,7 +32,7 @@ fn _recede(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<field::Field>()?;
     module.add_class::<sweep::Rows>()?;
     module.add_class::<scene::CompiledTop>()?;
-    module.add_function(wrap_pyfunction!(files::replace, module)?)?;
+    module.add_function(wrap_pyfunction!(replace, module)?)?;
     module.add_function(wrap_pyfunction!(function::examine, module)?)?;
     module.add_function(wrap_pyfunction!(scene::schema, module)?)
 }

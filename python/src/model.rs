@@ -1,16 +1,16 @@
 //! Stacks with their kernels, ready for any punch and force.
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use pyo3::types::PyList;
-use recede::{Error, Force, Options};
+use recede::{Error, Force, Options, Top};
 
 use crate::arrays;
 use crate::errors::raised;
 use crate::field::Field;
 use crate::scene::{self, Scene, Source};
-use crate::solution::{Pressed, Solution};
+use crate::solution::{Solution, Solved};
 
 /// How often a long computation asks whether it has been interrupted.
 pub const PATIENCE: Duration = Duration::from_millis(100);
@@ -42,31 +42,22 @@ impl Solver {
     }
 
     /// The solution for a punch and a force, without its warnings.
-    pub fn press(self: &Arc<Self>, py: Python<'_>, pressed: Pressed) -> Result<Solution, PyErr> {
-        self.press_located(py, pressed, |error| error)
+    pub fn press(self: &Arc<Self>, py: Python<'_>, top: &Top, force: Force, tolerance: f64) -> Result<Solution, Error> {
+        let options = Options { tolerance, ..Options::default() };
+        let begun = Instant::now();
+        let solution = py.detach(|| self.model.press_with(top, force, &options))?;
+        let (seconds, approach) = (begun.elapsed().as_secs_f64(), OnceLock::new());
+        let mut scene = self.scene.clone();
+        (scene.top, scene.force) = (top.clone(), force);
+        Ok(Solution(Arc::new(Solved { solver: Arc::clone(self), scene, solution, tolerance, seconds, approach })))
     }
 
     /// The same for the punch and the force of the scene, whose text has a place for an error.
     pub fn solve(self: &Arc<Self>, py: Python<'_>, tolerance: f64) -> PyResult<Solution> {
-        let pressed = Pressed { top: self.scene.top.clone(), force: self.scene.force, tolerance };
-        let solution = self.press_located(py, pressed, |error| self.scene.locate(error))?;
+        let solution = self.press(py, &self.scene.top, self.scene.force, tolerance);
+        let solution = solution.map_err(|error| self.failed(py, &self.scene.locate(error)))?;
         solution.warn(py)?;
         Ok(solution)
-    }
-
-    fn press_located(
-        self: &Arc<Self>,
-        py: Python<'_>,
-        pressed: Pressed,
-        locate: impl FnOnce(Error) -> Error,
-    ) -> Result<Solution, PyErr> {
-        let options = Options { tolerance: pressed.tolerance, ..Options::default() };
-        let begun = Instant::now();
-        let solved = py.detach(|| self.model.press_with(&pressed.top, pressed.force, &options));
-        match solved {
-            Ok(solution) => Ok(Solution::new(Arc::clone(self), pressed, solution, begun.elapsed().as_secs_f64())),
-            Err(error) => Err(self.failed(py, &locate(error))),
-        }
     }
 
     pub fn failed(&self, py: Python<'_>, error: &Error) -> PyErr {
@@ -134,9 +125,12 @@ impl Model {
             }
         };
         let top = scene::top(&self.solver.scene, punch)?;
-        let one = |number: f64| Pressed { top: top.clone(), force: force_of(kind, number), tolerance };
+        let one = |number: f64| {
+            let solution = self.solver.press(py, &top, force_of(kind, number), tolerance);
+            solution.map_err(|error| self.solver.failed(py, &error))
+        };
         let alone = |number: f64| -> PyResult<Bound<'py, PyAny>> {
-            let solution = self.solver.press(py, one(number))?;
+            let solution = one(number)?;
             solution.warn(py)?;
             Ok(Bound::new(py, solution)?.into_any())
         };
@@ -151,7 +145,7 @@ impl Model {
         let (found, warnings) = (PyList::empty(py), PyList::empty(py));
         let mut asked = Instant::now();
         for number in &arrays::read(&numbers)? {
-            match self.solver.press(py, one(*number)) {
+            match one(*number) {
                 Ok(solution) => {
                     let told = solution.warnings();
                     told.into_iter().try_for_each(|(code, text)| warnings.append((code, text, *number)))?;
@@ -170,14 +164,14 @@ impl Model {
 
     /// Stresses and displacements, for a solution of this stack.
     fn field(&self, py: Python<'_>, solution: &Solution) -> PyResult<Field> {
-        let field = self.solver.model.field(solution.solution()).map_err(|error| raised(py, error))?;
+        let field = self.solver.model.field(&solution.0.solution).map_err(|error| raised(py, error))?;
         Ok(Field::new(field, &self.solver))
     }
 
     /// "PlaneStrain", "PlaneStress" or "Axisymmetric".
     #[getter]
-    fn geometry(&self) -> String {
-        scene::geometry_name(self.solver.scene.geometry)
+    fn geometry(&self) -> &'static str {
+        self.solver.scene.geometry.name()
     }
 
     fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
@@ -195,8 +189,9 @@ impl Model {
     }
 
     fn __repr__(&self) -> String {
-        let items = scene::names(&self.solver.scene.stack);
-        format!("<Model {}: {}>", scene::geometry_name(self.solver.scene.geometry), items.join(", "))
+        let recede::Scene { geometry, stack, .. } = &self.solver.scene;
+        let items: Vec<&str> = stack.iter().map(recede::Item::name).collect();
+        format!("<Model {}: {}>", geometry.name(), items.join(", "))
     }
 }
 

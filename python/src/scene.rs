@@ -118,15 +118,10 @@ impl Scene {
         &self.source
     }
 
-    /// What it is made of, by the names of the arguments.
-    fn parts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.written()?;
-        let parts = py.import("recede._text")?.call_method1("parts", (self.inner.to_json(),))?;
-        Ok(parts.cast_into::<PyDict>()?)
-    }
-
+    /// A part of it, by the name of the argument.
     fn part<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        self.parts(py)?.as_any().get_item(name)
+        self.written()?;
+        py.import("recede._text")?.call_method1("part", (self.inner.to_json(), name))
     }
 
     fn check_path(&self, path: &str) -> PyResult<()> {
@@ -140,38 +135,20 @@ impl Scene {
 #[pymethods]
 impl Scene {
     #[new]
-    #[pyo3(signature = (stack, punch=None, force=None, *, punches=None, load=None, loads=None, half_length=None, depth=None, geometry=None, name=None, description=None, units=None))]
-    #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
+    #[pyo3(
+        signature = (stack, punch=None, force=None, **fields),
+        text_signature = "(stack, punch=None, force=None, *, punches=None, load=None, loads=None, half_length=None, depth=None, \
+                          geometry=None, name=None, description=None, units=None)"
+    )]
     fn new(
         py: Python<'_>,
         stack: &Bound<'_, PyAny>,
         punch: Option<&Bound<'_, PyAny>>,
         force: Option<&Bound<'_, PyAny>>,
-        punches: Option<&Bound<'_, PyAny>>,
-        load: Option<&Bound<'_, PyAny>>,
-        loads: Option<&Bound<'_, PyAny>>,
-        half_length: Option<&Bound<'_, PyAny>>,
-        depth: Option<&Bound<'_, PyAny>>,
-        geometry: Option<&Bound<'_, PyAny>>,
-        name: Option<&Bound<'_, PyAny>>,
-        description: Option<&Bound<'_, PyAny>>,
-        units: Option<&Bound<'_, PyAny>>,
+        fields: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let fields = PyDict::new(py);
-        let given = [
-            ("punches", punches),
-            ("load", load),
-            ("loads", loads),
-            ("half_length", half_length),
-            ("depth", depth),
-            ("geometry", geometry),
-            ("name", name),
-            ("description", description),
-            ("units", units),
-        ];
-        given.into_iter().try_for_each(|(name, value)| fields.set_item(name, value))?;
         let (text, objects, layers): (String, Py<PyAny>, Functions) =
-            py.import("recede._text")?.call_method("scene", (stack, punch, force), Some(&fields))?.extract()?;
+            py.import("recede._text")?.call_method("scene", (stack, punch, force), fields)?.extract()?;
         let objects = Arc::new(objects);
         let scene = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
         let mut source = Source { functions: Vec::new(), objects: Some(objects) };
@@ -243,8 +220,8 @@ impl Scene {
 
     /// "PlaneStrain", "PlaneStress" or "Axisymmetric".
     #[getter]
-    fn geometry(&self) -> String {
-        geometry_name(self.inner.geometry)
+    fn geometry(&self) -> &'static str {
+        self.inner.geometry.name()
     }
 
     /// The stack.
@@ -347,13 +324,8 @@ impl Scene {
         if !self.source.functions.is_empty() {
             return Ok(format!("<Scene {} with layers that are functions>", self.inner.title()));
         }
-        py.import("recede._text")?.call_method1("scene_repr", (self.parts(py)?,))?.extract()
+        py.import("recede._text")?.call_method1("scene_repr", (self.inner.to_json(),))?.extract()
     }
-}
-
-/// The name of a geometry in a scene.
-pub fn geometry_name(geometry: Geometry) -> String {
-    geometry.name().to_owned()
 }
 
 /// A punch or load as the library knows it; kept by the object of Python for the geometry in which it was used.
@@ -374,7 +346,7 @@ pub fn top(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Top> {
         return Ok(known.get().top.clone());
     }
     let units = scene.units.as_ref().map(|units| (units.length.clone(), units.force.clone()));
-    let name = geometry_name(scene.geometry);
+    let name = scene.geometry.name();
     let (text, objects): (String, Py<PyAny>) =
         py.import("recede._text")?.call_method1("with_punch", (item, name, units))?.extract()?;
     let read = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
@@ -385,11 +357,6 @@ pub fn top(scene: &recede::Scene, item: &Bound<'_, PyAny>) -> PyResult<Top> {
         item.call_method1("_keep", (compiled,))?;
     }
     Ok(read.top)
-}
-
-/// The items of a stack as written, for messages.
-pub fn names(items: &[Item]) -> Vec<&'static str> {
-    items.iter().map(Item::name).collect()
 }
 
 /// The JSON Schema of scenes, with all layers, interfaces, bases, punches and loads.

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use recede::report::{Format, Report};
-use recede::{Approach, ApproachError, FieldError, Force, Top};
+use recede::{Approach, ApproachError, FieldError};
 
 use crate::arrays;
 use crate::contact::Contact;
@@ -14,36 +14,22 @@ use crate::field::Field;
 use crate::model::Solver;
 use crate::scene::{Scene, Source};
 
-/// What a stack is pressed by.
-#[derive(Clone)]
-pub struct Pressed {
-    pub top: Top,
-    pub force: Force,
-    pub tolerance: f64,
-}
-
-/// A solution with the solver and the punch or load that it belongs to.
+/// A solution with the solver and the scene that it belongs to.
 pub struct Solved {
     pub solver: Arc<Solver>,
-    pub pressed: Pressed,
+    /// The scene of the solver, with the punch or load and the force that were solved for.
+    pub scene: recede::Scene,
     pub solution: recede::Solution,
-    seconds: f64,
-    approach: OnceLock<Result<Approach, ApproachError>>,
+    pub tolerance: f64,
+    pub seconds: f64,
+    pub approach: OnceLock<Result<Approach, ApproachError>>,
 }
 
 /// A solved scene. In a notebook it shows a table and the picture.
 #[pyclass(frozen, module = "recede", weakref)]
-pub struct Solution(Arc<Solved>);
+pub struct Solution(pub Arc<Solved>);
 
 impl Solution {
-    pub fn new(solver: Arc<Solver>, pressed: Pressed, solution: recede::Solution, seconds: f64) -> Self {
-        Self(Arc::new(Solved { solver, pressed, solution, seconds, approach: OnceLock::new() }))
-    }
-
-    pub fn solution(&self) -> &recede::Solution {
-        &self.0.solution
-    }
-
     /// Hands the warnings to Python's `warnings`.
     pub fn warn(&self, py: Python<'_>) -> PyResult<()> {
         let warnings = self.0.solution.warnings();
@@ -55,8 +41,8 @@ impl Solution {
     }
 
     fn approach_of(&self, py: Python<'_>) -> Result<Approach, ApproachError> {
-        let Solved { solver, pressed, solution, approach, .. } = &*self.0;
-        py.detach(|| approach.get_or_init(|| solver.model.approach(&pressed.top, solution)).clone())
+        let Solved { solver, scene, solution, approach, .. } = &*self.0;
+        py.detach(|| approach.get_or_init(|| solver.model.approach(&scene.top, solution)).clone())
     }
 
     /// A number of the approach, if there is one.
@@ -68,29 +54,20 @@ impl Solution {
         }
     }
 
-    /// The scene that it solves, to be written.
-    fn written_scene(&self) -> recede::Scene {
-        let Solved { solver, pressed, .. } = &*self.0;
-        let mut scene = solver.scene.clone();
-        (scene.top, scene.force) = (pressed.top.clone(), pressed.force);
-        scene
-    }
-
     /// A part of its scene, by the name of the argument.
     fn part<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let text = self.written_scene().to_json();
-        py.import("recede._text")?.call_method1("part", (text, name))
+        py.import("recede._text")?.call_method1("part", (self.0.scene.to_json(), name))
     }
 
     fn written(&self, py: Python<'_>, format: Format, max_shear: bool, extremes: bool) -> PyResult<String> {
-        let Solved { solver, solution, seconds, .. } = &*self.0;
-        let (scene, approach) = (self.written_scene(), self.approach_of(py));
+        let Solved { solver, scene, solution, seconds, .. } = &*self.0;
+        let approach = self.approach_of(py);
         let failed = |error: FieldError| solver.failed(py, &error.into());
         let field = || solver.model.field(solution);
         let max_shear = max_shear.then(|| py.detach(|| field()?.max_shear())).transpose().map_err(failed)?;
         let extremes = extremes.then(|| py.detach(|| field()?.extremes())).transpose().map_err(failed)?;
         let report = Report {
-            scene: &scene,
+            scene,
             solution,
             approach: Some(&approach),
             max_shear,
@@ -105,7 +82,7 @@ impl Solution {
     }
 
     fn picture(&self) -> recede::plot::Picture {
-        recede::plot::stack(&self.written_scene(), self.0.solver.model.stack(), &self.0.solution)
+        recede::plot::stack(&self.0.scene, self.0.solver.model.stack(), &self.0.solution)
     }
 }
 
@@ -134,7 +111,7 @@ impl Solution {
     /// The relative error that was aimed at.
     #[getter]
     fn tolerance(&self) -> f64 {
-        self.0.pressed.tolerance
+        self.0.tolerance
     }
 
     /// How far the punch has sunk, in length; None where that is not defined, such as over a half-plane in plane scenes.
@@ -206,14 +183,13 @@ impl Solution {
     /// The scene that was solved.
     #[getter]
     fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
-        let Solved { solver, pressed, .. } = &*self.0;
-        let own = &solver.scene;
-        if own.top == pressed.top && own.force == pressed.force {
+        let Solved { solver, scene: own, .. } = &*self.0;
+        if own.top == solver.scene.top && own.force == solver.scene.force {
             return Ok(Scene::of(own.clone(), solver.source.clone()));
         }
         solver.text()?;
         // a text of its own, in which numbers may vary; what is wrong with it is about objects
-        let scene = Scene::from_text(py, &self.written_scene().to_ron())?;
+        let scene = Scene::from_text(py, &own.to_ron())?;
         let objects = Some(Arc::new(pyo3::types::PyList::empty(py).unbind().into_any()));
         Ok(Scene::of(scene.inner, Source { objects, ..Source::default() }))
     }
@@ -230,6 +206,12 @@ impl Solution {
         self.part(py, "load")
     }
 
+    /// The loads in place of a punch, where they are several, with their places and forces; or None.
+    #[getter]
+    fn loads<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.part(py, "loads")
+    }
+
     /// Stresses and displacements.
     fn field(&self, py: Python<'_>) -> PyResult<Field> {
         let field = self.0.solver.model.field(&self.0.solution).map_err(|error| raised(py, error))?;
@@ -244,19 +226,16 @@ impl Solution {
     ///     points: how many places, about.
     #[pyo3(signature = (to=None, *, points=400))]
     fn profile<'py>(&self, py: Python<'py>, to: Option<f64>, points: usize) -> PyResult<Bound<'py, PyAny>> {
-        let Solved { solver, pressed, solution, .. } = &*self.0;
+        let Solved { solver, scene, solution, .. } = &*self.0;
         if to.is_some_and(|to| !(to.is_finite() && to > 0.0)) {
             return Err(PyValueError::new_err("`to` has to be a length > 0"));
         }
         let profile = py.detach(|| {
             let places = recede::profile_places(solution, to, points);
-            solver.model.profile(&pressed.top, solution, &places)
+            solver.model.profile(&scene.top, solution, &places)
         });
         let profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
-        let columns = PyDict::new(py);
-        for (name, values) in recede::report::profile_columns(&profile) {
-            columns.set_item(name, arrays::array(py, &values)?)?;
-        }
+        let columns = arrays::columns(py, recede::report::profile_columns(&profile))?;
         py.import("recede._table")?.call_method1("Columns", (columns,))
     }
 
@@ -300,10 +279,7 @@ impl Solution {
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, f64))> {
         self.0.solver.text()?;
-        Ok((
-            py.import("recede._text")?.getattr("solve_text")?,
-            (self.written_scene().to_ron(), self.0.pressed.tolerance),
-        ))
+        Ok((py.import("recede._text")?.getattr("solve_text")?, (self.0.scene.to_ron(), self.0.tolerance)))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

@@ -325,8 +325,10 @@ def test_several_loads_have_places_and_forces():
     for loads in (placed, named, [(line, -0.5, 0.2), (strip, 1.0, 0.8)]):
         scene = Scene(stack, loads=loads)
         assert scene.loads == placed and scene.punch is scene.load is scene.force is None
+        solution = scene.solve()
+        assert solution.loads == placed and solution.punch is solution.load is None
         assert eval(repr(scene), vars(recede)) == scene and pickle.loads(pickle.dumps(scene)) == scene
-        (contact,) = scene.solve().contacts
+        (contact,) = solution.contacts
         assert [(one.left, one.right, one.force) for one in contact.intervals] == [(-0.5, -0.5, 0.2), (0.8, 1.2, 0.8)]
     with pytest.raises(recede.InputError, match="`loads` and `force`"):
         Scene(stack, force=1.0, loads=placed)

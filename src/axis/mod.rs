@@ -1,13 +1,10 @@
 //! What varies in a sweep, and over which values.
 mod decimal;
-mod error;
 mod range;
 
 use std::fmt;
 use std::hash::Hasher;
 use std::str::FromStr;
-
-pub use error::AxisError;
 
 use range::{Range, Spacing};
 
@@ -52,16 +49,9 @@ impl Axis {
     /// # Errors
     /// [`AxisError`] if there is no value, or one is not finite.
     pub fn list(path: &str, values: Vec<f64>) -> Result<Self, AxisError> {
-        let failed = |reason: String| AxisError { axis: path.to_owned(), reason };
-        if path.is_empty() {
-            return Err(failed("the path of a quantity is missing".into()));
-        }
-        if values.is_empty() || values.len() > LONGEST {
-            return Err(failed(format!("found {} values, allowed are 1 to {LONGEST}", values.len())));
-        }
         match values.iter().find(|value| !value.is_finite()) {
-            Some(value) => Err(failed(format!("found the value {value:?}, allowed are finite numbers"))),
-            None => Ok(Self { path: path.to_owned(), values: Values::List(values) }),
+            Some(value) => Err(AxisError::new(path, format!("found the value {value:?}, allowed are finite numbers"))),
+            None => Self::of(path, Values::List(values)),
         }
     }
 
@@ -80,26 +70,28 @@ impl Axis {
     pub fn logarithmic(path: &str, start: f64, stop: f64, count: usize) -> Result<Self, AxisError> {
         if start.min(stop) <= 0.0 {
             let reason = format!("found {start:?} to {stop:?}, allowed are positive numbers where ratios are equal");
-            return Err(AxisError { axis: path.to_owned(), reason });
+            return Err(AxisError::new(path, reason));
         }
         Self::between(path, [start, stop], count, Spacing::Logarithmic)
     }
 
     fn between(path: &str, [start, stop]: [f64; 2], count: usize, spacing: Spacing) -> Result<Self, AxisError> {
-        let failed = |reason: String| AxisError { axis: path.to_owned(), reason };
-        if path.is_empty() {
-            return Err(failed("the path of a quantity is missing".into()));
-        }
         if !start.is_finite() || !stop.is_finite() {
-            return Err(failed(format!("found {start:?} to {stop:?}, allowed are finite numbers")));
-        }
-        if count == 0 || count > LONGEST {
-            return Err(failed(format!("found {count} values, allowed are 1 to {LONGEST}")));
+            return Err(AxisError::new(path, format!("found {start:?} to {stop:?}, allowed are finite numbers")));
         }
         if count == 1 && start != stop {
-            return Err(failed(format!("found 1 value for {start:?} to {stop:?}")));
+            return Err(AxisError::new(path, format!("found 1 value for {start:?} to {stop:?}")));
         }
-        Ok(Self { path: path.to_owned(), values: Values::Range(Range::new([start, stop], count, spacing)) })
+        Self::of(path, Values::Range(Range::new([start, stop], count, spacing)))
+    }
+
+    fn of(path: &str, values: Values) -> Result<Self, AxisError> {
+        let axis = Self { path: path.to_owned(), values };
+        match axis.count() {
+            _ if path.is_empty() => Err(AxisError::new(path, "the path of a quantity is missing")),
+            1..=LONGEST => Ok(axis),
+            count => Err(AxisError::new(path, format!("found {count} values, allowed are 1 to {LONGEST}"))),
+        }
     }
 
     /// The path of the quantity, e.g. `layer[2].beta`.
@@ -147,17 +139,16 @@ impl Axis {
     /// quantity that ships, so that these tell of the others; and a thickness vanishes at the one nearest to zero or not at
     /// all.
     pub(super) fn extremes(&self) -> Vec<f64> {
-        let of = |candidates: &mut dyn Iterator<Item = f64>| {
-            candidates.fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY], |[least, nearest, most], value| {
-                let nearest = if value.abs() < f64::abs(nearest) { value } else { nearest };
-                [least.min(value), nearest, most.max(value)]
-            })
+        let candidates: Box<dyn Iterator<Item = usize>> = match &self.values {
+            Values::List(values) => Box::new(0..values.len()),
+            Values::Range(range) => Box::new(range.near_extremes()),
         };
-        let mut extremes = match &self.values {
-            Values::List(values) => of(&mut values.iter().copied()),
-            Values::Range(range) => of(&mut range.near_extremes().map(|index| range.at(index))),
-        }
-        .to_vec();
+        let start = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+        let extremes = candidates.map(|index| self.at(index)).fold(start, |[least, nearest, most], value| {
+            let nearest = if value.abs() < f64::abs(nearest) { value } else { nearest };
+            [least.min(value), nearest, most.max(value)]
+        });
+        let mut extremes = extremes.to_vec();
         extremes.dedup();
         extremes
     }
@@ -177,38 +168,38 @@ impl FromStr for Axis {
 
     /// Reads `PATH=START:STOP:COUNT`, `PATH=START:STOP:COUNT:log` or `PATH=[v, v, ...]`.
     fn from_str(text: &str) -> Result<Self, AxisError> {
-        let failed = |reason: String| AxisError { axis: text.to_owned(), reason };
+        let failed = |reason: String| AxisError::new(text, reason);
         let Some((path, range)) = text.split_once('=') else {
             return Err(failed("PATH=START:STOP:COUNT or PATH=[v,v,...] is expected".into()));
         };
         let (path, range) = (path.trim(), range.trim());
-        let number = |text: &str| match text.trim().parse::<f64>() {
-            Ok(number) => Ok(number),
-            Err(_) => Err(failed(format!("a number is expected, found `{}`", text.trim()))),
+        let number = |text: &str| {
+            let found = text.trim().parse::<f64>();
+            found.map_err(|_| failed(format!("a number is expected, found `{}`", text.trim())))
         };
-        let said = |error: AxisError| failed(error.reason);
-        if let Some(list) = range.strip_prefix('[') {
+        let axis = if let Some(list) = range.strip_prefix('[') {
             let Some(list) = list.strip_suffix(']') else { return Err(failed("a closing `]` is missing".into())) };
             // a comma after the last is allowed, as in a scene
-            let list = list.trim().trim_end_matches(',');
-            let values: Result<_, _> = list.split(',').map(number).collect();
-            return Self::list(path, values?).map_err(said);
-        }
-        let parts: Vec<&str> = range.split(':').collect();
-        let expected = |what: &str| failed(format!("{what} is expected after `=`, found `{range}`"));
-        let (start, stop, count, log) = match parts[..] {
-            [start, stop, count] => (start, stop, count, false),
-            [start, stop, count, "log"] => (start, stop, count, true),
-            [_, _, _, _] => return Err(expected("START:STOP:COUNT or START:STOP:COUNT:log")),
-            _ => return Err(expected("START:STOP:COUNT")),
+            let values: Result<_, _> = list.trim().trim_end_matches(',').split(',').map(number).collect();
+            Self::list(path, values?)
+        } else {
+            let expected = |what: &str| failed(format!("{what} is expected after `=`, found `{range}`"));
+            let (start, stop, count, make) = match range.split(':').collect::<Vec<_>>()[..] {
+                [start, stop, count] => (start, stop, count, Self::linear as fn(&str, f64, f64, usize) -> _),
+                [start, stop, count, "log"] => (start, stop, count, Self::logarithmic as _),
+                [_, _, _, _] => return Err(expected("START:STOP:COUNT or START:STOP:COUNT:log")),
+                _ => return Err(expected("START:STOP:COUNT")),
+            };
+            let (start, stop) = (number(start)?, number(stop)?);
+            let whole = count.trim().parse();
+            make(
+                path,
+                start,
+                stop,
+                whole.map_err(|_| failed(format!("COUNT is a whole number, found `{}`", count.trim())))?,
+            )
         };
-        let whole = |text: &str| match text.trim().parse() {
-            Ok(count) => Ok(count),
-            Err(_) => Err(failed(format!("COUNT is a whole number, found `{}`", text.trim()))),
-        };
-        let (start, stop, count) = (number(start)?, number(stop)?, whole(count)?);
-        if log { Self::logarithmic(path, start, stop, count) } else { Self::linear(path, start, stop, count) }
-            .map_err(said)
+        axis.map_err(|error| failed(error.reason))
     }
 }
 
@@ -218,6 +209,22 @@ impl fmt::Display for Axis {
             Values::List(values) => write!(f, "{}={values:?}", self.path),
             Values::Range(range) => write!(f, "{}={range}", self.path),
         }
+    }
+}
+
+/// Why something is no axis of a sweep.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{axis}`: {reason}")]
+pub struct AxisError {
+    /// The axis as written.
+    pub axis: String,
+    /// What was found, and what is expected.
+    pub reason: String,
+}
+
+impl AxisError {
+    pub(crate) fn new(axis: &str, reason: impl Into<String>) -> Self {
+        Self { axis: axis.to_owned(), reason: reason.into() }
     }
 }
 

@@ -3,7 +3,6 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use recede::files;
 
 use super::{Failure, SceneFile, outputs};
 
@@ -47,11 +46,6 @@ impl Convert {
             Language::Json => scene.to_json(),
             Language::Ron => scene.to_ron(),
         };
-        match &self.out {
-            Some(path) => {
-                files::replace(path, |out| out.write_all(text.as_bytes())).map_err(|cause| Failure::file(path, cause))
-            }
-            None => Ok(out.write_all(text.as_bytes())?),
-        }
+        outputs::write(self.out.as_deref(), out, |out| out.write_all(text.as_bytes()))
     }
 }

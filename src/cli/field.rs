@@ -1,17 +1,16 @@
 //! `recede field`: stresses and displacements inside the stack.
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
-use recede::files;
 use recede::plot;
-use recede::report::{FieldFormat, write_field};
-use recede::{Field as Fields, FieldPoint, FieldQuantity, Geometry, Model, Options, Point, Solution};
+use recede::report::{Format, write_field};
+use recede::{Field as Fields, FieldPoint, FieldQuantity, Geometry, Options, Point, Solution};
 
 use super::plot::Title;
-use super::{Failure, SceneFile, outputs, tell};
+use super::{Failure, SceneFile, outputs, solved, warn};
 
 /// Places along the layers and depths of a grid that is not specified.
 const TABLE: [usize; 2] = [5, 7];
@@ -59,23 +58,13 @@ pub struct Field {
     #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(names()))]
     quantity: String,
     /// How to write to standard output
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, value_enum, default_value = "table")]
     format: Format,
     /// Relative error to aim at in the contacts, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
     #[command(flatten)]
     title: Title,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Format {
-    /// A table to be read, of a few points
-    Table,
-    /// One line for each point, all digits
-    Csv,
-    /// One JSON object, all digits
-    Json,
 }
 
 /// Equally spaced numbers.
@@ -134,58 +123,40 @@ impl Field {
         }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
-        let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
-        let solution = model.press_with(&scene.top, scene.force, &options).map_err(|error| scene.locate(error))?;
-        for warning in solution.warnings() {
-            tell(&format!("warning: {warning}\n"));
-        }
+        let (model, solution) = solved(&scene, &options)?;
+        warn(&solution);
         let field = model.field(&solution)?;
-        match (&self.out, format) {
-            (Some(path), Output::Map) => {
-                let [xs, depths] = self.grid(&field, &solution, MAP);
-                let grids = field.by_layer(&xs, &depths)?;
-                let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
-                Ok(plot::save(path, &self.title.above(picture, &scene))?)
-            }
-            (Some(path), Output::Points(format)) => {
-                let points = self.points(&field, &solution, format)?;
-                files::replace(path, |out| write_field(&points, scene.geometry, scene.units.as_ref(), format, out))
-                    .map_err(|cause| Failure::file(path, cause))
-            }
-            (None, Output::Points(format)) => {
-                let points = self.points(&field, &solution, format)?;
-                if format == FieldFormat::Table && points.len() > READABLE {
-                    return Err(Failure::usage(
-                        format!(
-                            "a table of {} points is too long to be read; at most {READABLE} are shown",
-                            points.len()
-                        ),
-                        "write them to a file, --out FILE.csv, or say --format csv",
-                    ));
-                }
-                Ok(write_field(&points, scene.geometry, scene.units.as_ref(), format, out)?)
-            }
+        let Output::Points(format) = format else {
             // without a file there is no map
-            (None, Output::Map) => Ok(()),
+            let Some(path) = &self.out else { return Ok(()) };
+            let [xs, depths] = self.grid(&field, &solution, MAP);
+            let grids = field.by_layer(&xs, &depths)?;
+            let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
+            return Ok(plot::save(path, &self.title.above(picture, &scene))?);
+        };
+        let points = self.points(&field, &solution, format)?;
+        if format == Format::Table && points.len() > READABLE {
+            return Err(Failure::usage(
+                format!("a table of {} points is too long to be read; at most {READABLE} are shown", points.len()),
+                "write them to a file, --out FILE.csv, or say --format csv",
+            ));
         }
+        outputs::write(self.out.as_deref(), out, |out| {
+            write_field(&points, scene.geometry, scene.units.as_ref(), format, out)
+        })
     }
 
     /// What the name of the file asks for, or, to standard output, the format.
     fn output(&self) -> Result<Output, Failure> {
-        let usual = match self.format {
-            Format::Table => FieldFormat::Table,
-            Format::Csv => FieldFormat::Csv,
-            Format::Json => FieldFormat::Json,
-        };
         let kinds = [
-            ("csv", Output::Points(FieldFormat::Csv)),
-            ("json", Output::Points(FieldFormat::Json)),
+            ("csv", Output::Points(Format::Csv)),
+            ("json", Output::Points(Format::Json)),
             ("svg", Output::Map),
             ("pdf", Output::Map),
             ("png", Output::Map),
         ];
         let hint = "let it end in .csv or .json for numbers, in .svg, .pdf or .png for a map";
-        outputs::kind(self.out.as_deref(), None, &kinds, Output::Points(usual), hint)
+        outputs::kind(self.out.as_deref(), None, &kinds, Output::Points(self.format), hint)
     }
 
     /// The quantity that is asked for by its name in this geometry.
@@ -197,11 +168,11 @@ impl Field {
         })
     }
 
-    fn points(&self, field: &Fields, solution: &Solution, format: FieldFormat) -> Result<Vec<FieldPoint>, Failure> {
+    fn points(&self, field: &Fields, solution: &Solution, format: Format) -> Result<Vec<FieldPoint>, Failure> {
         if !self.at.is_empty() {
             return Ok(field.points(&self.at)?);
         }
-        let [xs, depths] = self.grid(field, solution, if format == FieldFormat::Table { TABLE } else { LIST });
+        let [xs, depths] = self.grid(field, solution, if format == Format::Table { TABLE } else { LIST });
         Ok(field.grid(&xs, &depths)?.points().to_vec())
     }
 
@@ -222,16 +193,14 @@ impl Field {
 /// What is written.
 #[derive(Clone, Copy, PartialEq)]
 enum Output {
-    Points(FieldFormat),
+    Points(Format),
     Map,
 }
 
 /// The names of quantities in all geometries.
 fn names() -> Vec<&'static str> {
-    let mut names = Vec::new();
-    for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
-        let all = FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry));
-        names.extend(all.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());
-    }
-    names
+    let of = |geometry: Geometry| FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry));
+    let mut seen = BTreeSet::new();
+    let names = [Geometry::PlaneStrain, Geometry::Axisymmetric].into_iter().flat_map(of);
+    names.filter(|name| seen.insert(*name)).collect()
 }

@@ -31,30 +31,24 @@ impl List {
         if self.schema {
             return Ok(writeln!(out, "{:#}", scene_schema(&Registry::default()))?);
         }
-        let Vocabulary { scene, punches, loads, round_punches, round_loads, layers, interfaces, bases } =
-            Vocabulary::new(&Registry::default());
-        // what has a section of its own is not unfolded in place
-        let scene: Vec<Field> = scene
-            .into_iter()
-            .map(|field| match field.value {
-                Value::OneOf(forms) if forms == punches => {
-                    Field { value: Value::Plain("one of the punches below".to_owned()), ..field }
-                }
-                Value::OneOf(forms) if forms == loads => {
-                    Field { value: Value::Plain("one of the loads below".to_owned()), ..field }
-                }
-                _ => field,
-            })
-            .collect();
+        let all = Vocabulary::new(&Registry::default());
         let parts = [
-            ("Punches", punches),
-            ("Loads", loads),
-            ("Axisymmetric punches", round_punches),
-            ("Axisymmetric loads", round_loads),
-            ("Layers", layers),
-            ("Interfaces", interfaces),
-            ("Bases", bases),
+            ("Punches", all.punches),
+            ("Loads", all.loads),
+            ("Axisymmetric punches", all.round_punches),
+            ("Axisymmetric loads", all.round_loads),
+            ("Layers", all.layers),
+            ("Interfaces", all.interfaces),
+            ("Bases", all.bases),
         ];
+        let mut scene = all.scene;
+        for field in &mut scene {
+            // what has a section of its own is not unfolded in place
+            let own = parts.iter().find(|(_, forms)| matches!(&field.value, Value::OneOf(these) if these == forms));
+            if let Some((title, _)) = own {
+                field.value = Value::Plain(format!("one of the {} below", title.to_lowercase()));
+            }
+        }
         match &self.part {
             None => {
                 writeln!(out, "Scene, with its load")?;
@@ -75,12 +69,10 @@ impl List {
                     parts.iter().flat_map(|(_, part)| part).filter(|form| same(&form.name)).cloned().collect();
                 if named.is_empty() {
                     let names: Vec<&str> = parts.iter().flat_map(|(_, part)| part).map(|form| &form.name[..]).collect();
+                    let titles = parts.each_ref().map(|(title, _)| title.to_lowercase()).join(", ");
                     return Err(Failure::usage(
                         format!("nothing in a scene is called `{name}`"),
-                        format!(
-                            "parts are scene, punches, loads, axisymmetric punches, axisymmetric loads, layers, interfaces, bases; names are {}",
-                            names.join(", ")
-                        ),
+                        format!("parts are scene, {titles}; names are {}", names.join(", ")),
                     ));
                 }
                 Ok(forms(out, 0, &named)?)

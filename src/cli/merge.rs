@@ -55,46 +55,34 @@ impl Merge {
         }
         parts.sort_by_key(|part| part.rows.start);
         complete(&parts, sweep.len())?;
-        whole_file::write(&self.out, &csv, &parts)
+        whole_file::write(&self.out, &csv, parts.iter().map(|part| &part.path))
     }
 }
 
 /// Whether these parts, in the order of their first rows, have each row once.
 fn complete(parts: &[PartFile], rows: usize) -> Result<(), Failure> {
     let mut missing = Vec::new();
-    let mut next = 0;
-    let mut previous: Option<&PartFile> = None;
-    for part in parts {
-        let here = part.path.display();
-        if part.rows.end <= part.rows.start {
-            return Err(Failure::usage(
-                format!("{here}: its last row is before its first"),
-                "remove the file, and compute this part again",
-            ));
-        }
-        match previous {
-            Some(previous) if part.rows.start < next => {
-                let both = named(part.rows.start, next.min(part.rows.end), rows);
+    for k in 0..=parts.len() {
+        let (before, after) = (k.checked_sub(1).map(|k| &parts[k]), parts.get(k));
+        let end = before.map_or(0, |part| part.rows.end);
+        let next = after.map_or(rows, |part| part.rows.start);
+        let [before, here] = [before, after].map(|part| part.map(|part| part.path.display()));
+        let place = match (before, here) {
+            (Some(before), Some(here)) if next < end => {
+                let both = named(next, end.min(after.map_or(rows, |part| part.rows.end)), rows);
                 return Err(Failure::usage(
-                    format!("{both}: in {} and in {here}", previous.path.display()),
+                    format!("{both}: in {before} and in {here}"),
                     "name each part once, and parts of one division of the sweep only",
                 ));
             }
-            _ if next < part.rows.start => {
-                let where_from = match previous {
-                    Some(previous) => format!("between those of {} and {here}", previous.path.display()),
-                    None => format!("before those of {here}"),
-                };
-                missing.push(format!("{}, {where_from}", named(next, part.rows.start, rows)));
-            }
-            _ => {}
+            (Some(before), Some(here)) => format!(", between those of {before} and {here}"),
+            (None, Some(here)) => format!(", before those of {here}"),
+            (Some(before), None) => format!(", behind those of {before}"),
+            (None, None) => String::new(),
+        };
+        if end < next {
+            missing.push(named(end, next, rows) + &place);
         }
-        next = part.rows.end;
-        previous = Some(part);
-    }
-    if next < rows {
-        let behind = previous.map(|previous| format!(", behind those of {}", previous.path.display()));
-        missing.push(named(next, rows, rows) + &behind.unwrap_or_default());
     }
     if missing.is_empty() {
         return Ok(());

@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use recede::plot::PlotError;
-use recede::{Error, FieldError, Registry, Scene, SceneError, visible};
+use recede::{Error, FieldError, Model, Options, Registry, Scene, SceneError, Solution, visible};
 
 /// Receding and advancing contact of layered elastic stacks.
 #[derive(Debug, Parser)]
@@ -187,6 +187,20 @@ impl SceneFile {
             Scene::read(&self.scene)
         }
     }
+}
+
+/// The model of a scene's stack, and the solution under what presses in the scene.
+fn solved(scene: &Scene, options: &Options) -> Result<(Model, Solution), Error> {
+    let solved = Model::new(scene.stack()?).and_then(|model| {
+        let solution = model.press_with(&scene.top, scene.force, options)?;
+        Ok((model, solution))
+    });
+    solved.map_err(|error| scene.locate(error))
+}
+
+/// Tells the warnings of a solution.
+fn warn(solution: &Solution) {
+    solution.warnings().iter().for_each(|warning| tell(&format!("warning: {warning}\n")));
 }
 
 /// Tells on standard error what went wrong, where, and what to do.

@@ -1,5 +1,6 @@
 //! The files that a command writes: of which kind they are by their names, and that they are neither read by the same command
 //! nor the same file twice. All of this is told before anything is computed.
+use std::io::{self, Write};
 use std::path::Path;
 
 use recede::files;
@@ -53,6 +54,18 @@ pub(super) fn kind<T: Copy + PartialEq>(
             let message = format!("{}: the name of the file does not say what to write", path.display());
             Err(Failure::usage(message, hint))
         }
+    }
+}
+
+/// Writes to a file, which appears when it is complete, or without one to standard output.
+pub(super) fn write(
+    path: Option<&Path>,
+    out: &mut dyn Write,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    match path {
+        Some(path) => files::replace(path, |out| write(out)).map_err(|cause| Failure::file(path, cause)),
+        None => Ok(write(out)?),
     }
 }
 

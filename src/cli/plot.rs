@@ -2,9 +2,9 @@
 use std::path::PathBuf;
 
 use recede::plot::{self, Kind, Picture};
-use recede::{Model, Options, Scene};
+use recede::{Options, Scene};
 
-use super::{Failure, SceneFile};
+use super::{Failure, SceneFile, solved};
 
 /// A line above a picture
 #[derive(Debug, clap::Args)]
@@ -52,8 +52,7 @@ impl Plot {
         Kind::of(&self.out)?;
         let scene = self.file.read_for(&[&self.out])?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
-        let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
-        let solution = model.press_with(&scene.top, scene.force, &options).map_err(|error| scene.locate(error))?;
+        let (model, solution) = solved(&scene, &options)?;
         let picture = plot::stack(&scene, model.stack(), &solution);
         Ok(plot::save(&self.out, &self.title.above(picture, &scene))?)
     }

@@ -3,9 +3,9 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use recede::report::write_profile;
-use recede::{Model, Options, files, profile_places};
+use recede::{Options, profile_places};
 
-use super::{Failure, SceneFile, outputs, tell};
+use super::{Failure, SceneFile, outputs, solved, warn};
 
 /// Pressures, gaps, displacements and slopes along the faces
 #[derive(Debug, clap::Args)]
@@ -46,18 +46,10 @@ impl Profile {
         self.out.as_deref().map_or(Ok(()), |out| outputs::fits(out, &["csv"]))?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let options = Options { tolerance: self.tolerance, ..Options::default() };
-        let model = Model::new(scene.stack()?).map_err(|error| scene.locate(error))?;
-        let solution = model.press_with(&scene.top, scene.force, &options).map_err(|error| scene.locate(error))?;
-        for warning in solution.warnings() {
-            tell(&format!("warning: {warning}\n"));
-        }
+        let (model, solution) = solved(&scene, &options)?;
+        warn(&solution);
         let places = profile_places(&solution, self.to, self.points as usize);
         let profile = model.profile(&scene.top, &solution, &places)?;
-        match &self.out {
-            Some(path) => {
-                files::replace(path, |out| write_profile(&profile, out)).map_err(|cause| Failure::file(path, cause))
-            }
-            None => Ok(write_profile(&profile, out)?),
-        }
+        outputs::write(self.out.as_deref(), out, |out| write_profile(&profile, out))
     }
 }

@@ -9,65 +9,46 @@ use recede::report::SweepCsv;
 
 use super::Failure;
 
-/// Where rows go.
-pub(super) enum RowsFile<'a> {
-    /// A file of its own, to which each line is handed over in one piece, and to which nobody else writes.
-    File(File),
-    /// Standard output, a pipe or a device.
-    Stream(Box<dyn Write + 'a>),
+/// Begins a file, or what is written in its place, with a header. Each line is handed over to it in one piece.
+pub(super) fn create(path: &Path, csv: &SweepCsv) -> Result<Box<dyn Write>, Failure> {
+    let failed = |cause| Failure::file(path, cause);
+    let mut rows = match files::stream(path).map_err(failed)? {
+        Some(stream) => stream as Box<dyn Write>,
+        None => {
+            let file = open(path)?;
+            file.set_len(0).map_err(failed)?;
+            Box::new(file)
+        }
+    };
+    rows.write_all(csv.header()?.as_bytes()).map_err(failed)?;
+    Ok(rows)
 }
 
-impl RowsFile<'_> {
-    /// Begins a file, or what is written in its place, with a header.
-    pub(super) fn create(path: &Path, csv: &SweepCsv) -> Result<Self, Failure> {
-        let failed = |cause| Failure::file(path, cause);
-        let mut rows = match files::stream(path).map_err(failed)? {
-            Some(stream) => Self::Stream(stream),
-            None => {
-                let file = open(path)?;
-                file.set_len(0).map_err(failed)?;
-                Self::File(file)
-            }
-        };
-        rows.write(&csv.header()?).map_err(failed)?;
-        Ok(rows)
+/// A file that was begun with the first of these rows, and how many it has, each of which is shown to `see` with its number; a new one
+/// if there is none.
+pub(super) fn resume(
+    path: &Path,
+    csv: &SweepCsv,
+    rows: Range<usize>,
+    see: impl FnMut(usize, &str),
+) -> Result<(Box<dyn Write>, usize), Failure> {
+    let failed = |cause| Failure::file(path, cause);
+    if files::is_stream(path) {
+        let message =
+            format!("{} is no regular file: what was written to it is not there to go on with", path.display());
+        return Err(Failure::usage(message, "leave out --resume, or name a file"));
     }
-
-    /// A file that was begun with the first of these rows, and how many it has, each of which is shown to `see` with its number; a new one
-    /// if there is none.
-    pub(super) fn resume(
-        path: &Path,
-        csv: &SweepCsv,
-        rows: Range<usize>,
-        see: impl FnMut(usize, &str),
-    ) -> Result<(Self, usize), Failure> {
-        let failed = |cause| Failure::file(path, cause);
-        if files::is_stream(path) {
-            let message =
-                format!("{} is no regular file: what was written to it is not there to go on with", path.display());
-            return Err(Failure::usage(message, "leave out --resume, or name a file"));
-        }
-        let mut file = open(path)?;
-        let begun = begun(&file, csv, &rows, see).map_err(failed)?;
-        if let Some(line) = begun.wrong {
-            return Err(wrong(path, line));
-        }
-        // half a line, if there is one, is made again
-        file.set_len(begun.bytes).and_then(|()| file.seek(SeekFrom::Start(begun.bytes))).map_err(failed)?;
-        let mut file = Self::File(file);
-        if begun.bytes == 0 {
-            file.write(&csv.header()?).map_err(failed)?;
-        }
-        Ok((file, begun.rows))
+    let mut file = open(path)?;
+    let begun = begun(&file, csv, &rows, see).map_err(failed)?;
+    if let Some(line) = begun.wrong {
+        return Err(wrong(path, line));
     }
-
-    /// Adds a line.
-    pub(super) fn write(&mut self, line: &str) -> io::Result<()> {
-        match self {
-            Self::File(file) => file.write_all(line.as_bytes()),
-            Self::Stream(out) => out.write_all(line.as_bytes()),
-        }
+    // half a line, if there is one, is made again
+    file.set_len(begun.bytes).and_then(|()| file.seek(SeekFrom::Start(begun.bytes))).map_err(failed)?;
+    if begun.bytes == 0 {
+        file.write_all(csv.header()?.as_bytes()).map_err(failed)?;
     }
+    Ok((Box::new(file), begun.rows))
 }
 
 /// Opens a file of lines, there or not, for one sweep at a time: lines of two would be mixed.
@@ -99,16 +80,24 @@ fn wrong(path: &Path, line: usize) -> Failure {
 
 /// What an interrupted sweep has left.
 #[derive(Default)]
-struct Begun {
+pub(super) struct Begun {
     /// Whole lines below the header.
-    rows: usize,
+    pub(super) rows: usize,
     /// Bytes of all whole lines.
     bytes: u64,
     /// The first line, from 1, that is not the line of the row that is to stand there.
-    wrong: Option<usize>,
+    pub(super) wrong: Option<usize>,
+    /// Whether the last line has no end.
+    pub(super) is_cut: bool,
 }
 
-fn begun(file: &File, csv: &SweepCsv, rows: &Range<usize>, mut see: impl FnMut(usize, &str)) -> io::Result<Begun> {
+/// Compares a file with the header and the lines of these rows, and shows each of them to `see` with its number.
+pub(super) fn begun(
+    file: &File,
+    csv: &SweepCsv,
+    rows: &Range<usize>,
+    mut see: impl FnMut(usize, &str),
+) -> io::Result<Begun> {
     let header = csv.header()?;
     let mut reader = BufReader::new(file);
     let mut line = Vec::new();
@@ -128,6 +117,7 @@ fn begun(file: &File, csv: &SweepCsv, rows: &Range<usize>, mut see: impl FnMut(u
         if !expected {
             begun.wrong = Some(if is_header { 1 } else { begun.rows + 2 });
         }
+        begun.is_cut = is_cut;
         if is_cut || !expected {
             break;
         }

@@ -3,11 +3,10 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::ValueEnum;
-use recede::report::{self, Report};
-use recede::{Extremes, Field, FieldError, MaxShear, Model, Options, Solution, files};
+use recede::report::{Format, Report};
+use recede::{Field, FieldError, Model, Options, Solution};
 
-use super::{Failure, SceneFile, outputs, tell};
+use super::{Failure, SceneFile, outputs, solved, tell, warn};
 
 /// Find the extents of all contacts of a scene, and the pressures in them
 #[derive(Debug, clap::Args)]
@@ -54,17 +53,7 @@ pub struct Solve {
     extremes: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
-enum Format {
-    /// A table to be read
-    Table,
-    /// One JSON object, all digits
-    Json,
-    /// One line for each contact, all digits
-    Csv,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Method {
     /// Sine series, tested with Chebyshev polynomials
     Galerkin,
@@ -76,18 +65,18 @@ impl Solve {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = self.format()?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let options = Options { tolerance: self.tolerance };
         let start = Instant::now();
-        let (model, solution) = Model::new(scene.stack()?)
-            .and_then(|model| model.press_with(&scene.top, scene.force, &options).map(|solution| (model, solution)))
-            .map_err(|error| scene.locate(error))?;
+        let options = Options { tolerance: self.tolerance };
+        let (model, solution) = solved(&scene, &options)?;
         let seconds = start.elapsed().as_secs_f64();
-        let approach = measures(format).then(|| model.approach(&scene.top, &solution));
-        let max_shear = if self.searches(format) { max_shear(&model, &solution) } else { None };
-        let extremes = if self.extremes { extremes(format, &model, &solution)? } else { None };
-        for warning in solution.warnings() {
-            tell(&format!("warning: {warning}\n"));
-        }
+        // of the scene as a whole, and CSV has a line for each contact
+        let approach = (format != Format::Csv).then(|| model.approach(&scene.top, &solution));
+        let what = "the contacts are solved, the largest shear stress was not found:";
+        let is_wanted = self.searches(format);
+        let max_shear = is_wanted.then(|| searched(what, &model, &solution, Field::max_shear)).flatten();
+        let what = "the contacts are solved, the extremes were not found:";
+        let extremes = self.extremes.then(|| searched(what, &model, &solution, Field::extremes)).flatten();
+        warn(&solution);
         if self.stats {
             tell(&solution.stats().to_string());
         }
@@ -98,30 +87,32 @@ impl Solve {
                 Some(checked.map_err(|error| scene.locate(error))?)
             }
         };
-        let collocated = collocated.as_deref();
-        let digits = self.digits.map(usize::from);
-        let approach = approach.as_ref();
-        let extremes = extremes.as_ref();
-        let report =
-            Report { scene: &scene, solution: &solution, approach, max_shear, extremes, collocated, digits, seconds };
-        let format = match format {
-            Format::Table => report::Format::Table,
-            Format::Json => report::Format::Json,
-            Format::Csv => report::Format::Csv,
+        let report = Report {
+            scene: &scene,
+            solution: &solution,
+            approach: approach.as_ref(),
+            // infinite under a line load, and next to sharp corners
+            max_shear: max_shear.filter(|found| found.value.is_finite()),
+            extremes: extremes.as_ref(),
+            collocated: collocated.as_deref(),
+            digits: self.digits.map(usize::from),
+            seconds,
         };
-        match &self.out {
-            Some(path) => {
-                files::replace(path, |out| report.write(format, out)).map_err(|cause| Failure::file(path, cause))
-            }
-            None => Ok(report.write(format, out)?),
-        }
+        outputs::write(self.out.as_deref(), out, |out| report.write(format, out))
     }
 
     /// The format that is asked for by name, or by the name of the file.
     fn format(&self) -> Result<Format, Failure> {
         let kinds = [("json", Format::Json), ("csv", Format::Csv), ("txt", Format::Table)];
         let hint = "let it end in .json, .csv or .txt, or say --format json, csv or table";
-        outputs::kind(self.out.as_deref(), self.format, &kinds, Format::Table, hint)
+        let format = outputs::kind(self.out.as_deref(), self.format, &kinds, Format::Table, hint)?;
+        if self.extremes && format == Format::Csv {
+            return Err(Failure::usage(
+                "CSV has a line for each contact, and no place for --extremes",
+                "say --format json, or let `recede sweep --extremes` write them as columns",
+            ));
+        }
+        Ok(format)
     }
 
     /// Whether the largest shear stress is printed: CSV has no column for it.
@@ -132,28 +123,6 @@ impl Solve {
             Format::Csv => false,
         }
     }
-}
-
-/// Whether the approach is printed: it is one of the scene, and CSV has a line for each contact.
-fn measures(format: Format) -> bool {
-    !matches!(format, Format::Csv)
-}
-
-/// The stresses by which layers and bonds break, if they can be found.
-fn extremes(format: Format, model: &Model, solution: &Solution) -> Result<Option<Extremes>, Failure> {
-    if matches!(format, Format::Csv) {
-        return Err(Failure::usage(
-            "CSV has a line for each contact, and no place for --extremes",
-            "say --format json, or let `recede sweep --extremes` write them as columns",
-        ));
-    }
-    Ok(searched("the contacts are solved, the extremes were not found:", model, solution, Field::extremes))
-}
-
-/// The largest shear stress, if it is finite and can be found: it is infinite under a line load, and next to sharp corners.
-fn max_shear(model: &Model, solution: &Solution) -> Option<MaxShear> {
-    searched("the contacts are solved, the largest shear stress was not found:", model, solution, Field::max_shear)
-        .filter(|found| found.value.is_finite())
 }
 
 /// What is found in the fields of a solution. The contacts are solved without it, so that a failure is only told.

@@ -11,10 +11,9 @@ use recede::report::SweepCsv;
 use recede::{Part, Sweep};
 
 use super::grid::Grid;
-use super::part_file::PartFile;
 use super::plot::Title;
 use super::progress::Progress;
-use super::rows_file::RowsFile;
+use super::rows_file;
 use super::whole_file::{self, RowsKind};
 use super::{Failure, outputs, tell};
 
@@ -80,22 +79,22 @@ impl Command {
         let all = 0..sweep.len();
         let wanted = self.part.map_or(all, |part| part.rows(sweep.len()));
         let (mut file, done) = match &lines {
-            Some(path) if self.resume => RowsFile::resume(path, &csv, wanted.clone(), |index, line| {
+            Some(path) if self.resume => rows_file::resume(path, &csv, wanted.clone(), |index, line| {
                 if drawn(index) {
                     rows.push(csv.point_of(line));
                 }
             })?,
-            Some(path) => (RowsFile::create(path, &csv)?, 0),
+            Some(path) => (rows_file::create(path, &csv)?, 0),
             None => {
                 out.write_all(csv.header()?.as_bytes())?;
-                (RowsFile::Stream(Box::new(out)), 0)
+                (Box::new(out) as Box<dyn Write>, 0)
             }
         };
         let bar = progress(wanted.len(), done, self.out.is_some());
         let mut unsolved = 0;
         let threads = self.threads.or_else(|| thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
         for row in sweep.parallel_rows(wanted.start + done..wanted.end, threads) {
-            file.write(&csv.line(&row)?)?;
+            file.write_all(csv.line(&row)?.as_bytes())?;
             unsolved += usize::from(row.result.is_err());
             if drawn(row.index) {
                 rows.push(csv.point(&row));
@@ -104,8 +103,7 @@ impl Command {
         }
         bar.finish();
         if let (RowsKind::Parquet, Some(lines), Some(path)) = (kind, &lines, &self.out) {
-            let part = PartFile { path: lines.clone(), rows: wanted.clone() };
-            whole_file::write(path, &csv, &[part])?;
+            whole_file::write(path, &csv, [lines])?;
             fs::remove_file(lines).map_err(|cause| Failure::file(lines, cause))?;
         }
         if unsolved > 0 {

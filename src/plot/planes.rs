@@ -24,10 +24,10 @@ pub(super) struct Plane {
 /// What is drawn of each contact: how far it reaches, and its largest pressure, or that at x = 0 where the largest is infinite.
 pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
     let scene = sweep.scene();
-    let interfaces = sweep.interfaces();
-    let symbols = symbols(interfaces);
+    let contacts: Vec<_> = sweep.contacts().collect();
+    let symbols = symbols(&contacts.iter().map(|(interface, _)| *interface).collect::<Vec<_>>());
     let mut planes = Vec::new();
-    for (i, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate().take(CONTACTS) {
+    for (i, ((interface, punch), (length, pressure))) in contacts.iter().zip(&symbols).enumerate().take(CONTACTS) {
         let column = |name: &str| {
             let of_contact = Contact::COLUMNS.iter().position(|column| *column == name).unwrap_or(0);
             sweep.axes().len() + Contact::COLUMNS.len() * i + of_contact
@@ -42,8 +42,9 @@ pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
         let (at, name) =
             if finite { (peak, format!("largest {pressure}")) } else { (centre, format!("{pressure}(0)")) };
         let quantities = [(right, reach, Dimension::LENGTH), (at, name, Dimension::STRESS)];
+        let what = punch.map_or_else(|| of_contact(scene, *interface), |punch| format!("under punch {}", punch + 1));
         planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| Plane {
-            what: if line == 0 { of_contact(scene, *interface) } else { String::new() },
+            what: if line == 0 { what.clone() } else { String::new() },
             place: [i, line],
             column,
             label,

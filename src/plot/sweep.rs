@@ -100,7 +100,7 @@ pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError>
         let below = (others.len() - 1 - i) as f64 * 1.3 * TEXT;
         picture.text((right + 11.0, -0.9 * AROUND.1 - below), &title, TEXT, INK, Anchor::Left);
     }
-    let left_out = sweep.interfaces().len().saturating_sub(CONTACTS);
+    let left_out = sweep.contacts().count().saturating_sub(CONTACTS);
     notes(&mut picture, points, &curves.jumps(&planes), left_out);
     Ok(picture.fitted())
 }

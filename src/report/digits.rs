@@ -26,6 +26,11 @@ impl Digits {
         }
     }
 
+    /// The same of a value that may be infinite.
+    pub(super) fn or_infinite(self, value: f64, error: f64) -> String {
+        if value.is_finite() { self.with_error(value, error) } else { "infinite".to_owned() }
+    }
+
     /// A value without error.
     pub(super) fn exact(self, value: f64) -> String {
         self.0.map_or_else(|| plain(value), |most| to_digits(value, most))

@@ -1,67 +1,30 @@
 //! Stresses by which layers and bonds break: as JSON, as a table, and as columns of a sweep.
 use comfy_table::Table;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::digits::{Digits, shown};
 use super::ruled::ruled;
 use crate::field::{BondExtremes, Extreme, Extremes, LayerExtremes};
 use crate::scene::{Item, Scene};
 
-/// Columns of a sweep for one stress: where it is largest, and the layer where that is not known from the name.
+/// Columns of a sweep behind a stress: its error, and where it is largest. Of these the depth is known on an interface, and the layer
+/// wherever the name of the column has it.
 const PLACE: [&str; 4] = ["error", "x", "depth", "layer"];
-/// The columns for a stress on an interface, the depth of which is known.
-const ALONG: [&str; 2] = ["error", "x"];
 
-#[derive(Serialize)]
-pub(super) struct Document {
-    tension: Option<Stress>,
-    layers: Vec<Layer>,
-    interfaces: Vec<Bond>,
-}
-
-#[derive(Serialize)]
-struct Layer {
-    layer: usize,
-    von_mises: Option<Stress>,
-}
-
-#[derive(Serialize)]
-struct Bond {
-    interface: String,
-    shear: Option<Stress>,
-    tension: Option<Stress>,
-}
-
-#[derive(Serialize)]
-struct Stress {
-    /// `null` if it is infinite.
-    value: Option<f64>,
-    error: f64,
-    x: f64,
-    depth: f64,
-    layer: usize,
-}
-
-impl Stress {
-    fn of(Extreme { value, error, x, depth, layer }: Extreme) -> Self {
-        Self { value: value.is_finite().then_some(value), error, x, depth, layer }
-    }
-}
-
-impl Document {
-    pub(super) fn of(extremes: &Extremes) -> Self {
-        let layer = |of: &LayerExtremes| Layer { layer: of.layer, von_mises: of.von_mises.map(Stress::of) };
-        let bond = |of: &BondExtremes| Bond {
-            interface: name(of),
-            shear: of.shear.map(Stress::of),
-            tension: of.tension.map(Stress::of),
-        };
-        Self {
-            tension: extremes.tension.map(Stress::of),
-            layers: extremes.layers.iter().map(layer).collect(),
-            interfaces: extremes.bonds.iter().map(bond).collect(),
-        }
-    }
+pub(super) fn json(extremes: &Extremes) -> Value {
+    let stress = |found: Option<Extreme>| {
+        found.map(|Extreme { value, error, x, depth, layer }| {
+            json!({"value": value, "error": error, "x": x, "depth": depth, "layer": layer})
+        })
+    };
+    let layer = |of: &LayerExtremes| json!({"layer": of.layer, "von_mises": stress(of.von_mises)});
+    let bond =
+        |of: &BondExtremes| json!({"interface": name(of), "shear": stress(of.shear), "tension": stress(of.tension)});
+    json!({
+        "tension": stress(extremes.tension),
+        "layers": extremes.layers.iter().map(layer).collect::<Vec<_>>(),
+        "interfaces": extremes.bonds.iter().map(bond).collect::<Vec<_>>(),
+    })
 }
 
 fn name(bond: &BondExtremes) -> String {
@@ -70,21 +33,12 @@ fn name(bond: &BondExtremes) -> String {
 
 /// A table with a line for each stress; `place` is what its place along the layers is called.
 pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, stress]: [&str; 2]) -> Table {
-    let mut table = ruled();
-    let header = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name},{unit}") };
-    table.set_header([
-        "largest".to_owned(),
-        header("stress", stress),
-        header(&format!("at {place}"), length),
-        header("depth", length),
-    ]);
+    let mut table = ruled([("largest", ""), ("stress", stress), (&format!("at {place}"), length), ("depth", length)]);
     let mut add = |what: String, found: Option<Extreme>, none: &str| {
         let row = match found {
-            Some(Extreme { value, error, x, depth, .. }) => [
-                if value.is_finite() { digits.with_error(value, error) } else { "infinite".to_owned() },
-                shown::<3>(x),
-                shown::<3>(depth),
-            ],
+            Some(Extreme { value, error, x, depth, .. }) => {
+                [digits.or_infinite(value, error), shown::<3>(x), shown::<3>(depth)]
+            }
             None => [none.to_owned(), String::new(), String::new()],
         };
         table.add_row([what].into_iter().chain(row));
@@ -101,51 +55,32 @@ pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, s
     table
 }
 
-/// The columns of a sweep, which are the same whichever layers are there: each layer that the scene has may have them, and the interface
-/// below it unless that is one that opens.
-pub(super) fn columns(scene: &Scene) -> Vec<String> {
-    let with = |name: String, places: &[&str]| {
-        let places: Vec<String> = places.iter().map(|place| format!("{name}_{place}")).collect();
-        [name].into_iter().chain(places)
+/// The columns of a sweep by name, with the numbers of a row. They are the same whichever layers are there: each layer that the scene has
+/// may have them, and the interface below it unless that opens. NaN for what is not there; a tension or shear stress that is
+/// nowhere is 0.
+pub(super) fn cells(scene: &Scene, extremes: Option<&Extremes>) -> Vec<(String, f64)> {
+    let mut cells = Vec::new();
+    let mut add = |name: String, places: &[&str], found: Option<Extreme>, nowhere: f64| {
+        let numbers = found.map_or([nowhere, f64::NAN, f64::NAN, f64::NAN, f64::NAN], |found| {
+            [found.value, found.error, found.x, found.depth, found.layer as f64]
+        });
+        let names = places.iter().map(|place| format!("{name}_{place}"));
+        cells.extend([name.clone()].into_iter().chain(names).zip(numbers));
     };
-    let mut columns: Vec<String> = with("tension".to_owned(), &PLACE).collect();
+    let zero = if extremes.is_some() { 0.0 } else { f64::NAN };
+    add("tension".to_owned(), &PLACE, extremes.and_then(|extremes| extremes.tension), zero);
     for (number, has_bond) in layers(scene) {
-        columns.extend(with(format!("layer_{number}_von_mises"), &PLACE[..3]));
+        let layer = extremes.and_then(|extremes| extremes.layers.iter().find(|layer| layer.layer == number));
+        let von_mises = layer.and_then(|layer| layer.von_mises);
+        add(format!("layer_{number}_von_mises"), &PLACE[..3], von_mises, f64::NAN);
         if has_bond {
-            columns.extend(with(format!("below_layer_{number}_shear"), &ALONG));
-            columns.extend(with(format!("below_layer_{number}_tension"), &ALONG));
+            let bond = extremes.and_then(|extremes| extremes.bonds.iter().find(|bond| bond.above == number));
+            let zero = if bond.is_some() { 0.0 } else { f64::NAN };
+            add(format!("below_layer_{number}_shear"), &PLACE[..2], bond.and_then(|bond| bond.shear), zero);
+            add(format!("below_layer_{number}_tension"), &PLACE[..2], bond.and_then(|bond| bond.tension), zero);
         }
     }
-    columns
-}
-
-/// The numbers of a row in these columns; NaN for what is not there. A tension or shear stress that is nowhere is 0.
-pub(super) fn numbers(scene: &Scene, extremes: Option<&Extremes>) -> Vec<f64> {
-    let Some(extremes) = extremes else { return vec![f64::NAN; columns(scene).len()] };
-    let number = |found: Option<Extreme>| match found {
-        Some(Extreme { value, error, x, depth, layer }) => [value, error, x, depth, layer as f64],
-        None => [f64::NAN; 5],
-    };
-    // nowhere: 0, without a place
-    let or_none = |found: Option<Extreme>| {
-        let mut numbers = number(found);
-        numbers[0] = if found.is_none() { 0.0 } else { numbers[0] };
-        numbers
-    };
-    let mut all = or_none(extremes.tension).to_vec();
-    for (number_of, has_bond) in layers(scene) {
-        let layer = extremes.layers.iter().find(|layer| layer.layer == number_of);
-        all.extend(&number(layer.and_then(|layer| layer.von_mises))[..4]);
-        if has_bond {
-            let bond = extremes.bonds.iter().find(|bond| bond.above == number_of);
-            let [shear, tension] = match bond {
-                Some(bond) => [bond.shear, bond.tension].map(or_none),
-                None => [[f64::NAN; 5]; 2],
-            };
-            all.extend(shear[..3].iter().chain(&tension[..3]));
-        }
-    }
-    all
+    cells
 }
 
 /// The numbers of the elastic layers of a scene, and whether there may be an interface below that does not open.

@@ -3,72 +3,60 @@ use std::collections::BTreeMap;
 use std::io;
 
 use comfy_table::Table;
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::{Serialize, Serializer};
+use serde_json::Value;
 
+use super::Format;
+use super::csv::{LAYER, write_columns};
 use super::digits::Digits;
 use super::ruled::ruled;
-use super::sweep::number;
 use crate::field::{FieldPoint, FieldQuantity};
 use crate::geometry::Geometry;
 use crate::scene::{Dimension, Units};
 
-/// How a field is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum FieldFormat {
-    /// A table to be read, without the stresses that follow from others.
-    Table,
-    /// One JSON object, `{"points": [...]}`, with all digits.
-    Json,
-    /// Comma-separated values: a header, then one line for each point, with all digits.
-    Csv,
-}
-
-/// Names that are columns, and keys, in every geometry before and after the names of the quantities.
-const PLACE: [&str; 3] = ["x", "depth", "layer"];
-const STRAINS: [&str; 3] = ["eps_rr", "eps_tt", "eps_zz"];
-
-/// The quantities, in their order, with their names; stable, more may be added.
-fn columns(geometry: Geometry) -> impl Iterator<Item = &'static str> {
-    let strains: &[&str] = if geometry.is_axisymmetric() { &STRAINS } else { &[] };
-    FieldQuantity::ALL
-        .into_iter()
-        .map(move |quantity| quantity.name_in(geometry))
-        .chain(["slope"])
-        .chain(strains.iter().copied())
-}
-
-/// The numbers in these columns.
-fn numbers(point: &FieldPoint, geometry: Geometry) -> impl Iterator<Item = f64> {
-    let quantities = FieldQuantity::ALL.map(|quantity| quantity.of_in(point, geometry));
-    quantities.into_iter().chain([point.slope]).chain(point.strains.into_iter().flatten())
+/// The stresses and displacements at points, by the names that they have in this geometry, after the places; stable, more may be added. What
+/// is infinite, or not known, is infinite or NaN.
+pub fn field_columns(points: &[FieldPoint], geometry: Geometry) -> Vec<(String, Vec<f64>)> {
+    let mut columns = Vec::new();
+    let mut add = |name: &str, of: &dyn Fn(&FieldPoint) -> f64| {
+        columns.push((name.to_owned(), points.iter().map(of).collect()));
+    };
+    add("x", &|point| point.x);
+    add("depth", &|point| point.depth);
+    add(LAYER, &|point| point.layer as f64);
+    for quantity in FieldQuantity::ALL {
+        add(quantity.name_in(geometry), &|point| quantity.of_in(point, geometry));
+    }
+    add("slope", &|point| point.slope);
+    if geometry.is_axisymmetric() {
+        for (k, name) in ["eps_rr", "eps_tt", "eps_zz"].into_iter().enumerate() {
+            add(name, &|point| point.strains.map_or(f64::NAN, |strains| strains[k]));
+        }
+    }
+    columns
 }
 
 /// One point as an object; what is infinite or not known is `null`, as serde_json writes such numbers.
-struct Point<'a>(&'a FieldPoint, Geometry);
+struct Point<'a>(&'a [(String, Vec<f64>)], usize);
 
 impl Serialize for Point<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self(point, geometry) = self;
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("x", &point.x)?;
-        map.serialize_entry("depth", &point.depth)?;
-        map.serialize_entry("layer", &point.layer)?;
-        for (name, number) in columns(*geometry).zip(numbers(point, *geometry)) {
-            map.serialize_entry(name, &number)?;
-        }
-        map.end()
+        let Self(columns, k) = self;
+        let value = |name: &str, value: f64| if name == LAYER { Value::from(value as usize) } else { value.into() };
+        serializer.collect_map(columns.iter().map(|(name, values)| (name, value(name, values[*k]))))
     }
 }
 
-/// Writes stresses and displacements at points; a table also shows the units.
+/// Writes stresses and displacements at points: as a table without the stresses that follow from others, but with units, as one JSON object
+/// `{"points": [...]}`, or as comma-separated values with one line for each point.
 ///
 /// ```
-/// use recede::{Scene, Model, report::{FieldFormat, write_field}};
+/// use recede::{Scene, Model, report::{Format, write_field}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let model = Model::new(scene.stack()?)?;
 /// let field = model.field(&model.press(&scene.top, scene.force)?)?;
 /// let mut text = Vec::new();
-/// write_field(&[field.at(0.0, 0.5)?], scene.geometry, scene.units.as_ref(), FieldFormat::Csv, &mut text)?;
+/// write_field(&[field.at(0.0, 0.5)?], scene.geometry, scene.units.as_ref(), Format::Csv, &mut text)?;
 /// assert!(text.starts_with(b"x,depth,layer,sigma_xx,"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -79,25 +67,18 @@ pub fn write_field(
     points: &[FieldPoint],
     geometry: Geometry,
     units: Option<&Units>,
-    format: FieldFormat,
+    format: Format,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     match format {
-        FieldFormat::Table => writeln!(out, "{}", table(points, geometry, units)),
-        FieldFormat::Json => {
-            let points: Vec<Point> = points.iter().map(|point| Point(point, geometry)).collect();
+        Format::Table => writeln!(out, "{}", table(points, geometry, units)),
+        Format::Json => {
+            let columns = field_columns(points, geometry);
+            let points: Vec<Point> = (0..points.len()).map(|k| Point(&columns, k)).collect();
             serde_json::to_writer_pretty(&mut *out, &BTreeMap::from([("points", points)]))?;
             writeln!(out)
         }
-        FieldFormat::Csv => {
-            let header: Vec<&str> = PLACE.into_iter().chain(columns(geometry)).collect();
-            writeln!(out, "{}", header.join(","))?;
-            for point in points {
-                let numbers = numbers(point, geometry).map(number).collect::<Vec<_>>().join(",");
-                writeln!(out, "{:?},{:?},{},{numbers}", point.x, point.depth, point.layer)?;
-            }
-            Ok(())
-        }
+        Format::Csv => write_columns(&field_columns(points, geometry), out),
     }
 }
 
@@ -105,7 +86,6 @@ pub fn write_field(
 const SHOWN: Digits = Digits(Some(5));
 
 fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
-    let (length, stress) = (Dimension::LENGTH, Dimension::STRESS);
     let hoop = geometry.is_axisymmetric().then_some(FieldQuantity::SigmaZz);
     let stresses: Vec<FieldQuantity> = [FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::SigmaXy]
         .into_iter()
@@ -113,16 +93,11 @@ fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Ta
         .chain([FieldQuantity::MaxShear, FieldQuantity::VonMises])
         .collect();
     let displacements = [FieldQuantity::U, FieldQuantity::V];
-    let named = |quantity: &FieldQuantity| quantity.name_in(geometry);
-    let columns = [(geometry.words().along, length), ("depth", length), ("layer", Dimension::NUMBER)].into_iter();
-    let columns = columns.chain(stresses.iter().map(|quantity| (named(quantity), stress)));
-    let columns = columns.chain(displacements.iter().map(|quantity| (named(quantity), length)));
-    let header = columns.map(|(name, dimension)| match Units::after(units, dimension) {
-        unit if unit.is_empty() => name.to_owned(),
-        unit => format!("{name},{unit}"),
-    });
-    let mut table = ruled();
-    table.set_header(header);
+    let [length, stress] = [Dimension::LENGTH, Dimension::STRESS].map(|dimension| Units::after(units, dimension));
+    let place = [(geometry.words().along, &length[..]), ("depth", &length), (LAYER, "")].into_iter();
+    let stresses_in = stresses.iter().map(|quantity| (quantity.name_in(geometry), &stress[..]));
+    let displacements_in = displacements.iter().map(|quantity| (quantity.name_in(geometry), &length[..]));
+    let mut table = ruled(place.chain(stresses_in).chain(displacements_in));
     for point in points {
         let numbers = stresses.iter().chain(&displacements).map(|quantity| quantity.of_in(point, geometry));
         let place = [SHOWN.exact(point.x), SHOWN.exact(point.depth), point.layer.to_string()];

@@ -14,7 +14,7 @@ mod table;
 
 use std::io;
 
-pub use field::{FieldFormat, write_field};
+pub use field::{field_columns, write_field};
 
 use crate::approach::{Approach, ApproachError};
 use crate::collocation::Collocated;
@@ -25,17 +25,24 @@ use crate::solution::{Contact, Interface, Solution};
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
 pub use profile::{profile_columns, write_profile};
+#[doc(hidden)]
+pub use ruled::ruled;
 pub use sweep::SweepCsv;
 
-/// How a report is written.
+/// How a report, or a field, is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Format {
-    /// A table to be read, with the digits that the error estimates justify.
+    /// A table to be read
+    ///
+    /// It has the digits that the error estimates justify; of a field five digits, and no stresses that follow from others.
     #[default]
     Table,
-    /// One JSON object with all digits.
+    /// One JSON object, all digits
     Json,
-    /// Comma-separated values: a header, then one line for each contact, with all digits.
+    /// One line for each contact or point, all digits
+    ///
+    /// Comma-separated values, with a header.
     Csv,
 }
 

@@ -12,7 +12,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
 use super::SweepCsv;
-use super::sweep::TEXTS;
+use super::sweep::{TEXTS, fields};
 
 /// Rows of a group: so many are held in memory, and a file may have 2¹⁵ groups.
 const ROWS: usize = 1 << 17;
@@ -80,12 +80,9 @@ impl<W: Write + Send> SweepParquet<W> {
     /// # Errors
     /// Errors of the writer, and [`io::ErrorKind::InvalidData`] if the line has other columns.
     pub fn write(&mut self, line: &str) -> io::Result<()> {
-        let mut record = csv::StringRecord::new();
-        let mut reader =
-            csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line.as_bytes());
-        reader.read_record(&mut record)?;
-        if record.len() != self.numbers.len() + self.texts.len() {
-            let (found, expected) = (record.len(), self.numbers.len() + self.texts.len());
+        let record = fields(line).unwrap_or_default();
+        let (found, expected) = (record.len(), self.numbers.len() + self.texts.len());
+        if found != expected {
             return Err(io::Error::new(
                 io::ErrorKind::InvalidData,
                 format!("a line has {found} columns, its sweep has {expected}"),

@@ -1,7 +1,8 @@
 //! Profiles along x as comma-separated values.
 use std::io;
 
-use super::sweep::{number, owner};
+use super::csv::write_columns;
+use super::sweep::owner;
 use crate::field::{FaceSide, FieldPoint, FieldQuantity};
 use crate::profile::{ContactProfile, FaceProfile, FaceProfiles};
 
@@ -49,12 +50,5 @@ pub fn profile_columns(profile: &FaceProfiles) -> Vec<(String, Vec<f64>)> {
 /// # Errors
 /// Errors of the writer.
 pub fn write_profile(profile: &FaceProfiles, out: &mut dyn io::Write) -> io::Result<()> {
-    let columns = profile_columns(profile);
-    let names: Vec<&str> = columns.iter().map(|(name, _)| &name[..]).collect();
-    writeln!(out, "{}", names.join(","))?;
-    for k in 0..profile.x.len() {
-        let numbers: Vec<String> = columns.iter().map(|(_, values)| number(values[k])).collect();
-        writeln!(out, "{}", numbers.join(","))?;
-    }
-    Ok(())
+    write_columns(&profile_columns(profile), out)
 }

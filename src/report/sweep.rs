@@ -1,17 +1,12 @@
 //! Rows of a sweep as comma-separated values.
 use std::io;
 
+use super::csv::number;
 use super::extremes;
-use crate::approach::Approach;
 use crate::errors::Error;
 use crate::scene::{Force, visible};
-use crate::solution::{Contact, Interface};
+use crate::solution::{Contact, Interface, Solution};
 use crate::sweep::{Row, Sweep, SweepPoint};
-
-/// Additional columns where the force is an unknown.
-const FOUND: [&str; 2] = ["force", "force_error"];
-/// Additional columns with the approach.
-const APPROACH: [&str; 4] = ["approach", "approach_error", "stiffness", "stiffness_error"];
 
 /// The columns of texts, which are the last ones.
 pub(super) const TEXTS: [&str; 4] = ["status", "warnings", "message", "sweep"];
@@ -40,12 +35,15 @@ const UNSOLVED: [&str; 2] = ["bad_input", "no_solution"];
 pub struct SweepCsv<'a> {
     sweep: &'a Sweep,
     fingerprint: String,
+    /// The names of the columns of numbers.
+    names: Vec<String>,
 }
 
 impl<'a> SweepCsv<'a> {
     /// For the rows of `sweep`.
     pub fn new(sweep: &'a Sweep) -> Self {
-        Self { sweep, fingerprint: format!("{:016x}", sweep.fingerprint()) }
+        let names = cells(sweep, None).into_iter().map(|(name, _)| name).collect();
+        Self { sweep, fingerprint: format!("{:016x}", sweep.fingerprint()), names }
     }
 
     /// The sweep.
@@ -63,10 +61,7 @@ impl<'a> SweepCsv<'a> {
     /// # Errors
     /// None in practice.
     pub fn header(&self) -> io::Result<String> {
-        let axes = self.sweep.axes().iter().map(|axis| column(axis.path()));
-        let of = |interface: &Interface| Contact::COLUMNS.map(|quantity| format!("{}_{quantity}", owner(interface)));
-        let contacts = self.sweep.interfaces().iter().flat_map(of);
-        line(axes.chain(contacts).chain(self.of_all()).chain(TEXTS.map(str::to_owned)))
+        line(self.names.iter().map(String::as_str).chain(TEXTS))
     }
 
     /// One row, with the end of the line. A contact that the row does not have is left empty.
@@ -105,25 +100,19 @@ impl<'a> SweepCsv<'a> {
     /// assert!(csv.is_line_of(&lines[1], 1) && !csv.is_line_of(&lines[0], 1) && !csv.is_line_of(lines[1].trim_end(), 1));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn is_line_of(&self, line: &str, row: usize) -> bool {
-        let Some(rest) = line.strip_prefix(&self.start(row)) else { return false };
-        let Some(rest) = rest.strip_suffix('\n').and_then(|rest| rest.strip_suffix(self.fingerprint())) else {
+    pub fn is_line_of(&self, text: &str, row: usize) -> bool {
+        let record = fields(text).unwrap_or_default();
+        let fields: Vec<&str> = record.iter().collect();
+        let Some((numbers, texts)) = fields.split_at_checked(self.names.len()).filter(|(_, t)| t.len() == TEXTS.len())
+        else {
             return false;
         };
-        let found = self.columns() - self.sweep.axes().len();
-        let mut fields = rest.splitn(found + TEXTS.len() - 1, ',');
-        let mut has_numbers = false;
-        for field in fields.by_ref().take(found) {
-            has_numbers |= !field.is_empty();
-            if !field.is_empty() && field.parse().map(number).as_deref() != Ok(field) {
-                return false;
-            }
-        }
-        let [Some(status), Some(warnings), Some(message)] = [fields.next(), fields.next(), fields.next()] else {
-            return false;
-        };
-        let is_status = if has_numbers { status == SOLVED } else { UNSOLVED.contains(&status) };
-        is_status && !warnings.contains('"') && message.strip_suffix(',').is_some_and(is_field)
+        let is_number = |field: &str| field.is_empty() || field.parse().map(number).as_deref() == Ok(field);
+        let has_numbers = numbers[self.sweep.axes().len()..].iter().any(|field| !field.is_empty());
+        let is_status = if has_numbers { texts[0] == SOLVED } else { UNSOLVED.contains(&texts[0]) };
+        let is_own = text.starts_with(&self.start(row)) && texts[TEXTS.len() - 1] == self.fingerprint;
+        // written again it is the same: nothing is quoted that needs no quotes
+        is_own && is_status && numbers.iter().copied().all(is_number) && line(&fields).is_ok_and(|line| line == text)
     }
 
     /// Whether a text is the beginning of a line of the row with this number, as far as its values tell.
@@ -135,12 +124,6 @@ impl<'a> SweepCsv<'a> {
     /// How the line of a row begins: its values.
     fn start(&self, row: usize) -> String {
         self.sweep.values(row).into_iter().map(|value| number(value) + ",").collect()
-    }
-
-    /// How many columns are numbers.
-    fn columns(&self) -> usize {
-        let of_contacts = Contact::COLUMNS.len() * self.sweep.interfaces().len();
-        self.sweep.axes().len() + of_contacts + self.of_all().count()
     }
 
     /// The number of the row of which this is a line, by its values; `None` if no row of the sweep has these.
@@ -163,36 +146,7 @@ impl<'a> SweepCsv<'a> {
     /// The numbers of a row: its values, then the numbers of each contact, NaN for a contact that it does not have; the force with its error,
     /// if it is found; the approach and the stiffness with theirs, and the stresses by which layers and bonds break, if they were asked for.
     pub fn numbers(&self, row: &Row) -> Vec<f64> {
-        let contacts = row.result.as_ref().map_or(&[][..], |solution| solution.contacts());
-        let of = |interface: &Interface| {
-            let contact = contacts.iter().find(|contact| contact.interface == *interface);
-            contact.map_or([f64::NAN; Contact::COLUMNS.len()], Contact::numbers)
-        };
-        let force = match &row.result {
-            Ok(solution) => [solution.force(), solution.force_error()],
-            Err(_) => [f64::NAN; FOUND.len()],
-        };
-        let approach = match &row.approach {
-            Some(Ok(Approach { value, error, stiffness })) => {
-                let known = |number: Option<f64>| number.unwrap_or(f64::NAN);
-                [*value, *error, known(stiffness.value()), known(stiffness.error())]
-            }
-            _ => [f64::NAN; APPROACH.len()],
-        };
-        let force = force.into_iter().take(self.found().len());
-        let approach = approach.into_iter().take(self.approach().len());
-        let contacts = self.sweep.interfaces().iter().flat_map(of);
-        let found = row.extremes.as_ref().and_then(|found| found.as_ref().ok());
-        let extremes = self.sweep.has_extremes().then(|| extremes::numbers(self.sweep.scene(), found));
-        let of_all = force.chain(approach).chain(extremes.into_iter().flatten());
-        row.values.iter().copied().chain(contacts).chain(of_all).collect()
-    }
-
-    /// The columns that are of no contact in particular.
-    fn of_all(&self) -> impl Iterator<Item = String> {
-        let extremes = self.sweep.has_extremes().then(|| extremes::columns(self.sweep.scene()));
-        let found = self.found().iter().chain(self.approach()).map(|column| (*column).to_owned());
-        found.chain(extremes.into_iter().flatten())
+        cells(self.sweep, Some(row)).into_iter().map(|(_, number)| number).collect()
     }
 
     /// A row for a picture.
@@ -201,23 +155,45 @@ impl<'a> SweepCsv<'a> {
         SweepPoint { numbers: self.numbers(row), solved: row.result.is_ok(), warned }
     }
 
-    /// The columns of a force that is found.
-    fn found(&self) -> &'static [&'static str] {
-        if !matches!(self.sweep.scene().force, Force::Given(_)) { &FOUND } else { &[] }
-    }
-
-    /// The columns of the approach, if it was asked for.
-    fn approach(&self) -> &'static [&'static str] {
-        if self.sweep.has_approach() { &APPROACH } else { &[] }
-    }
-
     /// A row for a picture, from its line.
     pub fn point_of(&self, line: &str) -> SweepPoint {
         let mut fields = line.split(',');
-        let numbers = fields.by_ref().take(self.columns()).map(|field| field.parse().unwrap_or(f64::NAN)).collect();
+        let numbers = fields.by_ref().take(self.names.len()).map(|field| field.parse().unwrap_or(f64::NAN)).collect();
         let solved = fields.next() == Some(SOLVED);
         SweepPoint { numbers, solved, warned: solved && fields.next().is_some_and(|warnings| !warnings.is_empty()) }
     }
+}
+
+/// The columns of numbers by name, with the numbers of a row; NaN for what it does not have, and without a row.
+fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
+    let value = |k: usize| row.map_or(f64::NAN, |row| row.values[k]);
+    let mut cells: Vec<(String, f64)> =
+        sweep.axes().iter().enumerate().map(|(k, axis)| (column(axis.path()), value(k))).collect();
+    let solution = row.and_then(|row| row.result.as_ref().ok());
+    for (interface, punch) in sweep.contacts() {
+        let found = solution.and_then(|solution| solution.contacts().iter().find(|own| own.interface == interface));
+        let found = found.map_or(Vec::new(), Contact::of_each_punch);
+        let numbers = found.get(punch.unwrap_or(0)).map_or([f64::NAN; Contact::COLUMNS.len()], Contact::numbers);
+        let owner = punch.map_or(owner(&interface), |punch| format!("{}_{}", owner(&interface), punch + 1));
+        cells.extend(Contact::COLUMNS.map(|quantity| format!("{owner}_{quantity}")).into_iter().zip(numbers));
+    }
+    let mut add = |name: &str, number: Option<f64>| cells.push((name.to_owned(), number.unwrap_or(f64::NAN)));
+    if !matches!(sweep.scene().force, Force::Given(_)) {
+        add("force", solution.map(Solution::force));
+        add("force_error", solution.map(Solution::force_error));
+    }
+    if sweep.has_approach() {
+        let approach = row.and_then(|row| row.approach.as_ref()?.as_ref().ok());
+        add("approach", approach.map(|approach| approach.value));
+        add("approach_error", approach.map(|approach| approach.error));
+        add("stiffness", approach.and_then(|approach| approach.stiffness.value()));
+        add("stiffness_error", approach.and_then(|approach| approach.stiffness.error()));
+    }
+    if sweep.has_extremes() {
+        let found = row.and_then(|row| row.extremes.as_ref()?.as_ref().ok());
+        cells.extend(extremes::cells(sweep.scene(), found));
+    }
+    cells
 }
 
 /// The name of a column, which needs no quotes in other programs: `layer[2].beta` becomes `layer_2_beta`.
@@ -241,22 +217,17 @@ fn status(error: &Error) -> &'static str {
     UNSOLVED[usize::from(!error.is_input())]
 }
 
-/// Whether a text is one field as it is written: within quotes they are doubled, without them there is nothing to quote.
-fn is_field(text: &str) -> bool {
-    match text.strip_prefix('"') {
-        Some(quoted) => quoted.strip_suffix('"').is_some_and(|inner| !inner.replace("\"\"", "").contains('"')),
-        None => !text.contains([',', '"']),
-    }
+/// The fields of one line with its end; `None` for anything else.
+pub(super) fn fields(text: &str) -> Option<csv::StringRecord> {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(text.as_bytes());
+    let mut record = csv::StringRecord::new();
+    reader.read_record(&mut record).is_ok_and(|found| found).then_some(record)
 }
 
-/// With as many digits as identify the number; empty if there is none, or if it is infinite.
-pub(super) fn number(value: f64) -> String {
-    if !value.is_finite() { String::new() } else { format!("{value:?}") }
-}
-
-fn line(fields: impl Iterator<Item = String>) -> io::Result<String> {
+/// Fields as a line with its end, each within quotes where it needs them.
+fn line(fields: impl IntoIterator<Item = impl AsRef<[u8]>>) -> io::Result<String> {
     let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
-    writer.write_record(fields.map(String::into_bytes))?;
+    writer.write_record(fields)?;
     let bytes = writer.into_inner().map_err(|error| error.into_error())?;
     String::from_utf8(bytes).map_err(io::Error::other)
 }

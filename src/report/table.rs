@@ -65,14 +65,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
 /// A line for each contact.
 fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
     let (digits, words) = (Digits(report.digits), report.scene.geometry.words());
-    let header = |name: &str, label: &str| if label.is_empty() { name.to_owned() } else { format!("{name},{label}") };
-    let mut table = ruled();
-    table.set_header([
-        "contact".to_owned(),
-        header(words.half_length, length),
-        header(&format!("pressure at {} = 0", words.along), stress),
-        header("resultant", line_load),
-    ]);
+    let pressure = format!("pressure at {} = 0", words.along);
+    let mut table =
+        ruled([("contact", ""), (words.half_length, length), (&pressure, stress), ("resultant", line_load)]);
     for (name, contact) in report.contacts() {
         table.add_row([
             name,
@@ -80,10 +75,7 @@ fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
                 (Some(half_length), Some(error)) => digits.with_error(half_length, error),
                 _ => "see below".to_owned(),
             },
-            match contact.central_pressure.is_finite() {
-                true => digits.with_error(contact.central_pressure, contact.central_pressure_error),
-                false => "infinite".to_owned(),
-            },
+            digits.or_infinite(contact.central_pressure, contact.central_pressure_error),
             digits.rounded(contact.resultant),
         ]);
     }
@@ -134,10 +126,8 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
         if peak.x.abs() > peak.x_error {
             let place = if contact.is_even() { distance } else { along };
             let x = digits.with_error(peak.x, peak.x_error) + &length;
-            let pressure = match peak.pressure.is_finite() {
-                true => digits.with_error(peak.pressure, peak.error) + &stress,
-                false => "infinite".to_owned(),
-            };
+            let unit = if peak.pressure.is_finite() { &stress[..] } else { "" };
+            let pressure = digits.or_infinite(peak.pressure, peak.error) + unit;
             writeln!(out, "{name}: largest pressure {pressure} at {place} = {x}")?;
         }
     }

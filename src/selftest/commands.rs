@@ -5,7 +5,7 @@ use crate::approach::{Approach, ApproachError};
 use crate::field::{Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity};
 use crate::model::Model;
 use crate::profile::profile_places;
-use crate::report::{FieldFormat, Format, Report, write_field, write_profile};
+use crate::report::{Format, Report, write_field, write_profile};
 use crate::scene::Scene;
 use crate::solution::Solution;
 
@@ -184,7 +184,7 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
             }
         }
     }
-    for format in [FieldFormat::Csv, FieldFormat::Json] {
+    for format in [Format::Csv, Format::Json] {
         let mut text = Vec::new();
         write_field(grid.points(), scene.geometry, None, format, &mut text).map_err(|e| context("field file")(&e))?;
     }

@@ -21,7 +21,7 @@ use recede_layers::tree::ReadError;
 pub use parallel::ParallelRows;
 pub use part::{Part, PartError};
 
-use kept::Kept;
+use kept::{Kept, NUMBERS_OF_TOP};
 
 use crate::approach::{Approach, ApproachError};
 use crate::axis::{Axis, AxisError};
@@ -31,7 +31,6 @@ use crate::model::Model;
 use crate::options::Options;
 use crate::scene::{Item, Owner, Scene, Slot, Top};
 use crate::solution::{Interface, Solution};
-use crate::stack::Stack;
 
 /// Most rows of a sweep.
 const MOST_ROWS: usize = 1_000_000_000;
@@ -109,7 +108,7 @@ impl Sweep {
         let mut slots = Vec::with_capacity(axes.len());
         for (i, axis) in axes.iter().enumerate() {
             if axes[..i].iter().any(|earlier| earlier.path() == axis.path()) {
-                return Err(refused(axis, "this quantity varies already".into()));
+                return Err(AxisError::new(axis.path(), "this quantity varies already").into());
             }
             let slot = scene.slot(axis.path())?;
             axis.extremes().into_iter().try_for_each(|value| legal(&scene, axis, &slot, value))?;
@@ -119,11 +118,16 @@ impl Sweep {
         let rows = match (product, axes.last()) {
             (Some(rows), _) if rows <= MOST_ROWS => rows,
             (_, Some(axis)) => {
-                return Err(refused(axis, format!("the grid has more than {MOST_ROWS} points with this axis")));
+                return Err(AxisError::new(
+                    axis.path(),
+                    format!("the grid has more than {MOST_ROWS} points with this axis"),
+                )
+                .into());
             }
             (_, None) => 1,
         };
-        let (options, models, tops) = (Options::default(), Kept::default(), Kept::default());
+        let (options, models, tops) =
+            (Options::default(), Kept::new(Model::stored_numbers), Kept::new(|_| NUMBERS_OF_TOP));
         let (approach, extremes, interfaces) = (false, false, Vec::new());
         let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models, tops };
         sweep.interfaces = sweep.all_interfaces()?;
@@ -222,10 +226,25 @@ impl Sweep {
         &self.interfaces
     }
 
+    /// The contacts of which tables have columns: as [`Self::interfaces`], but each of several punches by itself, from the left, with its
+    /// number from 0.
+    pub(crate) fn contacts(&self) -> impl Iterator<Item = (Interface, Option<usize>)> {
+        let punches = self.scene.top.punches().map_or(1, |punches| punches.parts().count());
+        self.interfaces.iter().flat_map(move |interface| {
+            let count = if *interface == Interface::Punch { punches } else { 1 };
+            (0..count).map(move |k| (*interface, (count > 1).then_some(k)))
+        })
+    }
+
     /// The values of row `index` on each axis.
     pub fn values(&self, index: usize) -> Vec<f64> {
         let mut rest = index;
-        let mut values: Vec<f64> = self.axes.iter().rev().map(|axis| pick(axis, &mut rest)).collect();
+        let digit = |axis: &Axis| {
+            let value = axis.at(rest % axis.count());
+            rest /= axis.count();
+            value
+        };
+        let mut values: Vec<f64> = self.axes.iter().rev().map(digit).collect();
         values.reverse();
         values
     }
@@ -312,28 +331,9 @@ impl Sweep {
 
     /// Number of different stacks.
     fn stacks(&self) -> usize {
-        self.stack_axes().map(|(axis, _)| axis.count()).product()
+        let axes = self.axes.iter().zip(&self.slots).filter(|(_, slot)| matches!(slot.owner, Owner::Item(_)));
+        axes.map(|(axis, _)| axis.count()).product()
     }
-
-    /// The axes that change the stack, the last one first.
-    fn stack_axes(&self) -> impl Iterator<Item = (&Axis, &Slot)> {
-        let all = self.axes.iter().zip(&self.slots).rev();
-        all.filter(|(_, slot)| matches!(slot.owner, Owner::Item(_)))
-    }
-
-    /// The stack with this number.
-    fn stack(&self, key: usize) -> Result<Stack, Error> {
-        let mut rest = key;
-        let changes: Vec<_> = self.stack_axes().map(|(axis, slot)| (slot, pick(axis, &mut rest))).collect();
-        Ok(Stack::from_items(self.scene.geometry, &self.scene.items_with(&changes)?)?)
-    }
-}
-
-/// The value for the last digit of a number whose digits count values; the digit is taken off.
-fn pick(axis: &Axis, rest: &mut usize) -> f64 {
-    let value = axis.at(*rest % axis.count());
-    *rest /= axis.count();
-    value
 }
 
 /// Whether a value is legal for its quantity, whatever the others are.
@@ -348,9 +348,5 @@ fn legal(scene: &Scene, axis: &Axis, slot: &Slot, value: f64) -> Result<(), Erro
     // a mistake of one field, rather than of a layer as a whole
     let of_field =
         error.source().and_then(|cause| cause.downcast_ref::<ReadError>()).is_some_and(|e| e.field.is_some());
-    if of_field { Err(refused(axis, error.message().to_owned())) } else { Ok(()) }
-}
-
-fn refused(axis: &Axis, reason: String) -> Error {
-    AxisError { axis: axis.path().to_owned(), reason }.into()
+    if of_field { Err(AxisError::new(axis.path(), error.message()).into()) } else { Ok(()) }
 }

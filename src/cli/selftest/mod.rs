@@ -2,7 +2,6 @@
 mod tables;
 mod workers;
 
-use std::ffi::OsString;
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -15,7 +14,7 @@ use recede::{Scene, files};
 use super::Failure;
 use super::progress::Progress;
 use tables::{causes, estimates, list, spread};
-use workers::{Ended, Worker};
+use workers::{Ended, run};
 
 /// Solve random scenes and check the results: a test of the program itself
 #[derive(Debug, clap::Args)]
@@ -70,7 +69,7 @@ pub struct Selftest {
     /// Seconds that one scene may take
     #[arg(long, default_value_t = 600)]
     seconds: u64,
-    /// Solve the scenes whose numbers are read from standard input
+    /// Solve the scene whose number is read from standard input
     #[arg(long, hide = true)]
     worker: bool,
 }
@@ -118,13 +117,13 @@ impl Selftest {
         let (next, end) = (AtomicU64::new(self.first), self.first.saturating_add(self.count));
         let bar = Progress::new("scenes", self.count, 0);
         let one_by_one = || -> Result<Vec<Ended>, Failure> {
-            let (mut worker, mut ended) = (Worker::new(self), Vec::new());
+            let mut ended = Vec::new();
             loop {
                 let number = next.fetch_add(1, Ordering::Relaxed);
                 if number >= end {
                     return Ok(ended);
                 }
-                ended.push(worker.run(number)?);
+                ended.push(run(self, number)?);
                 bar.step();
             }
         };
@@ -150,20 +149,5 @@ impl Selftest {
             scene_of_any_kind(&ranges, self.seed, number)
         };
         if self.axisymmetric { drawn.map(about_axis) } else { drawn }
-    }
-
-    /// The arguments of a worker process with the same options.
-    fn arguments(&self) -> Vec<OsString> {
-        let mut arguments: Vec<OsString> = ["selftest", "--worker"].map(OsString::from).to_vec();
-        let numbers = [
-            ("--seed", self.seed.to_string()),
-            ("--tolerance", self.tolerance.to_string()),
-            ("--memory", self.memory.to_string()),
-        ];
-        arguments.extend(numbers.into_iter().flat_map(|(name, value)| [name.into(), value.into()]));
-        let flags =
-            [("--paper-kinds", self.paper_kinds), ("--axisymmetric", self.axisymmetric), ("--verify", self.verify)];
-        arguments.extend(flags.into_iter().filter(|(_, set)| *set).map(|(name, _)| name.into()));
-        arguments
     }
 }

@@ -2,7 +2,8 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use comfy_table::{LineStyle, Table, TableStyle};
+use comfy_table::Table;
+use recede::report::ruled;
 
 use super::workers::{Answer, Compared, Ended};
 
@@ -16,8 +17,6 @@ const CAUTION: f64 = 1000.0;
 const LOW_ACCURACY: f64 = 0.01;
 /// A stricter answer is not more accurate if its own estimate is larger than this part of the other.
 const UNSEEN: f64 = 0.1;
-const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
-const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
 
 /// The number of scenes for each status and reason.
 pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
@@ -44,15 +43,16 @@ pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
 pub(super) fn spread(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
     let mut table = table(["solved scenes", "least", "half", "90 %", "99 %", "most"]);
     let answers = || ended.iter().filter_map(|ended| Some((ended, ended.answer.as_ref()?)));
-    row(&mut table, "seconds", answers().map(|(ended, _)| ended.seconds).collect());
-    row(&mut table, "modes", answers().map(|(_, answer)| answer.modes as f64).collect());
-    row(&mut table, "wavenumbers", answers().map(|(_, answer)| answer.wavenumbers as f64).collect());
-    row(&mut table, "Newton steps", answers().map(|(_, answer)| answer.newton_steps as f64).collect());
-    row(&mut table, "a/H", answers().filter_map(|(_, answer)| answer.relative_half_length).collect());
-    row(&mut table, "estimated error", answers().filter_map(|(_, answer)| answer.worst).collect());
+    let mut add = |name: &str, values: Vec<f64>| row(&mut table, name, values, [0.0, 0.5, 0.9, 0.99, 1.0]);
+    add("seconds", answers().map(|(ended, _)| ended.seconds).collect());
+    add("modes", answers().map(|(_, answer)| answer.modes as f64).collect());
+    add("wavenumbers", answers().map(|(_, answer)| answer.wavenumbers as f64).collect());
+    add("Newton steps", answers().map(|(_, answer)| answer.newton_steps as f64).collect());
+    add("a/H", answers().filter_map(|(_, answer)| answer.relative_half_length).collect());
+    add("estimated error", answers().map(|(_, answer)| answer.worst).filter(|worst| worst.is_finite()).collect());
     writeln!(out, "{table}")?;
     let warned = answers().filter(|(_, answer)| answer.warned).count();
-    let low_accuracy = answers().filter(|(_, answer)| answer.worst.is_none_or(|worst| worst > LOW_ACCURACY)).count();
+    let low_accuracy = answers().filter(|(_, answer)| answer.worst.is_nan() || answer.worst > LOW_ACCURACY).count();
     writeln!(
         out,
         "{warned} of the solved scenes with a warning, {low_accuracy} with an estimated error above {:.0} %",
@@ -86,11 +86,11 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
         let of = |value: fn(&Compared) -> f64| {
             all().filter(|(_, one)| one.quantity == quantity).map(|(_, one)| value(one)).collect()
         };
-        let mut row = |name: &str, values: Vec<f64>| row_at(&mut table, name, values, [0.0, 0.5, 0.95, 0.99, 1.0]);
-        row(&format!("{quantity}: true"), of(|one| one.error.unwrap_or(f64::INFINITY)));
-        row(&format!("{quantity}: estimated"), of(|one| one.estimate));
-        row(&format!("{quantity}: true / estimated"), of(excess));
-        row(&format!("{quantity}: estimated / true"), of(|one| one.caution));
+        let mut add = |name: &str, values: Vec<f64>| row(&mut table, name, values, [0.0, 0.5, 0.95, 0.99, 1.0]);
+        add(&format!("{quantity}: true"), of(|one| one.error));
+        add(&format!("{quantity}: estimated"), of(|one| one.estimate));
+        add(&format!("{quantity}: true / estimated"), of(|one| one.excess));
+        add(&format!("{quantity}: estimated / true"), of(|one| one.caution));
     }
     writeln!(out, "{table}")?;
     let total = all().count().max(1);
@@ -101,12 +101,11 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
     // an answer that does not meet the tolerance may be as accurate as the stricter one
     let unseen = all().filter(|(_, one)| one.caution > CAUTION && one.blur > UNSEEN * one.estimate).count();
     writeln!(out, "{unseen} of these where the stricter answer has no smaller estimate")?;
-    let mut bold: Vec<_> = all().filter(|(_, one)| excess(one) > EXCESS).collect();
-    bold.sort_by(|(_, a), (_, b)| excess(b).total_cmp(&excess(a)));
+    let mut bold: Vec<_> = all().filter(|(_, one)| one.excess > EXCESS).collect();
+    bold.sort_by(|(_, a), (_, b)| b.excess.total_cmp(&a.excess));
     writeln!(out, "{} errors more than {EXCESS} times their estimate", bold.len())?;
     for (number, one) in bold.iter().take(2 * LISTED) {
         let Compared { interface, quantity, error, estimate, blur, .. } = one;
-        let error = error.unwrap_or(f64::INFINITY);
         writeln!(
             out,
             "  scene {number}, {quantity} at {interface}: error {error:.1e}, estimate {estimate:.1e}, \
@@ -116,24 +115,12 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
     Ok(())
 }
 
-/// True error over estimate; infinite where that is no number.
-fn excess(one: &Compared) -> f64 {
-    one.excess.unwrap_or(f64::INFINITY)
-}
-
 fn table<const N: usize>(header: [&str; N]) -> Table {
-    let mut table = Table::new();
-    table.load_style(RULES);
-    table.set_header(header);
-    table
-}
-
-fn row(table: &mut Table, name: &str, values: Vec<f64>) {
-    row_at(table, name, values, [0.0, 0.5, 0.9, 0.99, 1.0]);
+    ruled(header.map(|name| (name, "")))
 }
 
 /// A row of quantiles.
-fn row_at(table: &mut Table, name: &str, mut values: Vec<f64>, shares: [f64; 5]) {
+fn row(table: &mut Table, name: &str, mut values: Vec<f64>, shares: [f64; 5]) {
     values.sort_by(f64::total_cmp);
     let at = |share: f64| {
         let index = (share * values.len().saturating_sub(1) as f64).ceil() as usize;

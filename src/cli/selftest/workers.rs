@@ -1,8 +1,8 @@
-//! Worker processes, each of which solves scenes one after the other: a scene that takes too much memory or time ends its
-//! worker, and is counted as killed.
-use std::io::{self, BufRead, BufReader, Write};
-use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+//! Worker processes, each of which solves one scene: a scene that takes too much memory or time ends its worker, and is counted as
+//! killed.
+use std::io::{self, Read, Write};
+use std::process::{Command, Stdio};
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
@@ -40,8 +40,8 @@ pub(super) struct Answer {
     pub(super) newton_steps: usize,
     /// Half-length under the punch over thickness; `None` without layers.
     pub(super) relative_half_length: Option<f64>,
-    /// The largest of the relative error estimates; `None` if that is not finite.
-    pub(super) worst: Option<f64>,
+    /// The largest of the relative error estimates.
+    pub(super) worst: f64,
     pub(super) warned: bool,
 }
 
@@ -50,24 +50,24 @@ pub(super) struct Answer {
 pub(super) struct Compared {
     pub(super) interface: String,
     pub(super) quantity: String,
-    pub(super) error: Option<f64>,
+    pub(super) error: f64,
     pub(super) estimate: f64,
     pub(super) blur: f64,
-    pub(super) excess: Option<f64>,
+    pub(super) excess: f64,
     pub(super) caution: f64,
 }
 
 impl From<Comparison> for Compared {
     fn from(one: Comparison) -> Self {
-        // what is not finite is no number in JSON
-        let finite = |value: f64| value.is_finite().then_some(value);
+        // an error that is no number counts as infinite
+        let or_infinite = |value: f64| if value.is_nan() { f64::INFINITY } else { value };
         Self {
             interface: one.interface.to_string(),
             quantity: one.quantity.to_owned(),
-            error: finite(one.error),
+            error: or_infinite(one.error),
             estimate: one.estimate,
             blur: one.blur,
-            excess: finite(one.excess()),
+            excess: or_infinite(one.excess()),
             caution: one.caution(),
         }
     }
@@ -82,26 +82,19 @@ impl Ended {
 }
 
 impl Selftest {
-    /// Solves the scenes whose numbers are read from standard input, one per line; writes the result of each as a line of JSON.
+    /// Solves the scene whose number is the first line of standard input, and writes the result in RON, which has infinite numbers.
     pub(super) fn work(&self, out: &mut dyn Write) -> Result<(), Failure> {
         limit_memory(self.memory)?;
-        let (asked, numbers) = channel();
-        thread::Builder::new().spawn(move || {
-            let lines = io::stdin().lines().map_while(Result::ok);
-            for number in lines.map_while(|line| line.trim().parse().ok()) {
-                if asked.send(number).is_err() {
-                    return;
-                }
-            }
+        let mut number = String::new();
+        io::stdin().read_line(&mut number)?;
+        thread::Builder::new().spawn(|| {
             // whoever has asked is gone, and nobody waits for the scene that is being solved
-            leave();
+            if io::copy(&mut io::stdin(), &mut io::sink()).is_ok() {
+                leave();
+            }
         })?;
-        for number in numbers {
-            serde_json::to_writer(&mut *out, &self.one(number)?).map_err(io::Error::from)?;
-            writeln!(out)?;
-            out.flush()?;
-        }
-        Ok(())
+        let ended = self.one(number.trim().parse().map_err(io::Error::other)?)?;
+        Ok(write!(out, "{}", ron::to_string(&ended).map_err(io::Error::other)?)?)
     }
 
     fn one(&self, number: u64) -> Result<Ended, recede::Error> {
@@ -128,7 +121,7 @@ impl Selftest {
                 wavenumbers: solution.wavenumbers(),
                 newton_steps: solution.newton_steps(),
                 relative_half_length: (thickness > 0.0).then_some(first / thickness),
-                worst: worst.is_finite().then_some(worst),
+                worst,
                 warned: !solution.warnings().is_empty(),
             }
         });
@@ -146,81 +139,37 @@ impl Selftest {
     }
 }
 
-/// A worker process, started when it is first needed, and again after it was ended.
-pub(super) struct Worker<'a> {
-    selftest: &'a Selftest,
-    running: Option<Running>,
-}
-
-struct Running {
-    process: Child,
-    numbers: ChildStdin,
-    lines: Receiver<String>,
-}
-
-impl<'a> Worker<'a> {
-    pub(super) fn new(selftest: &'a Selftest) -> Self {
-        Self { selftest, running: None }
-    }
-
-    /// Solves one scene.
-    pub(super) fn run(&mut self, number: u64) -> Result<Ended, Failure> {
-        let mut running = match self.running.take() {
-            Some(running) => running,
-            None => Running::start(self.selftest)?,
-        };
-        let limit = Duration::from_secs(self.selftest.seconds);
-        let asked = writeln!(running.numbers, "{number}").and_then(|()| running.numbers.flush());
-        let answer =
-            if asked.is_ok() { running.lines.recv_timeout(limit) } else { Err(RecvTimeoutError::Disconnected) };
-        let reason = match answer {
-            Ok(line) => {
-                self.running = Some(running);
-                return Ok(serde_json::from_str(&line).map_err(io::Error::from)?);
-            }
-            Err(RecvTimeoutError::Timeout) => format!("longer than {} s", self.selftest.seconds),
-            Err(RecvTimeoutError::Disconnected) => format!("aborted, or more memory than {} MB", self.selftest.memory),
-        };
-        running.end();
-        Ok(Ended::killed(number, &reason, self.selftest.seconds as f64))
-    }
-}
-
-impl Drop for Worker<'_> {
-    fn drop(&mut self) {
-        if let Some(running) = self.running.take() {
-            running.end();
+/// Solves one scene in a process of its own.
+pub(super) fn run(selftest: &Selftest, number: u64) -> Result<Ended, Failure> {
+    // with the same options
+    let mut process = Command::new(std::env::current_exe()?)
+        .args(std::env::args_os().skip(1))
+        .arg("--worker")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()?;
+    let (Some(mut asked), Some(mut output)) = (process.stdin.take(), process.stdout.take()) else {
+        return Err(io::Error::other("a process without input and output").into());
+    };
+    let (found, answer) = channel();
+    thread::spawn(move || {
+        let mut text = String::new();
+        if output.read_to_string(&mut text).is_ok() {
+            let _ = found.send(text);
         }
-    }
-}
-
-impl Running {
-    fn start(selftest: &Selftest) -> Result<Self, Failure> {
-        let mut process = Command::new(std::env::current_exe()?)
-            .args(selftest.arguments())
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()?;
-        let (Some(numbers), Some(output)) = (process.stdin.take(), process.stdout.take()) else {
-            return Err(io::Error::other("a process without input and output").into());
-        };
-        let (found, lines) = channel();
-        thread::spawn(move || {
-            for line in BufReader::new(output).lines().map_while(Result::ok) {
-                if found.send(line).is_err() {
-                    return;
-                }
-            }
-        });
-        Ok(Self { process, numbers, lines })
-    }
-
-    fn end(mut self) {
-        // it may have ended by itself
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
+    });
+    // it may have ended by itself
+    let _ = writeln!(asked, "{number}");
+    let answer = answer.recv_timeout(Duration::from_secs(selftest.seconds));
+    let _ = process.kill();
+    let _ = process.wait();
+    let reason = match answer {
+        Ok(text) if !text.is_empty() => return Ok(ron::from_str(&text).map_err(io::Error::other)?),
+        Err(RecvTimeoutError::Timeout) => format!("longer than {} s", selftest.seconds),
+        _ => format!("aborted, or more memory than {} MB", selftest.memory),
+    };
+    Ok(Ended::killed(number, &reason, selftest.seconds as f64))
 }
 
 /// Ends this process at once, whatever its other threads do.
