@@ -297,6 +297,20 @@ fn stacks_are_fit_to_print() {
 }
 
 #[test]
+fn axes_reach_from_the_leftmost_to_the_rightmost_contact() {
+    let off_the_middle = scene(
+        "loads: [(load: Line, at: 5.5, force: 0.2), (load: Uniform(half_width: 0.2), at: 7, force: 0.8)], stack: [
+            Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 2, poisson: 0.3)]",
+    );
+    let labels = stack(&off_the_middle).labels();
+    let shows = |text: &str| labels.iter().any(|(label, _)| label == text);
+    assert!(
+        ["5", "6", "7", "8", "P = 1 in all"].iter().all(|text| shows(text)) && !shows("0") && !shows("10"),
+        "{labels:?}"
+    );
+}
+
+#[test]
 fn maps_are_fit_to_print() {
     let quantities = [FieldQuantity::MaxShear, FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::V];
     for (i, scene) in examples().chain([thin_coating(), many_layers(20)]).enumerate() {

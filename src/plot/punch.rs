@@ -5,7 +5,7 @@ use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
 use super::style::{INK, PUNCH, SMALL, TEXT};
-use crate::scene::{Loads, Pressed, Punches, Scene, Tilt, Top};
+use crate::scene::{Pressed, Punches, Scene, Tilt, Top};
 use crate::solution::Contact;
 
 /// Greatest height of the punch, in points.
@@ -40,13 +40,28 @@ pub(super) struct Presses<'a> {
 impl Presses<'_> {
     pub(super) fn draw(&self, picture: &mut Picture) {
         let mut names = of_top(self.scene);
-        match &self.scene.top {
-            Top::Loads(loads) => self.loads(loads, picture),
-            Top::Punches(punches) => {
-                let times = self.bodies(punches, picture);
-                names.extend(times.map(|times| format!("heights drawn × {}", label(times))));
+        let unit = after(self.scene, self.scene.force_dimension());
+        let force = format!("{} = {}{unit}", italic("P"), short(self.scene.force.given().unwrap_or(self.force)));
+        let (places, times): (Vec<f64>, _) = match &self.scene.top {
+            Top::Loads(loads) => {
+                self.loads(picture);
+                (loads.parts().map(|(_, at, _)| at).collect(), None)
             }
+            Top::Punches(punches) => {
+                let aside = |pressed: &Pressed| pressed.at() + aside(pressed);
+                (punches.parts().map(|(pressed, _)| aside(pressed)).collect(), self.bodies(punches, picture))
+            }
+        };
+        // beside its arrow, or with the names, where no arrow is, if it has several
+        match places[..] {
+            [at] if self.sees(self.x(at)) => {
+                let place = (self.x(at) + 9.0, self.top - HIGHEST - 15.0);
+                picture.text(place, &force, TEXT, INK, Anchor::Left);
+            }
+            [_] => {}
+            _ => names.push(force + " in all"),
         }
+        names.extend(times.map(|times| format!("heights drawn × {}", label(times))));
         // the last line just above the top face
         let lowest = self.top - APART - 2.0;
         for (i, name) in names.iter().rev().enumerate() {
@@ -57,8 +72,7 @@ impl Presses<'_> {
     /// All punches, each as far as half the way to its neighbours. Returns how much higher than to scale the highest is, if it is.
     fn bodies(&self, punches: &Punches, picture: &mut Picture) -> Option<f64> {
         let all: Vec<&Pressed> = punches.parts().map(|(pressed, _)| pressed).collect();
-        let between =
-            |one: &Pressed, other: &Pressed| self.middle + 0.5 * self.scale * (one.face()[1] + other.face()[0]);
+        let between = |one: &Pressed, other: &Pressed| self.x(0.5 * (one.face()[1] + other.face()[0]));
         let mut highest: Option<f64> = None;
         for (i, pressed) in all.iter().enumerate() {
             let before = i.checked_sub(1).and_then(|i| all.get(i));
@@ -67,16 +81,13 @@ impl Presses<'_> {
             let times = self.body(pressed, [from.max(self.ends.0), to.min(self.ends.1)], picture);
             highest = times.into_iter().chain(highest).reduce(f64::max);
         }
-        if (self.ends.0..=self.ends.1).contains(&self.middle) {
-            self.force(picture, if all.len() > 1 { " in all" } else { "" });
-        }
         highest
     }
 
     /// What is drawn of a punch between two places: to where it ends, or leaves the drawing above, turned if its angle is prescribed. Returns how
     /// much higher than to scale, if it is.
     fn body(&self, pressed: &Pressed, window: [f64; 2], picture: &mut Picture) -> Option<f64> {
-        let (scale, middle, punch) = (self.scale, self.middle + self.scale * pressed.at(), pressed.shape());
+        let (scale, middle, punch) = (self.scale, self.x(pressed.at()), pressed.shape());
         let [left, right] = window.map(|end| (end - middle) / scale);
         let angle = pressed.tilt().angle().unwrap_or(0.0);
         let ends = punch.ends();
@@ -109,22 +120,20 @@ impl Presses<'_> {
             outline.insert(0, corners[1]);
         }
         picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
-        let aside = if let Tilt::Free { eccentricity } = pressed.tilt() { eccentricity } else { 0.0 };
-        let force = middle + scale * aside;
-        if (self.ends.0..=self.ends.1).contains(&force) {
+        let force = middle + scale * aside(pressed);
+        if self.sees(force) {
             arrow(picture, force, roof - 4.0, 18.0);
         }
         (times > 1.0).then_some(times)
     }
 
     /// Pressures as curves with arrows, lines as arrows.
-    fn loads(&self, loads: &Loads, picture: &mut Picture) {
+    fn loads(&self, picture: &mut Picture) {
         let curves = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curves);
         let (left, right) = self.ends;
-        let place = |x: f64| self.middle + self.scale * x;
         for curve in &curves {
-            let at = |(x, p): &(f64, f64)| (place(*x).clamp(left, right), self.top - HIGHEST * p.min(most) / most);
+            let at = |(x, p): &(f64, f64)| (self.x(*x).clamp(left, right), self.top - HIGHEST * p.min(most) / most);
             let outline: Vec<(f64, f64)> = curve.iter().map(at).collect();
             picture.area(&outline, PUNCH);
             picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
@@ -139,20 +148,23 @@ impl Presses<'_> {
                 }
             }
         }
-        for x in lines(self.scene).into_iter().map(place).filter(|x| (left..=right).contains(x)) {
+        for x in lines(self.scene).into_iter().map(|x| self.x(x)).filter(|x| self.sees(*x)) {
             arrow(picture, x, self.top - 3.0, HIGHEST + 8.0);
         }
-        self.force(picture, if loads.parts().count() > 1 { " in all" } else { "" });
     }
 
-    fn force(&self, picture: &mut Picture, all: &str) {
-        let unit = after(self.scene, self.scene.force_dimension());
-        let given = self.scene.force.given();
-        let number = short(given.unwrap_or(self.force));
-        let text = format!("{} = {number}{unit}{all}", italic("P"));
-        let y = self.top - HIGHEST - 4.0 - 11.0;
-        picture.text((self.middle + 9.0, y), &text, TEXT, INK, Anchor::Left);
+    fn x(&self, x: f64) -> f64 {
+        self.middle + self.scale * x
     }
+
+    fn sees(&self, x: f64) -> bool {
+        (self.ends.0..=self.ends.1).contains(&x)
+    }
+}
+
+/// How far from the place of a punch its force acts.
+fn aside(pressed: &Pressed) -> f64 {
+    if let Tilt::Free { eccentricity } = pressed.tilt() { eccentricity } else { 0.0 }
 }
 
 /// How much higher than to scale a profile is drawn that rises by so many points: 1, or a round number.

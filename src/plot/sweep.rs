@@ -179,10 +179,7 @@ impl Curves<'_> {
         for point in self.points {
             let (x, y) = (number(point, self.along), number(point, plane.column));
             if point.warned && y.is_finite() {
-                let (x, y) = chart.place((x, y));
-                let turn = |k: i32| std::f64::consts::TAU * f64::from(k) / 16.0;
-                let ring: Vec<_> = (0..=16).map(turn).map(|phi| (x + 2.6 * phi.cos(), y + 2.6 * phi.sin())).collect();
-                picture.line(&ring, hair(INK));
+                picture.circle(chart.place((x, y)), 2.6, hair(INK));
             } else if !point.solved {
                 let (x, y) = (chart.place((x, 0.0)).0, frame.bottom - 5.0);
                 picture.line(&[(x - 2.5, y - 2.5), (x + 2.5, y + 2.5)], hair(INK));
