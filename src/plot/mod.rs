@@ -26,7 +26,6 @@ mod chart;
 mod contour;
 mod depths;
 mod file;
-mod heat;
 mod letters;
 mod map;
 mod names;
