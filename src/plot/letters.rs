@@ -15,9 +15,6 @@ static FONTS: LazyLock<Vec<Font<'static>>> =
 const MIDDLE: f64 = 0.27;
 /// Size of an index, and how far it is lowered, in heights of the font.
 const INDEX: [f64; 2] = [0.7, 0.14];
-/// How far letters reach above and below the middle of a small letter, in heights of the font.
-pub(super) const REACH: [f64; 2] = [0.5, 0.5];
-
 /// A letter of one of the two fonts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Letter {

@@ -7,14 +7,13 @@ use super::names::{self, Dimension, after, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke, WHITE, italic};
 use super::punch::Presses;
 use super::scale::{Scale, short};
-use super::section::{self, contacts_at, hatching, interface};
+use super::section::{self, WIDTH, contacts_at, hatching, interface};
 use super::style::{INK, SMALL};
 use crate::field::{Field, FieldPoint, FieldQuantity, Grid, Point};
 use crate::scene::{Punch, Scene};
 use crate::solution::Solution;
 
-/// Width of the map, and its least and greatest height, in points.
-const WIDTH: f64 = 340.0;
+/// Least and greatest height of the map, in points.
 const HEIGHTS: [f64; 2] = [75.0, 380.0];
 /// Least height of the scale of colours, in points, and its distance from the labels beside the map.
 const BAR: f64 = 150.0;
@@ -202,10 +201,10 @@ impl Map<'_> {
         if self.chart.y.ends().0 <= 0.0 {
             let ((middle, _), (one, _)) = (self.chart.place((0.0, 0.0)), self.chart.place((1.0, 0.0)));
             let (scene, force, contact) = (self.scene, self.solution.force(), self.solution.contacts().first());
-            Presses { scene, force, contact, scale: one - middle, middle, top, ends: (left, right) }.draw(&mut picture);
+            Presses { scene, force, contact, scale: one - middle, middle }.draw(&mut picture);
         }
         if self.on_ground {
-            hatching(&mut picture, (left, right), bottom);
+            hatching(&mut picture, bottom);
         }
         let beside = right + self.interfaces(&mut picture);
         let ground = if self.on_ground { GROUND } else { 0.0 };
@@ -244,9 +243,9 @@ impl Map<'_> {
     /// Bonded ones thin; receding ones bold where there is contact, dashed where they have opened; and how far their labels reach
     /// to the right.
     fn interfaces(&self, picture: &mut Picture) -> f64 {
-        let Frame { left, right, top, bottom } = self.chart.frame;
+        let Frame { top, bottom, .. } = self.chart.frame;
         let (contacts, (first, last)) = (self.solution.contacts(), self.chart.y.ends());
-        let symbols = symbols(&contacts.iter().map(|contact| contact.interface).collect::<Vec<_>>());
+        let symbols = symbols(contacts.iter().map(|contact| contact.interface));
         let height = |depth: f64| self.chart.place((0.0, depth.clamp(first, last))).1;
         let touching = Stroke { colour: INK, width: 2.4, dash: None };
         let mut labels: Vec<(f64, String)> = Vec::new();
@@ -264,10 +263,10 @@ impl Map<'_> {
                 continue;
             }
             let place = |x: f64| self.chart.place((x, 0.0)).0;
-            interface(picture, found.map(|i| &contacts[i]), [left, right, height(depth)], place, touching);
+            interface(picture, found.map(|i| &contacts[i]), height(depth), place, touching);
             labels.extend(found.map(|i| (height(depth), names::reach(self.scene, &contacts[i], &symbols[i].0))));
         }
-        section::labels(picture, labels, (right, Anchor::Left), [top, bottom], "labels")
+        section::labels(picture, labels, Anchor::Left, [top, bottom], "labels")
     }
 
     fn shows(&self, x: f64, depth: f64) -> bool {

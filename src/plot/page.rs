@@ -1,6 +1,6 @@
 //! The page of a picture: as large as what is drawn on it, with a title on request, and nothing over anything else.
 use super::chart::Frame;
-use super::letters::{REACH, shortened, width};
+use super::letters::shortened;
 use super::picture::{Anchor, Picture, Shape, plain};
 use super::style::{INK, TITLE};
 use crate::scene::visible;
@@ -23,15 +23,6 @@ impl Frame {
         })
     }
 
-    fn of_points<'a>(points: impl IntoIterator<Item = &'a (f64, f64)>, margin: f64) -> Option<Self> {
-        Self::around(points.into_iter().map(|(x, y)| Self {
-            left: x - margin,
-            top: y - margin,
-            right: x + margin,
-            bottom: y + margin,
-        }))
-    }
-
     fn overlaps(&self, other: &Self) -> bool {
         let shared = |from: f64, to: f64| to - from > TOUCHING;
         shared(self.left.max(other.left), self.right.min(other.right))
@@ -42,25 +33,11 @@ impl Frame {
 impl Shape {
     /// What it covers; `None` if that is nothing.
     fn frame(&self) -> Option<Frame> {
-        match self {
-            Self::Line { points, stroke } => Frame::of_points(points, 0.5 * stroke.width),
-            Self::Area { rings, .. } => Frame::of_points(rings.iter().flatten(), 0.0),
-            Self::Text { text, .. } if plain(text).trim().is_empty() => None,
-            Self::Text { at: (x, y), text, size, anchor, .. } => {
-                let long = width(text, *size);
-                let [above, below] = REACH.map(|reach| reach * size);
-                let left = match anchor {
-                    Anchor::Left => *x,
-                    Anchor::Right => x - long,
-                    Anchor::Centre => x - 0.5 * long,
-                    Anchor::Upwards => {
-                        let (top, bottom) = (y - 0.5 * long, y + 0.5 * long);
-                        return Some(Frame { left: x - above, top, right: x + below, bottom });
-                    }
-                };
-                Some(Frame { left, top: y - above, right: left + long, bottom: y + below })
-            }
-        }
+        let beside = if let Self::Line { stroke, .. } = self { 0.5 * stroke.width } else { 0.0 };
+        let bounds = self.path()?.bounds();
+        let [left, top] = [bounds.left(), bounds.top()].map(|end| f64::from(end) - beside);
+        let [right, bottom] = [bounds.right(), bounds.bottom()].map(|end| f64::from(end) + beside);
+        Some(Frame { left, top, right, bottom })
     }
 
     fn shift(&mut self, (right, down): (f64, f64)) {

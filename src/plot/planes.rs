@@ -25,7 +25,7 @@ pub(super) struct Plane {
 pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
     let scene = sweep.scene();
     let interfaces = sweep.interfaces();
-    let symbols = symbols(interfaces);
+    let symbols = symbols(interfaces.iter().copied());
     let mut planes = Vec::new();
     for (i, (interface, (length, pressure))) in interfaces.iter().zip(&symbols).enumerate().take(CONTACTS) {
         let column = |name: &str| {

@@ -6,14 +6,12 @@ use super::picture::{Anchor, Colour, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::punch::Presses;
 use super::scale::{Scale, short};
-use super::section::{self, contacts_at, hatching, interface};
+use super::section::{self, WIDTH, contacts_at, hatching, interface};
 use super::style::{INK, SMALL, curve};
 use crate::scene::Scene;
 use crate::solution::{Contact, Interval, Solution};
 use crate::stack::{Group, Placed, Stack};
 
-/// Width of the drawing, without what is left and right of it, in points.
-const WIDTH: f64 = 340.0;
 /// Greatest height of the layers together, in points.
 const HIGHEST: f64 = 190.0;
 /// Height of the plane of the pressures, and how far below the drawing it begins, in points.
@@ -59,7 +57,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
         stack,
         layers,
         contacts: solution.contacts(),
-        symbols: symbols(&solution.contacts().iter().map(|contact| contact.interface).collect::<Vec<_>>()),
+        symbols: symbols(solution.contacts().iter().map(|contact| contact.interface)),
         middle,
         scale,
         bottom: base.unwrap_or(depths.height() + GROUND),
@@ -71,7 +69,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
         picture.text((0.0, drawing.bottom + 8.0), &note, SMALL, INK, Anchor::Left);
     }
     let (force, contact, middle) = (solution.force(), drawing.contacts.first(), drawing.x(0.0));
-    Presses { scene, force, contact, scale, middle, top: 0.0, ends: (0.0, WIDTH) }.draw(&mut picture);
+    Presses { scene, force, contact, scale, middle }.draw(&mut picture);
     drawing.interfaces(&mut picture);
     drawing.pressures(&mut picture);
     picture.fitted()
@@ -131,12 +129,12 @@ impl Drawing<'_> {
         }
         let (foundation, lowest) = (self.stack.base().foundation(), self.heights[self.heights.len() - 1]);
         if foundation.half_plane().is_none() {
-            hatching(picture, (0.0, WIDTH), lowest);
+            hatching(picture, lowest);
             let support = foundation.support().map(|(_, support)| support.notation());
             let name = support.map(|notation| format!("{}, {}", notation.kind, notation.parameters));
             labels.push((lowest + 0.5 * GROUND, name.unwrap_or("rigid".to_owned())));
         }
-        section::labels(picture, labels, (WIDTH, Anchor::Left), [0.0, self.bottom], "layers");
+        section::labels(picture, labels, Anchor::Left, [0.0, self.bottom], "layers");
     }
 
     fn varies(&self, placed: &Placed) -> bool {
@@ -169,9 +167,9 @@ impl Drawing<'_> {
             let contact = found.map(|i| &self.contacts[i]);
             let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), self.contacts.len()) };
             if is_ground && face == self.layers.len() {
-                interface(picture, None, [0.0, WIDTH, *y], |x| self.x(x), touching);
+                interface(picture, None, *y, |x| self.x(x), touching);
             }
-            interface(picture, contact, [0.0, WIDTH, *y], |x| self.x(x), touching);
+            interface(picture, contact, *y, |x| self.x(x), touching);
             for end in contact
                 .map_or(&[][..], Contact::intervals)
                 .iter()
@@ -184,7 +182,7 @@ impl Drawing<'_> {
                 labels.push((*y, names::reach(self.scene, &self.contacts[i], &self.symbols[i].0)));
             }
         }
-        section::labels(picture, labels, (0.0, Anchor::Right), [0.0, self.bottom], "contacts");
+        section::labels(picture, labels, Anchor::Right, [0.0, self.bottom], "contacts");
     }
 
     /// The pressures over x, below the contacts where they act: in parts of their largest, if these are very different.

@@ -10,36 +10,18 @@ use super::strategy::drawn;
 use crate::errors::Error;
 use crate::scene::{Item, Scene};
 
+macro_rules! scenes {
+    ($($name:literal)*) => { [$(include_str!(concat!("../../examples/scenes/", $name, ".ron"))),*] };
+}
+
 /// The scenes that ship with the program.
-pub const EXAMPLES: [&str; 27] = [
-    include_str!("../../examples/scenes/blunt_power.ron"),
-    include_str!("../../examples/scenes/bonded_coating.ron"),
-    include_str!("../../examples/scenes/bonded_to_rigid.ron"),
-    include_str!("../../examples/scenes/elastic_roller.ron"),
-    include_str!("../../examples/scenes/glued_coating.ron"),
-    include_str!("../../examples/scenes/graded_by_a_table.ron"),
-    include_str!("../../examples/scenes/hertz.ron"),
-    include_str!("../../examples/scenes/line_load.ron"),
-    include_str!("../../examples/scenes/measured_punch.ron"),
-    include_str!("../../examples/scenes/orthotropic_ply.ron"),
-    include_str!("../../examples/scenes/plate_on_springs.ron"),
-    include_str!("../../examples/scenes/polynomial_punch.ron"),
-    include_str!("../../examples/scenes/prescribed_half_length.ron"),
-    include_str!("../../examples/scenes/prescribed_depth.ron"),
-    include_str!("../../examples/scenes/rounded_flat.ron"),
-    include_str!("../../examples/scenes/sharp_flat.ron"),
-    include_str!("../../examples/scenes/sliding_leaves.ron"),
-    include_str!("../../examples/scenes/soil.ron"),
-    include_str!("../../examples/scenes/stiffening_ground.ron"),
-    include_str!("../../examples/scenes/strip_fgm_half_plane.ron"),
-    include_str!("../../examples/scenes/strip_on_rigid.ron"),
-    include_str!("../../examples/scenes/table1_strip_half_plane.ron"),
-    include_str!("../../examples/scenes/table2_graded_half_plane.ron"),
-    include_str!("../../examples/scenes/two_strips.ron"),
-    include_str!("../../examples/scenes/two_wheels.ron"),
-    include_str!("../../examples/scenes/uniform_load.ron"),
-    include_str!("../../examples/scenes/wedge.ron"),
-];
+pub const EXAMPLES: [&str; 27] = scenes! {
+    "blunt_power" "bonded_coating" "bonded_to_rigid" "elastic_roller" "glued_coating" "graded_by_a_table" "hertz"
+    "line_load" "measured_punch" "orthotropic_ply" "plate_on_springs" "polynomial_punch" "prescribed_half_length"
+    "prescribed_depth" "rounded_flat" "sharp_flat" "sliding_leaves" "soil" "stiffening_ground" "strip_fgm_half_plane"
+    "strip_on_rigid" "table1_strip_half_plane" "table2_graded_half_plane" "two_strips" "two_wheels" "uniform_load"
+    "wedge"
+};
 
 /// Most changes of structure and of numbers.
 const STRUCTURE: usize = 3;
