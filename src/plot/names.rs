@@ -7,9 +7,6 @@ pub(super) use crate::scene::Dimension;
 use crate::scene::{Load, Loads, Punch, Scene, Units};
 use crate::solution::{Contact, Interface};
 
-/// Small figures, for indices.
-const INDICES: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
-
 /// Labels of units that are longer are cut.
 const LONGEST: usize = 12;
 
@@ -169,10 +166,9 @@ pub(super) fn symbols(interfaces: impl Iterator<Item = Interface>) -> Vec<(Strin
     symbols.collect()
 }
 
-/// A number in small figures.
+/// A number in small figures, for indices.
 pub(super) fn index(number: usize) -> String {
-    let figure = |c: char| Some(INDICES[c.to_digit(10)? as usize]);
-    number.to_string().chars().filter_map(figure).collect()
+    number.to_string().chars().filter_map(|c| char::from_u32(u32::from('₀') + c.to_digit(10)?)).collect()
 }
 
 /// What stands at a path of a scene: a name with a symbol where there is a usual one, and its dimension.
@@ -233,18 +229,6 @@ mod tests {
         assert_eq!(of_path("force").1, Dimension::LINE_LOAD);
         assert_eq!(of_path("layer[1].own_number").0, "own number₁");
         assert_eq!(of_path("punch.heights[2]"), ("height 2".to_owned(), Dimension::LENGTH));
-    }
-
-    #[test]
-    fn an_axis_has_its_own_words() {
-        let round = scene("Axisymmetric", "punch: Cone(slope: 0.1)");
-        assert_eq!(of_path(&round, "force").1, Dimension::FORCE);
-        assert_eq!(of_path(&round, "half_length").0, format!("contact radius {}", italic("a")));
-        assert_eq!(of_top(&round), ["cone", "slope 0.1"]);
-        let name = |quantity| of_quantity(quantity, Geometry::Axisymmetric).0;
-        assert_eq!(name(FieldQuantity::V), format!("displacement {}{}", italic("u"), subscript("z")));
-        assert_eq!(name(FieldQuantity::SigmaXy), format!("stress {}{}", italic("τ"), subscript("rz")));
-        assert_eq!(name(FieldQuantity::SigmaZz), format!("stress {}{}", italic("σ"), subscript("θθ")));
     }
 
     #[test]

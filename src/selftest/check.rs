@@ -67,9 +67,9 @@ impl Check {
             Ok(Ok((solution, None))) => Outcome::Solved(Box::new(solution)),
             Ok(Err(error)) => Outcome::Unsolved(error),
             Err(panic) => {
-                let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
-                let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
-                Outcome::Panicked(text.unwrap_or_else(|| "without a message".to_owned()))
+                let text = panic.downcast_ref::<String>().map(String::as_str);
+                let text = text.or_else(|| panic.downcast_ref().copied()).unwrap_or("without a message");
+                Outcome::Panicked(text.to_owned())
             }
         };
         Self { outcome, seconds }
@@ -102,11 +102,11 @@ impl Outcome {
 
     /// Why there is no answer; the same words for the same cause, numbers left out. Empty if there is one.
     pub fn reason(&self) -> String {
-        match self {
+        without_numbers(&match self {
             Self::Solved(_) => String::new(),
-            Self::Unsolved(error) => without_numbers(&error.to_string()),
-            Self::Wrong(text) | Self::Panicked(text) => without_numbers(text),
-        }
+            Self::Unsolved(error) => error.to_string(),
+            Self::Wrong(text) | Self::Panicked(text) => text.clone(),
+        })
     }
 
     /// The contact that the reason names.

@@ -46,13 +46,6 @@ enum Structure {
     BaseAlone,
 }
 
-/// What becomes of a number of a scene.
-#[derive(Clone, Copy, Debug)]
-enum Number {
-    Times(f64),
-    Is(f64),
-}
-
 /// One of the example scenes, changed: the same seed and number give the same scene.
 ///
 /// # Errors
@@ -66,13 +59,10 @@ pub fn variant(seed: u64, number: u64) -> Result<Scene, Error> {
         // a change that makes the scene illegal is left out
         scene = changed(&scene, change).unwrap_or(scene);
     }
-    for (place, change) in numbers {
+    for (place, (factor, more)) in numbers {
         let paths = scene.paths();
         let path = place.get(&paths);
-        let new = match change {
-            Number::Is(value) => value,
-            Number::Times(factor) => factor * scene.number(path).unwrap_or(1.0),
-        };
+        let new = factor * scene.number(path).unwrap_or(1.0) + more;
         scene = scene.with(path, new).map_err(Error::from).and_then(checked).unwrap_or(scene);
     }
     Ok(scene)
@@ -97,15 +87,16 @@ fn structure() -> impl Strategy<Value = Structure> {
     ]
 }
 
-fn new_number() -> impl Strategy<Value = Number> {
-    let decades = |range: std::ops::Range<f64>| range.prop_map(|power| Number::Times(10f64.powf(power)));
+/// A factor of a number, and what is added to it.
+fn new_number() -> impl Strategy<Value = (f64, f64)> {
+    let decades = |range: std::ops::Range<f64>| range.prop_map(|power| (10f64.powf(power), 0.0));
     prop_oneof![
         8 => decades(-1.0..1.0),
         4 => decades(-4.0..4.0),
         1 => decades(-12.0..12.0),
-        1 => Just(Number::Is(0.0)),
-        1 => Just(Number::Is(0.5)),
-        1 => Just(Number::Times(-1.0)),
+        1 => Just((0.0, 0.0)),
+        1 => Just((0.0, 0.5)),
+        1 => Just((-1.0, 0.0)),
     ]
 }
 
