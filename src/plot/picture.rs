@@ -1,7 +1,4 @@
 //! What is drawn on: lines, areas and text, in points, y downwards.
-use tiny_skia::{Path, PathBuilder, Transform};
-
-use super::letters::{PlacedLetter, letters};
 use crate::scene::visible;
 
 /// Where italics begin and end.
@@ -63,38 +60,6 @@ pub(super) enum Shape {
     Line { points: Vec<(f64, f64)>, stroke: Stroke },
     Area { rings: Vec<Vec<(f64, f64)>>, colour: Colour },
     Text { at: (f64, f64), text: String, size: f64, colour: Colour, anchor: Anchor },
-}
-
-impl Shape {
-    /// Its path in points, which is stroked for a line and filled for an area or a text; `None` if it has no extent.
-    pub(super) fn path(&self) -> Option<Path> {
-        let mut path = PathBuilder::new();
-        match self {
-            Self::Line { points, .. } => through(&mut path, points),
-            Self::Area { rings, .. } => rings.iter().for_each(|ring| {
-                through(&mut path, ring);
-                path.close();
-            }),
-            Self::Text { at: (x, y), text, size, anchor, .. } => {
-                let turn = if *anchor == Anchor::Upwards { -90.0 } else { 0.0 };
-                let place = Transform::from_translate(*x as f32, *y as f32).pre_rotate(turn);
-                for PlacedLetter { letter, scale, at: (x, y) } in letters(text, *size, *anchor) {
-                    let own = place.pre_translate(x as f32, y as f32).pre_scale(scale as f32, -scale as f32);
-                    if let Some(outline) = letter.outline().and_then(|outline| outline.transform(own)) {
-                        path.push_path(&outline);
-                    }
-                }
-            }
-        }
-        path.finish()
-    }
-}
-
-/// Lines from the first point through all others.
-fn through(path: &mut PathBuilder, points: &[(f64, f64)]) {
-    for (i, (x, y)) in points.iter().map(|(x, y)| (*x as f32, *y as f32)).enumerate() {
-        if i == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
-    }
 }
 
 /// A symbol, set in italics.
