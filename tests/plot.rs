@@ -297,6 +297,14 @@ fn stacks_are_fit_to_print() {
 }
 
 #[test]
+fn axes_reach_from_the_leftmost_to_the_rightmost_load() {
+    let loads = "loads: [(load: Line, at: 5.5, force: 0.2), (load: Line, at: 7, force: 0.8)]";
+    let labels = stack(&scene(&format!("{loads}, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]"))).labels();
+    let all = ["5.5", "6.0", "7.0", "P = 1 in all"].iter().all(|text| labels.iter().any(|(label, _)| label == text));
+    assert!(all && !labels.iter().any(|(label, _)| label.starts_with('−')), "{labels:?}");
+}
+
+#[test]
 fn maps_are_fit_to_print() {
     let quantities = [FieldQuantity::MaxShear, FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::V];
     for (i, scene) in examples().chain([thin_coating(), many_layers(20)]).enumerate() {

@@ -180,11 +180,13 @@ impl Field {
     fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
         let (from, to) = field.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
         let layers = if to.is_finite() { to } else { from };
+        let [left, right] = solution.ends();
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         // under a line load alone: the thickness of the layers, or 1 on a half-plane, which has no length of its own
-        let longest = solution.extent().unwrap_or(if layers > 0.0 { layers } else { 1.0 });
+        let longest = [half, layers].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
         let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;
-        let xs = self.x.unwrap_or(Steps { start: -beside, stop: beside, count: columns });
+        let xs = self.x.unwrap_or(Steps { start: middle - beside, stop: middle + beside, count: columns });
         let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last.min(BELOW * longest), count: rows });
         [xs.numbers(), depths.numbers()]
     }

@@ -1,17 +1,14 @@
 //! A quantity over a plane in bands of colour, and the scale that says which colour is which value.
-use super::chart::Frame;
+use super::chart::upright_axis;
 use super::contour::rings;
-use super::letters::width;
 use super::picture::{Anchor, Colour, Picture};
 use super::scale::Scale;
-use super::style::{INK, NEUTRAL, SMALL, TEXT, hair, heat, signed};
+use super::style::{INK, NEUTRAL, hair, heat, signed};
 
 /// Fewest bands of colour.
 const BANDS: usize = 10;
 /// Width of the scale of colours, in points.
 pub(super) const BAR: f64 = 12.0;
-/// Parts of a cell of the grid that lie on its border.
-const BORDER: f64 = 1e-6;
 /// Values below this part of the largest are zero, however small their error is.
 const ZERO: f64 = 1e-9;
 /// A line of zeros separates both signs within this number of places of the grid: one on each side of those that it lies between, since
@@ -96,26 +93,17 @@ impl Bands {
         }
     }
 
-    /// The scale of colours, from the left upper corner down; and how far it reaches to the right.
-    pub(super) fn bar(&self, picture: &mut Picture, (left, top): (f64, f64), bottom: f64, title: &str) -> f64 {
-        let frame = Frame { left, top, right: left + BAR, bottom };
+    /// The scale of colours, from the left upper corner down.
+    pub(super) fn bar(&self, picture: &mut Picture, (left, top): (f64, f64), bottom: f64, title: &str) {
+        let right = left + BAR;
         let height = |value: f64| bottom - self.scale.share(value) * (bottom - top);
         for index in 0..=self.edges.len() {
             let from = if index == 0 { bottom } else { height(self.edges[index - 1]) };
-            picture.rectangle((left, from), (frame.right, top), self.colour(index));
+            picture.rectangle((left, from), (right, top), self.colour(index));
         }
-        let corners = [(left, top), (frame.right, top), (frame.right, bottom), (left, bottom), (left, top)];
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
         picture.line(&corners, hair(INK));
-        let mut widest: f64 = 0.0;
-        for tick in self.scale.ticks() {
-            let y = height(tick.value);
-            picture.line(&[(frame.right, y), (frame.right + 3.0, y)], hair(INK));
-            picture.text((frame.right + 6.0, y), &tick.label, SMALL, INK, Anchor::Left);
-            widest = widest.max(width(&tick.label, SMALL));
-        }
-        let beside = frame.right + 12.0 + widest + 0.5 * TEXT;
-        picture.text((beside, 0.5 * (top + bottom)), title, TEXT, INK, Anchor::Upwards);
-        beside + 0.5 * TEXT
+        upright_axis(picture, &self.scale, [right, top, bottom], Anchor::Left, title);
     }
 }
 
@@ -123,11 +111,7 @@ impl Bands {
 /// border, and have both signs beside them.
 fn lines(ring: &[(f64, f64)], values: &[f64], columns: usize) -> Vec<Vec<(f64, f64)>> {
     let rows = values.len() / columns;
-    let [right, bottom] = [columns - 1, rows - 1].map(|last| last as f64);
-    let on = |a: f64, b: f64, border: f64| (a - border).abs() < BORDER && (b - border).abs() < BORDER;
-    let along = |a: (f64, f64), b: (f64, f64)| {
-        on(a.0, b.0, 0.0) || on(a.0, b.0, right) || on(a.1, b.1, 0.0) || on(a.1, b.1, bottom)
-    };
+    let on_border = |a: f64, b: f64, count: usize| a == b && (a == 0.0 || a == (count - 1) as f64);
     let beside = |at: f64, count: usize| {
         (at.floor() as usize).saturating_sub(BESIDE)..(at.ceil() as usize + BESIDE + 1).min(count)
     };
@@ -136,21 +120,14 @@ fn lines(ring: &[(f64, f64)], values: &[f64], columns: usize) -> Vec<Vec<(f64, f
             || beside(y, rows).flat_map(|row| beside(x, columns).map(move |column| values[row * columns + column]));
         values().any(|value| value < 0.0) && values().any(|value| value > 0.0)
     };
-    let mut lines: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
-    for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-        match lines.last_mut() {
-            Some(line) if !along(*from, *to) && signs(*from) && signs(*to) => {
-                if line.is_empty() {
-                    line.push(*from);
-                }
-                line.push(*to);
-            }
-            Some(line) if !line.is_empty() => lines.push(Vec::new()),
-            _ => {}
-        }
-    }
-    lines.retain(|line| !line.is_empty());
+    let is_left_out = |(from, to): &(&(f64, f64), &(f64, f64))| {
+        on_border(from.0, to.0, columns) || on_border(from.1, to.1, rows) || !signs(**from) || !signs(**to)
+    };
+    let pieces: Vec<_> = ring.iter().zip(ring.iter().cycle().skip(1)).collect();
+    let lines = pieces.split(is_left_out).filter(|line| !line.is_empty());
     lines
+        .map(|line| line[..1].iter().map(|(from, _)| **from).chain(line.iter().map(|(_, to)| **to)).collect())
+        .collect()
 }
 
 /// The value at a place between the values of a list.

@@ -4,84 +4,56 @@
 /// number of rings. What is not a number is outside. Places are counted in columns and rows, with fractions between them;
 /// `values` has one row after the other.
 pub(super) fn rings(values: &[f64], columns: usize, edge: f64) -> Vec<Vec<(f64, f64)>> {
-    Squares { values, columns, rows: values.len() / columns, edge }.rings()
+    // a margin all around that is nowhere inside closes the rings: corner (i, j) is the place (i - 1, j - 1)
+    let (width, rows) = (columns + 2, values.len() / columns);
+    let mut corners = vec![f64::NAN; width * (rows + 2)];
+    for (j, row) in values.chunks_exact(columns).enumerate() {
+        let first = (j + 1) * width + 1;
+        corners[first..first + columns].copy_from_slice(row);
+    }
+    // a ring crosses a side in proportion to the values, next to what is not a number in the middle, and the margin on the border
+    let crossing = |side: usize| {
+        let (from, is_across) = (side / 2, side.is_multiple_of(2));
+        let to = from + if is_across { 1 } else { width };
+        let share = (edge - corners[from]) / (corners[to] - corners[from]);
+        let share = if share.is_finite() { share } else { 0.5 };
+        let [right, down] = if is_across { [share, 0.0] } else { [0.0, share] };
+        let place = |at: f64, count: usize| (at - 1.0).clamp(0.0, (count - 1) as f64);
+        (place((from % width) as f64 + right, columns), place((from / width) as f64 + down, rows))
+    };
+    let mut next = crossings(&corners, width, edge);
+    let mut rings = Vec::new();
+    for first in 0..next.len() {
+        let (mut ring, mut side) = (Vec::new(), first);
+        while let Some(following) = next[side].take() {
+            ring.push(crossing(side));
+            side = following;
+        }
+        if !ring.is_empty() {
+            rings.push(ring);
+        }
+    }
+    rings
 }
 
-/// The grid with a margin all around that is nowhere inside, so that all rings are closed: corner (i, j) is the place
-/// (i - 1, j - 1), and the margin lies upon the border.
-struct Squares<'a> {
-    values: &'a [f64],
-    columns: usize,
-    rows: usize,
-    edge: f64,
-}
-
-impl Squares<'_> {
-    fn rings(&self) -> Vec<Vec<(f64, f64)>> {
-        let mut next = self.crossings();
-        let mut rings = Vec::new();
-        for first in 0..next.len() {
-            let (mut ring, mut side) = (Vec::new(), first);
-            while let Some(following) = next[side].take() {
-                ring.push(self.crossing(side));
-                side = following;
-            }
-            if !ring.is_empty() {
-                rings.push(ring);
-            }
+/// Of each side between two corners that a ring crosses, the one that it crosses next. Side 2k goes from corner k to the
+/// right, side 2k + 1 down.
+fn crossings(corners: &[f64], width: usize, edge: f64) -> Vec<Option<usize>> {
+    let mut next = vec![None; 2 * corners.len()];
+    // the margin on the right and below begins no square
+    for corner in (0..corners.len() - width).filter(|corner| (corner + 1) % width != 0) {
+        // clockwise
+        let inside = [corner, corner + 1, corner + width + 1, corner + width].map(|corner| corners[corner] >= edge);
+        let sides = [2 * corner, 2 * (corner + 1) + 1, 2 * (corner + width), 2 * corner + 1];
+        let leaves = |k: &usize| inside[*k] && !inside[(k + 1) % 4];
+        let enters = |k: &usize| !inside[*k] && inside[(k + 1) % 4];
+        for k in (0..4).filter(leaves) {
+            // of four crossings each ring takes the next: opposite corners that are inside belong together
+            let entry = (1..4).map(|step| (k + step) % 4).find(enters);
+            next[sides[k]] = entry.map(|entry| sides[entry]);
         }
-        rings
     }
-
-    /// Of each side between two corners that a ring crosses, the one that it crosses next. Side 2k goes from corner k to the
-    /// right, side 2k + 1 down.
-    fn crossings(&self) -> Vec<Option<usize>> {
-        let width = self.columns + 2;
-        let mut next = vec![None; 2 * width * (self.rows + 2)];
-        for (i, j) in (0..=self.rows).flat_map(|j| (0..=self.columns).map(move |i| (i, j))) {
-            let corner = j * width + i;
-            // clockwise
-            let inside = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|corner| self.is_inside(corner));
-            let sides = [2 * corner, 2 * (corner + 1) + 1, 2 * (corner + width), 2 * corner + 1];
-            let leaves = |k: &usize| inside[*k] && !inside[(k + 1) % 4];
-            let enters = |k: &usize| !inside[*k] && inside[(k + 1) % 4];
-            for k in (0..4).filter(leaves) {
-                // of four crossings each ring takes the next: opposite corners that are inside belong together
-                let entry = (1..4).map(|step| (k + step) % 4).find(enters);
-                next[sides[k]] = entry.map(|entry| sides[entry]);
-            }
-        }
-        next
-    }
-
-    fn is_inside(&self, (i, j): (usize, usize)) -> bool {
-        let within = (1..=self.columns).contains(&i) && (1..=self.rows).contains(&j);
-        within && self.value(i, j) >= self.edge
-    }
-
-    fn value(&self, i: usize, j: usize) -> f64 {
-        self.values[(j - 1) * self.columns + i - 1]
-    }
-
-    /// Where a ring crosses a side: in proportion to the values, or on the border.
-    fn crossing(&self, side: usize) -> (f64, f64) {
-        let (corner, width) = (side / 2, self.columns + 2);
-        let (i, j) = (corner % width, corner / width);
-        let (right, down) = if side.is_multiple_of(2) { (1, 0) } else { (0, 1) };
-        let margin = i == 0 || j == 0 || i + right > self.columns || j + down > self.rows;
-        let share = if margin {
-            0.0
-        } else {
-            let (from, to) = (self.value(i, j), self.value(i + right, j + down));
-            let share = (self.edge - from) / (to - from);
-            // next to what is not a number
-            if share.is_finite() { share } else { 0.5 }
-        };
-        let place = |corner: usize, step: usize, count: usize| {
-            (corner as f64 + share * step as f64 - 1.0).clamp(0.0, (count - 1) as f64)
-        };
-        (place(i, right, self.columns), place(j, down, self.rows))
-    }
+    next
 }
 
 #[cfg(test)]

@@ -32,18 +32,22 @@ impl Depths {
         } else {
             low = scale * (lowest / height(scale).max(f64::MIN_POSITIVE)).max(1.0);
         }
-        let mut y = 0.0;
-        let below = thick.iter().map(|h| {
-            y += (low * h).max(least);
-            y
-        });
-        let heights = [0.0].into_iter().chain(below.collect::<Vec<_>>()).collect();
+        let mut heights = vec![0.0];
+        heights.extend(thick.iter().scan(0.0, |y, h| {
+            *y += (low * h).max(least);
+            Some(*y)
+        }));
         Self { faces, heights, scale }
     }
 
     /// Height of all layers together.
     pub(super) fn height(&self) -> f64 {
         self.heights.last().copied().unwrap_or(0.0)
+    }
+
+    /// Heights of the faces.
+    pub(super) fn heights(&self) -> &[f64] {
+        &self.heights
     }
 
     /// Depths of the faces and their heights.

@@ -1,6 +1,7 @@
 //! The letters of all pictures: their outlines and widths, so that SVG, PNG and PDF show the same on any computer.
 use std::sync::LazyLock;
 
+use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face as Font, GlyphId, OutlineBuilder};
 
 use super::picture::{Anchor, pieces};
@@ -14,9 +15,6 @@ static FONTS: LazyLock<Vec<Font<'static>>> =
 const MIDDLE: f64 = 0.27;
 /// Size of an index, and how far it is lowered, in heights of the font.
 const INDEX: [f64; 2] = [0.7, 0.14];
-/// How far letters reach above and below the middle of a small letter, in heights of the font.
-pub(super) const REACH: [f64; 2] = [0.5, 0.5];
-
 /// A letter of one of the two fonts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Letter {
@@ -31,16 +29,6 @@ pub(super) struct PlacedLetter {
     pub(super) letter: Letter,
     pub(super) scale: f64,
     pub(super) at: (f64, f64),
-}
-
-/// A piece of an outline, in units of the font, y upwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Piece {
-    Move([f64; 2]),
-    Line([f64; 2]),
-    Quadratic([[f64; 2]; 2]),
-    Cubic([[f64; 2]; 3]),
-    Close,
 }
 
 /// The letters of a text that begins at x = 0, their base line at y = 0, y downwards; and its width.
@@ -92,43 +80,37 @@ pub(super) fn shortened(text: &str, size: f64, most: f64) -> String {
 }
 
 impl Letter {
-    /// Its outline; empty for a space.
-    pub(super) fn outline(self) -> Vec<Piece> {
+    /// Its outline in units of the font, y upwards; `None` for a space.
+    pub(super) fn outline(self) -> Option<Path> {
         let mut outline = Outline::default();
-        if let Some(font) = FONTS.get(self.font) {
-            font.outline_glyph(GlyphId(self.glyph), &mut outline);
-        }
-        outline.0
+        FONTS.get(self.font)?.outline_glyph(GlyphId(self.glyph), &mut outline)?;
+        outline.0.finish()
     }
 }
 
 /// Takes down an outline.
 #[derive(Default)]
-struct Outline(Vec<Piece>);
-
-fn point(x: f32, y: f32) -> [f64; 2] {
-    [x.into(), y.into()]
-}
+struct Outline(PathBuilder);
 
 impl OutlineBuilder for Outline {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.0.push(Piece::Move(point(x, y)));
+        self.0.move_to(x, y);
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        self.0.push(Piece::Line(point(x, y)));
+        self.0.line_to(x, y);
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.0.push(Piece::Quadratic([point(x1, y1), point(x, y)]));
+        self.0.quad_to(x1, y1, x, y);
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        self.0.push(Piece::Cubic([point(x1, y1), point(x2, y2), point(x, y)]));
+        self.0.cubic_to(x1, y1, x2, y2, x, y);
     }
 
     fn close(&mut self) {
-        self.0.push(Piece::Close);
+        self.0.close();
     }
 }
 
@@ -141,7 +123,7 @@ mod tests {
     fn texts_have_widths() {
         assert_eq!(FONTS.len(), FILES.len());
         assert!((width("iiii", 10.0) - 4.0 * width("i", 10.0)).abs() < 1e-9 && width("m", 10.0) > width("i", 10.0));
-        assert_eq!((width("", 10.0), letters(" ", 9.0, Anchor::Left)[0].letter.outline()), (0.0, Vec::new()));
+        assert_eq!((width("", 10.0), letters(" ", 9.0, Anchor::Left)[0].letter.outline()), (0.0, None));
         assert_ne!(letters(&italic("a"), 9.0, Anchor::Left), letters("a", 9.0, Anchor::Left));
         let short = shortened(&"long ".repeat(1000), 10.0, 100.0);
         assert!(short.ends_with('…') && (60.0..=100.0).contains(&width(&short, 10.0)), "{short}");

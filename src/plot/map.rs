@@ -1,21 +1,19 @@
 //! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
 use super::bands::{Bands, Values};
-use super::chart::{Chart, Frame, Labels, beside, with_unit};
+use super::chart::{Chart, Frame, Labels, with_unit};
 use super::depths::Depths;
 use super::file::PlotError;
-use super::ground::hatching;
-use super::letters::width;
 use super::names::{self, Dimension, after, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke, WHITE, italic};
 use super::punch::Presses;
 use super::scale::{Scale, short};
-use super::style::{FAINT, INK, SMALL, hair};
+use super::section::{self, WIDTH, contacts_at, hatching, interface};
+use super::style::{INK, SMALL};
 use crate::field::{Field, FieldPoint, FieldQuantity, Grid, Point};
 use crate::scene::{Punch, Scene};
-use crate::solution::{Contact, Interface, Interval, Solution};
+use crate::solution::Solution;
 
-/// Width of the map, and its least and greatest height, in points.
-const WIDTH: f64 = 340.0;
+/// Least and greatest height of the map, in points.
 const HEIGHTS: [f64; 2] = [75.0, 380.0];
 /// Least height of the scale of colours, in points, and its distance from the labels beside the map.
 const BAR: f64 = 150.0;
@@ -25,6 +23,8 @@ const LINE: f64 = 12.0;
 const BELOW: f64 = 46.0;
 /// Room for the sign of what does not move, in points.
 const GROUND: f64 = 12.0;
+/// Radius of the ring where the quantity is largest, in points.
+const RING: f64 = 3.2;
 /// Values that differ by less than this part are the same.
 const SAME: f64 = 1e-6;
 /// Where a quantity is infinite, this part of the points may lie above the colours, and as many below: half as much hides less
@@ -45,66 +45,49 @@ pub fn map(
     quantity: FieldQuantity,
 ) -> Result<Picture, PlotError> {
     let points = || grids.iter().flat_map(|grid| grid.points());
-    let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick)).ends();
-    let (x, depth) = (over(|point| point.x), over(|point| point.depth));
+    let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick));
+    let (x, depth) = (over(|point| point.x), over(|point| point.depth).ends());
     let along = scene.geometry.words().along;
     if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
         return Err(PlotError::Empty(format!("a map needs two places along {along} and two depths")));
     }
+    let layers: Vec<_> = field.layers().collect();
+    let on_ground = layers.last().is_some_and(|(_, [_, to])| *to <= depth.1 * (1.0 + 1e-9));
+    let faces = layers.iter().map(|(_, [from, _])| *from).filter(|face| *face > depth.0 && *face < depth.1);
+    let per_length = WIDTH / (x.ends().1 - x.ends().0);
+    let depths = Depths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
     let error = error(field, grids, quantity);
     let value = |point: &FieldPoint| known(quantity.of_in(point, scene.geometry), error);
-    let largest = Largest::of(scene, field, grids, quantity).filter(|largest| known(largest.value, error) != 0.0);
     let clipped =
         points().any(|point| is_singular(point, quantity)) || depth.0 <= 0.0 && rises(scene, solution, quantity);
     let values = range(points().map(value), clipped).ok_or_else(|| {
         let name = quantity.name_in(scene.geometry);
         PlotError::Empty(format!("{name} is infinite or not known at all points of the map"))
     })?;
-    let largest = largest.filter(|largest| !clipped || largest.overall);
-    // colours reach what is called the largest value
-    let values = match &largest {
-        Some(Largest { point: (x_at, at, _), value, .. })
-            if !clipped && x.0 <= *x_at && *x_at <= x.1 && *at <= depth.1 =>
-        {
-            values.with(*value)
-        }
+    let largest = Largest::of(scene, field, grids, quantity)
+        .filter(|largest| known(largest.value, error) != 0.0 && (!clipped || largest.overall));
+    let chart = Chart {
+        frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
+        x,
+        y: Scale::bent(depths.knots(), on_ground).reversed(),
+        x_label: italic(along),
+        x_unit: unit(scene, Dimension::LENGTH),
+        y_label: "depth".into(),
+        y_unit: unit(scene, Dimension::LENGTH),
+        curves: Vec::new(),
+        labels: Labels::AtEnds,
+    };
+    let map = Map { scene, solution, layers, on_ground, quantity, clipped, largest, chart, note: depths.note() };
+    // colours reach the value that is called the largest
+    let values = match &map.largest {
+        Some(Largest { point: (x, at, _), value, .. }) if !clipped && map.shows(*x, *at) => values.with(*value),
         _ => values,
     };
-    let layers: Vec<_> = field.layers().collect();
-    let on_ground = layers.last().is_some_and(|(_, [_, to])| *to <= depth.1 * (1.0 + 1e-9));
-    let faces = layers.iter().map(|(_, [from, _])| *from).filter(|face| *face > depth.0 && *face < depth.1);
-    let per_length = WIDTH / (x.1 - x.0);
-    let faces = [depth.0].into_iter().chain(faces).chain([depth.1]).collect();
-    let depths = Depths::new(faces, per_length, HEIGHTS);
-    let map = Map {
-        scene,
-        solution,
-        contacts: solution.contacts(),
-        on_ground,
-        layers,
-        grids,
-        quantity,
-        bands: match is_signed(quantity) {
-            true => Bands::new(values, Some(error)),
-            false => Bands::new(values.with(0.0), None),
-        },
-        clipped,
-        largest,
-        chart: Chart {
-            frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
-            x: Scale::around([x.0, x.1]),
-            y: Scale::bent(depths.knots(), on_ground).reversed(),
-            x_label: italic(along),
-            x_unit: unit(scene, Dimension::LENGTH),
-            y_label: "depth".into(),
-            y_unit: unit(scene, Dimension::LENGTH),
-            curves: Vec::new(),
-            labels: Labels::AtEnds,
-        },
-        depths,
-        along: per_length,
+    let bands = match is_signed(quantity) {
+        true => Bands::new(values, Some(error)),
+        false => Bands::new(values.with(0.0), None),
     };
-    Ok(map.draw())
+    Ok(map.draw(grids, &bands))
 }
 
 /// A value, or 0 if it is less than its error: rounding is not drawn.
@@ -195,47 +178,47 @@ impl Largest {
 struct Map<'a> {
     scene: &'a Scene,
     solution: &'a Solution,
-    contacts: &'a [Contact],
+    /// Numbers of the layers, and the depths at which they begin and end.
     layers: Vec<(usize, [f64; 2])>,
     /// Whether what does not move begins at the lower end.
     on_ground: bool,
-    grids: &'a [Grid],
     quantity: FieldQuantity,
-    bands: Bands,
     /// Whether the quantity is infinite somewhere, and the colours end before.
     clipped: bool,
     largest: Option<Largest>,
     chart: Chart,
-    depths: Depths,
-    /// Points per length along the layers.
-    along: f64,
+    /// About depths that are not to scale.
+    note: Option<String>,
 }
 
 impl Map<'_> {
-    fn draw(&self) -> Picture {
+    fn draw(&self, grids: &[Grid], bands: &Bands) -> Picture {
         let mut picture = Picture::new(WIDTH, HEIGHTS[1]);
         let Frame { left, top, right, bottom } = self.chart.frame;
-        for grid in self.grids {
-            self.bands(&mut picture, grid);
+        for grid in grids {
+            self.bands(&mut picture, grid, bands);
         }
-        let from = self.chart.y.ends().0;
-        if from <= 0.0 {
-            let (middle, _) = self.chart.place((0.0, 0.0));
-            let (scene, force, contact) = (self.scene, self.solution.force(), self.contacts.first());
-            Presses { scene, force, contact, scale: self.along, middle, top, ends: (left, right) }.draw(&mut picture);
+        if self.chart.y.ends().0 <= 0.0 {
+            let ((middle, _), (one, _)) = (self.chart.place((0.0, 0.0)), self.chart.place((1.0, 0.0)));
+            let (scene, force, contact) = (self.scene, self.solution.force(), self.solution.contacts().first());
+            Presses { scene, force, contact, scale: one - middle, middle }.draw(&mut picture);
         }
         if self.on_ground {
-            hatching(&mut picture, (left, right), bottom);
+            hatching(&mut picture, bottom);
         }
-        let beside = self.interfaces(&mut picture);
+        let beside = right + self.interfaces(&mut picture);
         let ground = if self.on_ground { GROUND } else { 0.0 };
         self.chart.draw_with(&mut picture, ground);
         let (name, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
-        let title = with_unit(&name, unit(self.scene, dimension).as_deref(), self.bands.scale.power());
+        let title = with_unit(&name, unit(self.scene, dimension).as_deref(), bands.scale.power());
         let lowest = bottom.max(top + BAR);
-        self.bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest, &title);
-        if let Some(largest) = &self.largest {
-            self.ring(&mut picture, largest);
+        bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest, &title);
+        if let Some(Largest { point: (x, depth, _), .. }) = self.largest
+            && self.shows(x, depth)
+        {
+            let at = self.chart.place((x, depth));
+            picture.circle(at, RING, Stroke { colour: WHITE, width: 2.4, dash: None });
+            picture.circle(at, RING, Stroke { colour: INK, width: 1.0, dash: None });
         }
         let first = (bottom + BELOW + ground).max(lowest + LINE);
         for (i, line) in self.notes().iter().enumerate() {
@@ -244,7 +227,7 @@ impl Map<'_> {
         picture.fitted()
     }
 
-    fn bands(&self, picture: &mut Picture, grid: &Grid) {
+    fn bands(&self, picture: &mut Picture, grid: &Grid, bands: &Bands) {
         let ys: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
         let geometry = self.scene.geometry;
         let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, geometry)).collect();
@@ -254,88 +237,36 @@ impl Map<'_> {
         }
         let xs = grid.xs();
         let values = filled(values, xs.len());
-        self.bands.draw(picture, &Values { xs, ys: &ys, values: &values }, |point| self.chart.place(point));
+        bands.draw(picture, &Values { xs, ys: &ys, values: &values }, |point| self.chart.place(point));
     }
 
     /// Bonded ones thin; receding ones bold where there is contact, dashed where they have opened; and how far their labels reach
     /// to the right.
     fn interfaces(&self, picture: &mut Picture) -> f64 {
-        let Frame { right, top, bottom, .. } = self.chart.frame;
-        let symbols = symbols(&self.contacts.iter().map(|contact| contact.interface).collect::<Vec<_>>());
-        let on_page = |y: f64| y > top - 1e-6 && y < bottom + 1e-6;
-        let (first, last) = self.chart.y.ends();
+        let Frame { top, bottom, .. } = self.chart.frame;
+        let (contacts, (first, last)) = (self.solution.contacts(), self.chart.y.ends());
+        let symbols = symbols(contacts.iter().map(|contact| contact.interface));
+        let height = |depth: f64| self.chart.place((0.0, depth.clamp(first, last))).1;
+        let touching = Stroke { colour: INK, width: 2.4, dash: None };
         let mut labels: Vec<(f64, String)> = Vec::new();
-        for (k, (number, [from, to])) in self.layers.iter().enumerate() {
-            let [upper, lower] = [*from, *to].map(|depth| self.chart.place((0.0, depth.clamp(first, last))).1);
+        for (number, [from, to]) in &self.layers {
+            let [upper, lower] = [*from, *to].map(height);
             if upper < lower {
                 labels.push((0.5 * (upper + lower), format!("layer {number}")));
             }
-            let mut faces = vec![(
-                *from,
-                self.contact(|interface| match interface {
-                    Interface::Punch => k == 0,
-                    Interface::Between { below, .. } => below == *number,
-                }),
-            )];
-            if k + 1 == self.layers.len() {
-                let under = |interface| matches!(interface, Interface::Between { above, .. } if above == *number);
-                faces.push((*to, self.contact(under)));
+        }
+        let numbers: Vec<usize> = self.layers.iter().map(|(number, _)| *number).collect();
+        let ends = self.layers.last().map(|(_, [_, to])| *to);
+        let faces = self.layers.iter().map(|(_, [from, _])| *from).chain(ends);
+        for (depth, found) in faces.zip(contacts_at(contacts, &numbers)) {
+            if depth < first || depth > last * (1.0 + SAME) {
+                continue;
             }
-            for (depth, contact) in faces {
-                let (_, y) = self.chart.place((0.0, depth));
-                if !y.is_finite() || !on_page(y) || depth < first || depth > last * (1.0 + SAME) {
-                    continue;
-                }
-                self.interface(picture, y, contact.map(|i| &self.contacts[i]));
-                if let Some(i) = contact {
-                    labels.push((y, names::reach(self.scene, &self.contacts[i], &symbols[i].0)));
-                }
-            }
+            let place = |x: f64| self.chart.place((x, 0.0)).0;
+            interface(picture, found.map(|i| &contacts[i]), height(depth), place, touching);
+            labels.extend(found.map(|i| (height(depth), names::reach(self.scene, &contacts[i], &symbols[i].0))));
         }
-        let mut reach = right;
-        for (at, y, text) in beside(labels, top, bottom, "labels") {
-            picture.line(&[(right + 1.0, at), (right + 6.0, y)], hair(FAINT));
-            picture.text((right + 9.0, y), &text, SMALL, INK, Anchor::Left);
-            reach = reach.max(right + 9.0 + width(&text, SMALL));
-        }
-        reach
-    }
-
-    fn contact(&self, is: impl Fn(Interface) -> bool) -> Option<usize> {
-        self.contacts.iter().position(|contact| is(contact.interface))
-    }
-
-    fn interface(&self, picture: &mut Picture, y: f64, contact: Option<&Contact>) {
-        let Frame { left, right, .. } = self.chart.frame;
-        let Some(contact) = contact else { return picture.line(&[(left, y), (right, y)], hair(INK)) };
-        let end = |x: f64| self.chart.place((x, 0.0)).0.clamp(left, right);
-        let open = match contact.interface {
-            Interface::Punch => hair(INK),
-            Interface::Between { .. } => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
-        };
-        let mut from = left;
-        for Interval { left: start, right: stop, .. } in contact.intervals() {
-            let [start, stop] = [*start, *stop].map(end);
-            picture.line(&[(from, y), (start, y)], open);
-            picture.line(&[(start, y), (stop, y)], Stroke { colour: INK, width: 2.4, dash: None });
-            from = stop;
-        }
-        picture.line(&[(from, y), (right, y)], open);
-    }
-
-    /// A ring where the quantity is largest, if that is seen.
-    fn ring(&self, picture: &mut Picture, largest: &Largest) {
-        let (x, depth, _) = largest.point;
-        if !self.shows(x, depth) {
-            return;
-        }
-        let (x, at) = self.chart.place((x, depth));
-        let ring: Vec<(f64, f64)> = (0..=24)
-            .map(|k| std::f64::consts::TAU * f64::from(k) / 24.0)
-            .map(|phi| (x + 3.2 * phi.cos(), at + 3.2 * phi.sin()))
-            .collect();
-        picture.line(&ring, Stroke { colour: WHITE, width: 2.4, dash: None });
-        picture.line(&ring, Stroke { colour: INK, width: 1.0, dash: None });
+        section::labels(picture, labels, Anchor::Left, [top, bottom], "labels")
     }
 
     fn shows(&self, x: f64, depth: f64) -> bool {
@@ -360,14 +291,12 @@ impl Map<'_> {
             notes.push(format!("{what}, {}{stress} {place}", short(*value)));
         }
         if self.clipped {
-            let ends = [100.0 * BEYOND, 100.0 * (1.0 - BEYOND)];
-            let text = format!(
-                "infinite at singular points: colours end at the percentiles {} and {} of the grid",
-                ends[0], ends[1]
-            );
-            notes.push(text);
+            let [least, most] = [BEYOND, 1.0 - BEYOND].map(|part| 100.0 * part);
+            notes.push(format!(
+                "infinite at singular points: colours end at the percentiles {least} and {most} of the grid"
+            ));
         }
-        notes.extend(self.depths.note());
+        notes.extend(self.note.clone());
         notes
     }
 }

@@ -4,11 +4,8 @@ use super::scale::short;
 use crate::field::FieldQuantity;
 use crate::geometry::{Geometry, Words};
 pub(super) use crate::scene::Dimension;
-use crate::scene::{Load, Loads, Punch, Scene, Top, Units};
+use crate::scene::{Load, Loads, Punch, Scene, Units};
 use crate::solution::{Contact, Interface};
-
-/// Small figures, for indices.
-const INDICES: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
 /// Labels of units that are longer are cut.
 const LONGEST: usize = 12;
@@ -74,18 +71,18 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
 fn of_loads(scene: &Scene, loads: &Loads) -> Vec<String> {
     let length = after(scene, Dimension::LENGTH);
     let Words { half_width, line_load, .. } = scene.geometry.words();
-    let wide =
-        |kind: &str, load: &Load| vec![kind.to_owned(), format!("{half_width} {}{length}", short(load.half_width()))];
-    match loads.alone() {
-        None => vec![Top::from(loads).label(scene.geometry)],
-        Some(Load::Line) => vec![(*line_load).to_owned()],
-        Some(load @ Load::Uniform { .. }) => wide("uniform load", load),
-        Some(load @ Load::Parabolic { .. }) => wide("parabolic load", load),
-        Some(load @ Load::Elliptic { .. }) => wide("elliptic load", load),
+    let (load, kind) = match loads.alone() {
+        None => return vec![scene.top.label(scene.geometry)],
+        Some(Load::Line) => return vec![(*line_load).to_owned()],
         Some(load @ Load::Ring { .. }) => {
-            vec!["ring load".to_owned(), format!("{} … {}{length}", short(load.hole()), short(load.half_width()))]
+            let [inner, outer] = [load.hole(), load.half_width()].map(short);
+            return vec!["ring load".to_owned(), format!("{inner} … {outer}{length}")];
         }
-    }
+        Some(load @ Load::Uniform { .. }) => (load, "uniform load"),
+        Some(load @ Load::Parabolic { .. }) => (load, "parabolic load"),
+        Some(load @ Load::Elliptic { .. }) => (load, "elliptic load"),
+    };
+    vec![kind.to_owned(), format!("{half_width} {}{length}", short(load.half_width()))]
 }
 
 /// Which bodies touch there.
@@ -156,24 +153,22 @@ fn written(name: &str) -> String {
 
 /// Symbols of half-length and pressure of each contact from the top down: a, p for the punch; b, q below, with indices
 /// if there is more than one.
-pub(super) fn symbols(interfaces: &[Interface]) -> Vec<(String, String)> {
-    let receding = interfaces.iter().filter(|interface| **interface != Interface::Punch).count();
-    let mut number = 0;
-    let symbol = |interface: &Interface| match interface {
+pub(super) fn symbols(interfaces: impl Iterator<Item = Interface>) -> Vec<(String, String)> {
+    let interfaces: Vec<Interface> = interfaces.collect();
+    let first = usize::from(interfaces.first() == Some(&Interface::Punch));
+    let symbols = interfaces.iter().enumerate().map(|(i, interface)| match interface {
         Interface::Punch => (italic("a"), italic("p")),
-        Interface::Between { .. } if receding == 1 => (italic("b"), italic("q")),
         Interface::Between { .. } => {
-            number += 1;
-            (italic("b") + &index(number), italic("q") + &index(number))
+            let number = if interfaces.len() > first + 1 { index(i + 1 - first) } else { String::new() };
+            (italic("b") + &number, italic("q") + &number)
         }
-    };
-    interfaces.iter().map(symbol).collect()
+    });
+    symbols.collect()
 }
 
-/// A number in small figures.
+/// A number in small figures, for indices.
 pub(super) fn index(number: usize) -> String {
-    let figure = |c: char| Some(INDICES[c.to_digit(10)? as usize]);
-    number.to_string().chars().filter_map(figure).collect()
+    number.to_string().chars().filter_map(|c| char::from_u32(u32::from('₀') + c.to_digit(10)?)).collect()
 }
 
 /// What stands at a path of a scene: a name with a symbol where there is a usual one, and its dimension.
@@ -237,18 +232,6 @@ mod tests {
     }
 
     #[test]
-    fn an_axis_has_its_own_words() {
-        let round = scene("Axisymmetric", "punch: Cone(slope: 0.1)");
-        assert_eq!(of_path(&round, "force").1, Dimension::FORCE);
-        assert_eq!(of_path(&round, "half_length").0, format!("contact radius {}", italic("a")));
-        assert_eq!(of_top(&round), ["cone", "slope 0.1"]);
-        let name = |quantity| of_quantity(quantity, Geometry::Axisymmetric).0;
-        assert_eq!(name(FieldQuantity::V), format!("displacement {}{}", italic("u"), subscript("z")));
-        assert_eq!(name(FieldQuantity::SigmaXy), format!("stress {}{}", italic("τ"), subscript("rz")));
-        assert_eq!(name(FieldQuantity::SigmaZz), format!("stress {}{}", italic("σ"), subscript("θθ")));
-    }
-
-    #[test]
     fn punches_have_names_symbols_and_units() {
         let name = |punch: &str| of_top(&scene("PlaneStrain", punch)).join("|");
         assert_eq!(name("punch: Cylinder(radius: 100)"), format!("cylinder|{} = 100 mm", italic("R")));
@@ -260,7 +243,9 @@ mod tests {
     #[test]
     fn contacts_are_numbered_only_if_there_are_several() {
         let between = |above| Interface::Between { above, below: above + 1 };
-        let symbols = |interfaces: &[Interface]| symbols(interfaces).into_iter().map(|(a, _)| a).collect::<Vec<_>>();
+        let symbols = |interfaces: &[Interface]| {
+            symbols(interfaces.iter().copied()).into_iter().map(|(a, _)| a).collect::<Vec<_>>()
+        };
         assert_eq!(symbols(&[Interface::Punch, between(1)]), [italic("a"), italic("b")]);
         let several = symbols(&[Interface::Punch, between(1), between(2)]);
         assert_eq!(several, [italic("a"), italic("b") + "₁", italic("b") + "₂"]);

@@ -1,6 +1,8 @@
 //! The page of a picture: as large as what is drawn on it, with a title on request, and nothing over anything else.
+use tiny_skia::{Path, PathBuilder, Transform};
+
 use super::chart::Frame;
-use super::letters::{REACH, shortened, width};
+use super::letters::{PlacedLetter, letters, shortened};
 use super::picture::{Anchor, Picture, Shape, plain};
 use super::style::{INK, TITLE};
 use crate::scene::visible;
@@ -23,15 +25,6 @@ impl Frame {
         })
     }
 
-    fn of_points<'a>(points: impl IntoIterator<Item = &'a (f64, f64)>, margin: f64) -> Option<Self> {
-        Self::around(points.into_iter().map(|(x, y)| Self {
-            left: x - margin,
-            top: y - margin,
-            right: x + margin,
-            bottom: y + margin,
-        }))
-    }
-
     fn overlaps(&self, other: &Self) -> bool {
         let shared = |from: f64, to: f64| to - from > TOUCHING;
         shared(self.left.max(other.left), self.right.min(other.right))
@@ -40,27 +33,36 @@ impl Frame {
 }
 
 impl Shape {
-    /// What it covers; `None` if that is nothing.
-    fn frame(&self) -> Option<Frame> {
+    /// Its path in points, which is stroked for a line and filled for an area or a text; `None` if it has no extent.
+    pub(super) fn path(&self) -> Option<Path> {
+        let mut path = PathBuilder::new();
         match self {
-            Self::Line { points, stroke } => Frame::of_points(points, 0.5 * stroke.width),
-            Self::Area { rings, .. } => Frame::of_points(rings.iter().flatten(), 0.0),
-            Self::Text { text, .. } if plain(text).trim().is_empty() => None,
+            Self::Line { points, .. } => through(&mut path, points),
+            Self::Area { rings, .. } => rings.iter().for_each(|ring| {
+                through(&mut path, ring);
+                path.close();
+            }),
             Self::Text { at: (x, y), text, size, anchor, .. } => {
-                let long = width(text, *size);
-                let [above, below] = REACH.map(|reach| reach * size);
-                let left = match anchor {
-                    Anchor::Left => *x,
-                    Anchor::Right => x - long,
-                    Anchor::Centre => x - 0.5 * long,
-                    Anchor::Upwards => {
-                        let (top, bottom) = (y - 0.5 * long, y + 0.5 * long);
-                        return Some(Frame { left: x - above, top, right: x + below, bottom });
+                let turn = if *anchor == Anchor::Upwards { -90.0 } else { 0.0 };
+                let place = Transform::from_translate(*x as f32, *y as f32).pre_rotate(turn);
+                for PlacedLetter { letter, scale, at: (x, y) } in letters(text, *size, *anchor) {
+                    let own = place.pre_translate(x as f32, y as f32).pre_scale(scale as f32, -scale as f32);
+                    if let Some(outline) = letter.outline().and_then(|outline| outline.transform(own)) {
+                        path.push_path(&outline);
                     }
-                };
-                Some(Frame { left, top: y - above, right: left + long, bottom: y + below })
+                }
             }
         }
+        path.finish()
+    }
+
+    /// What it covers; `None` if that is nothing.
+    fn frame(&self) -> Option<Frame> {
+        let beside = if let Self::Line { stroke, .. } = self { 0.5 * stroke.width } else { 0.0 };
+        let bounds = self.path()?.bounds();
+        let [left, top] = [bounds.left(), bounds.top()].map(|end| f64::from(end) - beside);
+        let [right, bottom] = [bounds.right(), bounds.bottom()].map(|end| f64::from(end) + beside);
+        Some(Frame { left, top, right, bottom })
     }
 
     fn shift(&mut self, (right, down): (f64, f64)) {
@@ -70,6 +72,13 @@ impl Shape {
             Self::Area { rings, .. } => rings.iter_mut().flatten().for_each(shift),
             Self::Text { at, .. } => shift(at),
         }
+    }
+}
+
+/// Lines from the first point through all others.
+fn through(path: &mut PathBuilder, points: &[(f64, f64)]) {
+    for (i, (x, y)) in points.iter().map(|(x, y)| (*x as f32, *y as f32)).enumerate() {
+        if i == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
     }
 }
 

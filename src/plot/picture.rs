@@ -1,10 +1,13 @@
 //! What is drawn on: lines, areas and text, in points, y downwards.
 use crate::scene::visible;
 
-/// Begin and end of what is set in italics.
-const ITALIC: [char; 2] = ['\u{e000}', '\u{e001}'];
-/// The same for an index.
-const INDEX: [char; 2] = ['\u{e002}', '\u{e003}'];
+/// Where italics begin and end.
+const ITALIC: char = '\u{e000}';
+/// Where an index begins and ends.
+const INDEX: char = '\u{e001}';
+
+/// Corners of a circle, which is a few points wide.
+const CORNERS: u32 = 24;
 
 /// A colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,14 +64,12 @@ pub(super) enum Shape {
 
 /// A symbol, set in italics.
 pub fn italic(symbol: &str) -> String {
-    let [begin, end] = ITALIC;
-    format!("{begin}{symbol}{end}")
+    format!("{ITALIC}{symbol}{ITALIC}")
 }
 
 /// An index, set small and low.
 pub fn subscript(index: &str) -> String {
-    let [begin, end] = INDEX;
-    format!("{begin}{index}{end}")
+    format!("{INDEX}{index}{INDEX}")
 }
 
 /// How a piece of a text is set.
@@ -81,16 +82,11 @@ pub(super) struct Face {
 /// The pieces of a text that are set alike, none of them empty.
 pub(super) fn pieces(text: &str) -> impl Iterator<Item = (Face, &str)> {
     let mut face = Face::default();
-    let is_mark = |c: char| ITALIC.contains(&c) || INDEX.contains(&c);
-    let pieces = text.split_inclusive(is_mark).map(move |piece| {
+    let pieces = text.split_inclusive([ITALIC, INDEX]).map(move |piece| {
         let own = face;
-        let mark = piece.chars().next_back().filter(|c| is_mark(*c));
-        match mark {
-            Some(mark) if ITALIC.contains(&mark) => face.italic = mark == ITALIC[0],
-            Some(mark) => face.index = mark == INDEX[0],
-            None => (),
-        }
-        (own, piece.trim_end_matches(is_mark))
+        face.italic ^= piece.ends_with(ITALIC);
+        face.index ^= piece.ends_with(INDEX);
+        (own, piece.trim_end_matches([ITALIC, INDEX]))
     });
     pieces.filter(|(_, piece)| !piece.is_empty())
 }
@@ -124,6 +120,13 @@ impl Picture {
     /// A filled rectangle from one corner to the other.
     pub fn rectangle(&mut self, from: (f64, f64), to: (f64, f64), colour: Colour) {
         self.area(&[from, (to.0, from.1), to, (from.0, to.1)], colour);
+    }
+
+    /// A circle about a point.
+    pub(super) fn circle(&mut self, (x, y): (f64, f64), radius: f64, stroke: Stroke) {
+        let turns = (0..=CORNERS).map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(CORNERS));
+        let points: Vec<_> = turns.map(|phi| (x + radius * phi.cos(), y + radius * phi.sin())).collect();
+        self.line(&points, stroke);
     }
 
     /// A text of letters `size` points high.

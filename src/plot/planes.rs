@@ -25,7 +25,7 @@ pub(super) struct Plane {
 pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
     let scene = sweep.scene();
     let contacts: Vec<_> = sweep.contacts().collect();
-    let symbols = symbols(&contacts.iter().map(|(interface, _)| *interface).collect::<Vec<_>>());
+    let symbols = symbols(contacts.iter().map(|(interface, _)| *interface));
     let mut planes = Vec::new();
     for (i, ((interface, punch), (length, pressure))) in contacts.iter().zip(&symbols).enumerate().take(CONTACTS) {
         let column = |name: &str| {

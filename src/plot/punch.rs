@@ -4,8 +4,9 @@ use super::names::{after, of_top};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
+use super::section::{ASIDE, WIDTH};
 use super::style::{INK, PUNCH, SMALL, TEXT};
-use crate::scene::{Loads, Pressed, Punches, Scene, Tilt, Top};
+use crate::scene::{Pressed, Punches, Scene, Tilt, Top};
 use crate::solution::Contact;
 
 /// Greatest height of the punch, in points.
@@ -29,46 +30,53 @@ pub(super) struct Presses<'a> {
     pub(super) contact: Option<&'a Contact>,
     /// Points per length.
     pub(super) scale: f64,
-    /// Where x = 0 is.
+    /// Where x = 0 is: the drawing reaches from 0 to its [`WIDTH`], and the top face of the stack is at height 0.
     pub(super) middle: f64,
-    /// Height of the top face of the stack.
-    pub(super) top: f64,
-    /// What is seen of it.
-    pub(super) ends: (f64, f64),
 }
 
 impl Presses<'_> {
     pub(super) fn draw(&self, picture: &mut Picture) {
         let mut names = of_top(self.scene);
-        match &self.scene.top {
-            Top::Loads(loads) => self.loads(loads, picture),
-            Top::Punches(punches) => {
-                let times = self.bodies(punches, picture);
-                names.extend(times.map(|times| format!("heights drawn × {}", label(times))));
+        let unit = after(self.scene, self.scene.force_dimension());
+        let force = format!("{} = {}{unit}", italic("P"), short(self.scene.force.given().unwrap_or(self.force)));
+        let (places, times): (Vec<f64>, _) = match &self.scene.top {
+            Top::Loads(loads) => {
+                self.loads(picture);
+                (loads.parts().map(|(_, at, _)| at).collect(), None)
             }
+            Top::Punches(punches) => {
+                let aside = |pressed: &Pressed| pressed.at() + aside(pressed);
+                (punches.parts().map(|(pressed, _)| aside(pressed)).collect(), self.bodies(punches, picture))
+            }
+        };
+        // beside its arrow, or with the names, where no arrow is, if it has several
+        match places[..] {
+            [at] if self.sees(self.x(at)) => {
+                let place = (self.x(at) + ASIDE, -HIGHEST - 15.0);
+                picture.text(place, &force, TEXT, INK, Anchor::Left);
+            }
+            [_] => {}
+            _ => names.push(force + " in all"),
         }
+        names.extend(times.map(|times| format!("heights drawn × {}", label(times))));
         // the last line just above the top face
-        let lowest = self.top - APART - 2.0;
+        let lowest = -APART - 2.0;
         for (i, name) in names.iter().rev().enumerate() {
-            picture.text((self.ends.1 + 9.0, lowest - APART * i as f64), name, SMALL, INK, Anchor::Left);
+            picture.text((WIDTH + ASIDE, lowest - APART * i as f64), name, SMALL, INK, Anchor::Left);
         }
     }
 
     /// All punches, each as far as half the way to its neighbours. Returns how much higher than to scale the highest is, if it is.
     fn bodies(&self, punches: &Punches, picture: &mut Picture) -> Option<f64> {
         let all: Vec<&Pressed> = punches.parts().map(|(pressed, _)| pressed).collect();
-        let between =
-            |one: &Pressed, other: &Pressed| self.middle + 0.5 * self.scale * (one.face()[1] + other.face()[0]);
+        let between = |one: &Pressed, other: &Pressed| self.x(0.5 * (one.face()[1] + other.face()[0]));
         let mut highest: Option<f64> = None;
         for (i, pressed) in all.iter().enumerate() {
             let before = i.checked_sub(1).and_then(|i| all.get(i));
-            let from = before.map_or(self.ends.0, |before| between(before, pressed) + 0.5 * BETWEEN);
-            let to = all.get(i + 1).map_or(self.ends.1, |after| between(pressed, after) - 0.5 * BETWEEN);
-            let times = self.body(pressed, [from.max(self.ends.0), to.min(self.ends.1)], picture);
+            let from = before.map_or(0.0, |before| between(before, pressed) + 0.5 * BETWEEN);
+            let to = all.get(i + 1).map_or(WIDTH, |after| between(pressed, after) - 0.5 * BETWEEN);
+            let times = self.body(pressed, [from.max(0.0), to.min(WIDTH)], picture);
             highest = times.into_iter().chain(highest).reduce(f64::max);
-        }
-        if (self.ends.0..=self.ends.1).contains(&self.middle) {
-            self.force(picture, if all.len() > 1 { " in all" } else { "" });
         }
         highest
     }
@@ -76,7 +84,7 @@ impl Presses<'_> {
     /// What is drawn of a punch between two places: to where it ends, or leaves the drawing above, turned if its angle is prescribed. Returns how
     /// much higher than to scale, if it is.
     fn body(&self, pressed: &Pressed, window: [f64; 2], picture: &mut Picture) -> Option<f64> {
-        let (scale, middle, punch) = (self.scale, self.middle + self.scale * pressed.at(), pressed.shape());
+        let (scale, middle, punch) = (self.scale, self.x(pressed.at()), pressed.shape());
         let [left, right] = window.map(|end| (end - middle) / scale);
         let angle = pressed.tilt().angle().unwrap_or(0.0);
         let ends = punch.ends();
@@ -96,35 +104,31 @@ impl Presses<'_> {
         if from >= to {
             return None;
         }
-        let roof = self.top - HIGHEST;
-        let place = |x: f64| (middle + scale * x, self.top - height(x).min(HIGHEST));
+        let place = |x: f64| (middle + scale * x, -height(x).min(HIGHEST));
         let mut outline: Vec<(f64, f64)> = (0..=2 * POINTS).map(|i| place(step(from, to, i))).collect();
-        let corners = [to, from].map(|x| (middle + scale * x, roof));
+        let corners = [to, from].map(|x| (middle + scale * x, -HIGHEST));
         picture.area(&outline.iter().copied().chain(corners).collect::<Vec<_>>(), PUNCH);
         // its own sides are drawn, not the sides of the drawing
-        if seen[1] == ends[1] && to == ends[1] {
+        if to == ends[1] {
             outline.push(corners[0]);
         }
-        if seen[0] == ends[0] && from == ends[0] {
+        if from == ends[0] {
             outline.insert(0, corners[1]);
         }
         picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
-        let aside = if let Tilt::Free { eccentricity } = pressed.tilt() { eccentricity } else { 0.0 };
-        let force = middle + scale * aside;
-        if (self.ends.0..=self.ends.1).contains(&force) {
-            arrow(picture, force, roof - 4.0, 18.0);
+        let force = middle + scale * aside(pressed);
+        if self.sees(force) {
+            arrow(picture, force, -HIGHEST - 4.0, 18.0);
         }
         (times > 1.0).then_some(times)
     }
 
     /// Pressures as curves with arrows, lines as arrows.
-    fn loads(&self, loads: &Loads, picture: &mut Picture) {
+    fn loads(&self, picture: &mut Picture) {
         let curves = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curves);
-        let (left, right) = self.ends;
-        let place = |x: f64| self.middle + self.scale * x;
         for curve in &curves {
-            let at = |(x, p): &(f64, f64)| (place(*x).clamp(left, right), self.top - HIGHEST * p.min(most) / most);
+            let at = |(x, p): &(f64, f64)| (self.x(*x).clamp(0.0, WIDTH), -HIGHEST * p.min(most) / most);
             let outline: Vec<(f64, f64)> = curve.iter().map(at).collect();
             picture.area(&outline, PUNCH);
             picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
@@ -133,26 +137,29 @@ impl Presses<'_> {
             let count = (((to - from) / ARROWS) as usize).max(usize::from(to > from));
             for x in (1..=count).map(|i| from + (to - from) * (i as f64 - 0.5) / count as f64) {
                 let next = outline.partition_point(|(at, _)| *at < x).min(outline.len() - 1);
-                let length = self.top - 3.0 - outline[next].1;
+                let length = -3.0 - outline[next].1;
                 if length > 10.0 {
-                    arrow(picture, x, self.top - 3.0, length);
+                    arrow(picture, x, -3.0, length);
                 }
             }
         }
-        for x in lines(self.scene).into_iter().map(place).filter(|x| (left..=right).contains(x)) {
-            arrow(picture, x, self.top - 3.0, HIGHEST + 8.0);
+        for x in lines(self.scene).into_iter().map(|x| self.x(x)).filter(|x| self.sees(*x)) {
+            arrow(picture, x, -3.0, HIGHEST + 8.0);
         }
-        self.force(picture, if loads.parts().count() > 1 { " in all" } else { "" });
     }
 
-    fn force(&self, picture: &mut Picture, all: &str) {
-        let unit = after(self.scene, self.scene.force_dimension());
-        let given = self.scene.force.given();
-        let number = short(given.unwrap_or(self.force));
-        let text = format!("{} = {number}{unit}{all}", italic("P"));
-        let y = self.top - HIGHEST - 4.0 - 11.0;
-        picture.text((self.middle + 9.0, y), &text, TEXT, INK, Anchor::Left);
+    fn x(&self, x: f64) -> f64 {
+        self.middle + self.scale * x
     }
+
+    fn sees(&self, x: f64) -> bool {
+        (0.0..=WIDTH).contains(&x)
+    }
+}
+
+/// How far from the place of a punch its force acts.
+fn aside(pressed: &Pressed) -> f64 {
+    if let Tilt::Free { eccentricity } = pressed.tilt() { eccentricity } else { 0.0 }
 }
 
 /// How much higher than to scale a profile is drawn that rises by so many points: 1, or a round number.
@@ -195,16 +202,7 @@ mod tests {
         let scene = format!("Scene(geometry: PlaneStrain, punches: [{punches}], stack: [Rigid])");
         let scene = Scene::from_ron(&scene).unwrap();
         let mut picture = Picture::new(340.0, 100.0);
-        let presses = Presses {
-            scene: &scene,
-            force: 1.0,
-            contact: None,
-            scale: 20.0,
-            middle: 170.0,
-            top: 0.0,
-            ends: (0.0, 340.0),
-        };
-        presses.draw(&mut picture);
+        Presses { scene: &scene, force: 1.0, contact: None, scale: 20.0, middle: 170.0 }.draw(&mut picture);
         assert!(picture.is_finite());
         let areas = |wanted: Colour| {
             let area = move |shape: &Shape| match shape {

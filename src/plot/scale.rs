@@ -1,7 +1,7 @@
 //! Axes: round numbers along a range, and where they stand.
 
 /// A range of numbers along an axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scale {
     low: f64,
     high: f64,
@@ -9,7 +9,8 @@ pub struct Scale {
     reversed: bool,
     /// Values and where they stand, from 0 to 1, if distances are not the same everywhere.
     bent: Vec<(f64, f64)>,
-    last_is_marked: bool,
+    /// Whether the last of these values is no place to be marked.
+    last_is_unmarked: bool,
     /// Least distance of two marks, from 0 to 1.
     apart: f64,
 }
@@ -31,15 +32,7 @@ impl Scale {
     pub fn around(values: impl IntoIterator<Item = f64>) -> Self {
         let bounds = values.into_iter().filter(|value| value.is_finite());
         let (low, high) = bounds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (v.min(l), v.max(h)));
-        let scale = |low, high| Self {
-            low,
-            high,
-            logarithmic: false,
-            reversed: false,
-            bent: Vec::new(),
-            last_is_marked: true,
-            apart: 0.0,
-        };
+        let scale = |low, high| Self { low, high, ..Self::default() };
         match (low, high) {
             _ if low > high => scale(0.0, 1.0),
             (0.0, 0.0) => scale(-1.0, 1.0),
@@ -89,7 +82,12 @@ impl Scale {
         let scale = Self::around(knots.iter().map(|(value, _)| *value));
         let (Some((_, first)), Some((_, last))) = (knots.first(), knots.last()) else { return scale };
         let share = |(value, at): &(f64, f64)| (*value, (at - first) / (last - first));
-        Self { bent: knots.iter().map(share).collect(), last_is_marked, apart: APART / (last - first), ..scale }
+        Self {
+            bent: knots.iter().map(share).collect(),
+            last_is_unmarked: !last_is_marked,
+            apart: APART / (last - first),
+            ..scale
+        }
     }
 
     /// The ends of the range.
@@ -148,7 +146,7 @@ impl Scale {
             (first..=last).map(move |i| i as f64 * step)
         });
         let last = self.bent.len() - 1;
-        let ends = [Some(0), Some(last).filter(|_| self.last_is_marked)].into_iter().flatten();
+        let ends = [Some(0), Some(last).filter(|_| !self.last_is_unmarked)].into_iter().flatten();
         let knots = ends.chain(1..last).map(|k| self.bent[k].0);
         for value in knots.chain(round) {
             let near = |other: &f64| (self.share(*other) - self.share(value)).abs() < self.apart;

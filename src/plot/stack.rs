@@ -1,19 +1,17 @@
 //! A stack drawn with its punch and contacts, and the pressures below it.
-use super::chart::{Beside, Chart, Curve, Frame, Labels, beside, hidden};
+use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::depths::Depths;
-use super::ground::hatching;
 use super::names::{self, Dimension, after, index, symbols, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::punch::Presses;
 use super::scale::{Scale, short};
-use super::style::{FAINT, INK, SMALL, curve, hair};
+use super::section::{self, WIDTH, contacts_at, hatching, interface};
+use super::style::{INK, SMALL, curve};
 use crate::scene::Scene;
-use crate::solution::{Contact, Interface, Interval, Solution};
-use crate::stack::{Placed, Stack};
+use crate::solution::{Contact, Interval, Solution};
+use crate::stack::{Group, Placed, Stack};
 
-/// Width of the drawing, without what is left and right of it, in points.
-const WIDTH: f64 = 340.0;
 /// Greatest height of the layers together, in points.
 const HIGHEST: f64 = 190.0;
 /// Height of the plane of the pressures, and how far below the drawing it begins, in points.
@@ -25,6 +23,10 @@ const FILLED: [f64; 2] = [0.72, 0.24];
 /// Slices of a layer whose stiffness varies, at most, and how high each is at least, in points.
 const SLICES: usize = 48;
 const SLICE: f64 = 0.5;
+/// A modulus that changes by less than this part is the same everywhere.
+const VARIES: f64 = 1e-9;
+/// Room for the sign of what does not move, in points.
+const GROUND: f64 = 12.0;
 /// If the largest pressures of two contacts differ by more than this factor, all are drawn in parts of their largest.
 const DIFFERENT: f64 = 20.0;
 /// Contacts that have a line in the list of pressures, at most.
@@ -33,191 +35,154 @@ const LISTED: usize = 5;
 /// The stack of a solved scene with punch and contacts, and the contact pressures below it: to scale, unless layers would be too
 /// thin or too thick to be seen.
 pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
-    let contacts = solution.contacts();
     let total = stack.total_thickness();
-    let longest = solution.extent().unwrap_or(if total > 0.0 { total } else { 1.0 });
+    let [left, right] = solution.ends();
+    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+    let longest = [half, total].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
     // points per length
     let [most, least] = FILLED.map(|share| share * 0.5 * WIDTH / longest);
     let scale = if total > 0.0 { (HIGHEST / total).clamp(least, most) } else { most };
-    let layers: Vec<&Placed> = layers_in_order(stack);
+    let layers: Vec<&Placed> = stack.groups().flat_map(|group| Group::layers(&group)).collect();
     let mut depth = 0.0;
-    let below = layers.iter().map(|placed| {
-        depth += placed.layer.thickness().unwrap_or(0.0);
+    let below = layers.iter().filter_map(|placed| placed.layer.thickness()).map(|thickness| {
+        depth += thickness;
         depth
     });
     let faces = [0.0].into_iter().chain(below).collect();
-    let drawing = Drawing { scene, stack, layers, contacts, scale, depths: Depths::new(faces, scale, [0.0, HIGHEST]) };
+    let depths = Depths::new(faces, scale, [0.0, HIGHEST]);
+    let is_ground = stack.base().foundation().half_plane().is_none();
+    let base = if is_ground { None } else { Some(depths.height() + BASE) };
+    let drawing = Drawing {
+        scene,
+        stack,
+        layers,
+        contacts: solution.contacts(),
+        symbols: symbols(solution.contacts().iter().map(|contact| contact.interface)),
+        middle,
+        scale,
+        bottom: base.unwrap_or(depths.height() + GROUND),
+        heights: depths.heights().iter().copied().chain(base).collect(),
+    };
     let mut picture = Picture::new(WIDTH, HIGHEST);
     drawing.layers(&mut picture);
-    drawing.punch(solution.force()).draw(&mut picture);
-    drawing.contacts(&mut picture);
+    if let Some(note) = depths.note() {
+        picture.text((0.0, drawing.bottom + 8.0), &note, SMALL, INK, Anchor::Left);
+    }
+    let (force, contact, middle) = (solution.force(), drawing.contacts.first(), drawing.x(0.0));
+    Presses { scene, force, contact, scale, middle }.draw(&mut picture);
+    drawing.interfaces(&mut picture);
     drawing.pressures(&mut picture);
     picture.fitted()
 }
 
-/// All layers from the top down, without a half-plane.
-fn layers_in_order(stack: &Stack) -> Vec<&Placed> {
-    let free = stack.laminates().iter().flat_map(|laminate| laminate.layers());
-    free.chain(stack.base().layers()).collect()
-}
-
-/// What is drawn: the top face lies at height 0, x = 0 in the middle of the width.
+/// What is drawn: the top face lies at height 0.
 struct Drawing<'a> {
     scene: &'a Scene,
     stack: &'a Stack,
+    /// From the top down, a half-plane included.
     layers: Vec<&'a Placed>,
     contacts: &'a [Contact],
+    symbols: Vec<(String, String)>,
+    /// x in the middle of the width.
+    middle: f64,
     /// Points per length along the layers.
     scale: f64,
-    depths: Depths,
+    /// Heights of the faces of the layers, from the top down.
+    heights: Vec<f64>,
+    /// Height at which the base ends.
+    bottom: f64,
 }
 
 impl Drawing<'_> {
     fn x(&self, x: f64) -> f64 {
-        0.5 * WIDTH + self.scale * x
+        0.5 * WIDTH + self.scale * (x - self.middle)
     }
 
-    /// Height at which the base ends.
-    fn bottom(&self) -> f64 {
-        self.depths.height() + if self.stack.base().foundation().half_plane().is_some() { BASE } else { 12.0 }
+    /// The shear modulus of a layer at its upper face, in its middle and at its lower face, or as deep as a half-plane is drawn.
+    fn moduli(&self, placed: &Placed) -> [f64; 3] {
+        [0.0, 0.5, 1.0].map(|part| self.modulus(placed, part))
     }
 
-    /// The layers from the top down, grey where they are stiff, with what they are called at their right.
+    /// The shear modulus at a part of what is drawn of a layer.
+    fn modulus(&self, placed: &Placed, part: f64) -> f64 {
+        let depth = part * placed.layer.thickness().unwrap_or(BASE / self.scale);
+        placed.layer.material(depth, self.scene.geometry.plane()).shear_compliance.recip()
+    }
+
+    /// The layers from the top down, light where they are soft and darker where they are stiff by orders of magnitude, with what they are
+    /// called at their right.
     fn layers(&self, picture: &mut Picture) {
-        let shown = BASE / self.scale;
-        let stiffness = Stiffness::of(self.scene, self.stack, &self.layers, shown);
-        let heights: Vec<f64> = self.depths.knots().map(|(_, height)| height).collect();
-        let last = self.depths.height();
-        let base = self.stack.base().foundation().half_plane();
-        let layers = self.layers.iter().copied().zip(heights.windows(2).map(|ends| [ends[0], ends[1]]));
-        for (placed, [top, bottom]) in layers.chain(base.map(|placed| (placed, [last, last + BASE]))) {
-            let thickness = placed.layer.thickness().unwrap_or(shown);
-            let height = bottom - top;
-            let slices = if stiffness.varies(placed) { ((height / SLICE) as usize).clamp(1, SLICES) } else { 1 };
+        let stiffness = Scale::around(self.layers.iter().flat_map(|placed| self.moduli(placed))).logarithmic();
+        let mut labels = Vec::new();
+        for (placed, ends) in self.layers.iter().zip(self.heights.windows(2)) {
+            let (top, height) = (ends[0], ends[1] - ends[0]);
+            let slices = if self.varies(placed) { ((height / SLICE) as usize).clamp(1, SLICES) } else { 1 };
             for slice in 0..slices {
-                let from = top + height * slice as f64 / slices as f64;
-                let depth = thickness * (slice as f64 + 0.5) / slices as f64;
+                let part = |slice: f64| slice / slices as f64;
+                let share = stiffness.share(self.modulus(placed, part(slice as f64 + 0.5)));
+                let grey = (244.0 - 46.0 * share.clamp(0.0, 1.0)) as u8;
                 // down to the bottom, so that no line remains between slices
-                picture.rectangle((0.0, from), (WIDTH, bottom), stiffness.grey(placed, depth));
+                let from = top + height * part(slice as f64);
+                picture.rectangle((0.0, from), (WIDTH, ends[1]), Colour { r: grey, g: grey, b: grey });
             }
+            labels.push((top + 0.5 * height, self.name(placed)));
         }
-        if base.is_none() {
-            hatching(picture, (0.0, WIDTH), last);
+        let (foundation, lowest) = (self.stack.base().foundation(), self.heights[self.heights.len() - 1]);
+        if foundation.half_plane().is_none() {
+            hatching(picture, lowest);
+            let support = foundation.support().map(|(_, support)| support.notation());
+            let name = support.map(|notation| format!("{}, {}", notation.kind, notation.parameters));
+            labels.push((lowest + 0.5 * GROUND, name.unwrap_or("rigid".to_owned())));
         }
-        for y in self.bonds() {
-            picture.line(&[(0.0, y), (WIDTH, y)], hair(INK));
-        }
-        picture.line(&[(0.0, 0.0), (WIDTH, 0.0)], hair(INK));
-        for (at, y, text) in self.labels() {
-            if (y - at).abs() > 2.0 {
-                picture.line(&[(WIDTH + 1.0, at), (WIDTH + 7.0, y)], hair(FAINT));
-            }
-            picture.text((WIDTH + 9.0, y), &text, SMALL, INK, Anchor::Left);
-        }
-        if let Some(note) = self.depths.note() {
-            picture.text((0.0, self.bottom() + 8.0), &note, SMALL, INK, Anchor::Left);
-        }
+        section::labels(picture, labels, Anchor::Left, [0.0, self.bottom], "layers");
     }
 
-    /// What layers and ground are called.
-    fn labels(&self) -> Vec<Beside> {
-        let heights: Vec<f64> = self.depths.knots().map(|(_, height)| height).collect();
-        let middles = heights.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
-        let mut labels: Vec<(f64, String)> = middles.zip(self.layers.iter().map(|placed| self.name(placed))).collect();
-        let foundation = self.stack.base().foundation();
-        let depth = if foundation.half_plane().is_some() { 0.4 * BASE } else { 6.0 };
-        let support = foundation.support().map(|(_, support)| support.notation());
-        let name = foundation.half_plane().map(|placed| self.name(placed));
-        let name = name.or(support.map(|notation| format!("{}, {}", notation.kind, notation.parameters)));
-        labels.push((self.depths.height() + depth, name.unwrap_or("rigid".to_owned())));
-        beside(labels, 0.0, self.bottom(), "layers")
+    fn varies(&self, placed: &Placed) -> bool {
+        let [top, _, bottom] = self.moduli(placed);
+        (bottom / top - 1.0).abs() > VARIES
     }
 
     /// Thickness and modulus of a layer.
     fn name(&self, placed: &Placed) -> String {
-        let modulus = placed.layer.material(0.0, self.scene.geometry.plane()).shear_compliance.recip();
         let [stress, length] = [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
+        let [modulus, _, below] = self.moduli(placed).map(short);
         let number = index(placed.number);
         let thick = placed.layer.thickness();
-        let end = thick.unwrap_or(BASE / self.scale);
-        let thick = thick.map(|h| format!("{}{number} = {}{length}, ", italic("h"), short(h))).unwrap_or_default();
-        let below = placed.layer.material(end, self.scene.geometry.plane()).shear_compliance.recip();
-        let (mut until, mut at) = (String::new(), "");
-        if (below / modulus - 1.0).abs() > 1e-9 {
-            match placed.layer.thickness() {
-                Some(_) => until = format!(" to {}", short(below)),
-                None => at = " at its top",
-            }
-        }
-        format!("{thick}{}{number} = {}{until}{stress}{at}", italic("μ"), short(modulus))
-    }
-
-    fn punch(&self, force: f64) -> Presses<'_> {
-        let (scene, contact) = (self.scene, self.contacts.first());
-        Presses { scene, force, contact, scale: self.scale, middle: self.x(0.0), top: 0.0, ends: (0.0, WIDTH) }
-    }
-
-    /// A thick line where bodies touch, and as far as they do.
-    fn contacts(&self, picture: &mut Picture) {
-        let mut labels = Vec::new();
-        for (i, ((contact, y), (symbol, _))) in self.contacts.iter().zip(self.heights()).zip(self.symbols()).enumerate()
-        {
-            let touching = Stroke { width: 3.0, dash: None, ..curve(i, self.contacts.len()) };
-            let tick = |end: f64| [(end, y - 4.0), (end, y + 4.0)];
-            // farther out it has opened
-            let open = Stroke { dash: Some((2.5, 2.5)), ..hair(INK) };
-            let mut from = 0.0;
-            for Interval { left, right, .. } in contact.intervals() {
-                let [left, right] = [left, right].map(|x| self.x(*x));
-                if contact.interface != Interface::Punch {
-                    picture.line(&[(from, y), (left, y)], open);
-                }
-                picture.line(&[(left, y), (right, y)], touching);
-                for end in [left, right] {
-                    picture.line(&tick(end), Stroke { width: 1.2, ..touching });
-                }
-                from = right;
-            }
-            if contact.interface != Interface::Punch {
-                picture.line(&[(from, y), (WIDTH, y)], open);
-            }
-            labels.push((y, names::reach(self.scene, contact, &symbol)));
-        }
-        for (at, y, text) in beside(labels, 0.0, self.bottom(), "contacts") {
-            if (y - at).abs() > 2.0 {
-                picture.line(&[(-1.0, at), (-5.0, y)], hair(FAINT));
-            }
-            picture.text((-6.0, y), &text, SMALL, INK, Anchor::Right);
-        }
-    }
-
-    /// Heights of the bonded interfaces in the drawing; a rigid base has an outline in any case.
-    fn bonds(&self) -> Vec<f64> {
-        let contacts: Vec<f64> = self.heights().collect();
-        let rigid = self.stack.base().foundation().half_plane().is_none();
-        let last = self.layers.len();
-        let is_bond = |(i, (_, y)): (usize, (f64, f64))| {
-            let contact = contacts.iter().any(|contact| (contact - y).abs() < 1e-6);
-            (!contact || rigid && i == last).then_some(y)
+        let (until, at) = match thick {
+            _ if !self.varies(placed) => (String::new(), ""),
+            Some(_) => (format!(" to {below}"), ""),
+            None => (String::new(), " at its top"),
         };
-        self.depths.knots().enumerate().skip(1).filter_map(is_bond).collect()
+        let thick = thick.map_or(String::new(), |h| format!("{}{number} = {}{length}, ", italic("h"), short(h)));
+        format!("{thick}{}{number} = {modulus}{until}{stress}{at}", italic("μ"))
     }
 
-    /// Heights of the contacts in the drawing.
-    fn heights(&self) -> impl Iterator<Item = f64> {
-        let heights: Vec<f64> = self.depths.knots().map(|(_, height)| height).collect();
-        let mut layers = 0;
-        let below = self.stack.laminates().iter().map(|laminate| {
-            layers += laminate.layers().len();
-            layers
-        });
-        let faces: Vec<usize> = [0].into_iter().chain(below).collect();
-        faces.into_iter().filter_map(move |face| heights.get(face).copied())
-    }
-
-    fn symbols(&self) -> Vec<(String, String)> {
-        let interfaces: Vec<Interface> = self.contacts.iter().map(|contact| contact.interface).collect();
-        symbols(&interfaces)
+    /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.
+    fn interfaces(&self, picture: &mut Picture) {
+        let numbers: Vec<usize> = self.layers.iter().map(|placed| placed.number).collect();
+        let mut labels = Vec::new();
+        let is_ground = self.stack.base().foundation().half_plane().is_none();
+        let faces = contacts_at(self.contacts, &numbers).into_iter().zip(&self.heights).enumerate();
+        for (face, (found, y)) in faces.take(self.layers.len() + usize::from(is_ground)) {
+            let contact = found.map(|i| &self.contacts[i]);
+            let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), self.contacts.len()) };
+            if is_ground && face == self.layers.len() {
+                interface(picture, None, *y, |x| self.x(x), touching);
+            }
+            interface(picture, contact, *y, |x| self.x(x), touching);
+            for end in contact
+                .map_or(&[][..], Contact::intervals)
+                .iter()
+                .flat_map(|Interval { left, right, .. }| [left, right])
+            {
+                let x = self.x(*end);
+                picture.line(&[(x, y - 4.0), (x, y + 4.0)], Stroke { width: 1.2, ..touching });
+            }
+            if let Some(i) = found {
+                labels.push((*y, names::reach(self.scene, &self.contacts[i], &self.symbols[i].0)));
+            }
+        }
+        section::labels(picture, labels, Anchor::Right, [0.0, self.bottom], "contacts");
     }
 
     /// The pressures over x, below the contacts where they act: in parts of their largest, if these are very different.
@@ -234,26 +199,23 @@ impl Drawing<'_> {
         let force = self.contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
         let height = if most > 0.0 { most } else { force / scene.geometry.size(-half, half) };
         let y = Scale::around([0.0, if relative { 1.0 } else { height }]).rounded();
-        let unit_of = |i: usize| if relative && peaks[i] > 0.0 { peaks[i] } else { 1.0 };
         let lines = lines(scene).into_iter().map(|x| vec![(x, 0.0), (x, y.ends().1)]);
-        let names = self.contacts.iter().zip(self.symbols()).map(|(contact, (_, symbol))| {
-            let name = format!("{symbol}, {}", names::of_contact(scene, contact.interface));
-            [name].into_iter().chain(names::largest(scene, contact)).collect::<Vec<_>>().join("\n")
-        });
-        let drawn = curves.iter().enumerate().zip(names).flat_map(|((i, parts), name)| {
-            let scaled = |(x, p): &(f64, f64)| (*x, p / unit_of(i));
+        let lines: Vec<Curve> =
+            lines.map(|points| Curve { points, stroke: curve(0, count), label: String::new() }).collect();
+        let drawn = self.contacts.iter().zip(&curves).enumerate().map(|(i, (contact, parts))| {
+            let unit = if relative && peaks[i] > 0.0 { peaks[i] } else { 1.0 };
+            let name = format!("{}, {}", self.symbols[i].1, names::of_contact(scene, contact.interface));
+            let name = [name].into_iter().chain(names::largest(scene, contact)).collect::<Vec<_>>().join("\n");
             let label = if hidden(i, count, LISTED) { String::new() } else { name };
             // intervals are curves of their own
-            let points =
-                parts.iter().map(|part| part.iter().map(scaled).chain([(f64::NAN, f64::NAN)]).collect::<Vec<_>>());
-            [Curve { points: points.flatten().collect(), stroke: curve(i, count), label }]
+            let points = parts.iter().flat_map(|part| part.iter().copied().chain([(f64::NAN, f64::NAN)]));
+            Curve { points: points.map(|(x, p)| (x, p / unit)).collect(), stroke: curve(i, count), label }
         });
-        let lines = lines.map(|points| Curve { points, stroke: curve(0, count), label: String::new() });
-        let top = self.bottom() + PRESSURES[1];
+        let top = self.bottom + PRESSURES[1];
         let chart = Chart {
             frame: Frame { left: 0.0, top, right: WIDTH, bottom: top + PRESSURES[0] },
-            x: Scale::around([-half, half]),
-            y: y.clone(),
+            x: Scale::around([self.middle - half, self.middle + half]),
+            y,
             x_label: italic(scene.geometry.words().along),
             x_unit: unit(scene, Dimension::LENGTH),
             y_label: if relative { "pressure / its largest" } else { "contact pressure" }.into(),
@@ -262,46 +224,5 @@ impl Drawing<'_> {
             labels: Labels::Listed,
         };
         chart.draw(picture);
-    }
-}
-
-/// How stiff the layers are compared with each other.
-struct Stiffness<'a> {
-    scene: &'a Scene,
-    /// What is shown of a half-plane.
-    shown: f64,
-    softest: f64,
-    stiffest: f64,
-}
-
-impl<'a> Stiffness<'a> {
-    fn of(scene: &'a Scene, stack: &Stack, layers: &[&Placed], shown: f64) -> Self {
-        let mut found = Self { scene, shown, softest: f64::INFINITY, stiffest: 0.0 };
-        for placed in layers.iter().copied().chain(stack.base().foundation().half_plane()) {
-            let thickness = placed.layer.thickness().unwrap_or(shown);
-            for depth in [0.0, 0.5 * thickness, thickness] {
-                let modulus = found.modulus(placed, depth);
-                found.softest = found.softest.min(modulus);
-                found.stiffest = found.stiffest.max(modulus);
-            }
-        }
-        found
-    }
-
-    fn modulus(&self, placed: &Placed, depth: f64) -> f64 {
-        placed.layer.material(depth, self.scene.geometry.plane()).shear_compliance.recip()
-    }
-
-    fn varies(&self, placed: &Placed) -> bool {
-        let thickness = placed.layer.thickness().unwrap_or(self.shown);
-        (self.modulus(placed, thickness) / self.modulus(placed, 0.0) - 1.0).abs() > 1e-6
-    }
-
-    /// Light where soft, darker where stiff, by orders of magnitude.
-    fn grey(&self, placed: &Placed, depth: f64) -> Colour {
-        let span = (self.stiffest / self.softest).ln();
-        let share = if span > 1e-6 { (self.modulus(placed, depth) / self.softest).ln() / span } else { 0.5 };
-        let grey = (244.0 - 46.0 * share.clamp(0.0, 1.0)) as u8;
-        Colour { r: grey, g: grey, b: grey }
     }
 }

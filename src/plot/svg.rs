@@ -1,150 +1,103 @@
 //! A picture as scalable vector graphics. Letters are outlines, each defined once, so that no viewer needs a font.
 use std::collections::BTreeSet;
-use std::fmt::{self, Display, Formatter, Write};
 
-use super::letters::{Letter, Piece, letters};
-use super::picture::{Anchor, Colour, Picture, Shape, pieces};
+use tiny_skia::{Path, PathSegment};
+
+use super::letters::{Letter, PlacedLetter, letters};
+use super::picture::{Anchor, Colour, Picture, Shape, plain};
 
 impl Picture {
     /// The picture as SVG.
     pub fn svg(&self) -> String {
-        Svg(self).to_string()
+        let (width, height) = (rounded(self.size.0), rounded(self.size.1));
+        let of = |shape: &Shape| match shape {
+            Shape::Text { text, size, anchor, .. } => letters(text, *size, *anchor),
+            Shape::Line { .. } | Shape::Area { .. } => Vec::new(),
+        };
+        let letters: BTreeSet<Letter> = self.shapes.iter().flat_map(of).map(|placed| placed.letter).collect();
+        let outline = |letter: Letter| {
+            let path = letter.outline().map_or(String::new(), |outline| data(&outline));
+            format!("<path id=\"{}\" d=\"{path}\"/>\n", name(letter))
+        };
+        [
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"".to_owned(),
+            format!(" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n<defs>\n"),
+            letters.into_iter().map(outline).collect(),
+            "</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n".to_owned(),
+            self.shapes.iter().map(shape).collect(),
+            "</svg>\n".to_owned(),
+        ]
+        .concat()
     }
 }
 
-struct Svg<'a>(&'a Picture);
-
-impl Display for Svg<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Picture { size: (width, height), shapes } = self.0;
-        let (width, height) = (Number(*width), Number(*height));
-        write!(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"")?;
-        writeln!(f, " width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">")?;
-        self::outlines(f, shapes)?;
-        writeln!(f, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>")?;
-        shapes.iter().try_for_each(|shape| self::shape(f, shape))?;
-        writeln!(f, "</svg>")
-    }
-}
-
-/// The outlines of all letters that occur, in units of their font.
-fn outlines(f: &mut Formatter<'_>, shapes: &[Shape]) -> fmt::Result {
-    let of = |shape: &Shape| match shape {
-        Shape::Text { text, size, anchor, .. } => letters(text, *size, *anchor),
-        Shape::Line { .. } | Shape::Area { .. } => Vec::new(),
-    };
-    let all: BTreeSet<Letter> = shapes.iter().flat_map(of).map(|placed| placed.letter).collect();
-    writeln!(f, "<defs>")?;
-    for letter in all {
-        write!(f, "<path id=\"{}\" d=\"", Name(letter))?;
-        for piece in letter.outline() {
-            match piece {
-                Piece::Move([x, y]) => write!(f, "M{} {}", Number(x), Number(y))?,
-                Piece::Line([x, y]) => write!(f, "L{} {}", Number(x), Number(y))?,
-                Piece::Quadratic([[a, b], [x, y]]) => {
-                    write!(f, "Q{} {} {} {}", Number(a), Number(b), Number(x), Number(y))?;
-                }
-                Piece::Cubic(points) => {
-                    f.write_char('C')?;
-                    points.iter().flatten().try_for_each(|number| write!(f, "{} ", Number(*number)))?;
-                }
-                Piece::Close => f.write_char('Z')?,
-            }
-        }
-        writeln!(f, "\"/>")?;
-    }
-    writeln!(f, "</defs>")
-}
-
-fn shape(f: &mut Formatter<'_>, shape: &Shape) -> fmt::Result {
+fn shape(shape: &Shape) -> String {
+    let path = || shape.path().map_or(String::new(), |path| data(&path));
     match shape {
-        Shape::Line { points, stroke } => {
-            write!(f, "<path d=\"")?;
-            path(f, points)?;
-            write!(f, "\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", Hex(stroke.colour), Number(stroke.width))?;
-            if let Some((dash, space)) = stroke.dash {
-                write!(f, " stroke-dasharray=\"{} {}\"", Number(dash), Number(space))?;
-            }
-            writeln!(f, "/>")
+        Shape::Line { stroke, .. } => {
+            let (hex, width) = (hex(stroke.colour), rounded(stroke.width));
+            let dashes = |(dash, space)| format!(" stroke-dasharray=\"{} {}\"", rounded(dash), rounded(space));
+            let dashes = stroke.dash.map_or(String::new(), dashes);
+            format!("<path d=\"{}\" fill=\"none\" stroke=\"{hex}\" stroke-width=\"{width}\"{dashes}/>\n", path())
         }
-        Shape::Area { rings, colour } => {
-            write!(f, "<path d=\"")?;
-            for ring in rings {
-                path(f, ring)?;
-                f.write_char('Z')?;
-            }
-            writeln!(f, "\" fill=\"{}\" fill-rule=\"evenodd\"/>", Hex(*colour))
+        Shape::Area { colour, .. } => {
+            format!("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"/>\n", path(), hex(*colour))
         }
         Shape::Text { at, text, size, colour, anchor } => {
+            let (x, y, turned) = (rounded(at.0), rounded(at.1), *anchor == Anchor::Upwards);
+            let turn = if turned { " rotate(-90)" } else { "" };
             // what is written there, for those who do not see it
-            write!(f, "<g role=\"img\" aria-label=\"")?;
-            pieces(text).try_for_each(|(_, piece)| write!(f, "{}", Escaped(piece)))?;
-            write!(f, "\" transform=\"translate({} {})", Number(at.0), Number(at.1))?;
-            if *anchor == Anchor::Upwards {
-                write!(f, " rotate(-90)")?;
-            }
-            write!(f, "\" fill=\"{}\">", Hex(*colour))?;
-            for placed in letters(text, *size, *anchor) {
-                let ((x, y), scale) = (placed.at, (1e5 * placed.scale).round() / 1e5);
-                write!(f, "<use xlink:href=\"#{}\" transform=\"", Name(placed.letter))?;
-                write!(f, "translate({} {}) scale({scale} -{scale})\"/>", Number(x), Number(y))?;
-            }
-            writeln!(f, "</g>")
+            let label = escaped(&plain(text));
+            let letter = |PlacedLetter { letter, scale, at: (x, y) }| {
+                let (x, y, scale) = (rounded(x), rounded(y), (1e5 * scale).round() / 1e5);
+                let place = format!("translate({x} {y}) scale({scale} -{scale})");
+                format!("<use xlink:href=\"#{}\" transform=\"{place}\"/>", name(letter))
+            };
+            let letters: String = letters(text, *size, *anchor).into_iter().map(letter).collect();
+            let head = format!("<g role=\"img\" aria-label=\"{label}\" transform=\"translate({x} {y}){turn}\"");
+            format!("{head} fill=\"{}\">{letters}</g>\n", hex(*colour))
         }
     }
 }
 
-/// Lines from the first point through all others.
-fn path(f: &mut Formatter<'_>, points: &[(f64, f64)]) -> fmt::Result {
-    for (i, (x, y)) in points.iter().enumerate() {
-        f.write_char(if i == 0 { 'M' } else { ' ' })?;
-        write!(f, "{} {}", Number(*x), Number(*y))?;
+/// A path as SVG has it.
+fn data(path: &Path) -> String {
+    let (mut data, mut curved) = (String::new(), false);
+    for segment in path.segments() {
+        let (letter, points) = match segment {
+            PathSegment::MoveTo(to) => ("M", vec![to]),
+            // a line goes on without a letter
+            PathSegment::LineTo(to) => (if curved { "L" } else { " " }, vec![to]),
+            PathSegment::QuadTo(by, to) => ("Q", vec![by, to]),
+            PathSegment::CubicTo(from, towards, to) => ("C", vec![from, towards, to]),
+            PathSegment::Close => ("Z", Vec::new()),
+        };
+        curved = points.len() > 1;
+        let numbers = points.iter().map(|point| [point.x, point.y].map(|number| rounded(number.into()).to_string()));
+        data += letter;
+        data += &numbers.flatten().collect::<Vec<_>>().join(" ");
     }
-    Ok(())
+    data
 }
 
 /// What the outline of a letter is called.
-struct Name(Letter);
-
-impl Display for Name {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}", if self.0.font == 0 { "u" } else { "i" }, self.0.glyph)
-    }
+fn name(Letter { font, glyph }: Letter) -> String {
+    format!("{}{glyph}", if font == 0 { "u" } else { "i" })
 }
 
-/// Hundredths of a point are finer than any printer.
-struct Number(f64);
-
-impl Display for Number {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        // no negative zero
-        write!(f, "{}", (100.0 * self.0).round() / 100.0 + 0.0)
-    }
+/// Hundredths of a point are finer than any printer; no negative zero.
+fn rounded(number: f64) -> f64 {
+    (100.0 * number).round() / 100.0 + 0.0
 }
 
-struct Hex(Colour);
-
-impl Display for Hex {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Colour { r, g, b } = self.0;
-        write!(f, "#{r:02x}{g:02x}{b:02x}")
-    }
+fn hex(Colour { r, g, b }: Colour) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// Text without the characters that mean something in SVG, and without those that it may not have.
-struct Escaped<'a>(&'a str);
-
-impl Display for Escaped<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.0.chars().try_for_each(|c| match c {
-            '<' => f.write_str("&lt;"),
-            '>' => f.write_str("&gt;"),
-            '&' => f.write_str("&amp;"),
-            '"' => f.write_str("&quot;"),
-            '\u{fffe}' | '\u{ffff}' => f.write_char(' '),
-            c => f.write_char(c),
-        })
-    }
+fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;");
+    text.replace(['\u{fffe}', '\u{ffff}'], " ")
 }
 
 #[cfg(test)]

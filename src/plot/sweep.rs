@@ -1,63 +1,56 @@
-//! The curves of a sweep, one column for each contact: as far as it reaches above, its largest pressure below.
+//! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below.
+use super::bands::{Bands, Values};
 use super::chart::{Chart, Curve, Frame, Labels, hidden, with_unit};
 use super::file::PlotError;
-use super::heat;
 use super::names::{of_path, unit};
 use super::picture::{Anchor, Picture, Stroke};
 use super::planes::{CONTACTS, Plane, number, planes, scale_of, step};
 use super::scale::{Scale, distinct};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::axis::Axis;
-use crate::scene::Scene;
 use crate::sweep::{Sweep, SweepPoint};
 
-/// Size of one plane of curves, in points.
-const PLANE: (f64, f64) = (215.0, 145.0);
-/// What is left of, above and below a plane, in points.
-const AROUND: (f64, f64, f64) = (70.0, 22.0, 42.0);
+/// Distance of the middle of a heading from the plane below, in points.
+const HEADING: f64 = 11.0;
+/// Between a map and its scale of colours, in points.
+const BEFORE_BAR: f64 = 12.0;
 /// Most curves that are told apart by labels.
 const LABELLED: usize = 10;
 /// A curve jumps where it changes by more than the first part of its range, and that many times as much as before and after.
 const JUMP: [f64; 2] = [0.1, 6.0];
-
-/// The rows of a sweep that differ on one axis only, and what they have in common.
-struct Family {
-    label: String,
-    rows: Vec<usize>,
-}
-
 /// Most points of a curve, four to a point of the picture's width.
 const POINTS: usize = 1000;
 /// Most curves: more can hardly be told apart.
 const CURVES: usize = 200;
+/// Fewest values of an axis for a map: fewer are curves.
+const FEWEST: usize = 6;
+/// Most places along each axis of a map.
+const MOST: usize = 100;
+
+/// What is drawn of a sweep, and how large.
+struct Layout<'a> {
+    sweep: &'a Sweep,
+    /// The axis along x: with curves that with most values.
+    along: usize,
+    /// The axis along y; `None` for curves.
+    up: Option<usize>,
+    /// Most values along x, and most of all others together.
+    most: [usize; 2],
+    /// Size of one plane, and the distance from one to the next, in points.
+    size: [f64; 2],
+    apart: [f64; 2],
+}
 
 /// Whether a picture of a sweep needs the row with this number: of a large grid equally spaced ones are drawn, at most a
 /// thousand along a curve and two hundred curves.
 pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
-    if let Some(axes) = heat::axes(sweep) {
-        return heat::is_drawn(sweep, axes, row);
-    }
-    let (axes, along) = (sweep.axes(), along(sweep));
-    let (mut rest, mut curve, mut place) = (row, 0, 1);
-    let mut point = 0;
-    for (i, axis) in axes.iter().enumerate().rev() {
-        let value = rest % axis.count();
-        rest /= axis.count();
-        if Some(i) == along {
-            point = value;
-        } else {
-            curve += value * place;
-            place *= axis.count();
-        }
-    }
-    let points = along.map_or(1, |along| axes[along].count());
-    point % step(points, POINTS) == 0 && curve % step(place, CURVES) == 0
-}
-
-/// The axis along which curves are drawn: that with most values, if it has two.
-fn along(sweep: &Sweep) -> Option<usize> {
-    let counts = sweep.axes().iter().map(Axis::count).enumerate();
-    counts.filter(|(_, count)| *count > 1).max_by_key(|(_, count)| *count).map(|(i, _)| i)
+    let Some(Layout { along, most, .. }) = Layout::of(sweep) else { return true };
+    let counts: Vec<usize> = sweep.axes().iter().map(Axis::count).collect();
+    // the last axis changes fastest
+    let (count, within) = (counts[along], counts[along + 1..].iter().product::<usize>());
+    let others = counts[..along].iter().product::<usize>() * within;
+    let (point, other) = (row / within % count, row / (within * count) * within + row % within);
+    point.is_multiple_of(step(count, most[0])) && other.is_multiple_of(step(others, most[1]))
 }
 
 /// A sweep over two axes of six values or more each as maps over both; any other as curves over the axis with most values, one for
@@ -70,133 +63,174 @@ fn along(sweep: &Sweep) -> Option<usize> {
 /// # Errors
 /// [`PlotError::Empty`] if no axis has two values.
 pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError> {
-    let axes = sweep.axes();
-    let Some(along) = along(sweep) else {
-        return Err(PlotError::Empty("a curve needs a quantity that takes two values".into()));
-    };
-    if let Some(both) = heat::axes(sweep) {
-        return Ok(heat::maps(sweep, both, &planes(sweep, points), points));
-    }
-    let others: Vec<usize> = (0..axes.len()).filter(|i| *i != along && axes[*i].count() > 1).collect();
-    let curves = Curves {
-        scene: sweep.scene(),
-        axis: &axes[along],
-        along,
-        families: families(axes, along, &others, points),
-        points,
-    };
+    let layout =
+        Layout::of(sweep).ok_or_else(|| PlotError::Empty("a curve needs a quantity that takes two values".into()))?;
     let planes = planes(sweep, points);
-    let mut picture = Picture::new(PLANE.0, PLANE.1);
+    let last = planes.iter().map(|plane| plane.place[0]).max().unwrap_or(0);
+    let families = layout.families(points);
+    let mut picture = Picture::new(layout.size[0], layout.size[1]);
+    let mut jumping = false;
     for plane in &planes {
-        let last = planes.iter().all(|other| other.place[0] <= plane.place[0]);
-        curves.draw(&mut picture, plane, last && !others.is_empty());
+        let frame = layout.frame(plane.place);
+        let middle = 0.5 * (frame.left + frame.right);
+        picture.text((middle, frame.top - HEADING), &plane.what, TEXT, INK, Anchor::Centre);
+        if layout.up.is_some() {
+            layout.map(&mut picture, plane, points);
+        } else {
+            let is_labelled = plane.place[0] == last && families.len() > 1;
+            jumping |= layout.curves(&mut picture, plane, points, &families, is_labelled);
+        }
     }
-    let name = |i: &usize| {
-        let (name, dimension) = of_path(sweep.scene(), axes[*i].path());
-        with_unit(&name, unit(sweep.scene(), dimension).as_deref(), 0)
-    };
-    let right = frame([planes.iter().map(|plane| plane.place[0]).max().unwrap_or(0), 0]).right;
-    for (i, title) in others.iter().map(name).enumerate() {
-        let below = (others.len() - 1 - i) as f64 * 1.3 * TEXT;
-        picture.text((right + 11.0, -0.9 * AROUND.1 - below), &title, TEXT, INK, Anchor::Left);
+    let right = layout.frame([last, 0]).right;
+    for (i, axis) in layout.others().into_iter().rev().enumerate() {
+        let (title, unit) = layout.name(axis);
+        let place = (right + HEADING, -1.8 * HEADING - i as f64 * 1.3 * TEXT);
+        picture.text(place, &with_unit(&title, unit.as_deref(), 0), TEXT, INK, Anchor::Left);
     }
-    let left_out = sweep.contacts().count().saturating_sub(CONTACTS);
-    notes(&mut picture, points, &curves.jumps(&planes), left_out);
+    layout.notes(&mut picture, points, jumping);
     Ok(picture.fitted())
 }
 
-/// What is to be said of marks and of what is not drawn.
-fn notes(picture: &mut Picture, points: &[SweepPoint], jumps: &[usize], left_out: usize) {
-    let mut notes = Vec::new();
-    if points.iter().any(|point| point.warned) {
-        notes.push("circle: a warning, see the column `message`".to_owned());
-    }
-    if points.iter().any(|point| !point.solved) {
-        notes.push("cross: no solution, see the column `message`".to_owned());
-    }
-    if !jumps.is_empty() {
-        notes.push("dotted: the curve jumps".to_owned());
-    }
-    if left_out > 0 {
-        notes.push(format!("not drawn: {left_out} more contacts"));
-    }
-    let top = frame([0, 2]).top;
-    for (i, note) in notes.iter().enumerate() {
-        picture.text((0.0, top + 1.3 * SMALL * i as f64), note, SMALL, INK, Anchor::Left);
-    }
-}
-
-/// All curves over one axis.
-struct Curves<'a> {
-    scene: &'a Scene,
-    axis: &'a Axis,
-    along: usize,
-    families: Vec<Family>,
-    points: &'a [SweepPoint],
-}
-
-impl Curves<'_> {
-    fn curve(&self, family: &Family, column: usize) -> Vec<(f64, f64)> {
-        let point = |row: &usize| (number(&self.points[*row], self.along), number(&self.points[*row], column));
-        family.rows.iter().map(point).collect()
-    }
-
-    fn draw(&self, picture: &mut Picture, plane: &Plane, named: bool) {
-        let frame = frame(plane.place);
-        let (x_label, x_dimension) = of_path(self.scene, self.axis.path());
-        let count = self.families.len();
-        let mut drawn = Vec::new();
-        for (i, family) in self.families.iter().enumerate() {
-            let (mut points, mut last) = (Vec::new(), Vec::new());
-            let all = self.curve(family, plane.column);
-            let jumps = jumps(&all);
-            for (k, point) in all.iter().enumerate() {
-                points.push(*point);
-                if jumps.contains(&k) {
-                    points.push((f64::NAN, f64::NAN));
-                    last.extend([*point, all[k + 1], (f64::NAN, f64::NAN)]);
-                }
+impl<'a> Layout<'a> {
+    /// `None` if no axis has two values.
+    fn of(sweep: &'a Sweep) -> Option<Self> {
+        let count = |i: &usize| sweep.axes()[*i].count();
+        let varied: Vec<usize> = (0..sweep.axes().len()).filter(|i| count(i) > 1).collect();
+        Some(match varied[..] {
+            [y, x] if count(&x).min(count(&y)) >= FEWEST => {
+                Self { sweep, along: x, up: Some(y), most: [MOST; 2], size: [200.0, 150.0], apart: [330.0, 222.0] }
             }
-            let label = if named && !hidden(i, count, LABELLED) { family.label.clone() } else { String::new() };
-            drawn.push(Curve { points, stroke: curve(i, count), label });
-            let dotted = Stroke { dash: Some((1.0, 2.5)), ..hair(FAINT) };
-            drawn.push(Curve { points: last, stroke: dotted, label: String::new() });
+            _ => {
+                let along = varied.iter().copied().max_by_key(count)?;
+                Self { sweep, along, up: None, most: [POINTS, CURVES], size: [215.0, 145.0], apart: [285.0, 209.0] }
+            }
+        })
+    }
+
+    /// The plane in a column and a line of the picture.
+    fn frame(&self, place: [usize; 2]) -> Frame {
+        let [left, top] = [0, 1].map(|k| place[k] as f64 * self.apart[k]);
+        Frame { left, top, right: left + self.size[0], bottom: top + self.size[1] }
+    }
+
+    /// The axes with two values that are neither along x nor along y.
+    fn others(&self) -> Vec<usize> {
+        let is_other = |i: &usize| self.sweep.axes()[*i].count() > 1 && *i != self.along && Some(*i) != self.up;
+        (0..self.sweep.axes().len()).filter(is_other).collect()
+    }
+
+    /// What an axis is called, and its unit.
+    fn name(&self, axis: usize) -> (String, Option<String>) {
+        let (name, dimension) = of_path(self.sweep.scene(), self.sweep.axes()[axis].path());
+        (name, unit(self.sweep.scene(), dimension))
+    }
+
+    fn chart(&self, plane: &Plane, y: Scale, curves: Vec<Curve>) -> Chart {
+        let (x_label, x_unit) = self.name(self.along);
+        let (y_label, y_unit) =
+            self.up.map_or_else(|| (plane.label.clone(), plane.unit.clone()), |axis| self.name(axis));
+        let x = scale_of(&self.sweep.axes()[self.along], self.most[0]);
+        let frame = self.frame(plane.place);
+        Chart { frame, x, y, x_label, x_unit, y_label, y_unit, curves, labels: Labels::AtEnds }
+    }
+
+    fn map(&self, picture: &mut Picture, plane: &Plane, points: &[SweepPoint]) {
+        let axes = [self.along, self.up.unwrap_or(self.along)];
+        let [xs, ys] = [0, 1].map(|k| {
+            let axis = &self.sweep.axes()[axes[k]];
+            let mut places: Vec<f64> = axis.values().step_by(step(axis.count(), self.most[k])).collect();
+            places.sort_by(f64::total_cmp);
+            places
+        });
+        let mut values = vec![f64::NAN; xs.len() * ys.len()];
+        for point in points {
+            let at = |list: &[f64], axis: usize| list.binary_search_by(|at| at.total_cmp(&number(point, axis))).ok();
+            if let (Some(column), Some(line)) = (at(&xs, axes[0]), at(&ys, axes[1])) {
+                values[line * xs.len() + column] = number(point, plane.column);
+            }
         }
-        let chart = Chart {
-            frame,
-            x: scale_of(self.axis, POINTS),
-            y: Scale::around(self.points.iter().map(|point| number(point, plane.column))).rounded(),
-            x_label,
-            x_unit: unit(self.scene, x_dimension),
-            y_label: plane.label.clone(),
-            y_unit: plane.unit.clone(),
-            curves: drawn,
-            labels: Labels::AtEnds,
-        };
-        let middle = 0.5 * (frame.left + frame.right);
-        picture.text((middle, frame.top - 0.5 * AROUND.1), &plane.what, TEXT, INK, Anchor::Centre);
+        let chart = self.chart(plane, scale_of(&self.sweep.axes()[axes[1]], self.most[1]), Vec::new());
+        let bands = Bands::new(Scale::around(values.iter().copied()), None);
+        bands.draw(picture, &Values { xs: &xs, ys: &ys, values: &values }, |place| chart.place(place));
         chart.draw(picture);
-        for point in self.points {
-            let (x, y) = (number(point, self.along), number(point, plane.column));
+        let Frame { right, top, bottom, .. } = chart.frame;
+        let title = with_unit(&plane.label, plane.unit.as_deref(), bands.scale.power());
+        bands.bar(picture, (right + BEFORE_BAR, top), bottom, &title);
+    }
+
+    /// Curves with marks; whether one of them jumps.
+    fn curves(
+        &self,
+        picture: &mut Picture,
+        plane: &Plane,
+        points: &[SweepPoint],
+        families: &[(String, Vec<usize>)],
+        is_labelled: bool,
+    ) -> bool {
+        let place = |point: &SweepPoint| (number(point, self.along), number(point, plane.column));
+        let gap = (f64::NAN, f64::NAN);
+        let (mut curves, mut jumping) = (Vec::new(), false);
+        for (i, (label, rows)) in families.iter().enumerate() {
+            let mut points: Vec<(f64, f64)> = rows.iter().map(|row| place(&points[*row])).collect();
+            let jumps = jumps(&points);
+            jumping |= !jumps.is_empty();
+            let dotted = Stroke { dash: Some((1.0, 2.5)), ..hair(FAINT) };
+            let over = jumps.iter().flat_map(|k| [points[*k], points[k + 1], gap]).collect();
+            jumps.iter().rev().for_each(|k| points.insert(k + 1, gap));
+            let is_named = is_labelled && !hidden(i, families.len(), LABELLED);
+            let label = if is_named { label.clone() } else { String::new() };
+            curves.push(Curve { points, stroke: curve(i, families.len()), label });
+            curves.push(Curve { points: over, stroke: dotted, label: String::new() });
+        }
+        let y = Scale::around(points.iter().map(|point| place(point).1)).rounded();
+        let chart = self.chart(plane, y, curves);
+        chart.draw(picture);
+        for point in points {
+            let (x, y) = chart.place(place(point));
             if point.warned && y.is_finite() {
-                let (x, y) = chart.place((x, y));
-                let turn = |k: i32| std::f64::consts::TAU * f64::from(k) / 16.0;
-                let ring: Vec<_> = (0..=16).map(turn).map(|phi| (x + 2.6 * phi.cos(), y + 2.6 * phi.sin())).collect();
-                picture.line(&ring, hair(INK));
+                picture.circle((x, y), 2.6, hair(INK));
             } else if !point.solved {
-                let (x, y) = (chart.place((x, 0.0)).0, frame.bottom - 5.0);
+                let y = chart.frame.bottom - 5.0;
                 picture.line(&[(x - 2.5, y - 2.5), (x + 2.5, y + 2.5)], hair(INK));
                 picture.line(&[(x - 2.5, y + 2.5), (x + 2.5, y - 2.5)], hair(INK));
             }
         }
+        jumping
     }
 
-    /// All jumps of all curves.
-    fn jumps(&self, planes: &[Plane]) -> Vec<usize> {
-        let of = |plane: &Plane| {
-            self.families.iter().flat_map(|family| jumps(&self.curve(family, plane.column))).collect::<Vec<_>>()
-        };
-        planes.iter().flat_map(of).collect()
+    /// The rows that differ on the axis along x only, in the order of the grid, and what they have in common.
+    fn families(&self, points: &[SweepPoint]) -> Vec<(String, Vec<usize>)> {
+        let texts = self.others().into_iter().map(|axis| {
+            let values: Vec<f64> = points.iter().map(|point| number(point, axis)).collect();
+            distinct(&values)
+        });
+        let texts: Vec<Vec<String>> = texts.collect();
+        let mut families: Vec<(String, Vec<usize>)> = Vec::new();
+        for row in 0..points.len() {
+            let label = texts.iter().map(|of_axis| &of_axis[row][..]).collect::<Vec<_>>().join(", ");
+            match families.iter_mut().find(|(found, _)| *found == label) {
+                Some((_, rows)) => rows.push(row),
+                None => families.push((label, vec![row])),
+            }
+        }
+        families
+    }
+
+    /// What is to be said of marks and of what is not drawn.
+    fn notes(&self, picture: &mut Picture, points: &[SweepPoint], jumping: bool) {
+        let left_out = self.sweep.contacts().count().saturating_sub(CONTACTS);
+        let mark = if self.up.is_some() { "white" } else { "cross" };
+        let marked = self.up.is_none() && points.iter().any(|point| point.warned);
+        let notes = [
+            (marked, "circle: a warning, see the column `message`".to_owned()),
+            (points.iter().any(|point| !point.solved), format!("{mark}: no solution, see the column `message`")),
+            (jumping, "dotted: the curve jumps".to_owned()),
+            (left_out > 0, format!("not drawn: {left_out} more contacts")),
+        ];
+        let top = self.frame([0, 2]).top;
+        for (i, (_, note)) in notes.into_iter().filter(|(is_so, _)| *is_so).enumerate() {
+            picture.text((0.0, top + 1.3 * SMALL * i as f64), &note, SMALL, INK, Anchor::Left);
+        }
     }
 }
 
@@ -209,35 +243,6 @@ fn jumps(curve: &[(f64, f64)]) -> Vec<usize> {
         changes[*k] > JUMP[0] * (high - low) && changes[*k] > JUMP[1] * beside
     };
     (1..changes.len().saturating_sub(1)).filter(jumps).collect()
-}
-
-/// The plane of curves in a column and a line of the picture.
-fn frame([column, line]: [usize; 2]) -> Frame {
-    let (beside, above, below) = AROUND;
-    let left = column as f64 * (beside + PLANE.0);
-    let top = line as f64 * (above + PLANE.1 + below);
-    Frame { left, top, right: left + PLANE.0, bottom: top + PLANE.1 }
-}
-
-/// Rows that differ in the value on axis `along` only, in the order of the grid.
-fn families(axes: &[Axis], along: usize, others: &[usize], points: &[SweepPoint]) -> Vec<Family> {
-    let mut families: Vec<(Vec<f64>, Family)> = Vec::new();
-    let texts = others.iter().map(|axis| {
-        let values: Vec<f64> = points.iter().map(|row| number(row, *axis)).collect();
-        distinct(&values)
-    });
-    let texts: Vec<Vec<String>> = texts.collect();
-    for (i, row) in points.iter().enumerate() {
-        let key: Vec<f64> = (0..axes.len()).filter(|axis| *axis != along).map(|axis| number(row, axis)).collect();
-        match families.iter_mut().find(|(found, _)| *found == key) {
-            Some((_, family)) => family.rows.push(i),
-            None => {
-                let label = texts.iter().map(|of_axis| &of_axis[i][..]).collect::<Vec<_>>().join(", ");
-                families.push((key, Family { label, rows: vec![i] }));
-            }
-        }
-    }
-    families.into_iter().map(|(_, family)| family).collect()
 }
 
 #[cfg(test)]

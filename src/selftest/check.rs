@@ -67,9 +67,9 @@ impl Check {
             Ok(Ok((solution, None))) => Outcome::Solved(Box::new(solution)),
             Ok(Err(error)) => Outcome::Unsolved(error),
             Err(panic) => {
-                let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
-                let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
-                Outcome::Panicked(text.unwrap_or_else(|| "without a message".to_owned()))
+                let text = panic.downcast_ref::<String>().map(String::as_str);
+                let text = text.or_else(|| panic.downcast_ref().copied()).unwrap_or("without a message");
+                Outcome::Panicked(text.to_owned())
             }
         };
         Self { outcome, seconds }
@@ -81,7 +81,7 @@ impl Outcome {
     pub fn solution(&self) -> Option<&Solution> {
         match self {
             Self::Solved(solution) => Some(solution),
-            Self::Unsolved(_) | Self::Wrong(_) | Self::Panicked(_) => None,
+            _ => None,
         }
     }
 
@@ -102,11 +102,11 @@ impl Outcome {
 
     /// Why there is no answer; the same words for the same cause, numbers left out. Empty if there is one.
     pub fn reason(&self) -> String {
-        match self {
+        without_numbers(&match self {
             Self::Solved(_) => String::new(),
-            Self::Unsolved(error) => without_numbers(&error.to_string()),
-            Self::Wrong(text) | Self::Panicked(text) => without_numbers(text),
-        }
+            Self::Unsolved(error) => error.to_string(),
+            Self::Wrong(text) | Self::Panicked(text) => text.clone(),
+        })
     }
 
     /// The contact that the reason names.
@@ -183,27 +183,14 @@ fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
 
 /// A message with `…` for every number, and for every list of them.
 fn without_numbers(text: &str) -> String {
-    let mut plain = String::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-' | '+');
-        let taken = match first {
-            '[' => rest.find(']').map_or(rest.len(), |end| end + 1),
-            // the sign of a number, unlike a hyphen, has a digit behind it
-            '-' | '0'..='9' if rest[1..].starts_with(|c: char| c.is_ascii_digit()) || first != '-' => {
-                rest.find(|c| !number(c)).unwrap_or(rest.len())
-            }
-            _ => 0,
-        };
-        if taken == 0 {
-            plain.push(first);
-            rest = &rest[first.len_utf8()..];
-        } else {
-            plain.push('…');
-            rest = &rest[taken..];
-        }
-    }
-    plain
+    let is_of_number = |c: &char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-' | '+');
+    let chars: Vec<char> = text.chars().collect();
+    let pieces = chars.chunk_by(|a, b| is_of_number(a) == is_of_number(b)).map(|piece| {
+        let is_number = is_of_number(&piece[0]) && piece.iter().any(char::is_ascii_digit);
+        if is_number { "…".to_owned() } else { piece.iter().collect() }
+    });
+    let plain = pieces.collect::<String>().replace(", …", "");
+    plain.replace("[…]", "…")
 }
 
 #[cfg(test)]

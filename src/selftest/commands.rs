@@ -1,7 +1,7 @@
 //! What the commands do with a solved scene: reports in every format, fields, pictures, and what must hold of them.
-use std::fmt::Write as _;
+use std::fmt::Display;
 
-use crate::approach::{Approach, ApproachError};
+use crate::approach::ApproachError;
 use crate::field::{Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity};
 use crate::model::Model;
 use crate::profile::profile_places;
@@ -25,9 +25,8 @@ const PRESSED: f64 = 1e-5;
 /// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; returns what is wrong, if anything.
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
     let all = || -> Result<(), String> {
-        let field = model.field(solution).map_err(|e| context("field")(&e))?;
-        let approach = model.approach(&scene.top, solution);
-        reports(scene, solution, &approach, &field)?;
+        let field = step("field", model.field(solution))?;
+        reports(scene, model, solution, &field)?;
         fields(scene, solution, &field)?;
         profile(scene, model, solution)?;
         if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
@@ -35,61 +34,48 @@ pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: b
     all().err()
 }
 
-fn context(what: &str) -> impl Fn(&dyn std::fmt::Display) -> String {
-    move |error| format!("{what}: {error}")
+/// The result of a step, whose name stands before its error.
+fn step<T>(name: &str, result: Result<T, impl Display>) -> Result<T, String> {
+    result.map_err(|error| format!("{name}: {error}"))
 }
 
 /// Writes the solution in every format; numbers are numbers there.
-fn reports(
-    scene: &Scene,
-    solution: &Solution,
-    approach: &Result<Approach, ApproachError>,
-    field: &Field,
-) -> Result<(), String> {
-    match approach {
-        Err(ApproachError::Field(error)) => return Err(context("approach")(error)),
+fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> Result<(), String> {
+    let approach = model.approach(&scene.top, solution);
+    match &approach {
+        Err(ApproachError::Field(error)) => return Err(format!("approach: {error}")),
         Ok(found) if !found.value.is_finite() || found.value + found.error <= 0.0 => {
             return Err(format!("the approach is {} ± {}", found.value, found.error));
         }
         _ => {}
     }
-    let max_shear = match field.max_shear() {
-        // it is infinite under a line load, at corners, and under some tips
-        Ok(found) => Some(found),
-        Err(error) => return Err(context("largest shear stress")(&error)),
-    };
-    let extremes = match field.extremes() {
-        Ok(found) => Some(found),
-        Err(error) => return Err(context("extremes")(&error)),
-    };
+    let max_shear = step("largest shear stress", field.max_shear())?;
+    let extremes = step("extremes", field.extremes())?;
     let report = Report {
         scene,
         solution,
-        approach: Some(approach),
-        max_shear: max_shear.filter(|found| found.value.is_finite()),
-        extremes: extremes.as_ref(),
-        collocated: None,
+        approach: Some(&approach),
+        // it is infinite under a line load, at corners, and under some tips
+        max_shear: Some(max_shear).filter(|found| found.value.is_finite()),
+        extremes: Some(&extremes),
         digits: None,
         seconds: 0.0,
     };
     for format in [Format::Table, Format::Json, Format::Csv] {
         let mut text = Vec::new();
-        report.write(format, &mut text).map_err(|e| context("report")(&e))?;
-        let text = String::from_utf8(text).map_err(|e| context("report")(&e))?;
+        step("report", report.write(format, &mut text))?;
+        let text = step("report", String::from_utf8(text))?;
         if text.contains("NaN") {
             return Err(format!("{format:?} report: not a number"));
         }
         if format == Format::Json {
-            serde_json::from_str::<serde_json::Value>(&text).map_err(|e| context("JSON report")(&e))?;
+            step("JSON report", serde_json::from_str::<serde_json::Value>(&text))?;
         }
     }
-    match max_shear {
-        Some(found) if found.value.is_nan() || found.value < 0.0 => {
-            Err(format!("the largest shear stress is {}", found.value))
-        }
-        Some(found) => nowhere_larger(solution, field, found.value, extremes.as_ref()),
-        None => Ok(()),
+    if max_shear.value.is_nan() || max_shear.value < 0.0 {
+        return Err(format!("the largest shear stress is {}", max_shear.value));
     }
+    nowhere_larger(solution, field, max_shear.value, &extremes)
 }
 
 /// The profile along x: gaps are open.
@@ -98,7 +84,7 @@ fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), Stri
     let profile = match model.profile(&scene.top, solution, &places) {
         // next to a contact that is much shorter than another there are too many short waves
         Err(FieldError::TooFar { .. }) => return Ok(()),
-        profile => profile.map_err(|e| context("profile")(&e))?,
+        profile => step("profile", profile)?,
     };
     // what is left out of an answer, and a warning tells of, may penetrate
     let is_whole = solution.warnings().iter().all(|warning| warning.code.is_about_theory());
@@ -109,52 +95,37 @@ fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), Stri
             return Err(format!("profile: the gap at {} is {gap}, the largest {largest}", contact.interface));
         }
     }
-    write_profile(&profile, &mut Vec::new()).map_err(|e| context("profile")(&e))
+    step("profile", write_profile(&profile, &mut Vec::new()))
 }
 
 /// The grid: places along x and depths.
 fn grid(solution: &Solution, field: &Field) -> [Vec<f64>; 2] {
-    let longest = solution.contacts().iter().fold(0.0, |a: f64, contact| a.max(contact.reach()));
     let bottom = field.layers().last().map_or(0.0, |(_, [_, to])| to);
     // a line load by itself has no length, nor has a half-plane: any will do
-    let length = if longest > 0.0 {
-        longest
-    } else if bottom.is_finite() {
-        bottom
-    } else {
-        1.0
-    };
+    let length = solution.extent().unwrap_or(if bottom.is_finite() { bottom } else { 1.0 });
     let deepest = bottom.min(DEPTH * length);
     [ALONG.map(|part| part * length).to_vec(), DOWN.map(|part| part * deepest).to_vec()]
 }
 
 /// No stress on a grid is larger than the largest.
-fn nowhere_larger(
-    solution: &Solution,
-    field: &Field,
-    max_shear: f64,
-    extremes: Option<&Extremes>,
-) -> Result<(), String> {
+fn nowhere_larger(solution: &Solution, field: &Field, max_shear: f64, extremes: &Extremes) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
-    let grids = field.by_layer(&xs, &depths).map_err(|e| context("field")(&e))?;
-    let value = |found: Option<Extreme>| found.map_or(0.0, |found| found.value);
-    let tension = extremes.map(|found| value(found.tension));
-    let layers = extremes.map_or(&[][..], |found| &found.layers);
-    for point in grids.iter().flat_map(|grid| grid.points()) {
+    let value = |found: Extreme| found.value;
+    let tension = extremes.tension.map_or(0.0, value);
+    for point in step("field", field.by_layer(&xs, &depths))?.iter().flat_map(|grid| grid.points()) {
         let FieldPoint { x, depth, layer, .. } = *point;
-        let von_mises = layers.iter().find(|of| of.layer == layer).and_then(|of| of.von_mises).map(|found| found.value);
+        let own = extremes.layers.iter().find(|of| of.layer == layer);
         let all = [
             ("shear stress", point.max_shear(), Some(max_shear)),
-            ("tension", point.principal()[0], tension),
-            ("von Mises stress", point.von_mises(), von_mises),
+            ("tension", point.principal()[0], Some(tension)),
+            ("von Mises stress", point.von_mises(), own.and_then(|of| of.von_mises).map(value)),
         ];
         for (what, here, largest) in all {
             // tensions are small next to pressures, which tell how large errors are
-            if let Some(largest) = largest.filter(|largest| here > largest * (1.0 + LARGER) + 1e-3 * LARGER * max_shear)
-            {
-                return Err(format!(
-                    "{what} {here:e} at x = {x:e}, depth {depth:e} in layer {layer}, largest {largest:e}"
-                ));
+            let is_larger = |largest: &f64| here > largest * (1.0 + LARGER) + 1e-3 * LARGER * max_shear;
+            if let Some(largest) = largest.filter(is_larger) {
+                let place = format!("x = {x:e}, depth {depth:e} in layer {layer}");
+                return Err(format!("{what} {here:e} at {place}, largest {largest:e}"));
             }
         }
     }
@@ -164,7 +135,7 @@ fn nowhere_larger(
 /// Fields on a grid and their files; on the loaded face they carry the pressure.
 fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
-    let grid = field.grid(&xs, &depths).map_err(|e| context("field")(&e))?;
+    let grid = step("field", field.grid(&xs, &depths))?;
     let top = &solution.contacts()[0];
     for point in grid.points() {
         for quantity in FieldQuantity::ALL {
@@ -175,32 +146,22 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
             let infinite = top.pressure(point.x).is_infinite() && point.depth == 0.0;
             let sinks = quantity == FieldQuantity::V && top.pressure(0.0).is_infinite();
             if !(value.is_finite() || unknown || infinite || sinks) {
-                return Err(format!(
-                    "field: {} is {value} at x = {:e}, depth {:e}",
-                    quantity.name(),
-                    point.x,
-                    point.depth
-                ));
+                let FieldPoint { x, depth, .. } = point;
+                return Err(format!("field: {} is {value} at x = {x:e}, depth {depth:e}", quantity.name()));
             }
         }
     }
     for format in [Format::Csv, Format::Json] {
-        let mut text = Vec::new();
-        write_field(grid.points(), scene.geometry, None, format, &mut text).map_err(|e| context("field file")(&e))?;
+        step("field file", write_field(grid.points(), scene.geometry, None, format, &mut Vec::new()))?;
     }
     let mean = top.resultant / scene.geometry.size(-top.reach(), top.reach());
     for point in grid.rows().next().unwrap_or_default() {
-        let pressure = top.pressure(point.x);
-        let missing = point.sigma_yy + pressure;
+        let FieldPoint { x, sigma_xy, sigma_yy, .. } = *point;
+        let (pressure, missing) = (top.pressure(x), sigma_yy + top.pressure(x));
         // under a tip both are infinite
-        if pressure.is_finite() && !(missing.abs() <= PRESSED * mean && point.sigma_xy.abs() <= PRESSED * mean) {
-            let mut what = format!("on the loaded face at x = {:e}: ", point.x);
-            let _ = write!(
-                what,
-                "stress and pressure differ by {missing:e}, shear {:e}, mean pressure {mean:e}",
-                point.sigma_xy
-            );
-            return Err(what);
+        if pressure.is_finite() && !(missing.abs() <= PRESSED * mean && sigma_xy.abs() <= PRESSED * mean) {
+            let what = format!("stress and pressure differ by {missing:e}, shear {sigma_xy:e}, mean pressure {mean:e}");
+            return Err(format!("on the loaded face at x = {x:e}: {what}"));
         }
     }
     Ok(())
@@ -211,14 +172,13 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
 fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
     let stack = crate::plot::stack(scene, model.stack(), solution);
-    let grids = field.by_layer(&xs, &depths).map_err(|e| context("field")(&e))?;
-    let map = crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear);
-    let map = map.map_err(|e| context("map")(&e))?;
+    let grids = step("field", field.by_layer(&xs, &depths))?;
+    let map = step("map", crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear))?;
     for (name, picture) in [("stack", stack), ("map", map)] {
         if let Some(fault) = picture.faults().first() {
             return Err(format!("the picture of the {name}: {fault}"));
         }
-        picture.png().map_err(|e| context("PNG")(&e))?;
+        step("PNG", picture.png())?;
     }
     Ok(())
 }

@@ -10,36 +10,18 @@ use super::strategy::drawn;
 use crate::errors::Error;
 use crate::scene::{Item, Scene};
 
+macro_rules! scenes {
+    ($($name:literal)*) => { [$(include_str!(concat!("../../examples/scenes/", $name, ".ron"))),*] };
+}
+
 /// The scenes that ship with the program.
-pub const EXAMPLES: [&str; 27] = [
-    include_str!("../../examples/scenes/blunt_power.ron"),
-    include_str!("../../examples/scenes/bonded_coating.ron"),
-    include_str!("../../examples/scenes/bonded_to_rigid.ron"),
-    include_str!("../../examples/scenes/elastic_roller.ron"),
-    include_str!("../../examples/scenes/glued_coating.ron"),
-    include_str!("../../examples/scenes/graded_by_a_table.ron"),
-    include_str!("../../examples/scenes/hertz.ron"),
-    include_str!("../../examples/scenes/line_load.ron"),
-    include_str!("../../examples/scenes/measured_punch.ron"),
-    include_str!("../../examples/scenes/orthotropic_ply.ron"),
-    include_str!("../../examples/scenes/plate_on_springs.ron"),
-    include_str!("../../examples/scenes/polynomial_punch.ron"),
-    include_str!("../../examples/scenes/prescribed_half_length.ron"),
-    include_str!("../../examples/scenes/prescribed_depth.ron"),
-    include_str!("../../examples/scenes/rounded_flat.ron"),
-    include_str!("../../examples/scenes/sharp_flat.ron"),
-    include_str!("../../examples/scenes/sliding_leaves.ron"),
-    include_str!("../../examples/scenes/soil.ron"),
-    include_str!("../../examples/scenes/stiffening_ground.ron"),
-    include_str!("../../examples/scenes/strip_fgm_half_plane.ron"),
-    include_str!("../../examples/scenes/strip_on_rigid.ron"),
-    include_str!("../../examples/scenes/table1_strip_half_plane.ron"),
-    include_str!("../../examples/scenes/table2_graded_half_plane.ron"),
-    include_str!("../../examples/scenes/two_strips.ron"),
-    include_str!("../../examples/scenes/two_wheels.ron"),
-    include_str!("../../examples/scenes/uniform_load.ron"),
-    include_str!("../../examples/scenes/wedge.ron"),
-];
+pub const EXAMPLES: [&str; 27] = scenes! {
+    "blunt_power" "bonded_coating" "bonded_to_rigid" "elastic_roller" "glued_coating" "graded_by_a_table" "hertz"
+    "line_load" "measured_punch" "orthotropic_ply" "plate_on_springs" "polynomial_punch" "prescribed_half_length"
+    "prescribed_depth" "rounded_flat" "sharp_flat" "sliding_leaves" "soil" "stiffening_ground" "strip_fgm_half_plane"
+    "strip_on_rigid" "table1_strip_half_plane" "table2_graded_half_plane" "two_strips" "two_wheels" "uniform_load"
+    "wedge"
+};
 
 /// Most changes of structure and of numbers.
 const STRUCTURE: usize = 3;
@@ -64,13 +46,6 @@ enum Structure {
     BaseAlone,
 }
 
-/// What becomes of a number of a scene.
-#[derive(Clone, Copy, Debug)]
-enum Number {
-    Times(f64),
-    Is(f64),
-}
-
 /// One of the example scenes, changed: the same seed and number give the same scene.
 ///
 /// # Errors
@@ -84,13 +59,10 @@ pub fn variant(seed: u64, number: u64) -> Result<Scene, Error> {
         // a change that makes the scene illegal is left out
         scene = changed(&scene, change).unwrap_or(scene);
     }
-    for (place, change) in numbers {
+    for (place, (factor, more)) in numbers {
         let paths = scene.paths();
         let path = place.get(&paths);
-        let new = match change {
-            Number::Is(value) => value,
-            Number::Times(factor) => factor * scene.number(path).unwrap_or(1.0),
-        };
+        let new = factor * scene.number(path).unwrap_or(1.0) + more;
         scene = scene.with(path, new).map_err(Error::from).and_then(checked).unwrap_or(scene);
     }
     Ok(scene)
@@ -115,15 +87,16 @@ fn structure() -> impl Strategy<Value = Structure> {
     ]
 }
 
-fn new_number() -> impl Strategy<Value = Number> {
-    let decades = |range: std::ops::Range<f64>| range.prop_map(|power| Number::Times(10f64.powf(power)));
+/// A factor of a number, and what is added to it.
+fn new_number() -> impl Strategy<Value = (f64, f64)> {
+    let decades = |range: std::ops::Range<f64>| range.prop_map(|power| (10f64.powf(power), 0.0));
     prop_oneof![
         8 => decades(-1.0..1.0),
         4 => decades(-4.0..4.0),
         1 => decades(-12.0..12.0),
-        1 => Just(Number::Is(0.0)),
-        1 => Just(Number::Is(0.5)),
-        1 => Just(Number::Times(-1.0)),
+        1 => Just((0.0, 0.0)),
+        1 => Just((0.0, 0.5)),
+        1 => Just((-1.0, 0.0)),
     ]
 }
 

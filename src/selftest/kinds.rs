@@ -33,14 +33,8 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
     let joint = (0..6usize, stiffness.clone(), stiffness);
     let joints = prop::collection::vec(joint, *ranges.layers.end());
     let layers = prop::collection::vec((0..12usize, -1.0..1.0f64), *ranges.layers.end());
-    (0..16usize, joints, 0..10usize, 0.0..=1.0f64, layers).prop_map(|(punch, joints, base, share, layers)| Kinds {
-        punch,
-        layers,
-        joints,
-        base,
-        share,
-        stress: 1.0,
-    })
+    let all = (0..16usize, joints, 0..10usize, 0.0..=1.0f64, layers);
+    all.prop_map(|(punch, joints, base, share, layers)| Kinds { punch, layers, joints, base, share, stress: 1.0 })
 }
 
 /// One of the [`scenes`] with punches, loads, interfaces and bases of all kinds: the same seed and number give the same
@@ -75,18 +69,14 @@ pub fn about_axis(mut scene: Scene) -> Scene {
     }
     for item in &mut scene.stack {
         let Item::Layer(layer) = &*item else { continue };
-        let is_orthotropic = ["Orthotropic", "OrthotropicHalfPlane"].contains(&layer.notation().kind);
-        if is_orthotropic {
-            let modulus = layer.material(0.0, Plane::Strain).shear_compliance.recip();
-            let isotropic = match layer.thickness() {
-                Some(thickness) => Homogeneous::new(thickness, modulus, 0.2).map(Item::layer),
-                None => HalfPlane::new(modulus, 0.2).map(Item::layer),
-            };
-            // the numbers belong to a legal layer
-            if let Ok(isotropic) = isotropic {
-                *item = isotropic;
-            }
-        }
+        let modulus = layer.material(0.0, Plane::Strain).shear_compliance.recip();
+        let isotropic = match (layer.notation().kind, layer.thickness()) {
+            ("Orthotropic", Some(thickness)) => Homogeneous::new(thickness, modulus, 0.2).map(Item::layer),
+            ("OrthotropicHalfPlane", None) => HalfPlane::new(modulus, 0.2).map(Item::layer),
+            _ => continue,
+        };
+        // the numbers belong to a legal layer
+        *item = isotropic.unwrap_or_else(|_| item.clone());
     }
     scene
 }
@@ -126,13 +116,12 @@ impl Kinds {
     /// Two strips and a line on one side, and every second time their mirror images.
     fn several(&self, width: f64) -> Result<Loads, ValueError> {
         let part = 0.5 * width;
+        let strips =
+            [(Load::parabolic(part)?, 0.5 * part, 0.1 + self.share), (Load::uniform(part)?, self.share * width, 1.0)];
+        let is_mirrored = (10.0 * self.share).fract() < 0.5;
         let mut loads = vec![(Load::Line, 0.0, 0.1)];
-        for (load, at, force) in
-            [(Load::parabolic(part)?, 0.5 * part, 0.1 + self.share), (Load::uniform(part)?, self.share * width, 1.0)]
-        {
-            if (10.0 * self.share).fract() < 0.5 {
-                loads.push((load.clone(), -at, force));
-            }
+        for (load, at, force) in strips {
+            loads.extend(is_mirrored.then(|| (load.clone(), -at, force)));
             loads.push((load, at, force));
         }
         Loads::new(&loads)

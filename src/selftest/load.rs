@@ -39,7 +39,9 @@ pub(super) fn force(scenario: &Scenario, half_length: f64) -> f64 {
 }
 
 fn estimate(scenario: &Scenario, half_length: f64) -> Result<Option<f64>, Error> {
-    let compliance = Compliance::new(scenario)?;
+    let stack = Stack::from_items(scenario.plane, &scenario.items()?)?;
+    let system = BlockSystem::new(&stack);
+    let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
     let nodes: Vec<(f64, f64)> =
         PANELS.windows(2).flat_map(|ends| quadrature::rule(NODES).on(ends[0], ends[1])).collect();
     let z: Vec<f64> = nodes.iter().map(|(z, _)| *z).collect();
@@ -47,7 +49,7 @@ fn estimate(scenario: &Scenario, half_length: f64) -> Result<Option<f64>, Error>
     bessel::table(ORDERS + 2, &z, &mut j);
     let mut energies = [0.0; ORDERS];
     for (i, (z, weight)) in nodes.iter().enumerate() {
-        let Some(compliance) = compliance.at(z / half_length) else { return Ok(None) };
+        let Some(compliance) = compliance(scenario, &laminates, &base, z / half_length) else { return Ok(None) };
         for (m, energy) in (1..).zip(&mut energies) {
             // φ_m' = −2^m m! J_(m+1)/z^m
             let factor: f64 = (1..=m).map(|k| 2.0 * k as f64 / z).product();
@@ -69,31 +71,16 @@ fn estimate(scenario: &Scenario, half_length: f64) -> Result<Option<f64>, Error>
     Ok(forces.reduce(f64::max))
 }
 
-/// λC of a stack whose receding interfaces slide but do not open.
-struct Compliance {
-    laminates: Vec<FreeChain>,
-    base: BaseChain,
-    scenario: Scenario,
-}
-
-impl Compliance {
-    fn new(scenario: &Scenario) -> Result<Self, Error> {
-        let stack = Stack::from_items(scenario.plane, &scenario.items()?)?;
-        let system = BlockSystem::new(&stack);
-        Ok(Self { laminates: FreeChain::all(&system), base: BaseChain::of(&system), scenario: scenario.clone() })
+/// λC of a stack whose receding interfaces slide but do not open, in 1/stress.
+fn compliance(scenario: &Scenario, laminates: &[FreeChain], base: &BaseChain, wavenumber: f64) -> Option<f64> {
+    let modulus = scenario.layers[0].modulus;
+    let wave = Wave { wavenumber, modulus, plane: scenario.plane };
+    let mut compliance = base.flexibility(&wave)?;
+    for laminate in laminates.iter().rev() {
+        let c = laminate.flexibility(&wave)?;
+        // S_bottom/S_top − 1, small for long waves: they pass through
+        let lost = (c.equal_bottom - compliance) / (compliance - c.bottom);
+        compliance = c.equal_top + c.coupling * lost;
     }
-
-    /// In 1/stress.
-    fn at(&self, wavenumber: f64) -> Option<f64> {
-        let modulus = self.scenario.layers[0].modulus;
-        let wave = Wave { wavenumber, modulus, plane: self.scenario.plane };
-        let mut compliance = self.base.flexibility(&wave)?;
-        for laminate in self.laminates.iter().rev() {
-            let c = laminate.flexibility(&wave)?;
-            // S_bottom/S_top − 1, small for long waves: they pass through
-            let lost = (c.equal_bottom - compliance) / (compliance - c.bottom);
-            compliance = c.equal_top + c.coupling * lost;
-        }
-        Some(compliance / modulus)
-    }
+    Some(compliance / modulus)
 }

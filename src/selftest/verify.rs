@@ -3,7 +3,7 @@ use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::Scene;
-use crate::solution::{Interface, Solution};
+use crate::solution::{Contact, Interface, Solution};
 
 /// Relative error below which an answer to a contact problem is rounding, which no estimate has to cover.
 pub const ROUNDING: f64 = 1e-13;
@@ -50,19 +50,16 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
     let given = usize::from(scene.top.loads().is_some());
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
         let (own, truth) = (found.innermost(), strict.innermost());
-        let right = [own.right, own.right_error, truth.right, truth.right_error];
-        let left = [own.left, own.left_error, truth.left, truth.left_error];
-        let pressure = [
-            found.central_pressure,
-            found.central_pressure_error,
-            strict.central_pressure,
-            strict.central_pressure_error,
-        ];
         // what is not even has no half-length
         let is_even = strict.is_even();
         let half = if is_even { truth.right } else { 0.5 * (truth.right - truth.left) };
-        let all = [("half-length", right, half), ("left end", left, half), ("pressure", pressure, pressure[2])];
-        for (quantity, [value, estimate, truth, blur], size) in all {
+        let pressure = |contact: &Contact| [contact.central_pressure, contact.central_pressure_error];
+        let all = [
+            ("half-length", [own.right, own.right_error], [truth.right, truth.right_error], half),
+            ("left end", [own.left, own.left_error], [truth.left, truth.left_error], half),
+            ("pressure", pressure(found), pressure(strict), strict.central_pressure),
+        ];
+        for (quantity, [value, estimate], [truth, blur], size) in all {
             // an open middle and an infinite pressure have no error
             let is_known = value.is_infinite() && truth.is_infinite() || value == 0.0 && truth == 0.0;
             if is_known || quantity == "left end" && is_even {

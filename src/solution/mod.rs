@@ -202,11 +202,18 @@ impl Solution {
         self.contacts.iter().all(Contact::is_even)
     }
 
+    /// Where the leftmost contact or load begins, and where the rightmost one ends; `[-extent, extent]` if all are even about x = 0.
+    pub fn ends(&self) -> [f64; 2] {
+        let intervals =
+            self.contacts.iter().flat_map(Contact::intervals).map(|interval| [interval.left, interval.right]);
+        intervals.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])]).unwrap_or_default()
+    }
+
     /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on
     /// x = 0 is all that presses.
     pub fn extent(&self) -> Option<f64> {
-        let extent = self.contacts.iter().map(Contact::reach).fold(0.0, f64::max);
-        (extent > 0.0).then_some(extent)
+        let [left, right] = self.ends();
+        Some(right.max(-left)).filter(|extent| *extent > 0.0)
     }
 
     /// The line load P that presses, force per unit length out of plane: as given, or found for a half-length.
