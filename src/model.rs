@@ -10,7 +10,7 @@ use crate::kernel::Kernel;
 use crate::options::{Method, Options, OptionsError};
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Scene, Top};
-use crate::solution::{Contact, Interface, Owner, Solution};
+use crate::solution::{Contact, Interface, OwnerKey, Solution};
 use crate::stack::Stack;
 use crate::validity;
 
@@ -35,7 +35,7 @@ use crate::validity;
 pub struct Model {
     stack: Stack,
     /// What tells the stack from others, by which a solution is known to belong to it.
-    key: Owner,
+    key: OwnerKey,
     interfaces: Vec<Interface>,
     kernel: Kernel,
     table: Option<Arc<Table>>,
@@ -54,7 +54,7 @@ impl Model {
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { key: Owner::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
+        Ok(Self { key: OwnerKey::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
     }
 
     /// The same model for many loads: it keeps a table of solutions to start others from, each of them computed when it is

@@ -8,7 +8,7 @@
 //! as long as a recurrence over the orders. Source: Hobson 1931, chapters V and X.
 use num_complex::Complex64;
 
-use super::potentials::{Closed, Potentials};
+use super::transform::Potentials;
 
 /// Orders whose functions q_n are smaller than e^(−SMALL) are left out, but for the lowest two.
 const SMALL: f64 = 42.0;
@@ -70,7 +70,7 @@ fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
 
 /// Sums over the orders of products of P_n(η), q_n(ξ) and their derivatives.
 #[derive(Default)]
-struct Sums {
+struct OrderSums {
     /// Over the odd orders: P q, P q', P' q, P' q', n(n + 1) P q, and P' q'/(n(n + 1)).
     odd: [f64; 6],
     /// Over the even orders: P q and, but for n = 0, P' q'/(n(n + 1)).
@@ -87,7 +87,7 @@ pub(super) fn by_order(coefficients: &[f64]) -> Vec<f64> {
     (0..=2 * coefficients.len()).map(of).collect()
 }
 
-impl Sums {
+impl OrderSums {
     fn new(place: &Spheroidal, by_order: &[f64]) -> Self {
         let Spheroidal { xi, eta, .. } = *place;
         let q = second_kind(xi, by_order.len());
@@ -119,15 +119,15 @@ impl Sums {
 
 /// The potentials of a disc of radius a at a distance r from the axis and a depth, with coefficients [`by_order`]; those with
 /// further powers of λ are 0 on the face.
-pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Closed {
+pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Potentials {
     let place = Spheroidal::new(r / a, depth / a);
-    let Sums { odd, even } = Sums::new(&place, by_order);
+    let OrderSums { odd, even } = OrderSums::new(&place, by_order);
     let [zeroth, by_xi, by_eta, by_both, product, radial] = odd;
     let Spheroidal { xi, eta, beyond, rho } = place;
     // a ∫ j_0(λa) J₁(λr) e^(−λd) dλ
     let lowest = by_order[0] / ((1.0 + eta) * (1.0 + xi * xi));
     let integral = a * Complex64::new(even[0], rho * (lowest - even[1]));
-    let mut potentials = [Complex64::new(zeroth, -rho * radial), Complex64::ZERO, Complex64::ZERO];
+    let mut potentials = [integral, Complex64::new(zeroth, -rho * radial), Complex64::ZERO, Complex64::ZERO];
     if depth > 0.0 {
         // ∂/∂d = (α ∂/∂ξ + β ∂/∂η)/H, ∂/∂r = ρ (ξ ∂/∂ξ − η ∂/∂η)/H
         let (alpha, beta, over) = (eta * (1.0 + xi * xi), xi * beyond, 1.0 / (a * (xi * xi + eta * eta)));
@@ -138,13 +138,13 @@ pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Closed
         );
         let (deeper, farther) = (alpha * xi + beta * eta, xi * xi - eta * eta);
         let double = 2.0 * a * falls * over;
-        potentials[1] = over * Complex64::new(-falls, rho * (eta * by_eta - xi * by_xi));
-        potentials[2] = over
+        potentials[2] = over * Complex64::new(-falls, rho * (eta * by_eta - xi * by_xi));
+        potentials[3] = over
             * over
             * Complex64::new(
                 alpha * of_xi + beta * of_eta - double * deeper,
                 rho * (xi * of_xi - eta * of_eta - double * farther),
             );
     }
-    Closed { potentials: Potentials(potentials), integral }
+    potentials
 }
