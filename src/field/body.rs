@@ -160,10 +160,8 @@ impl LoadedBody {
             _ => placed.layer.material(distance, plane),
         };
         let length = placed.thickness.unwrap_or_else(|| depth_of_change(&material, pressure.half_length));
-        let mut surface = Surface::new(&material, length, modulus)?.under(pressure);
-        if side == 1 {
-            surface = surface.upside_down();
-        }
+        let mut surface = Surface::new(&material, length, modulus)?;
+        (surface.is_round, surface.up) = (pressure.is_round(), if side == 1 { -1.0 } else { 1.0 });
         if self.layers == 1 && placed.thickness.is_none() {
             // a homogeneous half-plane has no remainder at any wavenumber
             let shift = std::mem::replace(&mut surface.shift, f64::INFINITY);

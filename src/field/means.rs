@@ -69,9 +69,7 @@ impl Field {
     pub(crate) fn apart(&self, windows: &[MeanWindow], punch: Option<&Isotropic>) -> Result<[f64; 2], FieldError> {
         let (ends, panels) = self.mean_panels(windows)?;
         let flattening = punch.and_then(|punch| {
-            let material = punch.material(self.geometry.plane());
-            let mut surface = Surface::new(&|_| material, 1.0, self.modulus)?;
-            surface.shift = f64::INFINITY;
+            let surface = Surface::of_half_plane(punch.material(self.geometry.plane()), self.modulus)?;
             Some(surface.transformed(1.0, 0.0)[4])
         });
         let is_round = self.geometry.is_axisymmetric();

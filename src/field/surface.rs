@@ -35,9 +35,9 @@ pub(super) struct Surface {
     /// The length s below which the face is a half-plane's; infinite if it is one's altogether.
     pub(super) shift: f64,
     /// Terms with 1/λ are multiplied by 1 − e^(−λs), so that they stay finite for λ → 0. About an axis they do, since dλ is λdλ there.
-    is_round: bool,
+    pub(super) is_round: bool,
     /// −1 for a face that is the bottom of its body: V and T change their signs.
-    up: f64,
+    pub(super) up: f64,
 }
 
 /// e^(−st) times polynomials in t, s being a root of the characteristic equation of the material.
@@ -77,9 +77,9 @@ impl Surface {
         Some(Self { terms, modulus, shift: depth.min(grading(&slope).recip()), is_round: false, up: 1.0 })
     }
 
-    /// The same, under a pressure like this one.
-    pub(super) fn under(self, pressure: &ContactPressure) -> Self {
-        Self { is_round: pressure.is_round(), ..self }
+    /// The face of a homogeneous half-plane.
+    pub(super) fn of_half_plane(material: Material, modulus: f64) -> Option<Self> {
+        Some(Self { shift: f64::INFINITY, ..Self::new(&|_| material, 1.0, modulus)? })
     }
 
     /// How far below a place terms with 1/λ are taken that are subtracted.
@@ -109,11 +109,6 @@ impl Surface {
         }
         sum[3..].iter_mut().for_each(|displacement| *displacement /= self.modulus);
         self.turned(sum)
-    }
-
-    /// The same for the bottom face of a body.
-    pub(super) fn upside_down(self) -> Self {
-        Self { up: -self.up, ..self }
     }
 
     fn turned(&self, [along, across, shear, u, v, slope]: Components) -> Components {
