@@ -11,7 +11,7 @@
 //! are while the force grows: the derivative of the pressures with respect to the force is the pressure of a flat punch, and of layers that are
 //! joined, on contacts of these half-lengths.
 use crate::contact::{self, ContactError, Measured};
-use crate::field::{FLAT, Field, FieldError, Window};
+use crate::field::{FLAT, Field, FieldError, MeanWindow};
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature;
@@ -187,16 +187,16 @@ fn sunk(
 ) -> Result<[f64; 2], FieldError> {
     let window = |contact: &Contact| {
         let [middle, _] = contact.touching();
-        Window { middle, half: contact.innermost().right - middle }
+        MeanWindow { middle, half: contact.innermost().right - middle }
     };
-    let windows: Vec<Window> = solution.contacts().iter().map(window).collect();
+    let windows: Vec<MeanWindow> = solution.contacts().iter().map(window).collect();
     let height = windows.first().map_or([0.0; 2], |window| mean(profile, &punch.starts(), window, stack.geometry()));
     let apart = Field::new(stack, solution).apart(&windows, punch.material().as_ref())?;
     Ok([height[0] + apart[0], height[1] + apart[1]])
 }
 
 /// The means of a profile, with Gauss points between the places where its pieces begin.
-fn mean(profile: impl Fn(f64) -> f64, starts: &[f64], window: &Window, geometry: Geometry) -> [f64; 2] {
+fn mean(profile: impl Fn(f64) -> f64, starts: &[f64], window: &MeanWindow, geometry: Geometry) -> [f64; 2] {
     // the other half of an interval about x = 0 is its mirror image
     let first = if window.middle == 0.0 { 0.0 } else { -1.0 };
     let mut ends: Vec<f64> = starts.iter().map(|start| (start - window.middle) / window.half).collect();

@@ -76,23 +76,18 @@ impl From<ApproachError> for Error {
     }
 }
 
-impl From<HeightsError> for Error {
-    fn from(error: HeightsError) -> Self {
-        Self::Value(error.into())
-    }
+/// Errors that are values of a scene in one of its parts.
+macro_rules! from_values {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Error {
+            fn from(error: $error) -> Self {
+                Self::Value(error.into())
+            }
+        })*
+    };
 }
 
-impl From<LoadsError> for Error {
-    fn from(error: LoadsError) -> Self {
-        Self::Value(error.into())
-    }
-}
-
-impl From<PunchesError> for Error {
-    fn from(error: PunchesError) -> Self {
-        Self::Value(error.into())
-    }
-}
+from_values!(HeightsError, LoadsError, PunchesError);
 
 impl Error {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.

@@ -10,7 +10,7 @@ use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Scene, Top};
-use crate::solution::{Contact, Interface, Owner, Solution};
+use crate::solution::{Contact, Interface, OwnerKey, Solution};
 use crate::stack::Stack;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
@@ -34,7 +34,7 @@ use crate::stack::Stack;
 pub struct Model {
     stack: Stack,
     /// What tells the stack from others, by which a solution is known to belong to it.
-    key: Owner,
+    key: OwnerKey,
     interfaces: Vec<Interface>,
     kernel: Kernel,
     table: Option<Arc<Table>>,
@@ -53,7 +53,7 @@ impl Model {
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { key: Owner::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
+        Ok(Self { key: OwnerKey::new(stack.key()), interfaces: stack.contacts(), stack, kernel, table: None })
     }
 
     /// The same model for many loads: it keeps a table of solutions to start others from, each of them computed when it is

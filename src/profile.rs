@@ -88,9 +88,14 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     places.extend(solution.contacts().iter().flat_map(Contact::touching));
     let mut faces: Vec<FaceProfile> =
         field.faces(&places)?.into_iter().map(|(layer, side, points)| FaceProfile { layer, side, points }).collect();
-    let seen = Seen { top, field: &field, faces: &faces, x: &places };
     let contacts = solution.contacts().iter().enumerate().map(|(i, contact)| {
-        let gap = seen.gap(contact, i, x.len() + 2 * i).map(|gap| gap.into_iter().take(x.len()).collect());
+        let gap = heights(top, &field, &faces, contact.interface, &places).map(|apart| {
+            let [(from, first), (to, last)] = [0, 1].map(|k| x.len() + 2 * i + k).map(|k| (places[k], apart[k]));
+            let turn = if from < to { (last - first) / (to - from) } else { 0.0 };
+            let touches = |x: f64| contact.intervals().iter().any(|one| one.left <= x && x <= one.right);
+            let gap = |(x, apart): (&f64, &f64)| if touches(*x) { 0.0 } else { apart - (first + turn * (x - from)) };
+            x.iter().zip(&apart).map(gap).collect()
+        });
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
         ContactProfile { interface: contact.interface, pressure, gap }
     });
@@ -99,46 +104,28 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
 }
 
-/// What gaps are made of.
-struct Seen<'a> {
-    top: &'a Top,
-    field: &'a Field,
-    faces: &'a [FaceProfile],
-    x: &'a [f64],
-}
-
-impl Seen<'_> {
-    /// How far the bodies of contact i are apart; `None` under a given pressure, and under several punches. At place number `first` and the next one they
-    /// touch.
-    fn gap(&self, contact: &Contact, i: usize, first: usize) -> Option<Vec<f64>> {
-        let Self { top, field, faces, x } = self;
-        let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
-        let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
-        let apart: Vec<f64> = match contact.interface {
-            Interface::Punch => {
-                let mut parts = top.punches()?.parts();
-                let (pressed, punch) = parts.next().map(|(pressed, _)| (pressed, pressed.shape()))?;
-                if parts.next().is_some() {
-                    return None;
-                }
-                let flattened = punch.material().map(|material| field.flattening(i, &material, x));
-                // nothing is above the stack beyond the edge of a punch
-                let [left, right] = punch.ends();
-                let profile = |x: f64| if left <= x && x <= right { punch.profile(x) } else { f64::INFINITY };
-                let height = |k: usize| profile(x[k] - pressed.at()) + flattened.as_ref().map_or(0.0, |all| all[k]);
-                (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
+/// How much higher the upper body of a contact is than the lower one at places along x; `None` under a given pressure, and under several punches.
+fn heights(top: &Top, field: &Field, faces: &[FaceProfile], interface: Interface, x: &[f64]) -> Option<Vec<f64>> {
+    let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
+    let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
+    Some(match interface {
+        Interface::Punch => {
+            let mut parts = top.punches()?.parts();
+            let (pressed, punch) = parts.next().map(|(pressed, _)| (pressed, pressed.shape()))?;
+            if parts.next().is_some() {
+                return None;
             }
-            Interface::Between { above, below } => {
-                // a rigid base without layers has no face, and stays where it is
-                let (above, below) = (face(above, FaceSide::Bottom), face(below, FaceSide::Top));
-                (0..x.len()).map(|k| v(above, k) - v(below, k)).collect()
-            }
-        };
-        let touching = contact.intervals();
-        let touches = |x: f64| touching.iter().any(|interval| interval.left <= x && x <= interval.right);
-        let (from, to) = (x[first], x[first + 1]);
-        let turn = if from < to { (apart[first + 1] - apart[first]) / (to - from) } else { 0.0 };
-        let closed = |x: f64| apart[first] + turn * (x - from);
-        Some(apart.iter().zip(*x).map(|(gap, x)| if touches(*x) { 0.0 } else { gap - closed(*x) }).collect())
-    }
+            let flattened = punch.material().map(|material| field.flattening(0, &material, x));
+            // nothing is above the stack beyond the edge of a punch
+            let [left, right] = punch.ends();
+            let profile = |x: f64| if left <= x && x <= right { punch.profile(x) } else { f64::INFINITY };
+            let height = |k: usize| profile(x[k] - pressed.at()) + flattened.as_ref().map_or(0.0, |all| all[k]);
+            (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
+        }
+        Interface::Between { above, below } => {
+            // a rigid base without layers has no face, and stays where it is
+            let (above, below) = (face(above, FaceSide::Bottom), face(below, FaceSide::Top));
+            (0..x.len()).map(|k| v(above, k) - v(below, k)).collect()
+        }
+    })
 }

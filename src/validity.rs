@@ -37,14 +37,12 @@ fn radius(punch: &Punch) -> Option<f64> {
 }
 
 fn long(ratio: f64, geometry: Geometry) -> Option<Warning> {
-    let message = || {
-        format!(
-            "the contact under the punch is long: the {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
-             elasticity is an approximation only",
-            geometry.words().half_length
-        )
-    };
-    (ratio > LONG).then(|| Warning::new(WarningCode::LongContact, message()))
+    let message = format!(
+        "the contact under the punch is long: the {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
+         elasticity is an approximation only",
+        geometry.words().half_length
+    );
+    (ratio > LONG).then(|| Warning::new(WarningCode::LongContact, message))
 }
 
 /// The steepest place of a punch that is not round, in its contact.
@@ -58,13 +56,11 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
     };
     let slopes = contact.intervals().iter().flat_map(places).map(|x| punch.slope(x).abs());
     let steepest = slopes.fold(0.0, f64::max);
-    let message = || {
-        format!(
-            "the punch is steep: its slope in the contact is {steepest:.2}, and above {STEEP} linear elasticity is an \
-             approximation only"
-        )
-    };
-    (steepest > STEEP).then(|| Warning::new(WarningCode::SteepPunch, message()))
+    let message = format!(
+        "the punch is steep: its slope in the contact is {steepest:.2}, and above {STEEP} linear elasticity is an \
+         approximation only"
+    );
+    (steepest > STEEP).then(|| Warning::new(WarningCode::SteepPunch, message))
 }
 
 /// The largest mean pressure of the intervals of a contact, compared with E*.
@@ -73,11 +69,9 @@ fn large(name: &str, contact: &Contact, geometry: Geometry, modulus: f64) -> Opt
     // a line load has no mean pressure
     let pressures = contact.intervals().iter().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max);
     let ratio = pressures / modulus;
-    let message = || {
-        format!(
-            "the pressure of the contact {name} is large: its mean is {ratio:.2} of the modulus E* of the contact, and above {LARGE} \
-             linear elasticity is an approximation only"
-        )
-    };
-    (ratio > LARGE).then(|| Warning::new(WarningCode::LargePressure, message()))
+    let message = format!(
+        "the pressure of the contact {name} is large: its mean is {ratio:.2} of the modulus E* of the contact, and above {LARGE} \
+         linear elasticity is an approximation only"
+    );
+    (ratio > LARGE).then(|| Warning::new(WarningCode::LargePressure, message))
 }

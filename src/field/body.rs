@@ -1,11 +1,10 @@
 //! The bodies of a stack, free laminates and base, with the contacts that press on them.
 use std::sync::Arc;
 
-use recede_layers::{Layer, Material, Plane, State, Wave};
+use recede_layers::{Layer, Material, State, Wave};
 
-use super::potentials::Components;
-use super::pressure::Pressure;
-use super::surface::Surface;
+use super::pressure::ContactPressure;
+use super::surface::{Components, Surface};
 use crate::stack::{Placed, Stack};
 use crate::system::{BaseChain, BlockSystem, FreeChain, Load, slowest_decay};
 
@@ -52,7 +51,7 @@ enum Chain {
 
 /// A body between shear-free faces.
 #[derive(Clone, Debug)]
-pub(super) struct Body {
+pub(super) struct LoadedBody {
     chain: Chain,
     /// Number of its layers.
     pub(super) layers: usize,
@@ -63,14 +62,14 @@ pub(super) struct Body {
     /// The contact on its top face; that on the bottom face is the next one.
     pub(super) contact: usize,
     /// The faces, top first, whose slowly converging part is known in closed form.
-    pub(super) faces: [Option<Face>; 2],
+    pub(super) faces: [Option<LoadedFace>; 2],
     /// Place and depth of the point at x = 0 from which v is counted.
     pub(super) reference: Option<(usize, f64)>,
 }
 
 /// A loaded face.
 #[derive(Clone, Debug)]
-pub(super) struct Face {
+pub(super) struct LoadedFace {
     pub(super) surface: Surface,
     /// What the closed form leaves of the fields there.
     pub(super) remainder: Remainder,
@@ -110,9 +109,9 @@ pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
     layers
 }
 
-impl Body {
+impl LoadedBody {
     /// The bodies from the top down; a rigid base without layers is not one of them.
-    pub(super) fn all(stack: &Stack, layers: &[PlacedLayer], pressures: &[Pressure], modulus: f64) -> Vec<Self> {
+    pub(super) fn all(stack: &Stack, layers: &[PlacedLayer], pressures: &[ContactPressure], modulus: f64) -> Vec<Self> {
         let plane = stack.plane();
         let system = BlockSystem::new(stack);
         let laminates = FreeChain::all(&system).into_iter().map(Chain::Free);
@@ -148,50 +147,46 @@ impl Body {
     }
 
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
-    fn face(&self, side: usize, placed: &PlacedLayer, pressure: &Pressure, wave: &dyn Fn(f64) -> Wave) -> Option<Face> {
+    fn face(
+        &self,
+        side: usize,
+        placed: &PlacedLayer,
+        pressure: &ContactPressure,
+        wave: &dyn Fn(f64) -> Wave,
+    ) -> Option<LoadedFace> {
         let Wave { plane, modulus, .. } = wave(0.0);
         let material = |distance: f64| match placed.thickness {
             Some(thickness) if side == 1 => placed.layer.material((thickness - distance).max(0.0), plane),
             _ => placed.layer.material(distance, plane),
         };
         let length = placed.thickness.unwrap_or_else(|| depth_of_change(&material, pressure.half_length));
-        let mut surface = Surface::new(&material, length, modulus)?.under(pressure);
-        if side == 1 {
-            surface = surface.upside_down();
-        }
+        let mut surface = Surface::new(&material, length, modulus)?;
+        (surface.is_round, surface.up) = (pressure.is_round(), if side == 1 { -1.0 } else { 1.0 });
         if self.layers == 1 && placed.thickness.is_none() {
             // a homogeneous half-plane has no remainder at any wavenumber
-            surface.shift = f64::INFINITY;
-            let same = |l: f64| Some(self.remainder(&surface, side, placed, plane, &wave(l / length))? < NEGLIGIBLE);
+            let shift = std::mem::replace(&mut surface.shift, f64::INFINITY);
+            let same = |l: f64| Some(self.remainder(&surface, side, placed, &wave(l / length))? < NEGLIGIBLE);
             if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| same(l) == Some(true)) {
-                return Some(Face { surface, remainder: Remainder::NONE });
+                return Some(LoadedFace { surface, remainder: Remainder::NONE });
             }
-            surface = Surface::new(&material, length, modulus)?.under(pressure);
+            surface.shift = shift;
         }
         let short = SHORT / surface.shift;
-        let remainders: Option<Vec<f64>> = (0..DOUBLINGS)
-            .map(|k| self.remainder(&surface, side, placed, plane, &wave(short * 2f64.powi(k))))
-            .collect();
+        let remainders: Option<Vec<f64>> =
+            (0..DOUBLINGS).map(|k| self.remainder(&surface, side, placed, &wave(short * 2f64.powi(k)))).collect();
         let remainders = remainders?;
         let (first, last) = (remainders[0], remainders[remainders.len() - 1]);
         if last <= NEGLIGIBLE {
-            return Some(Face { surface, remainder: Remainder::NONE });
+            return Some(LoadedFace { surface, remainder: Remainder::NONE });
         }
         let power = ((first / last).log2() / f64::from(DOUBLINGS - 1)).clamp(0.0, 3.0);
         let size =
             remainders.iter().enumerate().map(|(k, remainder)| remainder * (short * 2f64.powi(k as i32)).powf(power));
-        Some(Face { surface, remainder: Remainder { size: size.fold(0.0, f64::max), power } })
+        Some(LoadedFace { surface, remainder: Remainder { size: size.fold(0.0, f64::max), power } })
     }
 
     /// The remainder of the stresses next to a face, per unit load on it: the largest difference between the stresses of the body and of the surface.
-    fn remainder(
-        &self,
-        surface: &Surface,
-        side: usize,
-        placed: &PlacedLayer,
-        plane: Plane,
-        wave: &Wave,
-    ) -> Option<f64> {
+    fn remainder(&self, surface: &Surface, side: usize, placed: &PlacedLayer, wave: &Wave) -> Option<f64> {
         let mut distances = [0.0, 1.0 / wave.wavenumber, 3.0 / wave.wavenumber];
         let depth = |distance: f64| if side == 0 { distance } else { placed.bottom() - placed.top - distance };
         if side == 1 {
@@ -203,11 +198,16 @@ impl Body {
             if side == 0 { Load { top: -1.0, ..Load::default() } } else { Load { bottom: -1.0, ..Load::default() } };
         let states = self.states(wave, &depths, &load)?;
         let differences = distances.iter().zip(&states[placed.place]).map(|(distance, state)| {
-            let found = components(state, &placed.layer.material(depth(*distance), plane), wave.modulus);
+            let found = components(state, &placed.layer.material(depth(*distance), wave.plane), wave.modulus);
             let surface = surface.transformed(wave.wavenumber, *distance);
             (0..3).map(|i| (found[i] - surface[i]).abs()).fold(0.0, f64::max)
         });
         Some(differences.fold(0.0, f64::max))
+    }
+
+    /// The contacts on its loaded faces, the face on top first.
+    pub(super) fn contacts(&self) -> std::ops::Range<usize> {
+        self.contact..self.contact + 1 + usize::from(self.bottom.is_some())
     }
 
     /// The states at depths in ascending order below the top faces of the layers.

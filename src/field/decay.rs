@@ -3,15 +3,15 @@ use std::f64::consts::PI;
 
 use super::Field;
 use super::body::{PlacedLayer, Remainder};
-use super::pressure::Pressure;
-use super::sum::Row;
+use super::pressure::ContactPressure;
+use super::sum::DepthRow;
 use super::waves::{self, Precision};
 
 /// Bisections of the logarithm of a cut-off: 14 take the whole range of doubles to five per cent, more gain nothing.
 const HALVINGS: usize = 20;
 
 /// How the fields due to a loaded face decay with the wavenumber, at a distance d from it.
-struct Decay<'a> {
+struct FieldDecay<'a> {
     /// All fields fall like e^(−λ·distance) at least.
     distance: f64,
     /// Fields that do not come from the face directly fall faster, like e^(−λ·reflected).
@@ -19,12 +19,12 @@ struct Decay<'a> {
     /// The remainder that the closed form leaves of the face; `None` if there is no closed form.
     remainder: Option<Remainder>,
     /// The pressure on the face.
-    pressure: &'a Pressure,
+    pressure: &'a ContactPressure,
     /// Length over which its resultant is spread, to be compared with the truncation error.
     length: f64,
 }
 
-impl Decay<'_> {
+impl FieldDecay<'_> {
     /// The mean pressure, with which the truncation error is compared.
     fn mean(&self) -> f64 {
         self.pressure.mean(self.length)
@@ -85,37 +85,39 @@ impl Decay<'_> {
 impl Field {
     /// The decay of fields with the wavenumber at a depth, for the contacts next to its body; `None` where closed forms have no
     /// remainder.
-    fn decays(&self, row: &Row) -> impl Iterator<Item = (usize, Option<Decay<'_>>)> {
+    fn decays(&self, row: &DepthRow) -> impl Iterator<Item = (usize, Option<FieldDecay<'_>>)> {
         let placed = &self.layers[row.layer];
         let (body, depth) = (&self.bodies[placed.body], row.depth);
-        [true, false].into_iter().enumerate().filter_map(move |(side, above)| {
-            if !above && body.bottom.is_none() {
-                return None;
-            }
-            let contact = body.contact + side;
+        body.contacts().enumerate().map(move |(side, contact)| {
+            let above = side == 0;
             let is_outermost = if above { placed.place == 0 } else { placed.place + 1 == body.layers };
             let face = body.faces[side].as_ref().filter(|_| is_outermost);
             if face.is_some_and(|face| face.surface.shift.is_infinite()) {
-                return Some((contact, None));
+                return (contact, None);
             }
             let distance = self.distance(placed, depth, above);
             let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
             let shift = face.map_or(0.0, |face| face.surface.shift);
             let pressure = &self.pressures[contact];
-            let decay = Decay {
+            let decay = FieldDecay {
                 distance,
                 reflected: (distance + shift).min(2.0 * thickness - distance),
                 remainder: face.map(|face| face.remainder),
                 pressure,
                 length: Some(pressure.half_length.max(shift)).filter(|a| *a > 0.0).unwrap_or(self.length(contact)),
             };
-            Some((contact, Some(decay)))
+            (contact, Some(decay))
         })
     }
 
     /// The cut-off wavenumbers of the sums at a depth, for the contacts next to its body, with places as far out as `farthest`.
-    pub(super) fn ends(&self, row: &Row, precision: &Precision, farthest: f64) -> impl Iterator<Item = (usize, f64)> {
-        let end = move |(contact, decay): (usize, Option<Decay>)| {
+    pub(super) fn ends(
+        &self,
+        row: &DepthRow,
+        precision: &Precision,
+        farthest: f64,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let end = move |(contact, decay): (usize, Option<FieldDecay>)| {
             (contact, decay.map_or(0.0, |decay| decay.end(precision, self.most(contact, precision, farthest))))
         };
         self.decays(row).map(end)
@@ -128,8 +130,8 @@ impl Field {
     }
 
     /// A bound on the truncation error of the sums over wavenumbers in the stresses at a point of a row.
-    pub(super) fn truncation(&self, row: &Row, x: f64, precision: &Precision) -> f64 {
-        let of = |(contact, decay): (usize, Option<Decay>)| {
+    pub(super) fn truncation(&self, row: &DepthRow, x: f64, precision: &Precision) -> f64 {
+        let of = |(contact, decay): (usize, Option<FieldDecay>)| {
             let Some(decay) = decay else { return 0.0 };
             let end = decay.end(precision, self.most(contact, precision, x.abs()));
             // waves shorter than the distance from where the pressure is not smooth cancel
@@ -160,7 +162,7 @@ impl Field {
 
     /// Half-length of the narrowest strip of a contact that is one.
     pub(super) fn narrowest(&self, contact: usize) -> f64 {
-        let strips = self.pressures[contact].strips().map(|(_, a)| a);
+        let strips = self.pressures[contact].strips().map(|strip| strip.extent);
         strips.filter(|a| *a > 0.0).fold(self.length(contact), f64::min)
     }
 }

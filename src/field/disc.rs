@@ -5,50 +5,49 @@
 //! arcosh(1/ρ) has h = 1, a uniform pressure 2s/(π√(1 − s²)), and 1/√(1 − ρ²) is all at s = 1. A series is a sum of products, see
 //! [`super::spheroid`].
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::iter::zip;
 
 use num_complex::Complex64;
 
-use super::potentials::{Closed, Potentials};
-use super::sources::{point, sources};
 use super::spheroid::{self, Spheroidal};
-use super::strip::StripPressure;
+use super::strip::TabulatedStrip;
+use super::transform::Potentials;
 use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::numeric::quadrature::rule;
-use crate::solution::{Form, jacobi_weights};
+use crate::solution::{Form, Strip, jacobi_weights};
 
 /// Gauss points in v, and per unit of it.
 const POINTS: usize = 12;
 const PER_LENGTH: f64 = 7.0;
 
-impl StripPressure {
-    /// p̂ − p̂(0) at some wavenumbers, accurate to rounding.
-    pub(super) fn disc_minus_resultant(&self, wavenumbers: &[f64]) -> Vec<f64> {
-        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
-        let resultant = self.resultant();
+impl Strip {
+    /// p̂ − p̂(0) at some λa, accurate to rounding.
+    pub(super) fn disc_variations(&self, arguments: &[f64]) -> Vec<f64> {
+        let limit = self.long_waves();
         match self.form {
             Form::Line => vec![0.0; arguments.len()],
-            Form::Uniform => arguments.iter().map(|z| resultant * bessel::jinc_minus_one(*z)).collect(),
+            Form::Uniform => arguments.iter().map(|z| limit * bessel::jinc_minus_one(*z)).collect(),
             Form::Parabolic => {
                 let mut bessel = vec![0.0; 4 * arguments.len()];
-                bessel::table(4, &arguments, &mut bessel);
+                bessel::table(4, arguments, &mut bessel);
                 let third = &bessel[3 * arguments.len()..];
                 let over = |j: &f64, z: &f64| if *z > 0.0 { 2.0 * j / z } else { 0.0 };
                 let each = arguments.iter().zip(third);
-                each.map(|(z, j)| resultant * (bessel::jinc_minus_one(*z) + over(j, z))).collect()
+                each.map(|(z, j)| limit * (bessel::jinc_minus_one(*z) + over(j, z))).collect()
             }
-            Form::Series => self.disc_series(&arguments),
+            Form::Series => self.disc_series(arguments),
         }
     }
 
     fn disc_series(&self, arguments: &[f64]) -> Vec<f64> {
-        let (count, orders) = (arguments.len(), 2 * self.series.len() + 1);
+        let (count, orders) = (arguments.len(), 2 * self.coefficients.len() + 1);
         let wanted = Wanted::ZERO_AND_ODD.of_kind(Kind::Spherical);
         let columns = wanted.below(orders);
         let mut table = vec![0.0; columns * count];
-        if self.series.len() > 1 {
+        if self.coefficients.len() > 1 {
             bessel::scaled_orders(orders, wanted, arguments, 1.0, count, &mut table);
         }
-        let (square, weighted) = (self.half_length * self.half_length, self.weighted());
+        let (square, weighted) = (self.extent * self.extent, self.weighted());
         let of = |(i, z): (usize, &f64)| {
             let first = self.first() / 3.0 * bessel::spherical_jinc_minus_one(*z);
             let of_orders = weighted.iter().enumerate().skip(1);
@@ -61,46 +60,15 @@ impl StripPressure {
         arguments.iter().enumerate().map(of).collect()
     }
 
-    /// The potentials at a distance r from the axis and a depth; potentials of J₁ are odd in r, and n > 0 is not asked for on the face.
-    pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> Closed {
-        if self.form == Form::Line {
-            return point(self.resultant(), r, depth);
-        }
-        let a = self.half_length;
-        let mut sums = [Complex64::ZERO; 4];
-        if self.form != Form::Series || self.tip != 0.0 {
-            for (theta, weight) in places(&Spheroidal::new(r.abs() / a, depth / a)) {
-                let weight = a * weight * self.source(theta);
-                let values = sources(a * theta.sin(), r, depth);
-                sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
-            }
-        }
-        if self.corners != 0.0 {
-            sums.iter_mut().zip(sources(a, r, depth)).for_each(|(sum, value)| *sum += a * self.corners * value);
-        }
-        if self.form == Form::Series {
-            let of = spheroid::potentials(&self.by_order, a, r, depth);
-            let Potentials([zeroth, first, second]) = of.potentials;
-            sums.iter_mut().zip([zeroth, first, second, of.integral]).for_each(|(sum, value)| *sum += value);
-        }
-        let [zeroth, first, second, integral] = sums;
-        let mut potentials = [zeroth, first, second];
-        if depth == 0.0 {
-            // the pressure itself
-            potentials[0].re = self.on_face(r);
-        }
-        Closed { potentials: Potentials(potentials), integral }
-    }
-
     /// The coefficients of j_(2m+1)(λa)/λ in p̂/a.
     pub(super) fn weighted(&self) -> Vec<f64> {
-        self.series.iter().zip(jacobi_weights()).map(|(c, weight)| c / weight).collect()
+        self.coefficients.iter().zip(jacobi_weights()).map(|(c, weight)| c / weight).collect()
     }
 
     /// h(s) ds/dθ with s = sin θ, without the part of a series.
     fn source(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
-        let mean = self.resultant() / (self.half_length * self.half_length);
+        let mean = self.long_waves() / (self.extent * self.extent);
         match self.form {
             // p = 2 p̂(0)/a² and 4 p̂(0)/a² (1 − ρ²)
             Form::Uniform => 4.0 / PI * mean * sin,
@@ -108,30 +76,34 @@ impl StripPressure {
             Form::Series | Form::Line => self.tip * cos,
         }
     }
+}
 
-    /// The pressure on the face; the mean of both sides where it ends.
-    fn on_face(&self, r: f64) -> f64 {
-        let s = r.abs() / self.half_length;
-        let mean = self.resultant() / (self.half_length * self.half_length);
-        if s > 1.0 {
-            return 0.0;
+impl TabulatedStrip {
+    /// The potentials at a distance r from the axis and a depth; potentials of J₁ are odd in r, and n > 0 is not asked for on the face.
+    pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> Potentials {
+        let Strip { extent: a, corners, tip, form, .. } = self.strip;
+        if form == Form::Line {
+            return point(self.strip.long_waves(), r, depth);
         }
-        match self.form {
-            Form::Uniform => {
-                if s == 1.0 {
-                    mean
-                } else {
-                    2.0 * mean
-                }
-            }
-            Form::Parabolic => 4.0 * mean * (1.0 - s * s),
-            Form::Series | Form::Line => {
-                let root = ((1.0 - s) * (1.0 + s)).sqrt();
-                let corners = if self.corners == 0.0 { 0.0 } else { self.corners / root };
-                let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.recip().acosh() };
-                crate::solution::jacobi_sum(&self.series, s) + corners + tip
+        let mut sums = Potentials::default();
+        let mut add = |factor: f64, potentials: Potentials| {
+            zip(&mut sums, potentials).for_each(|(sum, potential)| *sum += factor * potential);
+        };
+        if form != Form::Series || tip != 0.0 {
+            for (theta, weight) in places(&Spheroidal::new(r.abs() / a, depth / a)) {
+                add(a * weight * self.strip.source(theta), sources(a * theta.sin(), r, depth));
             }
         }
+        if corners != 0.0 {
+            add(a * corners, sources(a, r, depth));
+        }
+        if form == Form::Series {
+            add(1.0, spheroid::potentials(&self.by_order, a, r, depth));
+        }
+        if depth == 0.0 {
+            sums[1].re = self.strip.pressure(r);
+        }
+        sums
     }
 }
 
@@ -154,60 +126,60 @@ fn places(Spheroidal { xi, eta, beyond, .. }: &Spheroidal) -> Vec<(f64, f64)> {
     places
 }
 
+/// Im ∫ λ^n e^(−λ(d − is)) J(λr) dλ for n = −1, 0, 1, 2: of J₀ as real parts, of J₁ as imaginary ones.
+fn sources(s: f64, r: f64, depth: f64) -> Potentials {
+    let w = Complex64::new(depth, -s);
+    // (d − is)² + r² without cancellation; the root of positive real part
+    let square = Complex64::new(depth * depth + (r - s) * (r + s), -2.0 * depth * s);
+    let root = root_of(square);
+    let over = root.inv();
+    let (third, sum) = (over * over * over, (root + w).inv());
+    let fifth = third * over * over;
+    let pairs = [
+        (Complex64::new(0.0, sum.arg()), r * sum),
+        (over, r * over * sum),
+        (w * third, r * third),
+        ((2.0 * w * w - r * r) * fifth, 3.0 * r * w * fifth),
+    ];
+    pairs.map(|(zeroth, first)| Complex64::new(zeroth.im, first.im))
+}
+
+/// The square root with a positive real part; next to the negative axis its imaginary part has the sign of the imaginary part of the square.
+fn root_of(square: Complex64) -> Complex64 {
+    let larger = (0.5 * (square.norm() + square.re.abs())).sqrt();
+    let smaller = if larger > 0.0 { 0.5 * square.im / larger } else { 0.0 };
+    if square.re > 0.0 {
+        Complex64::new(larger, smaller)
+    } else {
+        Complex64::new(smaller.abs(), larger.copysign(square.im))
+    }
+}
+
+/// The potentials of a force P on the axis, p̂ = P/2π everywhere.
+fn point(transform: f64, r: f64, depth: f64) -> Potentials {
+    let distance = r.hypot(depth);
+    let over = distance.recip();
+    let (cos, sin) = (depth * over, r * over);
+    let (square, third) = (over * over, over * over * over);
+    let zeroth = Complex64::new(cos, sin);
+    let first = Complex64::new(2.0 * cos * cos - sin * sin, 3.0 * cos * sin);
+    let second = Complex64::new(6.0 * cos.powi(3) - 9.0 * cos * sin * sin, 3.0 * sin * (4.0 * cos * cos - sin * sin));
+    let integral = Complex64::new(over, r / (distance * (distance + depth)));
+    [integral, zeroth * square, first * third, second * (third * over)].map(|potential| potential * transform)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::Strip;
-
-    /// The same by the transform: ∫ p̂ λ^(n+1) e^(−λd) J(λr) dλ.
-    fn by_transform(disc: &StripPressure, r: f64, depth: f64, power: i32) -> Complex64 {
-        let mut sum = Complex64::ZERO;
-        let (panels, last) = (400, 40.0 / depth);
-        for panel in 0..panels {
-            let [from, to] = [panel, panel + 1].map(|k| last * f64::from(k) / f64::from(panels));
-            for (wavenumber, weight) in rule(16).on(from, to) {
-                let transform = disc.resultant() + disc.disc_minus_resultant(&[wavenumber])[0];
-                let mut bessel = [0.0; 2];
-                bessel::table(2, &[wavenumber * r], &mut bessel);
-                let size = transform * wavenumber.powi(power + 1) * (-wavenumber * depth).exp() * weight;
-                sum += size * Complex64::new(bessel[0], bessel[1]);
-            }
-        }
-        sum
-    }
-
-    #[test]
-    fn potentials_are_those_of_the_transform() {
-        let round = |strip: Strip| StripPressure::new(&Strip { is_round: true, ..strip });
-        let series = Strip::series(0.8, vec![1.0, -0.3, 0.2]);
-        for disc in [
-            round(series.clone()),
-            round(Strip::series(0.8, (0..80).map(|m| 1.0 / f64::from(m * m + 1)).collect())),
-            round(Strip { tip: 0.4, corners: 0.3, ..series.clone() }),
-            round(Strip { form: Form::Uniform, ..Strip::series(0.8, vec![1.0]) }),
-            round(Strip { form: Form::Parabolic, ..Strip::series(0.8, vec![1.0]) }),
-            round(Strip { form: Form::Line, ..Strip::series(0.0, vec![1.0]) }),
-        ] {
-            for (r, depth) in [(0.0, 0.5), (0.3, 0.4), (0.79, 0.3), (1.7, 0.6)] {
-                let found = disc.disc_potentials(r, depth);
-                let Potentials([zeroth, first, second]) = found.potentials;
-                for (power, found) in [(0, zeroth), (1, first), (2, second), (-1, found.integral)] {
-                    let expected = by_transform(&disc, r, depth, power);
-                    let error = (found - expected).norm();
-                    assert!(error < 1e-10 * expected.norm(), "{disc:?} {r} {depth} {power}: {found} {expected}");
-                }
-            }
-        }
-    }
 
     #[test]
     fn close_to_the_face_they_are_the_pressure() {
-        let disc = StripPressure::new(&Strip { is_round: true, ..Strip::series(0.8, vec![1.0, -0.3, 0.2]) });
+        let disc = TabulatedStrip::new(&Strip { is_round: true, ..Strip::series(0.8, vec![1.0, -0.3, 0.2]) });
         for r in [0.0, 0.1, 0.5, 0.75] {
             let [face, near] = [0.0, 1e-9].map(|depth| disc.disc_potentials(r, depth));
-            let (Potentials([on, ..]), Potentials([below, ..])) = (face.potentials, near.potentials);
-            assert!((on - below).norm() < 1e-7, "{r}: {on} {below}");
-            assert!((face.integral - near.integral).norm() < 1e-7, "{r}: {} {}", face.integral, near.integral);
+            for (on, below) in zip(face, near).take(2) {
+                assert!((on - below).norm() < 1e-7, "{r}: {on} {below}");
+            }
         }
     }
 }

@@ -1,9 +1,8 @@
 //! Stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, and the largest shear
 //! stress and tension across each interface that does not open.
 use super::error::FieldError;
-use super::infinite::infinite;
-use super::measure::{Extent, Measure, Search};
-use super::search::{Peak, highest};
+use super::measure::{Extent, ExtremeSearch, Measure};
+use super::search::{HighestPlace, highest};
 use super::{Field, PlacedLayer, Point, waves};
 use crate::system::Unresolved;
 
@@ -90,13 +89,9 @@ impl Field {
     /// # Errors
     /// [`FieldError::Unresolved`] if the fields cannot be computed.
     pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
-        if let Some(x) = infinite(self, Measure::MaxShear) {
-            let layer = self.layers.first().map_or(1, |placed| placed.number);
-            return Ok(MaxShear { value: f64::INFINITY, x, depth: 0.0, layer });
-        }
-        let search = Search { measure: Measure::MaxShear, layer: None };
+        let search = ExtremeSearch { measure: Measure::MaxShear, layer: None };
         let found = highest(self, &[search], Extent::Near)?.into_iter().next().flatten();
-        let Peak { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
+        let HighestPlace { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
         let placed = &self.layers[layer];
         Ok(MaxShear { value, x, depth: placed.top + depth, layer: placed.number })
     }
@@ -113,24 +108,13 @@ impl Field {
     /// If the fields cannot be computed.
     pub fn extremes(&self) -> Result<Extremes, FieldError> {
         let (layers, bonds) = (0..self.layers.len(), self.bonds());
-        let mut searches = vec![Search { measure: Measure::Tension, layer: None }];
-        searches.extend(layers.clone().map(|layer| Search { measure: Measure::VonMises, layer: Some(layer) }));
+        let mut searches = vec![ExtremeSearch { measure: Measure::Tension, layer: None }];
+        searches.extend(layers.clone().map(|layer| ExtremeSearch { measure: Measure::VonMises, layer: Some(layer) }));
         for (layer, _) in &bonds {
             let of_face = [Measure::FaceShear, Measure::FaceTension];
-            searches.extend(of_face.map(|measure| Search { measure, layer: Some(*layer) }));
+            searches.extend(of_face.map(|measure| ExtremeSearch { measure, layer: Some(*layer) }));
         }
-        // where the top layer has infinite stresses there is nothing to search for
-        let layer = self.layers.first().map_or(1, |placed| placed.number);
-        let infinite = |search: &Search| {
-            let x = infinite(self, search.measure)
-                .filter(|_| search.layer.unwrap_or(0) == 0 && !search.measure.is_on_face())?;
-            Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer })
-        };
-        let known: Vec<Option<Extreme>> = searches.iter().map(infinite).collect();
-        let finite = searches.iter().zip(&known).filter(|(_, known)| known.is_none());
-        let finite: Vec<Search> = finite.map(|(search, _)| *search).collect();
-        let mut found = self.exact(&highest(self, &finite, Extent::Everywhere)?)?.into_iter();
-        let mut extremes = known.into_iter().map(|known| known.or_else(|| found.next().flatten()));
+        let mut extremes = self.exact(&highest(self, &searches, Extent::Everywhere)?)?.into_iter();
         let mut next = || extremes.next().flatten();
         let tension = next();
         let layers =
@@ -145,16 +129,20 @@ impl Field {
     }
 
     /// The values of the field at peaks, with their errors; `None` where they are no larger than what sums over wavenumbers miss.
-    fn exact(&self, peaks: &[Option<Peak>]) -> Result<Vec<Option<Extreme>>, FieldError> {
-        let point = |peak: &Peak| {
+    fn exact(&self, peaks: &[Option<HighestPlace>]) -> Result<Vec<Option<Extreme>>, FieldError> {
+        let point = |peak: &HighestPlace| {
             let placed = &self.layers[peak.layer];
             Point { x: peak.place[0], depth: placed.top + peak.place[1], layer: Some(placed.number) }
         };
-        let points: Vec<Point> = peaks.iter().flatten().map(point).collect();
+        let finite = peaks.iter().flatten().filter(|peak| peak.value.is_finite());
+        let points: Vec<Point> = finite.map(point).collect();
         let mut there = points.iter().zip(self.points(&points)?);
         let each = peaks.iter().map(|peak| {
-            let Some((peak, (point, there))) = peak.as_ref().and_then(|peak| Some((peak, there.next()?))) else {
-                return Ok(None);
+            let Some(peak) = peak else { return Ok(None) };
+            let Some((point, there)) = Some(peak).filter(|peak| peak.value.is_finite()).and_then(|_| there.next())
+            else {
+                let (x, layer) = (peak.place[0], self.layers[peak.layer].number);
+                return Ok(Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer }));
             };
             let value = peak.measure.of(&there);
             let (row, mean) = (self.row(point, 0)?, self.mean_pressure(peak.layer));

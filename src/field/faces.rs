@@ -3,8 +3,7 @@ use recede_layers::Isotropic;
 
 use super::error::FieldError;
 use super::point::FieldPoint;
-use super::potentials::At;
-use super::sum::Row;
+use super::sum::DepthRow;
 use super::surface::Surface;
 use super::{Field, PlacedLayer};
 
@@ -26,8 +25,8 @@ impl Field {
             [Some(top), bottom].into_iter().flatten()
         };
         let faces: Vec<(usize, usize, FaceSide, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
-        let rows: Vec<Row> =
-            faces.iter().map(|(layer, _, _, depth)| Row { layer: *layer, depth: *depth, set: 0 }).collect();
+        let rows: Vec<DepthRow> =
+            faces.iter().map(|(layer, _, _, depth)| DepthRow { layer: *layer, depth: *depth, set: 0 }).collect();
         let points = self.in_rows(xs, &rows)?;
         let lines = faces.iter().zip(points.chunks(xs.len().max(1)));
         Ok(lines.map(|((_, number, side, _), points)| (*number, *side, points.to_vec())).collect())
@@ -36,12 +35,9 @@ impl Field {
     /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure of a contact: it is
     /// flattened like a half-plane.
     pub(crate) fn flattening(&self, contact: usize, material: &Isotropic, xs: &[f64]) -> Vec<f64> {
-        let (pressure, material) = (&self.pressures[contact], material.material(self.plane));
-        let Some(mut surface) = Surface::new(&|_| material, pressure.half_length, self.modulus) else {
-            return vec![0.0; xs.len()];
-        };
-        surface.shift = f64::INFINITY;
-        let at = |x: &f64| At { x: self.place(*x), depth: 0.0, displacements: true };
-        xs.iter().map(|x| -surface.closed(pressure, &at(x))[4]).collect()
+        let half_plane = Surface::of_half_plane(material.material(self.geometry.plane()), self.modulus);
+        let Some(surface) = half_plane else { return vec![0.0; xs.len()] };
+        let pressure = &self.pressures[contact];
+        xs.iter().map(|x| -surface.closed(pressure, self.place(*x), 0.0, true)[4]).collect()
     }
 }

@@ -1,16 +1,10 @@
 //! Where the bodies of a stack touch, so that their displacements are counted from one base.
 use super::Field;
-use super::potentials::Components;
+use super::sum::DepthRow;
+use super::surface::Components;
 
-/// A place at which two bodies touch.
-pub(super) struct Joint {
-    pub(super) contact: usize,
-    pub(super) x: f64,
-    /// Whether this is the face of the body above.
-    is_above: bool,
-    pub(super) layer: usize,
-    pub(super) depth: f64,
-}
+/// The numbers of the rows of the faces that touch at a place, the face of the body above first, if there are any.
+type JointRows = [Option<usize>; 2];
 
 /// How a body that was counted from its own reference point has moved: v grows by `lift` and by `turn` times x.
 #[derive(Clone, Copy, Default)]
@@ -30,43 +24,52 @@ impl Motion {
 }
 
 impl Field {
-    /// Where the bodies are joined, from the top down: at one place of each contact below the uppermost one, or where bodies may turn at two, the
-    /// upper face, but where v of the body above is counted from x = 0 there, and then the lower face.
-    pub(super) fn joints(&self) -> Vec<Joint> {
-        let mut joints = Vec::new();
-        for (contact, places) in self.joints.iter().enumerate().skip(1) {
+    /// Adds rows where the bodies are joined, and tells for each contact below the uppermost one which they are: at one place, or where bodies may
+    /// turn at two, the lower face, and the upper one but where v of the body above is counted from x = 0 there.
+    pub(super) fn joints(&self, rows: &mut Vec<DepthRow>, sets: &mut Vec<Vec<f64>>) -> Vec<[JointRows; 2]> {
+        let first = rows.len();
+        let mut add = |layer: usize, depth: f64, x: f64| {
+            rows.push(DepthRow { layer, depth, set: set_of(sets, vec![x]) });
+            rows.len() - 1 - first
+        };
+        let of = |(contact, [from, to]): (usize, &[f64; 2])| {
             let last = self.layers.iter().rposition(|placed| placed.body + 1 == contact);
-            let first = self.layers.iter().position(|placed| placed.body == contact);
-            let is_one = places[0] == places[1];
-            for x in places.iter().copied().take(if is_one { 1 } else { 2 }) {
-                if let Some(layer) = last.filter(|_| x != 0.0 || !is_one) {
-                    let depth = self.layers[layer].thickness.unwrap_or(0.0);
-                    joints.push(Joint { contact, x, is_above: true, layer, depth });
-                }
-                if let Some(layer) = first {
-                    joints.push(Joint { contact, x, is_above: false, layer, depth: 0.0 });
-                }
-            }
-        }
-        joints
+            let next = self.layers.iter().position(|placed| placed.body == contact);
+            let mut joint = |x: f64| {
+                let above = last.filter(|_| x != 0.0 || from != to);
+                let depth = |layer: usize| self.layers[layer].thickness.unwrap_or(0.0);
+                [above.map(|layer| add(layer, depth(layer), x)), next.map(|layer| add(layer, 0.0, x))]
+            };
+            let first = joint(*from);
+            [first, if from == to { first } else { joint(*to) }]
+        };
+        self.joints.iter().enumerate().skip(1).map(of).collect()
     }
 
-    /// How the bodies have moved, from the top down; `values` are those at the joints.
-    pub(super) fn motions(&self, joints: &[Joint], values: &[Vec<Components>]) -> Vec<Motion> {
+    /// How the bodies have moved, from the top down; `values` are the components in the rows of the joints.
+    pub(super) fn motions(&self, joints: &[[JointRows; 2]], values: &[Vec<Components>]) -> Vec<Motion> {
         let mut motions = vec![Motion::default(); self.bodies.len() + 1];
-        for (contact, places) in self.joints.iter().enumerate().skip(1).rev() {
+        for (k, (places, joints)) in self.joints.iter().skip(1).zip(joints).enumerate().rev() {
+            let contact = k + 1;
             let below = motions[contact];
-            let v = |x: f64, is_above: bool| {
-                let own = |joint: &&(&Joint, &Vec<Components>)| {
-                    (joint.0.contact, joint.0.x, joint.0.is_above) == (contact, x, is_above)
-                };
-                joints.iter().zip(values).collect::<Vec<_>>().iter().find(own).map_or(0.0, |(_, values)| values[0][4])
-            };
-            let apart = places.map(|x| v(x, false) + below.lift + below.turn * x - v(x, true));
+            let v = |row: Option<usize>| row.map_or(0.0, |row| values[row][0][4]);
+            let apart = [0, 1].map(|k| {
+                let [above, own] = joints[k].map(v);
+                own + below.lift + below.turn * places[k] - above
+            });
             let [from, to] = *places;
             let turn = if from < to { (apart[1] - apart[0]) / (to - from) } else { 0.0 };
             motions[contact - 1] = Motion { lift: apart[0] - turn * from, turn };
         }
         motions
     }
+}
+
+/// The number of a list of places among others, to which it is added if it is a new one.
+pub(super) fn set_of(sets: &mut Vec<Vec<f64>>, places: Vec<f64>) -> usize {
+    let known = sets.iter().position(|set| *set == places);
+    known.unwrap_or_else(|| {
+        sets.push(places);
+        sets.len() - 1
+    })
 }

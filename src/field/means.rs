@@ -8,12 +8,11 @@ use std::f64::consts::PI;
 use recede_layers::{Isotropic, State, Wave};
 
 use super::Field;
-use super::body::Body;
+use super::body::LoadedBody;
 use super::error::FieldError;
-use super::pressure::{Parity, Transform};
-use super::sum::load;
+use super::sum::{Symmetry, load};
 use super::surface::Surface;
-use super::waves::{self, CutOff, Panel};
+use super::waves::{self, CutOff, WavePanel};
 use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::system::Unresolved;
 
@@ -27,13 +26,13 @@ const TERMS: i32 = 16;
 
 /// An interval over which displacements are averaged, and its mirror image.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Window {
+pub(crate) struct MeanWindow {
     pub(crate) middle: f64,
     /// Half its length; the radius about an axis.
     pub(crate) half: f64,
 }
 
-impl Window {
+impl MeanWindow {
     /// The means of waves less 1, with the weights (1 − t²)ⁿ and with t² times these.
     fn of_waves(&self, is_round: bool, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half).collect();
@@ -67,19 +66,17 @@ impl Window {
 impl Field {
     /// The sum over all contacts of the mean by which the face above is higher than the face below, twice, with each set of weights. `punch`
     /// is the material of an elastic punch, which is the body above the first contact; rigid bodies do not move.
-    pub(crate) fn apart(&self, windows: &[Window], punch: Option<&Isotropic>) -> Result<[f64; 2], FieldError> {
+    pub(crate) fn apart(&self, windows: &[MeanWindow], punch: Option<&Isotropic>) -> Result<[f64; 2], FieldError> {
         let (ends, panels) = self.mean_panels(windows)?;
         let flattening = punch.and_then(|punch| {
-            let material = punch.material(self.plane);
-            let mut surface = Surface::new(&|_| material, 1.0, self.modulus)?;
-            surface.shift = f64::INFINITY;
+            let surface = Surface::of_half_plane(punch.material(self.geometry.plane()), self.modulus)?;
             Some(surface.transformed(1.0, 0.0)[4])
         });
         let is_round = self.geometry.is_axisymmetric();
         let mut sums = [0.0; 2];
         for panel in &panels {
-            let waves = self.waves(Parity::Even, panel, &ends);
-            let of = |window: &Window| window.of_waves(is_round, &waves.wavenumbers);
+            let waves = self.waves(panel, &ends);
+            let of = |window: &MeanWindow| window.of_waves(is_round, &waves.wavenumbers);
             let means: Vec<Vec<[f64; 2]>> = windows.iter().map(of).collect();
             for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
                 let factor = weight / self.modulus * if is_round { 1.0 } else { (PI * wavenumber).recip() };
@@ -91,10 +88,12 @@ impl Field {
                     }
                 };
                 if let Some(flattening) = flattening {
-                    add((flattening * waves.transforms[0][q].value, Some(0)), (0.0, None));
+                    add((flattening * waves.transforms[0][q].value.re, Some(0)), (0.0, None));
                 }
-                for body in self.bodies.iter().filter(|body| self.is_pressed(body, *wavenumber, &ends)) {
-                    let transform = |contact: usize| waves.transforms[contact][q];
+                for body in
+                    self.bodies.iter().filter(|body| body.contacts().any(|contact| *wavenumber <= ends[contact].end))
+                {
+                    let transform = |contact: usize| Symmetry::Even.of(&waves.transforms[contact][q]);
                     let [top, bottom] = self.face_displacements(body, *wavenumber, transform)?;
                     let below = body.bottom.map(|_| body.contact + 1);
                     add((top, Some(body.contact)), (bottom, below));
@@ -105,7 +104,7 @@ impl Field {
     }
 
     /// For each contact the wavenumber beyond which no mean has a part of its pressure, and panels up to the largest of these.
-    fn mean_panels(&self, windows: &[Window]) -> Result<(Vec<CutOff>, Vec<Panel>), FieldError> {
+    fn mean_panels(&self, windows: &[MeanWindow]) -> Result<(Vec<CutOff>, Vec<WavePanel>), FieldError> {
         let own = |i: usize| LAST / windows[i].half;
         let extent = |i: usize, k: usize| windows[i].middle + windows[i].half + self.length(k);
         let cut_off = |end: f64, extent: f64| CutOff { end, extent, own: extent };
@@ -113,7 +112,7 @@ impl Field {
         let mut cut_offs = ends.clone();
         for body in self.bodies.iter().filter(|body| body.bottom.is_some()) {
             let (i, k) = (body.contact, body.contact + 1);
-            let last = self.layers.iter().rfind(|placed| self.bodies[placed.body].contact == i);
+            let last = self.layers.iter().rfind(|placed| placed.body == i);
             let through = last.map_or(0.0, |last| self.distance(last, last.thickness.unwrap_or(0.0), true));
             for (pressed, seen) in [(i, k), (k, i)] {
                 let end = own(seen).min(waves::FULL.exponent / through);
@@ -126,23 +125,18 @@ impl Field {
         Ok((ends, panels.ok_or(FieldError::TooFar { x: farthest })?))
     }
 
-    fn is_pressed(&self, body: &Body, wavenumber: f64, ends: &[CutOff]) -> bool {
-        let below = body.bottom.map(|_| body.contact + 1);
-        [Some(body.contact), below].into_iter().flatten().any(|contact| wavenumber <= ends[contact].end)
-    }
-
     /// λμ₀V on the top face of a body, and on its bottom face, 0 if that is not loaded.
     fn face_displacements(
         &self,
-        body: &Body,
+        body: &LoadedBody,
         wavenumber: f64,
-        transform: impl Fn(usize) -> Transform,
+        transform: impl Fn(usize) -> [f64; 2],
     ) -> Result<[f64; 2], FieldError> {
-        let wave = Wave { wavenumber, modulus: self.modulus, plane: self.plane };
+        let wave = Wave { wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
         let mut depths = vec![Vec::new(); body.layers];
         depths[0].push(0.0);
         if let Some(last) = depths.last_mut().filter(|_| body.bottom.is_some()) {
-            let mut layers = self.layers.iter().filter(|placed| self.bodies[placed.body].contact == body.contact);
+            let mut layers = self.layers.iter().filter(|placed| placed.body == body.contact);
             last.extend(layers.next_back().and_then(|placed| placed.thickness));
         }
         let states =
@@ -161,7 +155,7 @@ mod tests {
     #[test]
     fn means_of_waves_are_integrals() {
         for is_round in [false, true] {
-            let window = Window { middle: if is_round { 0.0 } else { 0.7 }, half: 0.5 };
+            let window = MeanWindow { middle: if is_round { 0.0 } else { 0.7 }, half: 0.5 };
             for wavenumber in [1e-3, 0.8, 7.9, 8.1, 40.0] {
                 let [mut integrals, mut weights] = [[0.0; 2]; 2];
                 for (t, weight) in rule(60).on(if is_round { 0.0 } else { -1.0 }, 1.0) {

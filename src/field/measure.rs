@@ -62,7 +62,7 @@ impl Measure {
 
 /// What is searched for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Search {
+pub(super) struct ExtremeSearch {
     pub(super) measure: Measure,
     /// Index of the layer; `None` for all of them.
     pub(super) layer: Option<usize>,

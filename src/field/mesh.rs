@@ -1,8 +1,9 @@
 //! Pieces of the layers, and the stresses at the Chebyshev points of each.
 use super::error::FieldError;
+use super::joints::set_of;
 use super::measure::Extent;
-use super::pressure::Pressure;
-use super::sum::Row;
+use super::pressure::ContactPressure;
+use super::sum::DepthRow;
 use super::waves::Precision;
 use super::{Field, FieldPoint};
 use crate::numeric::chebyshev;
@@ -30,14 +31,14 @@ pub(super) type Pair<T> = [T; 2];
 
 /// A rectangle of a layer, or a part of its lower face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct LayerPiece {
     pub(super) layer: usize,
     pub(super) ends: Pair<[f64; 2]>,
     /// The ends of the part of the layer in which stresses are as smooth as here.
     pub(super) smooth: Pair<[f64; 2]>,
 }
 
-impl Piece {
+impl LayerPiece {
     pub(super) fn holds(&self, place: Pair<f64>) -> bool {
         self.ends.iter().zip(place).all(|([from, to], at)| *from <= at && at <= *to)
     }
@@ -73,8 +74,8 @@ pub(super) struct Pieces {
 }
 
 /// The stresses at the points of a piece, row by row from the top down.
-pub(super) struct Sample {
-    pub(super) piece: Piece,
+pub(super) struct PieceSample {
+    pub(super) piece: LayerPiece,
     pub(super) points: Vec<Vec<FieldPoint>>,
 }
 
@@ -92,21 +93,18 @@ fn points(intervals: &[[[f64; 2]; 2]]) -> (Vec<f64>, Ranges) {
     (points, ranges)
 }
 
-impl Sample {
+impl PieceSample {
     /// The stresses in all of these pieces, from one sum over wavenumbers; for each of the arguments a list.
     pub(super) fn all(field: &Field, all: &[Pieces], precision: &Precision) -> Result<Vec<Vec<Self>>, FieldError> {
         let (mut rows, mut sets, mut ranges) = (Vec::new(), Vec::<Vec<f64>>::new(), Vec::new());
         for Pieces { layer, intervals } in all {
             let [(xs, along), (depths, down)] = [0, 1].map(|axis| points(&intervals[axis]));
-            let set = sets.iter().position(|set| *set == xs).unwrap_or(sets.len());
-            if set == sets.len() {
-                sets.push(xs);
-            }
+            let set = set_of(&mut sets, xs);
             ranges.push((rows.len(), along, down));
-            rows.extend(depths.into_iter().map(|depth| Row { layer: *layer, depth, set }));
+            rows.extend(depths.into_iter().map(|depth| DepthRow { layer: *layer, depth, set }));
         }
         let sums = field.sum(&rows, &sets, precision)?;
-        let of_row = |(row, sums): (&Row, Vec<_>)| -> Vec<FieldPoint> {
+        let of_row = |(row, sums): (&DepthRow, Vec<_>)| -> Vec<FieldPoint> {
             sets[row.set].iter().zip(sums).map(|(x, sums)| field.point(*x, row, sums)).collect()
         };
         let rows: Vec<Vec<FieldPoint>> = rows.iter().zip(sums).map(of_row).collect();
@@ -115,7 +113,8 @@ impl Sample {
             for ([down_ends, down_smooth], in_rows) in intervals[1].iter().zip(down) {
                 let rows = &rows[first..][in_rows];
                 for ([ends, smooth], range) in intervals[0].iter().zip(&along) {
-                    let piece = Piece { layer: *layer, ends: [*ends, *down_ends], smooth: [*smooth, *down_smooth] };
+                    let piece =
+                        LayerPiece { layer: *layer, ends: [*ends, *down_ends], smooth: [*smooth, *down_smooth] };
                     samples.push(Self { piece, points: rows.iter().map(|row| row[range.clone()].to_vec()).collect() });
                 }
             }
@@ -135,7 +134,7 @@ impl Pieces {
             let along = [[at - near, at], [at, at + near]].map(|ends| [ends; 2]).to_vec();
             Self { layer: 0, intervals: [along, vec![[[0.0, near]; 2]]] }
         };
-        all.extend(field.pressures.first().into_iter().flat_map(Pressure::jumps).map(about));
+        all.extend(field.pressures.first().into_iter().flat_map(ContactPressure::jumps).map(about));
         all
     }
 

@@ -9,31 +9,26 @@ mod disc;
 mod error;
 mod extremes;
 mod faces;
-mod infinite;
 mod joints;
 mod means;
 mod measure;
 mod mesh;
 mod point;
 mod polynomial;
-mod potentials;
 mod pressure;
-mod roots;
 mod search;
-mod sources;
 mod spheroid;
 mod strip;
 mod sum;
 mod surface;
-mod tables;
 mod transform;
 mod waves;
 
-use recede_layers::{Plane, Wave};
+use recede_layers::Wave;
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::FaceSide;
-pub(crate) use means::{FLAT, Window};
+pub(crate) use means::{FLAT, MeanWindow};
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 
 use crate::geometry::Geometry;
@@ -42,10 +37,10 @@ use crate::stack::Stack;
 use crate::system::Load;
 pub use error::FieldError;
 
-use body::{Body, PlacedLayer};
-use pressure::Pressure;
-use sum::Row;
-use waves::Origin;
+use body::{LoadedBody, PlacedLayer};
+use pressure::ContactPressure;
+use sum::DepthRow;
+use waves::LongWaves;
 
 /// Rounding of stresses, in parts of the mean pressure.
 const ROUNDING: f64 = 1e-12;
@@ -86,10 +81,9 @@ const POWER: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Field {
     geometry: Geometry,
-    plane: Plane,
     layers: Vec<PlacedLayer>,
-    bodies: Vec<Body>,
-    pressures: Vec<Pressure>,
+    bodies: Vec<LoadedBody>,
+    pressures: Vec<ContactPressure>,
     /// Whether the field is its own mirror image about x = 0: it is computed for x ≥ 0 then.
     is_even: bool,
     /// For each contact two places at which the bodies touch; of an even one the same twice, 0 unless they are apart there.
@@ -109,40 +103,32 @@ pub struct Field {
 impl Field {
     /// The field of a solution of this stack; to be had from [`crate::Model::field`].
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
-        let (geometry, plane) = (stack.geometry(), stack.plane());
+        let plane = stack.plane();
         let layers = body::layers(stack);
         let is_even = solution.is_even();
-        let pressure = |contact: &Contact| Pressure::new(contact, is_even);
-        let pressures: Vec<Pressure> = solution.contacts().iter().map(pressure).collect();
-        let stiffness: Vec<f64> = layers
-            .iter()
-            .flat_map(|placed| {
-                let thickness = placed.thickness.unwrap_or(0.0);
-                [0.0, 0.5, 1.0].map(|part| placed.layer.material(part * thickness, plane).axial_stiffness)
-            })
-            .collect();
+        let pressure = |contact: &Contact| ContactPressure::new(contact, is_even);
+        let pressures: Vec<ContactPressure> = solution.contacts().iter().map(pressure).collect();
+        let stiffnesses = |placed: &PlacedLayer| {
+            let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
+            depths.map(|depth| placed.layer.material(depth, plane).axial_stiffness)
+        };
+        let stiffness: Vec<f64> = layers.iter().flat_map(stiffnesses).collect();
         let [largest, smallest] =
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
-        let bodies = Body::all(stack, &layers, &pressures, modulus);
-        let joints = solution.contacts().iter().map(Contact::touching).collect();
         let below = stack.base();
         let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
-        let base = is_joined.then(|| below.foundation().number());
-        let contrast = largest / smallest;
-        let over_support = largest / support_stiffness(stack, modulus);
         let mut field = Self {
-            geometry,
-            plane,
+            geometry: stack.geometry(),
+            bodies: LoadedBody::all(stack, &layers, &pressures, modulus),
             layers,
-            bodies,
             pressures,
             is_even,
-            joints,
+            joints: solution.contacts().iter().map(Contact::touching).collect(),
             modulus,
-            contrast,
-            over_support,
-            base,
+            contrast: largest / smallest,
+            over_support: largest / support_stiffness(stack, modulus),
+            base: is_joined.then(|| below.foundation().number()),
             pressure_error: 0.0,
         };
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
@@ -207,7 +193,7 @@ impl Field {
             sets.push(vec![self.place(point.x)]);
         }
         let values = self.sum(&rows, &sets, &waves::FULL)?;
-        let of = |((point, row), values): ((&Point, &Row), Vec<_>)| {
+        let of = |((point, row), values): ((&Point, &DepthRow), Vec<_>)| {
             values.into_iter().map(|value| self.point(point.x, row, value)).collect::<Vec<_>>()
         };
         Ok(requested.iter().zip(&rows).zip(values).flat_map(of).collect())
@@ -230,7 +216,7 @@ impl Field {
     pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, FieldError> {
         let point =
             |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
-        let rows: Vec<Row> = depths.iter().map(point).collect::<Result<_, _>>()?;
+        let rows: Vec<DepthRow> = depths.iter().map(point).collect::<Result<_, _>>()?;
         Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows)?))
     }
 
@@ -264,7 +250,7 @@ impl Field {
                 let within = |depth: f64| placed.thickness.map_or(depth, |h| h.min(depth)).max(0.0);
                 let all = [from].into_iter().chain(between).chain([to]);
                 let before = rows.len();
-                rows.extend(all.map(|depth| Row { layer, depth: within(depth - placed.top), set: 0 }));
+                rows.extend(all.map(|depth| DepthRow { layer, depth: within(depth - placed.top), set: 0 }));
                 counts.push(rows.len() - before);
             }
         }
@@ -279,7 +265,7 @@ impl Field {
     }
 
     /// Points in rows at the same places along x.
-    fn in_rows(&self, xs: &[f64], rows: &[Row]) -> Result<Vec<FieldPoint>, FieldError> {
+    fn in_rows(&self, xs: &[f64], rows: &[DepthRow]) -> Result<Vec<FieldPoint>, FieldError> {
         if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
             return Err(self.outside(&Point { x: *x, depth: 0.0, layer: None }));
         }
@@ -306,7 +292,7 @@ impl Field {
     }
 
     /// The layer of a point, and its depth in it.
-    fn row(&self, point: &Point, set: usize) -> Result<Row, FieldError> {
+    fn row(&self, point: &Point, set: usize) -> Result<DepthRow, FieldError> {
         let Point { x, depth, layer: named } = *point;
         let near = |face: f64| face.is_finite() && (depth - face).abs() <= ON_INTERFACE * face;
         let here = |placed: &PlacedLayer| {
@@ -319,35 +305,31 @@ impl Field {
         let placed = &self.layers[layer];
         let within = (depth - placed.top).max(0.0);
         let within = if near(placed.bottom()) { placed.thickness.unwrap_or(within) } else { within };
-        Ok(Row { layer, depth: if near(placed.top) { 0.0 } else { within }, set })
+        Ok(DepthRow { layer, depth: if near(placed.top) { 0.0 } else { within }, set })
     }
 
     fn outside(&self, point: &Point) -> FieldError {
-        FieldError::Outside { place: point.written_in(self.geometry), allowed: self.allowed() }
-    }
-
-    /// The depths at which there are layers.
-    fn allowed(&self) -> String {
         let layers = self.layers.iter().map(|placed| match placed.thickness {
             Some(_) => format!("layer {} from {:?} to {:?}", placed.number, placed.top, placed.bottom()),
             None => format!("layer {} from {:?} down", placed.number, placed.top),
         });
-        layers.collect::<Vec<_>>().join(", ")
+        let allowed = layers.collect::<Vec<_>>().join(", ");
+        FieldError::Outside { place: point.written_in(self.geometry), allowed }
     }
 
     /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; fields of a graded
     /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs but the depth down to which it is asked for.
-    fn origin(&self, deepest: f64) -> Origin {
+    fn origin(&self, deepest: f64) -> LongWaves {
         // an empty sum would be -0
         let thickness = self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h);
         let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
         let smooth = (LONG / (self.contrast * thickness)).min(DEEP / deepest);
         let power = self.layers.last().is_some_and(|base| {
-            let at = |depth: f64| base.layer.material(depth, self.plane);
+            let at = |depth: f64| base.layer.material(depth, self.geometry.plane());
             base.thickness.is_none() && at(0.0) != at(longest + thickness)
         });
         let first = if power { POWER * smooth.min(longest.recip()) } else { smooth };
-        Origin { first, power }
+        LongWaves { first, power }
     }
 }
 

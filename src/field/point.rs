@@ -1,11 +1,11 @@
 //! Stresses and displacements at a point, and what follows from them.
 use std::fmt;
 
-use recede_layers::{Material, Plane};
+use recede_layers::Material;
 
 use super::Field;
-use super::potentials::Components;
-use super::sum::Row;
+use super::sum::DepthRow;
+use super::surface::Components;
 use crate::geometry::Geometry;
 
 /// A point at which a field is requested.
@@ -128,20 +128,33 @@ impl FieldQuantity {
         Self::V,
     ];
 
+    /// Names in plane problems, and in axisymmetric ones in cylindrical coordinates.
+    const NAMES: [[&str; 2]; Self::ALL.len()] = [
+        ["sigma_xx", "sigma_rr"],
+        ["sigma_yy", "sigma_zz"],
+        ["sigma_xy", "tau_rz"],
+        ["sigma_zz", "sigma_tt"],
+        ["sigma_1"; 2],
+        ["sigma_2"; 2],
+        ["max_shear"; 2],
+        ["von_mises"; 2],
+        ["u", "u_r"],
+        ["v", "u_z"],
+    ];
+
     /// Its name, as in the columns of a CSV file.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::SigmaXx => "sigma_xx",
-            Self::SigmaYy => "sigma_yy",
-            Self::SigmaXy => "sigma_xy",
-            Self::SigmaZz => "sigma_zz",
-            Self::Sigma1 => "sigma_1",
-            Self::Sigma2 => "sigma_2",
-            Self::MaxShear => "max_shear",
-            Self::VonMises => "von_mises",
-            Self::U => "u",
-            Self::V => "v",
-        }
+        Self::NAMES[self as usize][0]
+    }
+
+    /// Its name in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
+    ///
+    /// ```
+    /// use recede::{FieldQuantity, Geometry};
+    /// assert_eq!(FieldQuantity::SigmaZz.name_in(Geometry::Axisymmetric), "sigma_tt");
+    /// ```
+    pub fn name_in(self, geometry: Geometry) -> &'static str {
+        Self::NAMES[self as usize][usize::from(geometry.is_axisymmetric())]
     }
 
     /// Its value at a point.
@@ -166,6 +179,15 @@ impl FieldQuantity {
             Self::VonMises => point.von_mises(),
             Self::U => point.u,
             Self::V => point.v,
+        }
+    }
+
+    /// Its value in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
+    pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
+        match (geometry, self) {
+            // not −0
+            (Geometry::Axisymmetric, Self::SigmaXy | Self::V) => 0.0 - self.of(point),
+            _ => self.of(point),
         }
     }
 }
@@ -208,21 +230,21 @@ impl Grid {
 
 impl Field {
     /// A point from the components at its place, which is |x| in an even field.
-    pub(super) fn point(&self, x: f64, row: &Row, components: Components) -> FieldPoint {
+    pub(super) fn point(&self, x: f64, row: &DepthRow, components: Components) -> FieldPoint {
         let placed = &self.layers[row.layer];
         let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v, mut slope] = components;
-        let material = placed.layer.material(row.depth, self.plane);
+        let material = placed.layer.material(row.depth, self.geometry.plane());
         if x < 0.0 && self.is_even {
             (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
         let strains = self.geometry.is_axisymmetric().then(|| strains(&material, x.abs(), &components));
-        let [sigma_xx, sigma_zz] = match (self.geometry, self.plane) {
-            (Geometry::Axisymmetric, _) => around(&material, sigma_xx, strains.unwrap_or_default()),
-            (_, Plane::Strain) => {
+        let [sigma_xx, sigma_zz] = match self.geometry {
+            Geometry::Axisymmetric => around(&material, sigma_xx, strains.unwrap_or_default()),
+            Geometry::PlaneStrain => {
                 let shares = material.out_of_plane;
                 [sigma_xx, shares.map_or(f64::NAN, |[along, across]| along * sigma_xx + across * sigma_yy)]
             }
-            (_, Plane::Stress) => [sigma_xx, 0.0],
+            Geometry::PlaneStress => [sigma_xx, 0.0],
         };
         FieldPoint {
             x,
@@ -259,33 +281,4 @@ fn around(material: &Material, along: f64, [radial, hoop, _]: [f64; 3]) -> [f64;
         None => 2.0 / material.shear_compliance,
     };
     [along - shear * hoop, along - shear * radial]
-}
-
-impl FieldQuantity {
-    /// Its name in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
-    ///
-    /// ```
-    /// use recede::{FieldQuantity, Geometry};
-    /// assert_eq!(FieldQuantity::SigmaZz.name_in(Geometry::Axisymmetric), "sigma_tt");
-    /// ```
-    pub fn name_in(self, geometry: Geometry) -> &'static str {
-        match (geometry, self) {
-            (Geometry::Axisymmetric, Self::SigmaXx) => "sigma_rr",
-            (Geometry::Axisymmetric, Self::SigmaYy) => "sigma_zz",
-            (Geometry::Axisymmetric, Self::SigmaXy) => "tau_rz",
-            (Geometry::Axisymmetric, Self::SigmaZz) => "sigma_tt",
-            (Geometry::Axisymmetric, Self::U) => "u_r",
-            (Geometry::Axisymmetric, Self::V) => "u_z",
-            _ => self.name(),
-        }
-    }
-
-    /// Its value in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
-    pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
-        match (geometry, self) {
-            // not −0
-            (Geometry::Axisymmetric, Self::SigmaXy | Self::V) => 0.0 - self.of(point),
-            _ => self.of(point),
-        }
-    }
 }

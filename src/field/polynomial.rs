@@ -1,6 +1,6 @@
 //! The highest place of the polynomial through the values of a stress at the points of a piece.
 use super::measure::Measure;
-use super::mesh::{POINTS, Pair, Piece, Sample};
+use super::mesh::{LayerPiece, POINTS, Pair, PieceSample};
 use crate::numeric::chebyshev::{self, barycentric_weights, interpolation_row};
 
 /// The first and the last step of the search for the highest place, in parts of half a piece. Twice as large, the last one loses digits of
@@ -16,7 +16,7 @@ pub(super) type Height = (Pair<f64>, f64);
 
 /// A polynomial of x and of the depth.
 pub(super) struct Polynomial {
-    pub(super) piece: Piece,
+    pub(super) piece: LayerPiece,
     measure: Measure,
     /// The points of the piece along x and in depth, between −1 and 1.
     coordinates: Pair<Vec<f64>>,
@@ -26,7 +26,11 @@ pub(super) struct Polynomial {
 
 impl Polynomial {
     /// Along the lower face of the layer, for a stress there; `None` if the piece does not reach to the face.
-    pub(super) fn new(Sample { piece, points }: &Sample, measure: Measure, thickness: Option<f64>) -> Option<Self> {
+    pub(super) fn new(
+        PieceSample { piece, points }: &PieceSample,
+        measure: Measure,
+        thickness: Option<f64>,
+    ) -> Option<Self> {
         let (mut piece, mut rows) = (*piece, &points[..]);
         if measure.is_on_face() {
             let face = thickness.filter(|face| piece.ends[1][1] == *face)?;
@@ -120,7 +124,7 @@ mod tests {
     #[test]
     fn a_polynomial_is_highest_where_it_is_level_or_on_an_edge() {
         let of = |function: fn(f64, f64) -> f64| {
-            let piece = Piece { layer: 0, ends: [[1.0, 3.0], [0.0, 0.5]], smooth: [[1.0, 3.0], [0.0, 0.5]] };
+            let piece = LayerPiece { layer: 0, ends: [[1.0, 3.0], [0.0, 0.5]], smooth: [[1.0, 3.0], [0.0, 0.5]] };
             let points = |axis: usize| chebyshev::points(piece.ends[axis][0], piece.ends[axis][1], POINTS);
             let coordinates = [0, 1].map(|_| chebyshev::points(-1.0, 1.0, POINTS));
             let row = |d: &f64| points(0).iter().map(|x| function(*x, *d)).collect();

@@ -1,10 +1,13 @@
 //! Where stresses are largest: layers are cut into pieces, and in each of them the highest place of the polynomial through the values at
 //! its Chebyshev points is the middle of a smaller piece, until the values and the polynomial are the same. All quantities are searched for
 //! at once, since the sums over wavenumbers are shared.
+use std::f64::consts::PI;
+
 use super::error::FieldError;
-use super::measure::{Extent, Measure, Search};
-use super::mesh::{Pair, Piece, Pieces, Sample};
+use super::measure::{Extent, ExtremeSearch, Measure};
+use super::mesh::{LayerPiece, Pair, PieceSample, Pieces};
 use super::polynomial::{Height, Polynomial};
+use super::sum::DepthRow;
 use super::waves::{self, Precision};
 use super::{Field, ROUNDING};
 
@@ -30,9 +33,17 @@ const ERRORS: f64 = 3.0;
 /// Values that differ by less are the same: at a bond that joins equal materials both layers have the stress.
 const SAME: f64 = 1.0 - 1e-4;
 
+/// Distances from a singular point, in parts of the narrowest load, at which stresses are compared.
+const CLOSE: [f64; 2] = [1e-7, 1e-8];
+/// Directions from the face on one side to the face on the other; twice as many change nothing.
+const DIRECTIONS: u8 = 16;
+/// A stress is infinite if it grows by more than this part between the two: a logarithm grows by a tenth, what is finite by a
+/// millionth; and if it is above this part of the largest component, since the others leave rounding.
+const GROWS: f64 = 1e-3;
+
 /// A place in a layer, and the largest value of a quantity, which is there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Peak {
+pub(super) struct HighestPlace {
     pub(super) measure: Measure,
     pub(super) layer: usize,
     pub(super) place: Pair<f64>,
@@ -43,7 +54,7 @@ pub(super) struct Peak {
 #[derive(Clone, Copy, Debug)]
 struct Candidate {
     measure: Measure,
-    piece: Piece,
+    piece: LayerPiece,
     /// How far the smaller piece about the expected place reaches.
     reach: Pair<f64>,
     /// Where the highest value is expected.
@@ -96,23 +107,33 @@ impl Candidate {
 }
 
 /// The highest place of each search; `None` where the quantity is nowhere positive, or not known.
-pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Result<Vec<Option<Peak>>, FieldError> {
-    if field.length(0) == 0.0 {
-        // no length occurs: stresses fall with the distance from a force
-        return Ok(vec![None; searches.len()]);
+pub(super) fn highest(
+    field: &Field,
+    searches: &[ExtremeSearch],
+    extent: Extent,
+) -> Result<Vec<Option<HighestPlace>>, FieldError> {
+    // where the top layer has infinite stresses there is nothing to search for
+    let infinite: Vec<Option<HighestPlace>> = searches.iter().map(|search| infinite(field, search)).collect();
+    // without a length stresses fall with the distance from a force
+    if field.length(0) == 0.0 || infinite.iter().all(Option::is_some) {
+        return Ok(infinite);
     }
     // far from the loads stresses may be smaller than what is left out
     let first = if extent == Extent::Near { &waves::COARSE } else { &waves::LOW };
-    let samples: Vec<Sample> = Sample::all(field, &Pieces::all(field, extent), first)?.into_iter().flatten().collect();
-    let candidates = |Search { measure, layer }: &Search| {
+    let samples: Vec<PieceSample> =
+        PieceSample::all(field, &Pieces::all(field, extent), first)?.into_iter().flatten().collect();
+    let candidates = |(ExtremeSearch { measure, layer }, infinite): (&ExtremeSearch, &Option<HighestPlace>)| {
+        if infinite.is_some() {
+            return Vec::new();
+        }
         let own = samples.iter().filter(|sample| layer.is_none_or(|layer| sample.piece.layer == layer));
-        let of = |sample: &Sample| {
+        let of = |sample: &PieceSample| {
             let polynomial = Polynomial::new(sample, *measure, field.layers[sample.piece.layer].thickness)?;
             Some((polynomial, field.unsure(sample.piece.layer, first)))
         };
         promising(own.filter_map(of).collect(), *measure)
     };
-    let mut candidates: Vec<Vec<Candidate>> = searches.iter().map(candidates).collect();
+    let mut candidates: Vec<Vec<Candidate>> = searches.iter().zip(&infinite).map(candidates).collect();
     for round in 0..ROUGH {
         // nothing is to be learnt about a place that is a point already, and the highest of its surroundings
         let is_open = |one: &Candidate| !one.is_inside || round == 0 && one.expected.1 > one.seen.1;
@@ -127,7 +148,36 @@ pub(super) fn highest(field: &Field, searches: &[Search], extent: Extent) -> Res
             break;
         }
     }
-    Ok(candidates.into_iter().map(uppermost).collect())
+    Ok(candidates.into_iter().zip(infinite).map(|(own, infinite)| infinite.or_else(|| uppermost(own))).collect())
+}
+
+/// Where on the top face a stress is infinite: at a singular point next to which it grows in some direction. The closed forms tell: the rest of
+/// the field is finite.
+fn infinite(field: &Field, &ExtremeSearch { measure, layer }: &ExtremeSearch) -> Option<HighestPlace> {
+    if layer.unwrap_or(0) != 0 || measure.is_on_face() {
+        return None;
+    }
+    let scale = [field.narrowest(0), 1.0].into_iter().find(|length| *length > 0.0)?;
+    let grows = |x: f64| {
+        let [far, near] = CLOSE.map(|part| next_to(field, measure, x, part * scale));
+        near.0 > far.0 * (1.0 + GROWS) && near.0 > GROWS * near.1
+    };
+    let places = field.pressures.first()?.singular_points().map(|(x, _)| x).filter(|x| grows(*x));
+    places.min_by(f64::total_cmp).map(|x| HighestPlace { measure, layer: 0, place: [x, 0.0], value: f64::INFINITY })
+}
+
+/// The largest value of a stress at a distance from a place on the top face, and the largest component there.
+fn next_to(field: &Field, measure: Measure, x: f64, distance: f64) -> (f64, f64) {
+    let of = |k: u8| {
+        let (sin, cos) = (PI * f64::from(k) / f64::from(DIRECTIONS)).sin_cos();
+        let row = DepthRow { layer: 0, depth: distance * sin, set: 0 };
+        let x = field.place(x + distance * cos);
+        let point = field.point(x, &row, *field.closed(&row, &[x], false).first()?);
+        let size = [point.sigma_xx, point.sigma_yy, point.sigma_xy].into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        Some((measure.of(&point), size))
+    };
+    let all = (0..=DIRECTIONS).filter_map(of);
+    all.fold((0.0, 0.0), |(value, size): (f64, f64), found| (value.max(found.0), size.max(found.1)))
 }
 
 /// Follows some candidates; whether there are any.
@@ -138,10 +188,10 @@ fn follow(
     is_exact: bool,
 ) -> Result<bool, FieldError> {
     let smaller = |one: &&mut Candidate| one.piece.about(one.expected.0, one.reach).alone();
-    let samples = Sample::all(field, &chosen.iter().map(smaller).collect::<Vec<_>>(), precision)?;
+    let samples = PieceSample::all(field, &chosen.iter().map(smaller).collect::<Vec<_>>(), precision)?;
     for (one, samples) in chosen.iter_mut().zip(samples) {
         let layer = one.piece.layer;
-        let polynomial = |sample: &Sample| Polynomial::new(sample, one.measure, field.layers[layer].thickness);
+        let polynomial = |sample: &PieceSample| Polynomial::new(sample, one.measure, field.layers[layer].thickness);
         if let Some(polynomial) = samples.first().and_then(polynomial) {
             let rounding = ROUNDING * field.mean_pressure(layer);
             one.follow(&polynomial, [field.unsure(layer, precision), rounding], is_exact);
@@ -151,10 +201,10 @@ fn follow(
 }
 
 /// The highest of some peaks, and of equal ones in several layers that in the uppermost layer.
-fn uppermost(candidates: Vec<Candidate>) -> Option<Peak> {
+fn uppermost(candidates: Vec<Candidate>) -> Option<HighestPlace> {
     let exact = candidates.iter().filter(|one| one.is_exact);
-    let peaks: Vec<Peak> = exact
-        .map(|Candidate { measure, piece, seen: (place, value), .. }| Peak {
+    let peaks: Vec<HighestPlace> = exact
+        .map(|Candidate { measure, piece, seen: (place, value), .. }| HighestPlace {
             measure: *measure,
             layer: piece.layer,
             place: *place,
@@ -200,9 +250,8 @@ impl Field {
     /// The largest of the mean pressures on the body of a layer.
     pub(super) fn mean_pressure(&self, layer: usize) -> f64 {
         let body = &self.bodies[self.layers[layer].body];
-        let contacts = body.contact..body.contact + 1 + usize::from(body.bottom.is_some());
         let mean = |contact: usize| self.pressures[contact].mean(self.length(contact));
-        contacts.map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max)
+        body.contacts().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max)
     }
 
     /// What values of the sums in a layer are not told from each other by.

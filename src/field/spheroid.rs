@@ -8,7 +8,7 @@
 //! as long as a recurrence over the orders. Source: Hobson 1931, chapters V and X.
 use num_complex::Complex64;
 
-use super::potentials::{Closed, Potentials};
+use super::transform::Potentials;
 
 /// Orders whose functions q_n are smaller than e^(−SMALL) are left out, but for the lowest two.
 const SMALL: f64 = 42.0;
@@ -68,15 +68,6 @@ fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
     values
 }
 
-/// Sums over the orders of products of P_n(η), q_n(ξ) and their derivatives.
-#[derive(Default)]
-struct Sums {
-    /// Over the odd orders: P q, P q', P' q, P' q', n(n + 1) P q, and P' q'/(n(n + 1)).
-    odd: [f64; 6],
-    /// Over the even orders: P q and, but for n = 0, P' q'/(n(n + 1)).
-    even: [f64; 2],
-}
-
 /// What the products of all orders n are multiplied by: odd ones by C_n, even ones by C_(n−1)/(2n − 1) + C_(n+1)/(2n + 3).
 pub(super) fn by_order(coefficients: &[f64]) -> Vec<f64> {
     let of = |n: usize| {
@@ -87,47 +78,46 @@ pub(super) fn by_order(coefficients: &[f64]) -> Vec<f64> {
     (0..=2 * coefficients.len()).map(of).collect()
 }
 
-impl Sums {
-    fn new(place: &Spheroidal, by_order: &[f64]) -> Self {
-        let Spheroidal { xi, eta, .. } = *place;
-        let q = second_kind(xi, by_order.len());
-        let over = (1.0 + xi * xi).recip();
-        let mut sums = Self::default();
-        let (mut before, mut p) = (0.0, 1.0);
-        let (mut slope_before, mut slope) = (0.0, 0.0);
-        // 1/n, and 0 in its place of the order 0, of which there is no P'
-        let mut inverse = 0.0;
-        for (n, (c, pair)) in by_order.iter().zip(q.windows(2)).enumerate() {
-            let (k, [here, next]) = (n as f64, [pair[0], pair[1]]);
-            let following = (k + 1.0).recip();
-            let falls = -(k + 1.0) * (xi * here + next) * over;
-            let (value, both, shared) = (c * p * here, c * slope * falls, inverse * following);
-            if n % 2 == 1 {
-                let terms = [value, c * p * falls, c * slope * here, both, k * (k + 1.0) * value, shared * both];
-                sums.odd.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
-            } else {
-                sums.even[0] += value;
-                sums.even[1] += shared * both;
-            }
-            (slope_before, slope) = (slope, slope_before + (2.0 * k + 1.0) * p);
-            (before, p) = (p, (2.0 * k + 1.0) * following * eta * p - k * following * before);
-            inverse = following;
+/// Sums over the orders of products of P_n(η), q_n(ξ) and their derivatives: over the odd orders P q, P q', P' q, P' q', n(n + 1) P q and
+/// P' q'/(n(n + 1)), over the even ones P q and, but for n = 0, P' q'/(n(n + 1)).
+fn products(place: &Spheroidal, by_order: &[f64]) -> ([f64; 6], [f64; 2]) {
+    let Spheroidal { xi, eta, .. } = *place;
+    let q = second_kind(xi, by_order.len());
+    let over = (1.0 + xi * xi).recip();
+    let (mut odd, mut even) = ([0.0; 6], [0.0; 2]);
+    let (mut before, mut p) = (0.0, 1.0);
+    let (mut slope_before, mut slope) = (0.0, 0.0);
+    // 1/n, and 0 in its place of the order 0, of which there is no P'
+    let mut inverse = 0.0;
+    for (n, (c, pair)) in by_order.iter().zip(q.windows(2)).enumerate() {
+        let (k, [here, next]) = (n as f64, [pair[0], pair[1]]);
+        let following = (k + 1.0).recip();
+        let falls = -(k + 1.0) * (xi * here + next) * over;
+        let (value, both, shared) = (c * p * here, c * slope * falls, inverse * following);
+        if n % 2 == 1 {
+            let terms = [value, c * p * falls, c * slope * here, both, k * (k + 1.0) * value, shared * both];
+            odd.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        } else {
+            even[0] += value;
+            even[1] += shared * both;
         }
-        sums
+        (slope_before, slope) = (slope, slope_before + (2.0 * k + 1.0) * p);
+        (before, p) = (p, (2.0 * k + 1.0) * following * eta * p - k * following * before);
+        inverse = following;
     }
+    (odd, even)
 }
 
 /// The potentials of a disc of radius a at a distance r from the axis and a depth, with coefficients [`by_order`]; those with
 /// further powers of λ are 0 on the face.
-pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Closed {
+pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Potentials {
     let place = Spheroidal::new(r / a, depth / a);
-    let Sums { odd, even } = Sums::new(&place, by_order);
-    let [zeroth, by_xi, by_eta, by_both, product, radial] = odd;
+    let ([zeroth, by_xi, by_eta, by_both, product, radial], even) = products(&place, by_order);
     let Spheroidal { xi, eta, beyond, rho } = place;
     // a ∫ j_0(λa) J₁(λr) e^(−λd) dλ
     let lowest = by_order[0] / ((1.0 + eta) * (1.0 + xi * xi));
     let integral = a * Complex64::new(even[0], rho * (lowest - even[1]));
-    let mut potentials = [Complex64::new(zeroth, -rho * radial), Complex64::ZERO, Complex64::ZERO];
+    let mut potentials = [integral, Complex64::new(zeroth, -rho * radial), Complex64::ZERO, Complex64::ZERO];
     if depth > 0.0 {
         // ∂/∂d = (α ∂/∂ξ + β ∂/∂η)/H, ∂/∂r = ρ (ξ ∂/∂ξ − η ∂/∂η)/H
         let (alpha, beta, over) = (eta * (1.0 + xi * xi), xi * beyond, 1.0 / (a * (xi * xi + eta * eta)));
@@ -138,13 +128,13 @@ pub(super) fn potentials(by_order: &[f64], a: f64, r: f64, depth: f64) -> Closed
         );
         let (deeper, farther) = (alpha * xi + beta * eta, xi * xi - eta * eta);
         let double = 2.0 * a * falls * over;
-        potentials[1] = over * Complex64::new(-falls, rho * (eta * by_eta - xi * by_xi));
-        potentials[2] = over
+        potentials[2] = over * Complex64::new(-falls, rho * (eta * by_eta - xi * by_xi));
+        potentials[3] = over
             * over
             * Complex64::new(
                 alpha * of_xi + beta * of_eta - double * deeper,
                 rho * (xi * of_xi - eta * of_eta - double * farther),
             );
     }
-    Closed { potentials: Potentials(potentials), integral }
+    potentials
 }

@@ -4,23 +4,23 @@ use std::f64::consts::PI;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
+use num_complex::Complex64;
 use recede_layers::{State, Wave};
 
-use super::body::{Body, Face, PlacedLayer, components};
+use super::body::{LoadedBody, LoadedFace, PlacedLayer, components};
 use super::error::FieldError;
-use super::joints::Joint;
-use super::potentials::{At, COMPONENTS, Components};
-use super::pressure::{Parity, Pressure, Transform};
+use super::pressure::ContactPressure;
 use super::strip::Singularity;
-use super::tables::tables;
-use super::waves::{self, CutOff, Panel, Precision};
+use super::surface::{COMPONENTS, Components};
+use super::transform::Transform;
+use super::waves::{self, CutOff, Precision, WavePanel};
 use super::{Field, Load};
 use crate::geometry::Geometry;
 use crate::system::Unresolved;
 
 /// Points at one depth.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
+pub(super) struct DepthRow {
     /// Index of the layer.
     pub(super) layer: usize,
     /// Depth below its top face.
@@ -31,13 +31,13 @@ pub(super) struct Row {
 
 /// A row that is being summed.
 struct Active {
-    row: Row,
+    row: DepthRow,
     /// Its index in the requested order.
     index: usize,
     /// Its cut-off wavenumber.
     end: f64,
-    /// ∫ (V at the depth − V at the reference point) dλ/π; in an odd field of U.
-    lift: f64,
+    /// ∫ (V at the depth − V at the reference point) dλ/π, and the same of U in the odd part of the field.
+    lifts: [f64; 2],
 }
 
 /// How far the sums over wavenumbers go.
@@ -52,10 +52,10 @@ struct CutOffs {
 
 /// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
 fn faces<'a>(
-    body: &'a Body,
+    body: &'a LoadedBody,
     placed: &'a PlacedLayer,
     depth: f64,
-) -> impl Iterator<Item = (&'a Face, usize, f64)> + use<'a> {
+) -> impl Iterator<Item = (&'a LoadedFace, usize, f64)> + use<'a> {
     let top = (placed.place == 0).then_some(depth);
     let bottom = (placed.place + 1 == body.layers).then(|| placed.thickness.map(|h| (h - depth).max(0.0))).flatten();
     [top, bottom]
@@ -68,33 +68,21 @@ impl Field {
     /// σ_xx, σ_yy, σ_xy, u, v, dv/dx in rows of points, `sets[row.set]` each.
     pub(super) fn sum(
         &self,
-        rows: &[Row],
+        rows: &[DepthRow],
         sets: &[Vec<f64>],
         precision: &Precision,
     ) -> Result<Vec<Vec<Components>>, FieldError> {
+        let asked = rows.len();
+        let (mut rows, mut sets) = (rows.to_vec(), sets.to_vec());
+        let joints = if precision.displacements { self.joints(&mut rows, &mut sets) } else { Vec::new() };
+        let closed = |row: &DepthRow| self.closed(row, &sets[row.set], precision.displacements);
+        let mut values: Vec<Vec<Components>> = rows.iter().map(closed).collect();
+        self.integrate(&rows, &sets, precision, &mut values)?;
         if !precision.displacements {
-            let mut values: Vec<Vec<Components>> =
-                rows.iter().map(|row| self.closed(row, &sets[row.set], false)).collect();
-            self.integrate(rows, sets, precision, &mut values)?;
             return Ok(values);
         }
         // v of a body is counted from v of the body below, where they touch
-        let mut rows = rows.to_vec();
-        let mut sets = sets.to_vec();
-        let asked = rows.len();
-        let (joints, middle) = (self.joints(), sets.len());
-        sets.push(vec![0.0]);
-        for Joint { layer, depth, x, .. } in &joints {
-            let set = if *x == 0.0 { middle } else { sets.len() };
-            rows.push(Row { layer: *layer, depth: *depth, set });
-            if *x != 0.0 {
-                sets.push(vec![*x]);
-            }
-        }
-        let mut values: Vec<Vec<Components>> = rows.iter().map(|row| self.closed(row, &sets[row.set], true)).collect();
-        self.integrate(&rows, &sets, precision, &mut values)?;
-        let motions = self.motions(&joints, &values[asked..]);
-        values.truncate(asked);
+        let motions = self.motions(&joints, &values.split_off(asked));
         for (row, values) in rows.iter().zip(&mut values) {
             let placed = &self.layers[row.layer];
             let depth = row.depth + placed.top - self.bodies[placed.body].top;
@@ -105,14 +93,14 @@ impl Field {
     }
 
     /// The closed forms of the loaded faces, with u and v counted from the reference point of the body, if displacements are wanted.
-    pub(super) fn closed(&self, row: &Row, set: &[f64], displacements: bool) -> Vec<Components> {
+    pub(super) fn closed(&self, row: &DepthRow, set: &[f64], displacements: bool) -> Vec<Components> {
         let placed = &self.layers[row.layer];
         let body = &self.bodies[placed.body];
         let at = |placed: &PlacedLayer, depth: f64, x: f64| {
             let mut sum = Components::default();
             for (face, contact, distance) in faces(body, placed, depth) {
                 let pressure = &self.pressures[contact];
-                let closed = face.surface.closed(pressure, &At { x, depth: distance, displacements });
+                let closed = face.surface.closed(pressure, x, distance, displacements);
                 sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
                 if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
                     // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
@@ -142,24 +130,12 @@ impl Field {
     /// Adds the integrals over the wavenumber of the remainders of the closed forms.
     fn integrate(
         &self,
-        rows: &[Row],
+        rows: &[DepthRow],
         sets: &[Vec<f64>],
         precision: &Precision,
         values: &mut [Vec<Components>],
     ) -> Result<(), FieldError> {
-        let parities = if self.is_even { &[Parity::Even][..] } else { &[Parity::Even, Parity::Odd] };
-        parities.iter().try_for_each(|parity| self.integrate_part(*parity, rows, sets, precision, values))
-    }
-
-    /// Adds the integrals for the even or for the odd part of the pressures.
-    fn integrate_part(
-        &self,
-        parity: Parity,
-        rows: &[Row],
-        sets: &[Vec<f64>],
-        precision: &Precision,
-        values: &mut [Vec<Components>],
-    ) -> Result<(), FieldError> {
+        let parities = if self.is_even { &[Symmetry::Even][..] } else { &[Symmetry::Even, Symmetry::Odd] };
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(y.abs()));
         let CutOffs { pressures: cut_offs, origins, mut active } = self.cut_offs(rows, sets, precision, farthest);
         if active.is_empty() {
@@ -169,42 +145,42 @@ impl Field {
         let deepest = in_half_plane.fold(0.0, |deepest: f64, active| deepest.max(active.row.depth));
         let panels =
             waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar { x: farthest })?;
-        let mut sums: Vec<Sums> =
-            sets.iter().enumerate().map(|(set, xs)| Sums::new(xs, &active, set, precision.displacements)).collect();
-        // ∫ V, or ∫ U, at the reference points, panel by panel
-        let mut references = vec![vec![0.0; panels.len()]; self.bodies.len()];
-        for (k, panel) in panels.iter().enumerate() {
-            let waves = self.waves(parity, panel, &cut_offs);
-            let mut block = Block { values: vec![0.0; COMPONENTS * waves.count() * active.len()] };
-            for (body, references) in references.iter_mut().enumerate() {
-                references[k] = self.add_body(body, &waves, &mut active, origins[body], &mut block)?;
+        let mut sums: Vec<WaveSums> =
+            sets.iter().enumerate().map(|(set, xs)| WaveSums::new(xs, &active, set, precision.displacements)).collect();
+        for panel in &panels {
+            let waves = self.waves(panel, &cut_offs);
+            let size = COMPONENTS * waves.count() * active.len();
+            let mut blocks: Vec<TransformedRows> =
+                parities.iter().map(|parity| TransformedRows { parity: *parity, values: vec![0.0; size] }).collect();
+            for block in &mut blocks {
+                for (body, origin) in origins.iter().enumerate() {
+                    self.add_body(body, &waves, &mut active, *origin, block)?;
+                }
             }
             for sum in &mut sums {
-                sum.add(self.geometry, panel, &waves, &block, &active);
+                sum.add(self.geometry, panel, &waves, &blocks, &active);
             }
         }
         for sum in &sums {
             sum.collect(&active, values);
         }
-        for active in &active {
-            let body = self.layers[active.row.layer].body;
-            let beyond: f64 =
-                panels.iter().zip(&references[body]).filter(|(p, _)| p.lo >= active.end).map(|(_, v)| v).sum();
+        for (active, parity) in active.iter().flat_map(|active| parities.iter().map(move |parity| (active, parity))) {
             let (component, sign) = parity.counted();
-            values[active.index].iter_mut().for_each(|value| value[component] += sign * (active.lift - beyond));
+            let lift = sign * active.lifts[*parity as usize];
+            values[active.index].iter_mut().for_each(|value| value[component] += lift);
         }
         Ok(())
     }
 
     /// The cut-offs for these rows, with places as far out as `farthest`.
-    fn cut_offs(&self, rows: &[Row], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
+    fn cut_offs(&self, rows: &[DepthRow], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
         let cut_off = |contact: usize| {
             let own = self.length(contact);
             CutOff { end: 0.0, extent: farthest + own, own }
         };
         let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
         // the last wavenumber of a row
-        let mut end_of = |row: &Row| {
+        let mut end_of = |row: &DepthRow| {
             self.ends(row, precision, farthest).fold(0.0, |last: f64, (contact, end)| {
                 pressures[contact].end = pressures[contact].end.max(end);
                 last.max(end)
@@ -212,50 +188,47 @@ impl Field {
         };
         let wanted = rows.iter().enumerate().filter(|(_, row)| !sets[row.set].is_empty());
         let mut active: Vec<Active> = wanted
-            .map(|(index, row)| Active { row: *row, index, end: end_of(row), lift: 0.0 })
+            .map(|(index, row)| Active { row: *row, index, end: end_of(row), lifts: [0.0; 2] })
             .filter(|active| active.end > 0.0)
             .collect();
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
-        let mut origin = |body: &Body| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row));
+        let mut origin = |body: &LoadedBody| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row));
         let origins = if active.is_empty() { Vec::new() } else { self.bodies.iter().map(&mut origin).collect() };
         CutOffs { pressures, origins, active }
     }
 
     /// The reference point of a body, if displacements are wanted.
-    fn origin_of(&self, body: &Body, precision: &Precision) -> Option<Row> {
+    fn origin_of(&self, body: &LoadedBody, precision: &Precision) -> Option<DepthRow> {
         let (place, depth) = body.reference.filter(|_| precision.displacements)?;
         let layer = self.layers.iter().position(|placed| placed.body == body.contact && placed.place == place)?;
-        Some(Row { layer, depth, set: 0 })
+        Some(DepthRow { layer, depth, set: 0 })
     }
 
     /// The wavenumbers of a panel, with the transforms of the pressures there.
-    pub(super) fn waves(&self, parity: Parity, panel: &Panel, cut_offs: &[CutOff]) -> Waves {
+    pub(super) fn waves(&self, panel: &WavePanel, cut_offs: &[CutOff]) -> PanelWaves {
         let (wavenumbers, weights) = panel.points();
-        let of = |(pressure, cut_off): (&Pressure, &CutOff)| match cut_off.end > panel.lo {
-            true => pressure.transforms(parity, &wavenumbers),
+        let of = |(pressure, cut_off): (&ContactPressure, &CutOff)| match cut_off.end > panel.lo {
+            true => pressure.transforms(&wavenumbers),
             false => {
-                let variation = |wavenumber: &f64| -pressure.of_long_waves(parity, *wavenumber);
-                wavenumbers
-                    .iter()
-                    .map(|wavenumber| Transform { value: 0.0, variation: variation(wavenumber) })
-                    .collect()
+                let left_out = |l: &f64| Transform { value: Complex64::ZERO, variation: -pressure.long_waves(*l) };
+                wavenumbers.iter().map(left_out).collect()
             }
         };
         let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
-        Waves { parity, from: panel.lo, wavenumbers, weights, transforms }
+        PanelWaves { from: panel.lo, wavenumbers, weights, transforms }
     }
 
-    /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and ∫ V, or ∫ U, at
-    /// the reference point of the body.
+    /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and their lifts from the
+    /// reference point of the body, whose cut-off is `origin`.
     fn add_body(
         &self,
         index: usize,
-        waves: &Waves,
+        waves: &PanelWaves,
         active: &mut [Active],
         origin: f64,
-        block: &mut Block,
-    ) -> Result<f64, FieldError> {
-        let (body, (counted, _)) = (&self.bodies[index], waves.parity.counted());
+        block: &mut TransformedRows,
+    ) -> Result<(), FieldError> {
+        let (body, (counted, _)) = (&self.bodies[index], block.parity.counted());
         let n = waves.count();
         // (depth, row or `None` for the reference point), layer by layer
         let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
@@ -265,9 +238,8 @@ impl Field {
                 wanted[placed.place].push((active.row.depth, Some(k)));
             }
         }
-        let mut reference = 0.0;
         if wanted.iter().all(Vec::is_empty) && origin <= waves.from {
-            return Ok(reference);
+            return Ok(());
         }
         if let Some((place, depth)) = body.reference.filter(|_| origin > 0.0) {
             wanted[place].push((depth, None));
@@ -276,13 +248,13 @@ impl Field {
         let depths: Vec<Vec<f64>> =
             wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
         let layers: Vec<&PlacedLayer> = self.layers.iter().filter(|placed| placed.body == index).collect();
+        let mut lifted = vec![0.0; active.len()];
         for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
-            let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.plane };
-            let transform = |contact: usize| waves.transforms[contact][q];
+            let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
+            let transform = |contact: usize| block.parity.of(&waves.transforms[contact][q]);
             let load = load(body, *wavenumber, transform);
             let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
             let mut at_reference = 0.0;
-            let mut lifts: Vec<(usize, f64)> = Vec::new();
             for ((placed, wanted), states) in layers.iter().zip(&wanted).zip(&states) {
                 for ((depth, row), state) in wanted.iter().zip(states) {
                     let remainder = self.remainder(body, placed, (*depth, *wavenumber), state, transform);
@@ -290,36 +262,38 @@ impl Field {
                         Geometry::Axisymmetric => remainder.map(|value| value * weight * wavenumber),
                         _ => remainder.map(|value| value * weight / PI),
                     };
-                    match row {
-                        Some(k) => {
-                            for (c, value) in remainder.into_iter().enumerate() {
-                                block.values[(COMPONENTS * k + c) * n + q] = value;
-                            }
-                            lifts.push((*k, remainder[counted]));
-                        }
-                        None => at_reference = remainder[counted],
+                    let Some(k) = row else {
+                        at_reference = remainder[counted];
+                        continue;
+                    };
+                    for (c, value) in remainder.into_iter().enumerate() {
+                        block.values[(COMPONENTS * k + c) * n + q] = value;
                     }
+                    lifted[*k] = remainder[counted];
                 }
             }
-            lifts.into_iter().for_each(|(k, value)| active[k].lift += value - at_reference);
-            reference += at_reference;
+            for (active, lifted) in active.iter_mut().zip(&lifted) {
+                if self.layers[active.row.layer].body == index {
+                    active.lifts[block.parity as usize] += lifted - at_reference;
+                }
+            }
         }
-        Ok(reference)
+        Ok(())
     }
 
     /// The components of a state at a depth, minus the closed forms of the faces.
     fn remainder(
         &self,
-        body: &Body,
+        body: &LoadedBody,
         placed: &PlacedLayer,
         (depth, wavenumber): (f64, f64),
         state: &State,
-        transform: impl Fn(usize) -> Transform,
+        transform: impl Fn(usize) -> [f64; 2],
     ) -> Components {
-        let mut remainder = components(state, &placed.layer.material(depth, self.plane), self.modulus);
+        let mut remainder = components(state, &placed.layer.material(depth, self.geometry.plane()), self.modulus);
         for (face, contact, distance) in faces(body, placed, depth) {
             let surface = face.surface.transformed(wavenumber, distance);
-            let pressure = transform(contact).value;
+            let [pressure, _] = transform(contact);
             remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= pressure * surface);
         }
         let displacement = 1.0 / (wavenumber * self.modulus);
@@ -330,8 +304,24 @@ impl Field {
     }
 }
 
-impl Parity {
-    /// For each component the table of [`tables`] and the sign of its wave: the odd part is the even part a quarter of a wave to the right.
+/// The part of the pressures that is even about x = 0, or the odd part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Symmetry {
+    Even,
+    Odd,
+}
+
+impl Symmetry {
+    /// The transform of the part, and its variation.
+    pub(super) fn of(self, transform: &Transform) -> [f64; 2] {
+        let Transform { value, variation } = transform;
+        match self {
+            Self::Even => [value.re, variation.re],
+            Self::Odd => [value.im, variation.im],
+        }
+    }
+
+    /// For each component the table of [`WavePanel::tables`] and the sign of its wave: the odd part is the even part a quarter of a wave to the right.
     fn tables(self) -> [(usize, f64); COMPONENTS] {
         match self {
             Self::Even => [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)],
@@ -348,21 +338,21 @@ impl Parity {
     }
 }
 
-/// The loads on a body: for long waves, the equal part of both pressures and their small difference.
-pub(super) fn load(body: &Body, wavenumber: f64, transform: impl Fn(usize) -> Transform) -> Load {
-    let top = transform(body.contact);
-    let Some(bottom) = body.bottom else { return Load { top: -top.value, ..Load::default() } };
-    let other = transform(body.contact + 1);
+/// The loads on a body, from the transforms of the pressures and their variations: for long waves, the equal part of both pressures and
+/// their small difference.
+pub(super) fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> Load {
+    let [top, top_variation] = transform(body.contact);
+    let Some(bottom) = body.bottom else { return Load { top: -top, ..Load::default() } };
+    let [other, variation] = transform(body.contact + 1);
     if wavenumber * (bottom - body.top) > 1.0 {
-        Load { top: -top.value, bottom: -other.value, equal: 0.0 }
+        Load { top: -top, bottom: -other, equal: 0.0 }
     } else {
-        Load { top: 0.0, bottom: top.variation - other.variation, equal: -top.value }
+        Load { top: 0.0, bottom: top_variation - variation, equal: -top }
     }
 }
 
-/// The wavenumbers of one panel, with the transforms of the even or of the odd parts of the pressures.
-pub(super) struct Waves {
-    parity: Parity,
+/// The wavenumbers of one panel, with the transforms of the pressures.
+pub(super) struct PanelWaves {
     /// Where the panel begins.
     from: f64,
     pub(super) wavenumbers: Vec<f64>,
@@ -371,19 +361,20 @@ pub(super) struct Waves {
     pub(super) transforms: Vec<Vec<Transform>>,
 }
 
-impl Waves {
+impl PanelWaves {
     fn count(&self) -> usize {
         self.wavenumbers.len()
     }
 }
 
-/// Transformed components in one panel: component c of row k at the wavenumber q stands at (6k + c)·n + q.
-struct Block {
+/// Transformed components in one panel of one part of the field: component c of row k at the wavenumber q stands at (6k + c)·n + q.
+struct TransformedRows {
+    parity: Symmetry,
     values: Vec<f64>,
 }
 
 /// The sums over wavenumbers at the places of one set, for its rows: column by column, one value per place.
-struct Sums<'a> {
+struct WaveSums<'a> {
     places: &'a [f64],
     /// Rows of this set among the active ones.
     rows: std::ops::Range<usize>,
@@ -391,7 +382,7 @@ struct Sums<'a> {
     values: [Vec<f64>; COMPONENTS],
 }
 
-impl<'a> Sums<'a> {
+impl<'a> WaveSums<'a> {
     fn new(places: &'a [f64], active: &[Active], set: usize, displacements: bool) -> Self {
         let from = active.partition_point(|active| active.row.set < set);
         let rows = from..active.partition_point(|active| active.row.set <= set);
@@ -400,20 +391,30 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds a panel.
-    fn add(&mut self, geometry: Geometry, panel: &Panel, waves: &Waves, block: &Block, active: &[Active]) {
+    fn add(
+        &mut self,
+        geometry: Geometry,
+        panel: &WavePanel,
+        waves: &PanelWaves,
+        blocks: &[TransformedRows],
+        active: &[Active],
+    ) {
         let (n, m) = (waves.count(), self.places.len());
         let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
         if count == 0 || m == 0 {
             return;
         }
-        let tables = tables(geometry, self.places, panel, &waves.wavenumbers);
+        let tables = panel.tables(geometry, self.places, &waves.wavenumbers);
         // the stress about the axis takes the displacement from it
         let wanted = match (self.displacements, geometry) {
             (true, _) => COMPONENTS,
             (false, Geometry::Axisymmetric) => 4,
             (false, _) => 3,
         };
-        for (component, (table, sign)) in waves.parity.tables().into_iter().enumerate().take(wanted) {
+        let of = |block: &TransformedRows| block.parity.tables().into_iter().enumerate().take(wanted);
+        for (block, (component, (table, sign))) in
+            blocks.iter().flat_map(|block| of(block).map(move |one| (block, one)))
+        {
             let places = MatRef::from_column_major_slice(&tables[table], m, n);
             let mut coefficients = Vec::with_capacity(n * count);
             for k in self.rows.start..self.rows.start + count {

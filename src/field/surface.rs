@@ -7,9 +7,13 @@ use nalgebra::{Matrix4, Matrix4x2, Vector4};
 use num_complex::Complex64;
 use recede_layers::Material;
 
-use super::potentials::{At, Closed, Components, Potentials};
-use super::pressure::Pressure;
-use super::roots::Roots;
+use super::pressure::ContactPressure;
+
+/// How many components a field has.
+pub(super) const COMPONENTS: usize = 6;
+
+/// σ_xx, σ_yy, σ_xy, the displacements u, v and the slope dv/dx at a point or, transformed, λμ₀U, λμ₀V and λμ₀V once more.
+pub(super) type Components = [f64; COMPONENTS];
 
 /// Terms of the polynomials in t: of the half-plane, and of the variation of its material.
 const PLAIN: usize = 2;
@@ -18,34 +22,33 @@ const VARIED: usize = 4;
 const SOLVED: f64 = 1e-9;
 /// The slope of the material is a finite difference over this part of a length.
 const STEP: f64 = 1e-3;
+/// Roots closer than this, in parts of their size, are moved apart to this distance: the difference is part of the integrated remainder.
+const APART: f64 = 1e-5;
 
 /// One face, per unit of p̂ on it; the depth is measured from it into the body.
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
-    fields: Fields,
+    /// One for a double root, as of any isotropic material, two for different roots.
+    terms: Vec<RootTerm>,
     /// μ₀, by which displacements are multiplied.
     modulus: f64,
     /// The length s below which the face is a half-plane's; infinite if it is one's altogether.
     pub(super) shift: f64,
     /// Terms with 1/λ are multiplied by 1 − e^(−λs), so that they stay finite for λ → 0. About an axis they do, since dλ is λdλ there.
-    is_round: bool,
+    pub(super) is_round: bool,
     /// −1 for a face that is the bottom of its body: V and T change their signs.
-    up: f64,
+    pub(super) up: f64,
 }
 
+/// e^(−st) times polynomials in t, s being a root of the characteristic equation of the material.
 #[derive(Clone, Debug)]
-enum Fields {
-    /// Both roots are 1, as for any isotropic material.
-    Double(Polynomials),
-    /// The roots differ; the variation of the material is part of the integrated remainder.
-    Simple(Roots),
-}
-
-/// e^(−t) times polynomials in t.
-#[derive(Clone, Debug)]
-struct Polynomials {
-    plain: [Components; PLAIN],
-    varied: [Components; VARIED],
+struct RootTerm {
+    /// s, with a positive real part; another one is its conjugate, or real as this one.
+    root: Complex64,
+    /// Coefficients of σ_xx, σ_yy, σ_xy, λμ₀U, λμ₀V, λμ₀V.
+    plain: [[Complex64; COMPONENTS]; PLAIN],
+    /// The same for the variation of the material, with a factor 1/λ, if it is not part of the integrated remainder.
+    varied: [[Complex64; COMPONENTS]; VARIED],
 }
 
 impl Surface {
@@ -67,33 +70,16 @@ impl Surface {
         let estimate = grading(&slope_over(STEP * depth));
         let slope = slope_over(STEP * depth.min(estimate.recip()));
         let decay = Matrix4::identity() - state;
-        let shift = depth.min(grading(&slope).recip());
-        let Some(plain) = polynomials(&decay, PLAIN, &[], Some(-1.0)) else {
-            let fields = Fields::Simple(Roots::new(&at_face, modulus)?);
-            return Some(Self { fields, modulus, shift, is_round: false, up: 1.0 });
+        let terms = match polynomials(&decay, PLAIN, &[], Some(-1.0)) {
+            Some(plain) => vec![RootTerm::double(&decay, &state, &slope, &plain, modulus / unit)],
+            None => RootTerm::simple(&at_face, modulus)?,
         };
-        let forcing: Vec<Vector4<f64>> =
-            [Vector4::zeros()].into_iter().chain(plain.iter().map(|y| -slope * y)).collect();
-        let varied = polynomials(&decay, VARIED, &forcing, None).unwrap_or_else(|| vec![Vector4::zeros(); VARIED]);
-        // σ_xx = E λU + c S, and the same with the slopes of E and c
-        let along = |matrix: &Matrix4<f64>, y: &Vector4<f64>| matrix[(3, 0)] * y[0] + matrix[(3, 2)] * y[2];
-        let softness = modulus / unit;
-        let components =
-            |y: &Vector4<f64>, along: f64| [along, y[2], y[3], softness * y[0], softness * y[1], softness * y[1]];
-        let plain_states: Vec<Components> = plain.iter().map(|y| components(y, along(&state, y))).collect();
-        let varied_states: Vec<Components> = (0..VARIED)
-            .map(|k| {
-                let before = k.checked_sub(1).and_then(|k| plain.get(k)).map_or(0.0, |y| along(&slope, y));
-                components(&varied[k], along(&state, &varied[k]) + before)
-            })
-            .collect();
-        let (plain, varied) = (plain_states.try_into().ok()?, varied_states.try_into().ok()?);
-        Some(Self { fields: Fields::Double(Polynomials { plain, varied }), modulus, shift, is_round: false, up: 1.0 })
+        Some(Self { terms, modulus, shift: depth.min(grading(&slope).recip()), is_round: false, up: 1.0 })
     }
 
-    /// The same, under a pressure like this one.
-    pub(super) fn under(self, pressure: &Pressure) -> Self {
-        Self { is_round: pressure.is_round(), ..self }
+    /// The face of a homogeneous half-plane.
+    pub(super) fn of_half_plane(material: Material, modulus: f64) -> Option<Self> {
+        Some(Self { shift: f64::INFINITY, ..Self::new(&|_| material, 1.0, modulus)? })
     }
 
     /// How far below a place terms with 1/λ are taken that are subtracted.
@@ -103,26 +89,26 @@ impl Surface {
 
     /// The transformed components at a wavenumber and a depth, per unit of p̂: stresses, λμ₀U, λμ₀V.
     pub(super) fn transformed(&self, wavenumber: f64, depth: f64) -> Components {
-        let t = wavenumber * depth;
         let regular = -(-wavenumber * self.subtracted()).exp_m1();
-        self.turned(match &self.fields {
-            Fields::Double(polynomials) => polynomials.transformed(t, wavenumber.recip(), regular),
-            Fields::Simple(roots) => roots.transformed(t, regular),
-        })
+        let mut sum = Components::default();
+        for term in &self.terms {
+            let own = term.transformed(wavenumber * depth, wavenumber.recip(), regular);
+            sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+        }
+        self.turned(sum)
     }
 
-    /// The components at a point, in closed form. v includes a constant that [`Self::transformed`] makes finite; if the shift is
-    /// infinite, it cancels in what is counted from another point.
-    pub(super) fn closed(&self, pressure: &Pressure, at: &At) -> Components {
-        self.turned(match &self.fields {
-            Fields::Double(polynomials) => polynomials.closed(pressure, at, self.subtracted(), self.modulus),
-            Fields::Simple(roots) => roots.closed(pressure, at, self.subtracted(), self.modulus),
-        })
-    }
-
-    /// The same for the bottom face of a body.
-    pub(super) fn upside_down(self) -> Self {
-        Self { up: -self.up, ..self }
+    /// The components at a point, in closed form; displacements and the slope, which take as long as the stresses or longer, if they are
+    /// wanted. v includes a constant that [`Self::transformed`] makes finite; if the shift is infinite, it cancels in what is counted from
+    /// another point.
+    pub(super) fn closed(&self, pressure: &ContactPressure, x: f64, depth: f64, displacements: bool) -> Components {
+        let mut sum = Components::default();
+        for term in &self.terms {
+            let own = term.closed(pressure, [x, depth], self.subtracted(), displacements);
+            sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+        }
+        sum[3..].iter_mut().for_each(|displacement| *displacement /= self.modulus);
+        self.turned(sum)
     }
 
     fn turned(&self, [along, across, shear, u, v, slope]: Components) -> Components {
@@ -130,50 +116,107 @@ impl Surface {
     }
 }
 
-impl Polynomials {
+impl RootTerm {
+    /// The double root 1, from the polynomial of the half-plane and the slope of its state matrix; `softness` is the unit of displacements.
+    fn double(
+        decay: &Matrix4<f64>,
+        state: &Matrix4<f64>,
+        slope: &Matrix4<f64>,
+        plain: &[Vector4<f64>],
+        softness: f64,
+    ) -> Self {
+        let forcing: Vec<Vector4<f64>> =
+            [Vector4::zeros()].into_iter().chain(plain.iter().map(|y| -slope * y)).collect();
+        let varied = polynomials(decay, VARIED, &forcing, None).unwrap_or_else(|| vec![Vector4::zeros(); VARIED]);
+        // σ_xx = E λU + c S, and the same with the slopes of E and c
+        let along = |matrix: &Matrix4<f64>, y: &Vector4<f64>| matrix[(3, 0)] * y[0] + matrix[(3, 2)] * y[2];
+        let components = |y: &Vector4<f64>, along: f64| {
+            [along, y[2], y[3], softness * y[0], softness * y[1], softness * y[1]].map(Complex64::from)
+        };
+        let before = |k: usize| k.checked_sub(1).and_then(|k| plain.get(k)).map_or(0.0, |y| along(slope, y));
+        Self {
+            root: Complex64::ONE,
+            plain: std::array::from_fn(|k| components(&plain[k], along(state, &plain[k]))),
+            varied: std::array::from_fn(|k| components(&varied[k], along(state, &varied[k]) + before(k))),
+        }
+    }
+
+    /// Two different roots, as of orthotropic material, with displacements in units of 1/`modulus`; `None` if some field would not decay.
+    fn simple(material: &Material, modulus: f64) -> Option<Vec<Self>> {
+        let [mut first, mut second] = material.squared_roots().map(Complex64::sqrt);
+        if first.re <= 0.0 || second.re <= 0.0 {
+            return None;
+        }
+        let size = first.norm();
+        if (first - second).norm() < APART * size {
+            let mean = 0.5 * (first + second).re;
+            (first, second) = ((mean * (1.0 + 0.5 * APART)).into(), (mean * (1.0 - 0.5 * APART)).into());
+        }
+        // S = −1 and T = 0 on the face
+        let share = (first - second).inv();
+        let term = |(s, amplitude): (Complex64, Complex64)| {
+            let along = (-s * s - material.coupling) / material.axial_stiffness * modulus;
+            let across = s * (along + material.shear_compliance * modulus);
+            let components = [-s * s, 1.0.into(), -s, along, across, across].map(|component| amplitude * component);
+            let none = [Complex64::ZERO; COMPONENTS];
+            Self { root: s, plain: [components, none], varied: [none; VARIED] }
+        };
+        Some([(first, second * share), (second, -first * share)].map(term).to_vec())
+    }
+
+    /// The transformed components at t = λd; `over` is 1/λ, and what is infinite for λ → 0 is multiplied by `regular`.
     fn transformed(&self, t: f64, over: f64, regular: f64) -> Components {
-        let decay = (-t).exp();
+        let decay = (-self.root * t).exp();
+        if decay == Complex64::ZERO {
+            return Components::default();
+        }
+        let polynomial = |terms: &[[Complex64; COMPONENTS]], i: usize, first: f64| {
+            let [constant, higher @ ..] = terms else { return Complex64::ZERO };
+            higher.iter().rev().fold(Complex64::ZERO, |sum, term| sum * t + term[i]) * t + constant[i] * first
+        };
         std::array::from_fn(|i| {
-            let [p0, p1] = [self.plain[0][i], self.plain[1][i]];
-            let v: [f64; VARIED] = std::array::from_fn(|k| self.varied[k][i]);
-            let sum = if i < 3 {
-                p0 + p1 * t + over * (v[0] * regular + t * (v[1] + t * (v[2] + t * v[3])))
-            } else {
-                p0 * regular + p1 * t
+            let sum = match i {
+                0..3 => polynomial(&self.plain, i, 1.0) + over * polynomial(&self.varied, i, regular),
+                _ => polynomial(&self.plain, i, regular),
             };
-            if decay > 0.0 { decay * sum } else { 0.0 }
+            (decay * sum).re
         })
     }
 
-    fn closed(&self, pressure: &Pressure, at: &At, shift: f64, modulus: f64) -> Components {
-        let At { x, depth, displacements } = *at;
-        // stresses take the integral where the material varies, and that about an axis the displacement from it
-        let varies = self.varied[0][..3].iter().any(|value| *value != 0.0);
+    /// The stresses at a place and, if they are wanted, μ₀ times displacements and the slope, minus those at the depth `shift` farther down, if
+    /// that is finite.
+    fn closed(&self, pressure: &ContactPressure, [x, depth]: [f64; 2], shift: f64, displacements: bool) -> Components {
+        let Self { root, plain: p, varied: v } = self;
+        // e^(−sλd) with a complex s moves waves along x
+        let (along, down) = (x - root.im * depth, root.re * depth);
+        // stresses take the integral where the material varies, and the stress about an axis the displacement from it
+        let varies = v[0][..3].iter().any(|value| *value != Complex64::ZERO);
         let wanted = displacements || varies || pressure.is_round();
-        let Closed { potentials: Potentials([g0, g1, g2]), mut integral } = pressure.closed(x, depth, wanted);
+        let [mut integral, g0, g1, g2] = pressure.potentials(along, down, wanted);
         let mut change = g0;
         if wanted && shift.is_finite() {
-            integral -= pressure.integral(x, depth + shift);
-            if displacements {
-                change -= pressure.potentials(x, depth + shift).0[0];
-            }
+            let [deeper_integral, deeper, ..] = pressure.potentials(along, down + shift, true);
+            integral -= deeper_integral;
+            change -= deeper;
         }
+        // at the ends of the contact g1 and g2 are infinite
+        let at_depth = |power: i32, g: Complex64| if depth > 0.0 { depth.powi(power) * g } else { Complex64::ZERO };
+        let [d1, d1_first, d3] = [at_depth(1, g0), at_depth(1, g1), at_depth(3, g2)];
         std::array::from_fn(|i| {
-            let pick = |z: Complex64| if i == 2 || i == 3 || i == 5 { z.im } else { z.re };
-            // at the ends of the contact g1 and g2 are infinite
-            let at_depth = |power: i32, g| if depth > 0.0 { depth.powi(power) * pick(g) } else { 0.0 };
-            let (p, v) = (&self.plain, &self.varied);
-            if i < 3 {
-                p[0][i] * pick(g0)
-                    + (p[1][i] + v[2][i] * depth) * at_depth(1, g1)
-                    + v[0][i] * pick(integral)
-                    + v[1][i] * at_depth(1, g0)
-                    + v[3][i] * at_depth(3, g2)
-            } else if i == 5 {
-                -(p[0][i] * pick(change) + p[1][i] * at_depth(1, g1)) / modulus
-            } else {
-                (p[0][i] * pick(integral) + p[1][i] * at_depth(1, g0)) / modulus
-            }
+            let sum = match i {
+                0..3 => {
+                    p[0][i] * g0
+                        + (p[1][i] + v[2][i] * depth) * d1_first
+                        + v[0][i] * integral
+                        + v[1][i] * d1
+                        + v[3][i] * d3
+                }
+                3 | 4 => p[0][i] * integral + p[1][i] * d1,
+                // the slope is a derivative of the displacement
+                _ => -(p[0][i] * change + p[1][i] * d1_first),
+            };
+            // the parts with cos λx, or with sin λx
+            if matches!(i, 2 | 3 | 5) { sum.im } else { sum.re }
         })
     }
 }
@@ -244,12 +287,13 @@ mod tests {
         let isotropic = Isotropic { shear_modulus: 3.0, poisson: 0.3 }.material(Plane::Strain);
         for (stretch, tolerance) in [(1e-2, 2e-2), (1e-9, 1e-8), (-1e-9, 1e-8), (0.0, 1e-8)] {
             let material = Material { axial_stiffness: isotropic.axial_stiffness * (1.0 + stretch), ..isotropic };
-            let simple = Roots::new(&material, 2.0).expect("decays");
+            let simple = RootTerm::simple(&material, 2.0).expect("decays");
             let double = Surface::new(&|_| isotropic, 1.0, 2.0).expect("isotropic");
             for t in [0.0, 0.4, 3.0] {
                 // waves so short that the displacements have no remainder
-                let (found, expected) = (simple.transformed(t, 1.0), double.transformed(100.0, 0.01 * t));
-                for (found, expected) in found.iter().zip(expected) {
+                let [first, second] = [0, 1].map(|k| simple[k].transformed(t, 1.0, 1.0));
+                let found = first.into_iter().zip(second).map(|(first, second)| first + second);
+                for (found, expected) in found.zip(double.transformed(100.0, 0.01 * t)) {
                     assert!((found - expected).abs() < tolerance, "{stretch} {t}: {found} {expected}");
                 }
             }

@@ -1,9 +1,11 @@
-//! The transform of the pressure on one strip.
+//! The transform of the pressure on one strip, and the potentials of which closed forms in x consist.
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::iter::zip;
 
-use super::strip::StripPressure;
+use num_complex::Complex64;
+
 use crate::numeric::bessel;
-use crate::solution::Form;
+use crate::solution::{Form, Strip};
 
 /// The envelope of the transform is sampled from λa = 1 on, at this number of wavenumbers, each this factor times the one before: up to
 /// λa = 2^20, beyond the cut-off of any field.
@@ -13,55 +15,88 @@ const SAMPLED: f64 = std::f64::consts::SQRT_2;
 /// Bessel functions whose order is above z + BEYOND z^(1/3) + BEYOND are below rounding, by Airy's function at 15.
 const BEYOND: f64 = 12.0;
 
-impl StripPressure {
-    /// p̂ oscillates like cos λa: its amplitude is the length of two values a quarter of a wave apart.
-    pub(super) fn sampled_envelope(&self) -> Vec<f64> {
-        if self.half_length == 0.0 {
-            return Vec::new();
+/// G_n = (1/π) ∫ p̂ λⁿ e^(−λd + iλx) dλ at one point for n = −1, 0, 1, 2, eq. (25): real parts belong to cos λx, imaginary ones to sin λx.
+/// G_(−1), the integral of G_0 over the depth, lacks a constant that is infinite, eq. (26).
+pub(super) type Potentials = [Complex64; 4];
+
+/// The transform of a pressure at a wavenumber, eq. (22), ∫ p e^(iλx) dx: the real part belongs to the part of the pressure that is even
+/// about x = 0, which loads the bodies like cos λx, the imaginary one to the odd part, which loads them like sin λx.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Transform {
+    /// p̂
+    pub(super) value: Complex64,
+    /// The difference of p̂ and its limit for long waves, P + iλM with the moment M: accurate to rounding.
+    pub(super) variation: Complex64,
+}
+
+impl Transform {
+    /// The transform of the pressure moved by a length; P is the resultant.
+    pub(super) fn moved(self, wavenumber: f64, length: f64, resultant: f64) -> Self {
+        if length == 0.0 {
+            return self;
         }
-        let sample = |k: i32| {
-            let wavenumbers = [0.0, FRAC_PI_2].map(|quarter| (SAMPLED.powi(k) + quarter) / self.half_length);
-            let even = self.minus_resultant(&wavenumbers).into_iter().map(|variation| self.resultant() + variation);
-            even.chain(self.sines(&wavenumbers).into_iter().map(|[value, _]| value)).fold(0.0, f64::hypot)
+        let phase = wavenumber * length;
+        let sin = (0.5 * phase).sin();
+        let (wave, missing) = (Complex64::new((0.5 * phase).cos().powi(2) - sin * sin, phase.sin()), 2.0 * sin * sin);
+        let Self { value, variation } = self;
+        let even = wave.re * variation.re - missing * resultant - wave.im * value.im;
+        let of_place = resultant * phase * bessel::sinc_minus_one(phase) + wave.im * variation.re;
+        let odd = of_place + wave.re * variation.im - missing * (value.im - variation.im);
+        Self { value: wave * value, variation: Complex64::new(even, odd) }
+    }
+}
+
+/// Amplitudes of p̂ at the wavenumbers λ_k = SAMPLED^k/a: p̂ oscillates like cos λa, and its amplitude is the length of two values a quarter
+/// of a wave apart.
+pub(super) fn envelope(strip: &Strip) -> Vec<f64> {
+    if strip.extent == 0.0 {
+        return Vec::new();
+    }
+    let sample = |k: i32| {
+        let wavenumbers = [0.0, FRAC_PI_2].map(|quarter| (SAMPLED.powi(k) + quarter) / strip.extent);
+        let transforms = strip.transforms(&wavenumbers);
+        let parts = [|value: Complex64| value.re, |value: Complex64| value.im];
+        parts.into_iter().flat_map(|part| transforms.iter().map(move |one| part(one.value))).fold(0.0, f64::hypot)
+    };
+    (0..SAMPLES).map(sample).collect()
+}
+
+impl Strip {
+    /// The transform about the middle at some wavenumbers.
+    pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.extent).collect();
+        let even = if self.is_round { self.disc_variations(&arguments) } else { self.even_variations(&arguments) };
+        let odd = if self.skew.is_empty() { vec![[0.0; 2]; even.len()] } else { self.sines(&arguments) };
+        let of = |(even, [odd, variation]): (f64, [f64; 2])| Transform {
+            value: Complex64::new(self.long_waves() + even, odd),
+            variation: Complex64::new(even, variation),
         };
-        (0..SAMPLES).map(sample).collect()
+        zip(even, odd).map(of).collect()
     }
 
-    /// An amplitude of p̂ at a wavenumber; the amplitude of a line load is the same at all wavenumbers.
-    pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
-        let sample = (wavenumber * self.half_length).log2() * 2.0;
-        let Some(last) = self.envelope.len().checked_sub(1).filter(|_| sample >= 0.0) else { return self.resultant() };
-        self.envelope[(sample as usize).min(last)]
-    }
-
-    /// p̂ − P at some wavenumbers, eq. (22): O(λ²), accurate to rounding.
-    pub(super) fn minus_resultant(&self, wavenumbers: &[f64]) -> Vec<f64> {
-        if self.is_round {
-            return self.disc_minus_resultant(wavenumbers);
-        }
-        let resultant = self.resultant();
-        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
+    /// p̂ − P of the even part at some λa: O(λ²).
+    fn even_variations(&self, arguments: &[f64]) -> Vec<f64> {
+        let resultant = self.long_waves();
         let each = |minus_one: fn(f64) -> f64| arguments.iter().map(|z| resultant * minus_one(*z)).collect();
         match self.form {
             Form::Line => each(|_| 0.0),
             Form::Uniform => each(bessel::sinc_minus_one),
             Form::Parabolic => each(bessel::spherical_jinc_minus_one),
             Form::Series => {
-                let orders = orders(&arguments, 2 * self.series.len() + 1, self.tip != 0.0);
-                let n = arguments.len();
-                let mut bessel = vec![0.0; orders * n];
-                bessel::table(orders, &arguments, &mut bessel);
-                (0..n)
-                    .map(|i| self.series_minus_resultant(arguments[i], |order| bessel[order * n + i], orders))
-                    .collect()
+                let (orders, bessel) = table(arguments, 2 * self.coefficients.len() + 1, self.tip != 0.0);
+                let of = |(i, z): (usize, &f64)| {
+                    self.series_variation(*z, |order| bessel[order * arguments.len() + i], orders)
+                };
+                arguments.iter().enumerate().map(of).collect()
             }
         }
     }
 
     /// p̂ − P of a series at z = λa, from Bessel functions of some orders.
-    fn series_minus_resultant(&self, z: f64, bessel: impl Fn(usize) -> f64, orders: usize) -> f64 {
+    fn series_variation(&self, z: f64, bessel: impl Fn(usize) -> f64, orders: usize) -> f64 {
         let odd = (3..orders).step_by(2);
-        let sum: f64 = odd.clone().zip(self.series.iter().skip(1)).map(|(j, c)| j as f64 * c * bessel(j)).sum();
+        let terms = zip(odd.clone(), alternating(&self.coefficients).skip(1));
+        let sum: f64 = terms.map(|(j, c)| j as f64 * c * bessel(j)).sum();
         // J_0 − 1 = (2 J_1/z − 1) − J_2
         let jinc_minus_one = bessel::jinc_minus_one_from(z, bessel(1));
         let corners = self.corners * (jinc_minus_one - bessel(2));
@@ -71,36 +106,37 @@ impl StripPressure {
             tip if z < bessel::INTEGRAL_FROM => tip * (jinc_minus_one + 2.0 / z * odd.map(bessel).sum::<f64>()),
             tip => tip * (bessel::integral(z) / z - 1.0),
         };
-        PI * self.half_length * (0.5 * self.first() * jinc_minus_one + sum / z + corners + tip)
+        PI * self.extent * (0.5 * self.first() * jinc_minus_one + sum / z + corners + tip)
     }
 
-    /// The moment of the odd part of the pressure about its middle.
-    pub(super) fn moment(&self) -> f64 {
-        0.25 * PI * self.half_length.powi(2) * self.skew.first().copied().unwrap_or(0.0)
-    }
-
-    /// ∫ of the odd part of the pressure times sin λx dx, at some wavenumbers, and that less λ times the moment, accurate to rounding.
-    pub(super) fn sines(&self, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
-        let n = wavenumbers.len();
-        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half_length).collect();
-        let orders = orders(&arguments, 2 * self.skew.len() + 1, false);
-        let mut bessel = vec![0.0; orders * n];
-        bessel::table(orders, &arguments, &mut bessel);
-        let term = |i: usize, m: usize| (2 * m + 2) as f64 * self.skew[m] * bessel[(2 * m + 2) * n + i];
-        let count = self.skew.len().min((orders - 1) / 2);
-        let of = |i: usize| {
-            let sum = |from: usize| PI / wavenumbers[i] * (from..count).map(|m| term(i, m)).sum::<f64>();
-            [sum(0), wavenumbers[i] * self.moment() * bessel::of_order_minus_one(4, arguments[i]) + sum(1)]
+    /// ∫ of the odd part of the pressure times sin λx dx at some λa, and its difference from λ times the moment: O(λ³). The difference of values
+    /// would lose digits for short waves, their sum for long ones.
+    fn sines(&self, arguments: &[f64]) -> Vec<[f64; 2]> {
+        let (orders, bessel) = table(arguments, 2 * self.skew.len() + 1, false);
+        let of = |(i, z): (usize, &f64)| {
+            let term = |(j, c): (usize, f64)| j as f64 * c * bessel[j * arguments.len() + i];
+            let terms = zip((2..orders).step_by(2), alternating(&self.skew)).map(term);
+            let sum = |from: usize| PI * self.extent / z * terms.clone().skip(from).sum::<f64>();
+            let first = z / self.extent * self.moment() * bessel::of_order_minus_one(4, *z);
+            [sum(0), first + sum(1)]
         };
-        (0..n).map(of).collect()
+        arguments.iter().enumerate().map(of).collect()
     }
 }
 
-/// The number of orders, from 0 on, that are above rounding at these arguments, three at least; no more than the series has, unless
-/// there is a tip, whose series does not end.
-fn orders(arguments: &[f64], of_series: usize, endless: bool) -> usize {
+/// The terms (−1)^m c_m of a series.
+fn alternating(series: &[f64]) -> impl Iterator<Item = f64> + Clone {
+    series.iter().zip([1.0, -1.0].into_iter().cycle()).map(|(c, sign)| sign * c)
+}
+
+/// The number of orders, from 0 on, of Bessel functions that are above rounding at these arguments, three at least, and their values; no more
+/// orders than the series has, unless there is a tip, whose series does not end.
+fn table(arguments: &[f64], of_series: usize, endless: bool) -> (usize, Vec<f64>) {
     let largest = arguments.iter().fold(0.0, |largest: f64, z| largest.max(*z));
     let largest = if endless { largest.min(bessel::INTEGRAL_FROM.max(of_series as f64)) } else { largest };
     let enough = (largest + BEYOND * (largest.cbrt() + 1.0)) as usize + 1;
-    if endless { enough } else { enough.min(of_series) }.max(3)
+    let orders = if endless { enough } else { enough.min(of_series) }.max(3);
+    let mut bessel = vec![0.0; orders * arguments.len()];
+    bessel::table(orders, arguments, &mut bessel);
+    (orders, bessel)
 }

@@ -5,6 +5,8 @@
 //! Filon's quadrature. Source: Abramowitz and Stegun 1964, 10.1.47; Iserles and Nørsett 2005.
 use num_complex::Complex64;
 
+use crate::geometry::Geometry;
+use crate::numeric::bessel::{self, Kind};
 use crate::numeric::quadrature::{self, Rule};
 
 /// The accuracy to which a field is summed.
@@ -50,26 +52,9 @@ pub(super) const STRESSES: Precision = Precision {
     evaluations: SEARCHED,
 };
 /// Stresses to some four digits.
-pub(super) const LOW: Precision = Precision {
-    inside: 1e-5,
-    on_face: 1e-5,
-    exponent: 14.0,
-    points: 12,
-    growth: 3.0,
-    displacements: false,
-    evaluations: SEARCHED,
-};
-
+pub(super) const LOW: Precision = Precision { inside: 1e-5, on_face: 1e-5, exponent: 14.0, ..STRESSES };
 /// Stresses to some two digits.
-pub(super) const COARSE: Precision = Precision {
-    inside: 1e-3,
-    on_face: 1e-3,
-    exponent: 8.0,
-    points: 8,
-    growth: 3.0,
-    displacements: false,
-    evaluations: SEARCHED,
-};
+pub(super) const COARSE: Precision = Precision { inside: 1e-3, on_face: 1e-3, exponent: 8.0, points: 8, ..STRESSES };
 
 /// Largest phase of a panel, and the phase up to which half as many points or fewer suffice.
 const PHASE: f64 = 56.0;
@@ -95,7 +80,7 @@ const STRETCHED: usize = 32;
 
 /// The behaviour of fields at λ = 0.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Origin {
+pub(super) struct LongWaves {
     /// A wavenumber below which they are smooth, besides a power of λ; infinite if there is none.
     pub(super) first: f64,
     /// Whether there may be such a power.
@@ -103,7 +88,7 @@ pub(super) struct Origin {
 }
 
 /// A panel of the wavenumber axis.
-pub(super) struct Panel {
+pub(super) struct WavePanel {
     pub(super) lo: f64,
     pub(super) hi: f64,
     rule: &'static Rule,
@@ -113,7 +98,7 @@ pub(super) struct Panel {
     far: bool,
 }
 
-impl Panel {
+impl WavePanel {
     /// Wavenumbers and weights.
     pub(super) fn points(&self) -> (Vec<f64>, Vec<f64>) {
         if !self.power {
@@ -126,12 +111,28 @@ impl Panel {
         self.rule.on(0.0, 1.0).map(stretched).unzip()
     }
 
+    /// sin λx, cos λx and cos λx − 1, without cancellation, wavenumber by wavenumber; in an axisymmetric problem Bessel functions in their place.
+    /// Where they oscillate between the wavenumbers of the panel, the factors of [`Self::wave`] in place of e^(iλx).
+    pub(super) fn tables(&self, geometry: Geometry, places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
+        let is_round = geometry.is_axisymmetric();
+        let mut tables = if is_round { round(places, wavenumbers) } else { plane(places, wavenumbers) };
+        for (k, x) in places.iter().enumerate() {
+            let Some(waves) = self.wave(*x) else { continue };
+            for (q, (wave, wavenumber)) in waves.into_iter().zip(wavenumbers).enumerate() {
+                let [zeroth, first] = if is_round { round_waves(wave, wavenumber * x) } else { [wave.re, wave.im] };
+                let at = q * places.len() + k;
+                [tables[0][at], tables[1][at], tables[2][at]] = [first, zeroth, zeroth - 1.0];
+            }
+        }
+        tables
+    }
+
     /// Factors at its points, times the weights of which the values of a polynomial at these sum to its integral times e^(iλx); `None`
     /// where e^(iλx) itself does.
     ///
     /// (2k + 1) i^k j_k(ω) e^(iλx) at the middle is written with the waves at both ends, which neighbouring panels share: rounding of large
     /// phases λx then cancels. With h_k the spherical Hankel functions, S_k = i^(k+1) ω e^(−iω) h_k obeys S_(k+1) = S_(k−1) + i (2k + 1)/ω S_k.
-    pub(super) fn wave(&self, x: f64) -> Option<Vec<Complex64>> {
+    fn wave(&self, x: f64) -> Option<Vec<Complex64>> {
         let half = 0.5 * (self.hi - self.lo);
         if !self.far || 2.0 * half * x.abs() <= PHASE {
             return None;
@@ -159,6 +160,49 @@ impl Panel {
     }
 }
 
+/// J₀(z) and J₁(z) with this in place of e^(iz): what they are multiplied with varies slowly.
+fn round_waves(wave: Complex64, z: f64) -> [f64; 2] {
+    let mut amplitudes = [Complex64::ZERO; 2];
+    bessel::hankel_table(Kind::Integer, 2, &[z.into()], &mut amplitudes);
+    amplitudes.map(|amplitude| (amplitude * wave).re)
+}
+
+fn plane(places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
+    let size = places.len() * wavenumbers.len();
+    let mut tables = [vec![0.0; size], vec![0.0; size], vec![0.0; size]];
+    for (q, wavenumber) in wavenumbers.iter().enumerate() {
+        for (k, x) in places.iter().enumerate() {
+            let (sin, cos) = (0.5 * wavenumber * x).sin_cos();
+            let at = q * places.len() + k;
+            tables[0][at] = 2.0 * sin * cos;
+            tables[2][at] = -2.0 * sin * sin;
+            tables[1][at] = 1.0 + tables[2][at];
+        }
+    }
+    tables
+}
+
+/// J₁(λr), J₀(λr) and J₀(λr) − 1 in place of the sine, the cosine and the cosine minus 1.
+fn round(places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
+    let product = |wavenumber: &f64| places.iter().map(move |x| wavenumber * x).collect::<Vec<_>>();
+    let arguments: Vec<f64> = wavenumbers.iter().flat_map(product).collect();
+    let count = arguments.len();
+    let mut bessel = vec![0.0; 2 * count];
+    bessel::table(2, &arguments, &mut bessel);
+    let first = bessel.split_off(count);
+    // J₀ − 1 = −z²/4 + z⁴/64 − ... cancels where z is small
+    let minus_one = |(z, zeroth): (&f64, &f64)| {
+        let q = 0.25 * z * z;
+        if *z > 0.5 {
+            zeroth - 1.0
+        } else {
+            -q * (1.0 - q / 4.0 * (1.0 - q / 9.0 * (1.0 - q / 16.0 * (1.0 - q / 25.0))))
+        }
+    };
+    let minus_one = arguments.iter().zip(&bessel).map(minus_one).collect();
+    [first, bessel, minus_one]
+}
+
 /// The cut-off of a pressure.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CutOff {
@@ -175,7 +219,7 @@ pub(super) struct CutOff {
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
-pub(super) fn panels(cut_offs: &[CutOff], origin: Origin, precision: &Precision) -> Option<Vec<Panel>> {
+pub(super) fn panels(cut_offs: &[CutOff], origin: LongWaves, precision: &Precision) -> Option<Vec<WavePanel>> {
     let product = |cut: &CutOff| cut.end * cut.own;
     if cut_offs.iter().any(|cut| cut.end.is_infinite() || product(cut).is_nan() || product(cut) > 2.0 * MOST) {
         return None;
@@ -201,7 +245,7 @@ pub(super) fn panels(cut_offs: &[CutOff], origin: Origin, precision: &Precision)
         } else {
             32
         };
-        panels.push(Panel { lo, hi: lo + width, rule: quadrature::rule(points), power, far });
+        panels.push(WavePanel { lo, hi: lo + width, rule: quadrature::rule(points), power, far });
         lo += width;
     }
     Some(panels)
@@ -219,7 +263,7 @@ mod tests {
     #[test]
     fn panels_integrate_waves_of_any_length_exactly() {
         let cut = CutOff { end: 40.0, extent: 1e9, own: 1.0 };
-        let all = panels(&[cut], Origin { first: 0.3, power: false }, &FULL).unwrap();
+        let all = panels(&[cut], LongWaves { first: 0.3, power: false }, &FULL).unwrap();
         // ∫ e^(−λ) e^(iλx) dλ = 1/(1 − ix), and what was left out
         for x in [0.0, 0.3, 20.0, 3e3, 1e5, 1e7, 1e9] {
             let mut sum = Complex64::ZERO;

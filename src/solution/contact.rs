@@ -157,6 +157,43 @@ impl Contact {
             && intervals.into_iter().all(|(interval, other)| interval.left == -other.right)
     }
 
+    /// What tables list of each contact, by name.
+    pub(crate) const COLUMNS: [&str; 12] = [
+        "half_length",
+        "half_length_error",
+        "central_pressure",
+        "central_pressure_error",
+        "peak_pressure",
+        "peak_pressure_error",
+        "peak_at",
+        "intervals",
+        "left",
+        "left_error",
+        "right",
+        "right_error",
+    ];
+
+    /// The numbers of these columns, NaN where there is none: of several intervals, how many there are, and where the first one
+    /// begins and the last one ends.
+    pub(crate) fn numbers(&self) -> [f64; Self::COLUMNS.len()] {
+        let (peak, intervals) = (self.peak(), &self.intervals);
+        let [first, last] = [intervals.first(), intervals.last()].map(|end| end.copied().unwrap_or_default());
+        [
+            self.half_length().unwrap_or(f64::NAN),
+            self.half_length_error().unwrap_or(f64::NAN),
+            self.central_pressure,
+            self.central_pressure_error,
+            peak.pressure,
+            peak.error,
+            peak.x,
+            intervals.len() as f64,
+            first.left,
+            first.left_error,
+            last.right,
+            last.right_error,
+        ]
+    }
+
     /// Contact pressure at `x` (compression positive); zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
         if x == 0.0 && self.central_pressure.is_infinite() {

@@ -1,5 +1,4 @@
 //! What a solved scene tells.
-mod columns;
 mod contact;
 mod peak;
 mod strip;
@@ -13,7 +12,7 @@ use serde::{Serialize, Serializer};
 
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
-pub(crate) use strip::{Form, Strip, jacobi_sum, jacobi_sums, jacobi_weights};
+pub(crate) use strip::{Form, Strip, jacobi_sums, jacobi_weights};
 pub use warning::{Warning, WarningCode};
 
 /// Which contact: the punch on top, or a receding interface.
@@ -108,24 +107,18 @@ pub enum Stopped {
 
 impl fmt::Display for Stopped {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Converged => "converged",
-            Self::Truncated => "truncated",
-            Self::Slow => "slow",
-            Self::Diverged => "diverged",
-            Self::Budget => "budget",
-        })
+        f.write_str(&format!("{self:?}").to_lowercase())
     }
 }
 
 /// What a solution belongs to, known by a key of any type.
 #[derive(Clone)]
-pub(crate) struct Owner {
+pub(crate) struct OwnerKey {
     key: Arc<dyn Any + Send + Sync>,
     is_same: fn(&dyn Any, &dyn Any) -> bool,
 }
 
-impl Owner {
+impl OwnerKey {
     /// Owners with equal keys of one type are the same.
     pub(crate) fn new<T: Any + PartialEq + Send + Sync>(key: T) -> Self {
         let is_same = |one: &dyn Any, other: &dyn Any| {
@@ -135,15 +128,15 @@ impl Owner {
     }
 }
 
-impl PartialEq for Owner {
+impl PartialEq for OwnerKey {
     fn eq(&self, other: &Self) -> bool {
         (self.is_same)(&*self.key, &*other.key)
     }
 }
 
-impl fmt::Debug for Owner {
+impl fmt::Debug for OwnerKey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Owner")
+        f.write_str("OwnerKey")
     }
 }
 
@@ -151,7 +144,7 @@ impl fmt::Debug for Owner {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// The stack that it belongs to, which [`crate::Model`] sets and compares.
-    pub(crate) stack: Option<Owner>,
+    pub(crate) stack: Option<OwnerKey>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,

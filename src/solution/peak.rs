@@ -23,48 +23,6 @@ pub struct Peak {
     pub x_error: f64,
 }
 
-impl Peak {
-    /// The largest pressure of a contact.
-    pub(super) fn of(contact: &Contact) -> Self {
-        // what is even is looked at for x ≥ 0
-        let is_even = contact.is_even();
-        let infinite = contact.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
-        if let Some(x) = infinite.filter(|x| !is_even || *x >= 0.0).reduce(f64::min) {
-            return Self { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
-        }
-        let pressure = |x: f64| contact.pressure(x);
-        let middle = pressure(0.0);
-        let mut best = (0.0, middle);
-        let by_rounding = 1.0 + 4.0 * f64::EPSILON;
-        for strip in &contact.strips {
-            let places: Vec<f64> = strip.places().filter(|x| !is_even || *x > 0.0).collect();
-            for (k, x) in places.iter().enumerate() {
-                let here = pressure(*x);
-                if here > best.1 * by_rounding {
-                    let around = |k: Option<usize>, end: f64| k.and_then(|k| places.get(k)).copied().unwrap_or(end);
-                    let (left, right) = (around(k.checked_sub(1), *x), around(Some(k + 1), *x));
-                    best = highest(&pressure, left, right, (*x, here));
-                }
-            }
-        }
-        // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
-        for x in contact.between_ends().filter(|x| !is_even || *x > 0.0) {
-            if pressure(x) > best.1 * by_rounding {
-                best = (x, pressure(x));
-            }
-        }
-        let (x, largest) = best;
-        if x == 0.0 {
-            return Self { pressure: contact.central_pressure, error: contact.central_pressure_error, x, x_error: 0.0 };
-        }
-        // the series is wrong elsewhere as it is seen to be in the middle
-        let truncation = contact.truncation().max((middle - contact.central_pressure).abs());
-        let error = contact.central_pressure_error + truncation + largest * contact.end_error();
-        let x_error = flat(&pressure, x, largest, error, contact.reach());
-        Self { pressure: largest, error, x, x_error }
-    }
-}
-
 /// The place between two others where a function is largest, and its value there; `seen` is what is known already.
 fn highest(function: &dyn Fn(f64) -> f64, mut from: f64, mut to: f64, seen: (f64, f64)) -> (f64, f64) {
     let mut inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
@@ -117,13 +75,47 @@ impl Contact {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn peak(&self) -> Peak {
-        Peak::of(self)
+        // what is even is looked at for x ≥ 0
+        let is_even = self.is_even();
+        let infinite = self.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
+        if let Some(x) = infinite.filter(|x| !is_even || *x >= 0.0).reduce(f64::min) {
+            return Peak { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
+        }
+        let pressure = |x: f64| self.pressure(x);
+        let middle = pressure(0.0);
+        let mut best = (0.0, middle);
+        let by_rounding = 1.0 + 4.0 * f64::EPSILON;
+        for strip in &self.strips {
+            let places: Vec<f64> = strip.places().filter(|x| !is_even || *x > 0.0).collect();
+            for (k, x) in places.iter().enumerate() {
+                let here = pressure(*x);
+                if here > best.1 * by_rounding {
+                    let around = |k: Option<usize>, end: f64| k.and_then(|k| places.get(k)).copied().unwrap_or(end);
+                    let (left, right) = (around(k.checked_sub(1), *x), around(Some(k + 1), *x));
+                    best = highest(&pressure, left, right, (*x, here));
+                }
+            }
+        }
+        // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
+        for x in self.between_ends().filter(|x| !is_even || *x > 0.0) {
+            if pressure(x) > best.1 * by_rounding {
+                best = (x, pressure(x));
+            }
+        }
+        let (x, largest) = best;
+        if x == 0.0 {
+            return Peak { pressure: self.central_pressure, error: self.central_pressure_error, x, x_error: 0.0 };
+        }
+        // the series is wrong elsewhere as it is seen to be in the middle
+        let truncation = self.truncation().max((middle - self.central_pressure).abs());
+        let error = self.central_pressure_error + truncation + largest * self.end_error();
+        let x_error = flat(&pressure, x, largest, error, self.reach());
+        Peak { pressure: largest, error, x, x_error }
     }
 
     /// The middles between the ends of strips next to each other.
     fn between_ends(&self) -> impl Iterator<Item = f64> {
-        let ends = self.strips.iter().flat_map(|strip| [strip.at - strip.extent, strip.at + strip.extent]);
-        let mut ends: Vec<f64> = ends.collect();
+        let mut ends: Vec<f64> = self.strips.iter().flat_map(Strip::ends).collect();
         ends.sort_by(f64::total_cmp);
         (1..ends.len()).map(move |k| 0.5 * (ends[k - 1] + ends[k]))
     }

@@ -26,7 +26,7 @@ pub(crate) struct Strip {
     pub(crate) tip: f64,
     /// What else is known of it.
     pub(crate) form: Form,
-    /// Whether it is a disc about the axis x = 0: then its series is summed by [`jacobi_sum`], with the same singular parts, s = |x|/a.
+    /// Whether it is a disc about the axis x = 0: then its series is summed by [`jacobi_sums`], with the same singular parts, s = |x|/a.
     pub(crate) is_round: bool,
 }
 
@@ -72,16 +72,30 @@ impl Strip {
         self
     }
 
+    /// The first coefficient of the series.
+    pub(crate) fn first(&self) -> f64 {
+        self.coefficients.first().copied().unwrap_or(0.0)
+    }
+
+    /// Where it begins and ends.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        [self.at - self.extent, self.at + self.extent]
+    }
+
     /// Its resultant.
     pub(crate) fn resultant(&self) -> f64 {
         if self.form == Form::Line {
             return self.coefficients.iter().sum();
         }
         if self.is_round {
-            let first = self.coefficients.first().copied().unwrap_or(0.0);
-            return 2.0 * PI / 3.0 * self.extent.powi(2) * (first + 3.0 * self.corners + 1.5 * self.tip);
+            return 2.0 * PI / 3.0 * self.extent.powi(2) * (self.first() + 3.0 * self.corners + 1.5 * self.tip);
         }
-        0.5 * PI * self.extent * (self.coefficients.first().copied().unwrap_or(0.0) + 2.0 * (self.corners + self.tip))
+        0.5 * PI * self.extent * (self.first() + 2.0 * (self.corners + self.tip))
+    }
+
+    /// p̂(0): the resultant; of a disc ∫ p r dr.
+    pub(crate) fn long_waves(&self) -> f64 {
+        if self.is_round { self.resultant() / (2.0 * PI) } else { self.resultant() }
     }
 
     /// The pressure at a place.
@@ -114,7 +128,8 @@ impl Strip {
                 };
                 let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
                 if self.is_round {
-                    return jacobi_sum(&self.coefficients, s.abs()) + corners + tip;
+                    let [series] = jacobi_sums(&self.coefficients, [s.abs()]);
+                    return series + corners + tip;
                 }
                 sine_sum(&self.coefficients, 1, phi) + sine_sum(&self.skew, 2, phi) + corners + tip
             }
@@ -122,7 +137,7 @@ impl Strip {
     }
 
     /// Its moment about the middle, ∫ (x − at) p dx.
-    pub(super) fn moment(&self) -> f64 {
+    pub(crate) fn moment(&self) -> f64 {
         // ∫ x sin 2φ dx with x = a cos φ
         0.25 * PI * self.extent.powi(2) * self.skew.first().copied().unwrap_or(0.0)
     }
@@ -134,8 +149,7 @@ impl Strip {
 
     /// Whether it is the mirror image of another one.
     pub(super) fn is_image_of(&self, other: &Self) -> bool {
-        let is_opposite = self.skew.iter().zip(&other.skew).all(|(c, other)| *c == -other);
-        is_opposite && *self == Self { at: -other.at, skew: self.skew.clone(), ..other.clone() }
+        *self == other.mirrored()
     }
 
     /// Where the pressure is infinite, from the middle of the strip.
@@ -149,19 +163,13 @@ impl Strip {
     }
 }
 
-/// √(1 − s²) Σ c_m P_m(1 − 2s²) with Jacobi polynomials P_m^(0, 1/2), which are 1 at s = 0.
-pub(crate) fn jacobi_sum(coefficients: &[f64], s: f64) -> f64 {
-    let [sum] = jacobi_sums(coefficients, [s]);
-    sum
-}
-
 /// w_m = (−1)^m ∫ P_(2m+1)(t)/t dt from 0 to 1: the transform of the term of order m is a² j_(2m+1)(λa)/(λa w_m).
 pub(crate) fn jacobi_weights() -> impl Iterator<Item = f64> {
     let ratio = |m: i32| f64::from(2 * m + 2) / f64::from(2 * m + 3);
     (0..).scan(1.0, move |next, m| Some(std::mem::replace(next, *next * ratio(m))))
 }
 
-/// The same at several places.
+/// √(1 − s²) Σ c_m P_m(1 − 2s²) with Jacobi polynomials P_m^(0, 1/2), which are 1 at s = 0, at several places.
 #[inline(always)]
 pub(crate) fn jacobi_sums<const N: usize>(coefficients: &[f64], places: [f64; N]) -> [f64; N] {
     let x = places.map(|s| 1.0 - 2.0 * s * s);
