@@ -58,6 +58,7 @@ fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> 
         // it is infinite under a line load, at corners, and under some tips
         max_shear: Some(max_shear).filter(|found| found.value.is_finite()),
         extremes: Some(&extremes),
+        collocated: None,
         digits: None,
         seconds: 0.0,
     };
