@@ -124,7 +124,7 @@ impl fmt::Display for Load {
             Self::Ring { radius, half_width } => {
                 write!(f, "Ring(radius: {:?}, half_width: {:?})", radius.get(), half_width.get())
             }
-            _ => written(self, f),
+            _ => f.write_str(&written(self)),
         }
     }
 }

@@ -103,9 +103,10 @@ impl Sweep {
         let top = self.tops.get(top, || {
             // what is kept, or why it is none, must not depend on the row that came first
             let own: Vec<_> = changes.iter().copied().filter(|(slot, _)| slot.owner == Owner::Top).collect();
-            Ok(self.scene.top_with(&own)?)
+            Ok(self.scene.varied(&own)?.top)
         })?;
-        let force = self.scene.force_with(&changes)?;
+        let pressing: Vec<_> = changes.into_iter().filter(|(slot, _)| !matches!(slot.owner, Owner::Item(_))).collect();
+        let force = self.scene.varied(&pressing)?.force;
         let solution = model.press_with(&*top, force, &self.options)?;
         let approach = self.has_approach().then(|| model.approach(&*top, &solution));
         let extremes = || model.field(&solution).and_then(|field| field.extremes());
