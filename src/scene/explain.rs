@@ -15,7 +15,7 @@ impl Origin {
             form => Some(form),
         });
         let subject = Subject { owner, field: error.field.as_deref(), form: form.map(|form| (name, form)) };
-        // what is wrong with all of it is told at its name
+        // an error about the part as a whole is shown at its name
         let is_whole = error.field.is_none() && matches!(error.fault, Fault::Reason(_) | Fault::Missing(_));
         let at = error.at.filter(|_| !is_whole).unwrap_or(node.place.start);
         let (message, hint) = explain(&error.fault, &subject, self.rest(at));

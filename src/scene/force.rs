@@ -6,7 +6,7 @@ use recede_layers::Positive;
 
 use crate::geometry::Geometry;
 
-/// The line load P that presses: force per unit length out of plane, or what it is to bring about.
+/// The line load P that presses: force per unit length out of plane, or the contact that it has to bring about.
 ///
 /// ```
 /// use recede::{Force, HalfPlane, Model, Plane, Punch, Stack};

@@ -125,7 +125,7 @@ impl Scene {
         if self.geometry.is_axisymmetric() { Dimension::FORCE } else { Dimension::LINE_LOAD }
     }
 
-    /// What to call the scene in a report: its name, or else that of its file without folder and ending.
+    /// What to call the scene in a report: its name, or else the name of its file without folder and ending.
     pub fn title(&self) -> &str {
         match (&self.name, &self.origin) {
             (Some(name), _) => name,

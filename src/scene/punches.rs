@@ -134,7 +134,7 @@ impl Pressed {
         [self.at() - half, self.at() + half]
     }
 
-    /// What it is, and where, for messages.
+    /// Its shape and its place, for messages.
     fn name(&self) -> String {
         format!("{} at {:?}", self.shape.label(Geometry::PlaneStrain), self.at())
     }

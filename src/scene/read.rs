@@ -18,7 +18,7 @@ use super::convert::without_units;
 use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, SceneError};
-use super::read_top::{TOPS, has_forces, only_top, read_top};
+use super::read_top::{TOPS, only_top, read_top};
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
 
@@ -163,6 +163,12 @@ impl Origin {
         self.error(None, format!("cannot be read: {cause}")).because(cause)
     }
 
+    /// The error where a scene has one field beside another.
+    pub(super) fn both(&self, first: &str, second: &str, hint: impl AsRef<str>) -> SceneError {
+        let node = self.tree.field(second).unwrap_or(&self.tree);
+        self.error_at(node, format!("the scene has `{first}` and `{second}`")).hinted(Some(hint))
+    }
+
     /// Reads a part of the scene that is called `owner` in messages.
     pub(super) fn read<T: DeserializeOwned + JsonSchema>(&self, node: &Node, owner: &str) -> Result<T, SceneError> {
         node.read().map_err(|error| self.explained(node, owner, Some(&Value::of::<T>()), error))
@@ -257,34 +263,30 @@ fn force(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Resu
     let numbers = [draft.force, draft.half_length, draft.depth];
     let given = kinds.iter().zip(numbers).filter_map(|(kind, number)| Some(kind(number?.get())));
     let given: Vec<Force> = given.collect();
-    let (other, name, hint) = match (&given[..], top) {
-        ([], _) if has_forces(field) => return Ok(Force::Given(top.force())),
-        ([found, ..], Top::Loads(_)) if has_forces(field) => {
-            (field, found.field(), "each of the loads has a force of its own, and the force is their sum: remove it")
+    let (other, name, hint): (_, _, String) = match (&given[..], field) {
+        ([], "punches" | "loads") => return Ok(Force::Given(top.force())),
+        ([found, ..], "loads") | ([found @ Force::Given(_), ..], "punches") => {
+            let hint = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
+            (field, found.field(), hint)
         }
-        ([found @ Force::Given(_), ..], _) if has_forces(field) => {
-            (field, found.field(), "each of the punches has a force of its own, and the force is their sum: remove it")
+        ([found, ..], "punches") => {
+            (field, found.field(), "it is for one `punch` only: each of several punches has its `force`".into())
         }
-        ([found, ..], _) if has_forces(field) => {
-            (field, found.field(), "it is for one `punch` only: each of several punches has its `force`")
-        }
-        ([Force::Given(force)], _) => return Ok(Force::Given(*force)),
-        ([found], Top::Punches(_)) => return Ok(*found),
-        ([found], Top::Loads(_)) => {
-            ("load", found.field(), "no force changes how far a load reaches: give its resultant, `force: ...`")
+        ([found], "punch") | ([found @ Force::Given(_)], _) => return Ok(*found),
+        ([found], _) => {
+            let hint = "no force changes how far a load reaches: give its resultant, `force: ...`";
+            (field, found.field(), hint.into())
         }
         ([], _) => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
             return Err(origin.error_at(&origin.tree, "`force` is missing in the scene").hinted(Some(hint)));
         }
-        ([first, second, ..], _) => (
-            first.field(),
-            second.field(),
-            "`force` is given, or found for `half_length` or `depth`: remove one of them",
-        ),
+        ([first, second, ..], _) => {
+            let hint = "`force` is given, or found for `half_length` or `depth`: remove one of them";
+            (first.field(), second.field(), hint.into())
+        }
     };
-    let second = origin.tree.field(name).unwrap_or(&origin.tree);
-    Err(origin.error_at(second, format!("the scene has `{other}` and `{name}`")).hinted(Some(hint)))
+    Err(origin.both(other, name, hint))
 }
 
 /// Reads the item that is, or would be, layer `number`.

@@ -19,13 +19,12 @@ pub(super) fn has_forces(name: &str) -> bool {
 
 /// The one of these fields that is given.
 pub(super) fn only_top(given: &[&'static str], origin: &Origin) -> Result<&'static str, SceneError> {
-    let tree = &origin.tree;
     match given[..] {
         [name] => Ok(name),
         [] => {
             let hint =
                 "add `punch: ...` or, for given pressures, `load: ...` or `loads: [...]` between its parentheses";
-            Err(origin.error_at(tree, "`punch` is missing in the scene").hinted(Some(hint)))
+            Err(origin.error_at(&origin.tree, "`punch` is missing in the scene").hinted(Some(hint)))
         }
         [first, second, ..] => {
             let hint = match (first, second) {
@@ -33,8 +32,7 @@ pub(super) fn only_top(given: &[&'static str], origin: &Origin) -> Result<&'stat
                 ("punch" | "punches", _) => "a load takes the place of a punch: remove one of them",
                 _ => "one load about x = 0 is `load`, several are `loads`: remove one of them",
             };
-            let second_top = tree.field(second).unwrap_or(tree);
-            Err(origin.error_at(second_top, format!("the scene has `{first}` and `{second}`")).hinted(Some(hint)))
+            Err(origin.both(first, second, hint))
         }
     }
 }

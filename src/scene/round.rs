@@ -1,5 +1,5 @@
 //! Punches and loads about an axis, as they are written: in an axisymmetric scene a cylinder is a sphere, and half-widths are radii. The
-//! profiles are those of the plane punches, so that each is read into one of these.
+//! profiles are the profiles of plane punches, so that each is read into one of these.
 use recede_layers::{Exponent, Positive, Thickness};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

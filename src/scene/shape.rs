@@ -157,7 +157,7 @@ impl Shape<'_> {
         }
     }
 
-    /// Half-length that any contact exceeds: that of the flat part.
+    /// Half-length that any contact exceeds: the half-length of the flat part.
     pub(crate) fn flat(&self) -> f64 {
         match self {
             Self::Pieces { pieces, .. } => {

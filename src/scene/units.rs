@@ -31,14 +31,14 @@ impl Dimension {
     pub(crate) const LENGTH: Self = powers(1, 0);
     pub(crate) const PER_LENGTH: Self = powers(-1, 0);
     pub(crate) const STRESS: Self = powers(-2, 1);
-    pub(crate) const FORCE: Self = FORCE;
+    pub(crate) const FORCE: Self = powers(0, 1);
     /// Of a stiffness in axisymmetric problems.
     pub(crate) const FORCE_PER_LENGTH: Self = Self::LINE_LOAD;
     pub(crate) const LINE_LOAD: Self = powers(-1, 1);
     pub(crate) const STRESS_PER_LENGTH: Self = powers(-3, 1);
     pub(crate) const ANGLE: Self = Self { length: 0, force: 0, angle: 1 };
 
-    /// That of a field of a scene; `None` for those that say nothing of it, such as the `top` of a profile.
+    /// The dimension of a field of a scene; `None` for a field that says nothing of it, such as the `top` of a profile.
     pub(crate) fn of_field(name: &str) -> Option<Self> {
         Some(match name {
             "thickness" | "radius" | "half_width" | "half_length" | "depth" | "height" | "heights" | "length"
@@ -53,7 +53,7 @@ impl Dimension {
         })
     }
 
-    /// What it is called, with an example of a number with a unit.
+    /// The name of the dimension, with an example of a number with a unit.
     fn name(self) -> (&'static str, &'static str) {
         match self {
             Self::NUMBER => ("a number without unit", "0.3"),
@@ -77,13 +77,11 @@ struct Unit {
     exponent: i32,
 }
 
-const FORCE: Dimension = powers(0, 1);
-
 /// Units by name, with factor and exponent. Of those that are equal the first is written.
 const KNOWN: [(Dimension, &str); 4] = [
     (Dimension::LENGTH, "m=1e0 km=1e3 dm=1e-1 cm=1e-2 mm=1e-3 µm=1e-6 μm=1e-6 um=1e-6 nm=1e-9 in=2.54e-2 ft=3.048e-1"),
     (
-        FORCE,
+        Dimension::FORCE,
         "N=1e0 µN=1e-6 uN=1e-6 nN=1e-9 mN=1e-3 kN=1e3 MN=1e6 GN=1e9 kgf=9.80665e0 lbf=4.4482216152605e0 kip=4.4482216152605e3",
     ),
     (
@@ -206,7 +204,7 @@ impl Units {
     /// The unit of a quantity, if those of length and force are known.
     fn unit(&self, dimension: Dimension) -> Option<Unit> {
         let length = Unit::read(&self.length).filter(|unit| unit.dimension == Dimension::LENGTH)?;
-        let force = Unit::read(&self.force).filter(|unit| unit.dimension == FORCE)?;
+        let force = Unit::read(&self.force).filter(|unit| unit.dimension == Dimension::FORCE)?;
         Some(Unit::ONE.times(length, dimension.length).times(force, dimension.force))
     }
 }
