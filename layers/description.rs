@@ -7,16 +7,24 @@ use serde_json::Value as Json;
 /// The keyword under which a checked number tells its range.
 const ALLOWED: &str = "allowed";
 
-/// For a type that is read from its `Fields`, which are checked together: they are what may be written.
-macro_rules! described_by_fields {
-    ($name:ident) => {
+/// Describes a type that is read `by` other fields, which are checked together: they are what may be written; or `in` words.
+#[macro_export]
+macro_rules! described {
+    ($name:ident by $fields:ident) => {
+        $crate::described!($name, |generator| <$fields as schemars::JsonSchema>::json_schema(generator));
+    };
+    ($name:ident in $words:literal) => {
+        $crate::described!($name, |_| $crate::description::Value::plain_schema($words));
+    };
+    ($name:ident, $schema:expr) => {
         impl schemars::JsonSchema for $name {
             fn schema_name() -> std::borrow::Cow<'static, str> {
                 stringify!($name).into()
             }
 
             fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                Fields::json_schema(generator)
+                let schema: fn(&mut schemars::SchemaGenerator) -> schemars::Schema = $schema;
+                schema(generator)
             }
         }
     };

@@ -63,7 +63,7 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described_by_fields!(Exponential);
+described!(Exponential by Fields);
 
 impl TryFrom<Fields> for Exponential {
     type Error = LayerError;

@@ -49,7 +49,7 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described_by_fields!(GradedHalfPlane);
+described!(GradedHalfPlane by Fields);
 
 impl TryFrom<Fields> for GradedHalfPlane {
     type Error = LayerError;

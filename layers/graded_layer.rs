@@ -66,7 +66,7 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described_by_fields!(Graded);
+described!(Graded by Fields);
 
 impl TryFrom<Fields> for Graded {
     type Error = LayerError;

@@ -40,7 +40,7 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described_by_fields!(HalfPlane);
+described!(HalfPlane by Fields);
 
 impl TryFrom<Fields> for HalfPlane {
     type Error = LayerError;

@@ -50,7 +50,7 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described_by_fields!(Homogeneous);
+described!(Homogeneous by Fields);
 
 impl TryFrom<Fields> for Homogeneous {
     type Error = LayerError;

@@ -48,7 +48,7 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described_by_fields!(PowerHalfPlane);
+described!(PowerHalfPlane by Fields);
 
 impl TryFrom<Fields> for PowerHalfPlane {
     type Error = LayerError;

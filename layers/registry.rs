@@ -39,6 +39,10 @@ impl Body {
 /// is that of the [`Entry`].
 pub type ReadBody = fn(&Node) -> Result<Body, ReadError>;
 
+fn read_layer<L: Layer + DeserializeOwned>(node: &Node) -> Result<Body, ReadError> {
+    Ok(Body::Layer(Arc::new(node.read_inner::<L>()?)))
+}
+
 /// One layer type of a [`Registry`].
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
@@ -88,12 +92,16 @@ impl Default for Registry {
 impl Registry {
     /// Adds a layer type under `name`; a type registered before under the same name is replaced.
     pub fn register<L: Layer + DeserializeOwned>(&mut self, name: &'static str, summary: &'static str) {
-        self.enter(Entry {
-            name,
-            summary,
-            read: |node| Ok(Body::Layer(Arc::new(node.read_inner::<L>()?))),
-            schema: None,
-        });
+        self.enter(Entry { name, summary, read: read_layer::<L>, schema: None });
+    }
+
+    /// The same for a layer type that also derives [`JsonSchema`]: its fields, with their documentation, are listed by
+    /// [`Entry::describe`].
+    pub fn register_described<L>(&mut self, name: &'static str, summary: &'static str)
+    where
+        L: Layer + DeserializeOwned + JsonSchema,
+    {
+        self.enter(Entry { name, summary, read: read_layer::<L>, schema: Some(schema_of::<L>) });
     }
 
     /// Adds a type of supports, with the documentation of their fields; a type registered before under the same name is replaced.
@@ -108,18 +116,6 @@ impl Registry {
     fn enter(&mut self, entry: Entry) {
         self.entries.retain(|other| other.name != entry.name);
         self.entries.push(entry);
-    }
-
-    /// The same for a layer type that also derives [`JsonSchema`]: its fields, with their documentation, are listed by
-    /// [`Entry::describe`].
-    pub fn register_described<L>(&mut self, name: &'static str, summary: &'static str)
-    where
-        L: Layer + DeserializeOwned + JsonSchema,
-    {
-        self.register::<L>(name, summary);
-        if let Some(entry) = self.entries.last_mut() {
-            entry.schema = Some(schema_of::<L>);
-        }
     }
 
     /// The entries in the order of registration.

@@ -75,6 +75,15 @@ impl Node {
         self.fields().iter().find(|field| &*field.name == name).map(|field| &field.value)
     }
 
+    /// The values in it.
+    pub fn values_mut(&mut self) -> Vec<&mut Self> {
+        match &mut self.kind {
+            Kind::List(members) | Kind::Row(members) => members.iter_mut().collect(),
+            Kind::Fields(fields) => fields.iter_mut().map(|field| &mut field.value).collect(),
+            Kind::Nothing | Kind::Number(_) | Kind::Text(_) => Vec::new(),
+        }
+    }
+
     /// Values in brackets or parentheses.
     pub fn members(&self) -> &[Self] {
         if let Kind::List(members) | Kind::Row(members) = &self.kind { members } else { &[] }

@@ -115,7 +115,7 @@ pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, Appr
 /// The approach alone, with its error.
 pub(crate) fn depth(top: &Top, stack: &Stack, solution: &Solution) -> Result<Measured, ApproachError> {
     let punch = defined(top, stack)?;
-    let lowest = punch.lowest();
+    let lowest = punch.shape().lowest();
     let [value, second] = sunk(|x| punch.profile(x) - lowest, punch, stack, solution)?;
     let relative = ROUNDING + relative_error(solution, true);
     Ok(Measured { value, error: SAFETY * ((value - second).abs() + relative * value.abs()) })
@@ -190,7 +190,8 @@ fn sunk(
         MeanWindow { middle, half: contact.innermost().right - middle }
     };
     let windows: Vec<MeanWindow> = solution.contacts().iter().map(window).collect();
-    let height = windows.first().map_or([0.0; 2], |window| mean(profile, &punch.starts(), window, stack.geometry()));
+    let height =
+        windows.first().map_or([0.0; 2], |window| mean(profile, &punch.shape().starts(), window, stack.geometry()));
     let apart = Field::new(stack, solution).apart(&windows, punch.material().as_ref())?;
     Ok([height[0] + apart[0], height[1] + apart[1]])
 }

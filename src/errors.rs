@@ -6,7 +6,7 @@ use crate::axis::AxisError;
 use crate::contact::{ContactError, NoSolution};
 use crate::field::FieldError;
 use crate::options::OptionsError;
-use crate::scene::{HeightsError, LoadsError, PunchesError, Scene, SceneError, ValueError};
+use crate::scene::{HeightsError, ListError, Owner, Scene, SceneError, ValueError};
 use crate::stack::StackError;
 use crate::system::Unresolved;
 
@@ -87,7 +87,7 @@ macro_rules! from_values {
     };
 }
 
-from_values!(HeightsError, LoadsError, PunchesError);
+from_values!(HeightsError, ListError);
 
 impl Error {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
@@ -132,16 +132,18 @@ impl Scene {
     /// where it cannot carry the force. Other errors, and errors of a scene not read from a text, are left as they are.
     pub fn locate(&self, error: Error) -> Error {
         let located = match &error {
-            Error::Stack(cause) => self.error_at_item(cause.item(), cause.hint(), cause),
+            Error::Stack(cause) => self.error_at(cause.item().map_or(Owner::Stack, Owner::Item), cause.hint(), cause),
             Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
                 let hint = "a larger punch or a smaller force keeps the contact within the punch";
-                self.error_at_top(hint.to_owned(), cause)
+                self.error_at(Owner::Top, Some(hint.to_owned()), cause)
             }
-            Error::NoSolution(cause @ NoSolution::Unreachable { .. }) => self.error_at_force(cause.hint(), cause),
+            Error::NoSolution(cause @ NoSolution::Unreachable { .. }) => {
+                self.error_at(Owner::Force, cause.hint(), cause)
+            }
             Error::Contact(
                 cause @ (ContactError::UnevenPunch | ContactError::SharpPunches | ContactError::LoadsUnknown { .. }),
-            ) => self.error_at_top(cause.hint().unwrap_or_default(), cause),
-            Error::Approach(cause) => self.error_at_force(Some(cause.hint()), cause),
+            ) => self.error_at(Owner::Top, Some(cause.hint().unwrap_or_default()), cause),
+            Error::Approach(cause) => self.error_at(Owner::Force, Some(cause.hint()), cause),
             _ => None,
         };
         located.map_or(error, Error::Scene)

@@ -108,9 +108,8 @@ pub use recede_layers::{
     PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
-    ElasticCylinder, Force, HeightsError, Item, Load, Loads, LoadsError, MAX_BYTES, MAX_ITEMS, PlacedLoad, Pressed,
-    Punch, Punches, PunchesError, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge,
-    scene_schema, visible,
+    ElasticCylinder, Force, HeightsError, Item, ListError, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad, Pressed,
+    Punch, Punches, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
 };
 pub use solution::{Carried, Contact, Interface, Interval, Peak, Solution, Stats, Stopped, Warning, WarningCode};
 pub use stack::{

@@ -117,7 +117,7 @@ fn heights(top: &Top, field: &Field, faces: &[FaceProfile], interface: Interface
             }
             let flattened = punch.material().map(|material| field.flattening(0, &material, x));
             // nothing is above the stack beyond the edge of a punch
-            let [left, right] = punch.ends();
+            let [left, right] = punch.shape().ends();
             let profile = |x: f64| if left <= x && x <= right { punch.profile(x) } else { f64::INFINITY };
             let height = |k: usize| profile(x[k] - pressed.at()) + flattened.as_ref().map_or(0.0, |all| all[k]);
             (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()

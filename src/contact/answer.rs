@@ -3,7 +3,7 @@ use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::{self, Kernel};
-use crate::solution::{Carried, Contact, Interface, Interval, Owner, Solution, Stats, Strip, Warning};
+use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Strip, Warning};
 use crate::validity;
 
 /// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
@@ -42,7 +42,7 @@ impl Answer {
     }
 
     /// The solution in the units of the scene, under a force in these units, for a stack.
-    pub(crate) fn into_solution(self, problem: &Problem, force: f64, stack: Option<&Owner>) -> Solution {
+    pub(crate) fn into_solution(self, problem: &Problem, force: f64, stack: Option<&OwnerKey>) -> Solution {
         let (length, unit) = (problem.kernel.length(), problem.kernel.modulus() * problem.force);
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {

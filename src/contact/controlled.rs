@@ -242,7 +242,7 @@ fn first_guess(kernel: &Kernel, punch: &Punch, controlled: Controlled, wanted: f
 /// The half-length at which a profile is as high as this above its lowest point.
 fn length_at(punch: &Punch, height: f64) -> f64 {
     let edge = punch.max_half_length().unwrap_or(f64::MAX);
-    let is_higher = |x: f64| punch.profile(x) - punch.lowest() >= height;
+    let is_higher = |x: f64| punch.profile(x) - punch.shape().lowest() >= height;
     // bisection of the logarithm
     let (mut low, mut high) = (f64::MIN_POSITIVE.ln(), edge.ln());
     while high - low > 1e-3 {

@@ -21,7 +21,7 @@ use std::borrow::Cow;
 
 use crate::kernel::Kernel;
 use crate::scene::Top;
-use crate::solution::{Interface, Owner, Solution};
+use crate::solution::{Interface, OwnerKey, Solution};
 
 pub(crate) use controlled::{Measured, press_to};
 pub use error::{ContactError, Controlled, NoSolution};
@@ -36,7 +36,7 @@ use starts::order::solve_in_order;
 /// What is asked of the solver: everything but the force.
 pub(crate) struct Asked<'a> {
     /// The stack, to which solutions belong.
-    pub(crate) stack: &'a Owner,
+    pub(crate) stack: &'a OwnerKey,
     pub(crate) kernel: &'a Kernel,
     /// A table of solutions for this kernel, if starts may be taken from one.
     pub(crate) table: Option<&'a Table>,

@@ -87,7 +87,7 @@ impl Presses<'_> {
         let (scale, middle, punch) = (self.scale, self.x(pressed.at()), pressed.shape());
         let [left, right] = window.map(|end| (end - middle) / scale);
         let angle = pressed.tilt().angle().unwrap_or(0.0);
-        let ends = punch.ends();
+        let ends = punch.shape().ends();
         let [first, last] = [ends[0].max(left.min(-right)), ends[1].min(right.max(-left))];
         // at its very edge the height may be infinite
         let profile = |x: f64| punch.profile(x.clamp(first * (1.0 - 1e-12), last * (1.0 - 1e-12))) + angle * x;

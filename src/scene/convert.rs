@@ -29,7 +29,8 @@ fn convert(
     let is_row = node.name.is_none() && matches!(node.kind, Kind::Row(_));
     match &mut node.kind {
         Kind::Text(text) if has_unit(text) => {
-            let failed = |(message, hint)| origin.error(Some(node.place.start), message, Some(hint));
+            let failed =
+                |(message, hint): (String, String)| origin.error(Some(node.place.start), message).hinted(Some(hint));
             node.kind = Kind::Number(converted(text, dimension, units).map_err(failed)?);
         }
         Kind::Fields(fields) => {

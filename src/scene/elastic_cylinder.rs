@@ -1,8 +1,6 @@
 //! An elastic cylinder, as it is written.
-use std::borrow::Cow;
-
-use recede_layers::{ElasticConstants, Isotropic, LayerError, Poisson, Positive};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use recede_layers::{ElasticConstants, Isotropic, LayerError, Poisson, Positive, described};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::ValueError;
@@ -31,15 +29,7 @@ struct Fields {
     poisson: Poisson,
 }
 
-impl JsonSchema for ElasticCylinder {
-    fn schema_name() -> Cow<'static, str> {
-        "ElasticCylinder".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        Fields::json_schema(generator)
-    }
-}
+described!(ElasticCylinder by Fields);
 
 impl TryFrom<Fields> for ElasticCylinder {
     type Error = LayerError;

@@ -1,18 +1,36 @@
 //! What the readers say, in words of the scene: what was found, what is allowed, what to do.
 use recede_layers::description::Value;
-use recede_layers::tree::{Fault, Form, bare_token, token};
+use recede_layers::tree::{Fault, Form, Node, ReadError, bare_token, token};
 
 use super::hints::{directions, instead_of, names_of, number_of_material};
+use super::origin::{Origin, SceneError};
 use super::quoted_list;
 
+impl Origin {
+    /// Why a part of the scene that is called `owner` in messages cannot be read; `form` is what may be written there, if that is known.
+    pub(super) fn explained(&self, node: &Node, owner: &str, form: Option<&Value>, error: ReadError) -> SceneError {
+        let name = node.name.as_deref().unwrap_or_default();
+        let form = form.and_then(|form| match form {
+            Value::OneOf(forms) => forms.iter().find(|form| form.name == name)?.value.as_ref(),
+            form => Some(form),
+        });
+        let subject = Subject { owner, field: error.field.as_deref(), form: form.map(|form| (name, form)) };
+        // an error about the part as a whole is shown at its name
+        let is_whole = error.field.is_none() && matches!(error.fault, Fault::Reason(_) | Fault::Missing(_));
+        let at = error.at.filter(|_| !is_whole).unwrap_or(node.place.start);
+        let (message, hint) = explain(&error.fault, &subject, self.rest(at));
+        self.error(Some(at), message).hinted(hint).because(error)
+    }
+}
+
 /// The part of a scene that was being read.
-pub(super) struct Subject<'a> {
+struct Subject<'a> {
     /// E.g. `layer 1 (Homogeneous)`.
-    pub owner: &'a str,
+    owner: &'a str,
     /// The field of it, e.g. `poisson`, if one was being read.
-    pub field: Option<&'a str>,
+    field: Option<&'a str>,
     /// The name of what was being read, and what may stand in its parentheses, if that is known.
-    pub form: Option<(&'a str, &'a Value)>,
+    form: Option<(&'a str, &'a Value)>,
 }
 
 impl Subject<'_> {
@@ -61,7 +79,7 @@ impl Subject<'_> {
 }
 
 /// Message and hint. `rest` is the text from the place of the error on.
-pub(super) fn explain(fault: &Fault, subject: &Subject, rest: &str) -> (String, Option<String>) {
+fn explain(fault: &Fault, subject: &Subject, rest: &str) -> (String, Option<String>) {
     let name = subject.name();
     match fault {
         Fault::Reason(reason) => (format!("{name}: {reason}"), range_hint(rest)),

@@ -6,7 +6,7 @@ use recede_layers::Positive;
 
 use crate::geometry::Geometry;
 
-/// The line load P that presses: force per unit length out of plane, or what it is to bring about.
+/// The line load P that presses: force per unit length out of plane, or the contact that it has to bring about.
 ///
 /// ```
 /// use recede::{Force, HalfPlane, Model, Plane, Punch, Stack};
@@ -43,13 +43,23 @@ impl Force {
         }
     }
 
+    /// The name of the field of a scene that says it, and its number.
+    fn parts(self) -> (&'static str, f64) {
+        match self {
+            Self::Given(number) => ("force", number),
+            Self::ForHalfLength(number) => ("half_length", number),
+            Self::ForDepth(number) => ("depth", number),
+        }
+    }
+
     /// The name of the field of a scene that says it.
     pub(crate) fn field(self) -> &'static str {
-        match self {
-            Self::Given(_) => "force",
-            Self::ForHalfLength(_) => "half_length",
-            Self::ForDepth(_) => "depth",
-        }
+        self.parts().0
+    }
+
+    /// The number that is written.
+    pub(crate) fn number(self) -> f64 {
+        self.parts().1
     }
 
     /// As it is shown beside a punch: with the word for a half-length in this geometry.
@@ -59,19 +69,8 @@ impl Force {
     /// assert_eq!(Force::ForHalfLength(0.5).label(Geometry::Axisymmetric), "contact radius 0.5");
     /// ```
     pub fn label(self, geometry: Geometry) -> String {
-        let name = match self {
-            Self::Given(_) => "force",
-            Self::ForHalfLength(_) => geometry.words().half_length,
-            Self::ForDepth(_) => "depth",
-        };
+        let name = if let Self::ForHalfLength(_) = self { geometry.words().half_length } else { self.field() };
         format!("{name} {:?}", self.number())
-    }
-
-    /// The number that is written.
-    pub(crate) fn number(self) -> f64 {
-        match self {
-            Self::Given(number) | Self::ForHalfLength(number) | Self::ForDepth(number) => number,
-        }
     }
 
     /// The same kind with another number.

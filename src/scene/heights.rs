@@ -1,10 +1,7 @@
 //! Lists of heights that describe a punch, checked where they are read.
 use std::borrow::Cow;
-use std::fmt;
 
-use recede_layers::description::Value;
-use recede_layers::{Finite, Thickness};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use recede_layers::{Finite, Thickness, described};
 use serde::{Deserialize, Serialize};
 
 use super::shape::{Piece, Shape, end_of_rise};
@@ -85,18 +82,10 @@ impl TryFrom<Vec<Finite>> for PolynomialHeights {
     }
 }
 
-impl JsonSchema for PolynomialHeights {
-    fn schema_name() -> Cow<'static, str> {
-        "PolynomialHeights".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema("[height, height, ...], one or more finite numbers that are not all 0")
-    }
-}
+described!(PolynomialHeights in "[height, height, ...], one or more finite numbers that are not all 0");
 
 /// Heights at places on x with the tip at 0, with the smooth curve through them. Without places on the left of the tip that is the mirror image.
-#[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(Finite, Finite)>", into = "Vec<(Finite, Finite)>")]
 pub struct Heights {
     rows: Vec<(Finite, Finite)>,
@@ -114,12 +103,6 @@ impl Heights {
     pub(super) fn shape(&self) -> Shape<'_> {
         let is_even = self.pieces.first().is_none_or(|first| first.start == 0.0);
         Shape::Pieces { pieces: Cow::Borrowed(&self.pieces), is_even, end: self.rows.last().map(|(x, _)| x.get()) }
-    }
-}
-
-impl fmt::Debug for Heights {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.rows.fmt(f)
     }
 }
 
@@ -178,28 +161,10 @@ impl TryFrom<Vec<(Finite, Finite)>> for Heights {
     }
 }
 
-impl JsonSchema for Heights {
-    fn schema_name() -> Cow<'static, str> {
-        "Heights".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema(
-            "[(x, height), ...], two or more with increasing x: from 0, the tip, on if the left is the mirror image of the right, or from the left \
-             end, with a height at 0",
-        )
-    }
-}
-
-impl JsonSchema for RoundHeights {
-    fn schema_name() -> Cow<'static, str> {
-        "RoundHeights".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema("[(r, height), ...], two or more with increasing distances r, the first 0")
-    }
-}
+described!(Heights in
+    "[(x, height), ...], two or more with increasing x: from 0, the tip, on if the left is the mirror image of the right, or from the left \
+     end, with a height at 0");
+described!(RoundHeights in "[(r, height), ...], two or more with increasing distances r, the first 0");
 
 fn count(found: usize, least: usize) -> Result<(), HeightsError> {
     if (least..=MOST).contains(&found) { Ok(()) } else { Err(HeightsError::Count { found, least }) }

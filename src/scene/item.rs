@@ -100,17 +100,12 @@ impl Item {
 
     /// The items that are no layers, interfaces first.
     pub(super) fn forms() -> (Vec<Form>, Form) {
-        let mut forms: Vec<Form> = Self::plain_items()
-            .map(|(item, meaning)| Form { name: item.name().to_owned(), meaning: meaning.to_owned(), value: None })
-            .into();
-        let rigid = forms.remove(forms.len() - 1);
-        forms.push(Form {
-            name: SPRING.to_owned(),
-            meaning: "Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u]."
-                .to_owned(),
-            value: Some(Value::of::<Spring>()),
-        });
-        (forms, rigid)
+        let form =
+            |name: &str, meaning: &str, value| Form { name: name.to_owned(), meaning: meaning.to_owned(), value };
+        let plain = Self::plain_items().map(|(item, meaning)| form(item.name(), meaning, None));
+        let [bonded, sliding, receding, rigid] = plain;
+        let meaning = "Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u].";
+        (vec![bonded, sliding, receding, form(SPRING, meaning, Some(Value::of::<Spring>()))], rigid)
     }
 
     /// All names that may stand in a stack.

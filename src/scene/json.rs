@@ -4,7 +4,7 @@ use recede_layers::description::{schema_of, without_ranges};
 use recede_layers::tree::{Kind, Node};
 use serde_json::{Value, json};
 
-use super::read::schema_of_scene;
+use super::read::Draft;
 use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Scene, Spring, visible_json};
@@ -21,34 +21,32 @@ impl Scene {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn to_json(&self) -> String {
-        let text = self.to_ron();
         // the name of a scene is not needed, as there is nothing else
-        let scene = Node::from_ron(&text).map_or(Value::Null, |scene| inner(&scene, &text));
+        let scene = Node::from_ron(&self.to_ron()).map_or(Value::Null, |scene| inner(&scene));
         visible_json(&format!("{scene:#}\n"))
     }
 }
 
-/// A value of a text in RON as JSON.
-fn value(node: &Node, text: &str) -> Value {
+/// A value as JSON.
+fn value(node: &Node) -> Value {
     match (node.name.as_deref(), &node.kind) {
-        (None, _) => inner(node, text),
+        (None, _) => inner(node),
         (Some(name @ ("true" | "false")), Kind::Nothing) => Value::Bool(name == "true"),
         (Some(name), Kind::Nothing) => Value::String(name.to_owned()),
-        (Some(name), Kind::Row(members)) if members.len() == 1 => json!({name: value(&members[0], text)}),
-        (Some(name), _) => json!({name: inner(node, text)}),
+        (Some(name), Kind::Row(members)) if members.len() == 1 => json!({name: value(&members[0])}),
+        (Some(name), _) => json!({name: inner(node)}),
     }
 }
 
 /// The same without its name.
-fn inner(node: &Node, text: &str) -> Value {
+fn inner(node: &Node) -> Value {
     match &node.kind {
         Kind::Nothing => Value::Null,
-        // a whole number remains one
-        Kind::Number(number) => text[node.place.clone()].parse::<i64>().map_or_else(|_| json!(number), Value::from),
+        Kind::Number(number) => json!(number),
         Kind::Text(text) => json!(text),
-        Kind::List(members) | Kind::Row(members) => members.iter().map(|member| value(member, text)).collect(),
+        Kind::List(members) | Kind::Row(members) => members.iter().map(value).collect(),
         Kind::Fields(fields) => {
-            Value::Object(fields.iter().map(|field| ((*field.name).to_owned(), value(&field.value, text))).collect())
+            Value::Object(fields.iter().map(|field| ((*field.name).to_owned(), value(&field.value))).collect())
         }
     }
 }
@@ -71,7 +69,7 @@ pub fn scene_schema(registry: &Registry) -> Value {
         let fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
         item(entry.name, entry.summary, fields)
     });
-    let mut schema = schema_of_scene().to_value();
+    let mut schema = schema_of::<Draft>().to_value();
     // about the axis punches and loads have other names
     let (punch, load) = (schema_of::<RoundPunch>().to_value(), schema_of::<RoundLoad>().to_value());
     let round = json!({"punch": punch, "punches": false, "load": load, "loads": false});
@@ -102,13 +100,13 @@ mod tests {
     fn values_of_all_kinds_have_their_forms() {
         let text = "[(load: Line, at: 0, force: 1e0), (load: Uniform(half_width: 2), at: -1.5)]";
         let expected = json!([
-            {"load": "Line", "at": 0, "force": 1.0},
-            {"load": {"Uniform": {"half_width": 2}}, "at": -1.5},
+            {"load": "Line", "at": 0.0, "force": 1.0},
+            {"load": {"Uniform": {"half_width": 2.0}}, "at": -1.5},
         ]);
-        let value = |text: &str| value(&Node::from_ron(text).unwrap(), text);
+        let value = |text: &str| value(&Node::from_ron(text).unwrap());
         assert_eq!(value(text), expected);
-        assert_eq!(value("Table([(0, 1), (0.5, 2)])"), json!({"Table": [[0, 1], [0.5, 2]]}));
-        assert_eq!(value("/* a */ Constant(3) // b"), json!({"Constant": 3}));
+        assert_eq!(value("Table([(0, 1), (0.5, 2)])"), json!({"Table": [[0.0, 1.0], [0.5, 2.0]]}));
+        assert_eq!(value("/* a */ Constant(3) // b"), json!({"Constant": 3.0}));
         assert_eq!(value("(a: \"a \\\"b\\\"\", b: true)"), json!({"a": "a \"b\"", "b": true}));
     }
 }

@@ -42,7 +42,7 @@ pub enum Load {
         half_width: Positive,
     },
     /// The same pressure everywhere on a ring |r − radius| < half_width about the axis, in axisymmetric problems only.
-    #[serde(skip)]
+    #[serde(skip_deserializing)]
     Ring {
         /// Radius of the middle of the ring, in length.
         radius: Positive,
@@ -119,12 +119,6 @@ impl Load {
 impl fmt::Display for Load {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            // in scenes about an axis only
-            Self::Ring { radius, half_width } => {
-                write!(f, "Ring(radius: {:?}, half_width: {:?})", radius.get(), half_width.get())
-            }
-            _ => written(self, f),
-        }
+        f.write_str(&written(self))
     }
 }

@@ -1,15 +1,12 @@
 //! Given pressures that press at once, as they are written.
-use std::borrow::Cow;
 use std::fmt;
 
-use recede_layers::description::Value;
-use recede_layers::{Finite, Positive};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use recede_layers::{Finite, Positive, described};
 use serde::{Deserialize, Serialize};
 
 use super::load::Load;
 use super::text::written;
-use super::value::{LoadsError, MOST_AT_ONCE, ValueError, scaled};
+use super::value::{ListError, ValueError, check_list, scaled};
 use crate::geometry::Geometry;
 
 /// Loads that press on the top face at once, each anywhere on x. They may overlap.
@@ -26,8 +23,7 @@ use crate::geometry::Geometry;
 /// assert_eq!((line.force, strip.force, strip.centroid), (0.2, 0.8, 1.0));
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Vec<PlacedLoad>", into = "Vec<PlacedLoad>")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Loads(Vec<PlacedLoad>);
 
 /// One of several loads.
@@ -46,7 +42,7 @@ impl Loads {
     /// Loads, each with the place of its middle on x, in length, and its resultant > 0, force per unit length out of the plane.
     ///
     /// # Errors
-    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::Loads`] if there are none or too many, or if their sum is
+    /// [`ValueError::OutOfRange`] if a number is not legal, [`ValueError::List`] if there are none or too many, or if their sum is
     /// not finite.
     pub fn new(loads: &[(Load, f64, f64)]) -> Result<Self, ValueError> {
         let placed = |(load, at, force): &(Load, f64, f64)| {
@@ -128,7 +124,7 @@ impl fmt::Display for Loads {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.alone() {
             Some(load) => load.fmt(f),
-            None => written(self, f),
+            None => f.write_str(&written(&self.0)),
         }
     }
 }
@@ -140,32 +136,13 @@ impl From<Load> for Loads {
     }
 }
 
-impl From<Loads> for Vec<PlacedLoad> {
-    fn from(loads: Loads) -> Self {
-        loads.0
-    }
-}
-
 impl TryFrom<Vec<PlacedLoad>> for Loads {
-    type Error = LoadsError;
+    type Error = ListError;
 
-    fn try_from(loads: Vec<PlacedLoad>) -> Result<Self, LoadsError> {
-        if loads.is_empty() || loads.len() > MOST_AT_ONCE {
-            return Err(LoadsError::Count(loads.len()));
-        }
+    fn try_from(loads: Vec<PlacedLoad>) -> Result<Self, ListError> {
         let loads = Self(loads);
-        if loads.force().is_finite() { Ok(loads) } else { Err(LoadsError::Sum) }
+        check_list("loads", loads.0.len(), loads.force()).map(|()| loads)
     }
 }
 
-impl JsonSchema for Loads {
-    fn schema_name() -> Cow<'static, str> {
-        "Loads".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema(
-            "[(load: ..., at: x, force: P), ...], one or more loads with their places x and forces P > 0",
-        )
-    }
-}
+described!(Loads in "[(load: ..., at: x, force: P), ...], one or more loads with their places x and forces P > 0");

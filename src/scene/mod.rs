@@ -10,7 +10,6 @@ mod json;
 mod load;
 mod loads;
 mod origin;
-mod part;
 mod paths;
 mod punch;
 mod punches;
@@ -46,7 +45,7 @@ pub use punches::{Pressed, Punches, Tilt};
 pub use spring::Spring;
 pub use top::Top;
 pub use units::Units;
-pub use value::{LoadsError, PunchesError, ValueError};
+pub use value::{ListError, ValueError};
 pub use visible::visible;
 pub use vocabulary::Vocabulary;
 pub use wedge::Wedge;
@@ -126,7 +125,7 @@ impl Scene {
         if self.geometry.is_axisymmetric() { Dimension::FORCE } else { Dimension::LINE_LOAD }
     }
 
-    /// What to call the scene in a report: its name, or else that of its file without folder and ending.
+    /// What to call the scene in a report: its name, or else the name of its file without folder and ending.
     pub fn title(&self) -> &str {
         match (&self.name, &self.origin) {
             (Some(name), _) => name,
@@ -135,40 +134,35 @@ impl Scene {
         }
     }
 
-    /// An error about an item of the stack, counted from 0, or about the stack as a whole; `None` if the scene was not
-    /// read from a text.
-    pub(crate) fn error_at_item<E: Cause>(
-        &self,
-        item: Option<usize>,
-        hint: Option<String>,
-        cause: &E,
-    ) -> Option<SceneError> {
-        let stack = self.origin.as_deref()?.tree.field("stack")?;
-        // items may have been added or taken away since the text was read
-        let known = self.stack.len() == stack.members().len();
-        let item = item.filter(|_| known).and_then(|item| stack.members().get(item));
-        self.error_at(Some(item.unwrap_or(stack)), hint, cause)
-    }
-
     /// The name under which what presses stands in the text, and its part of the text.
     fn node_of_top(&self) -> Option<(&'static str, &Node)> {
         let tree = &self.origin.as_deref()?.tree;
         TOPS.into_iter().find_map(|name| Some((name, tree.field(name)?)))
     }
 
-    /// An error about the punches, or the loads in their place.
-    pub(crate) fn error_at_top<E: Cause>(&self, hint: String, cause: &E) -> Option<SceneError> {
-        self.error_at(self.node_of_top().map(|(_, node)| node), Some(hint), cause)
+    /// A part of the text.
+    fn node(&self, part: Owner) -> Option<&Node> {
+        let tree = &self.origin.as_deref()?.tree;
+        match part {
+            Owner::Force => tree.field(self.force.field()),
+            Owner::Top => self.node_of_top().map(|(_, node)| node),
+            Owner::Stack => tree.field("stack"),
+            Owner::Item(index) => tree.field("stack")?.members().get(index),
+        }
     }
 
-    /// An error about the number that says the force.
-    pub(crate) fn error_at_force<E: Cause>(&self, hint: Option<String>, cause: &E) -> Option<SceneError> {
-        self.error_at(self.origin.as_deref()?.tree.field(self.force.field()), hint, cause)
-    }
-
-    fn error_at<E: Cause>(&self, node: Option<&Node>, hint: Option<String>, cause: &E) -> Option<SceneError> {
+    /// An error about a part of the text, of an item that is no longer there about the stack; `None` if the scene was not read from a text.
+    pub(crate) fn error_at<E: Cause>(&self, part: Owner, hint: Option<String>, cause: &E) -> Option<SceneError> {
         let origin = self.origin.as_deref()?;
-        Some(origin.error(node.map(|node| node.place.start), cause.to_string(), hint).because(cause.clone()))
+        let stack = self.node(Owner::Stack)?;
+        // items may have been added or taken away since the text was read
+        let is_known = self.stack.len() == stack.members().len();
+        let node = match part {
+            Owner::Item(_) => self.node(part).filter(|_| is_known).or(Some(stack)),
+            _ => self.node(part),
+        };
+        let error = origin.error(node.map(|node| node.place.start), cause.to_string());
+        Some(error.hinted(hint).because(cause.clone()))
     }
 }
 

@@ -37,14 +37,19 @@ impl Origin {
     }
 
     /// An error at a byte of the text, or about the file as a whole.
-    pub(super) fn error(&self, at: Option<usize>, message: String, hint: Option<String>) -> SceneError {
+    pub(super) fn error(&self, at: Option<usize>, message: impl AsRef<str>) -> SceneError {
         SceneError {
             file: self.file.clone(),
             place: at.map(|offset| Box::new(Place::new(&self.text, offset))),
-            message: abridged(&message),
-            hint: hint.as_deref().map(abridged),
+            message: abridged(message.as_ref()),
+            hint: None,
             cause: None,
         }
+    }
+
+    /// An error at a value.
+    pub(super) fn error_at(&self, node: &Node, message: impl AsRef<str>) -> SceneError {
+        self.error(Some(node.place.start), message)
     }
 }
 
@@ -110,6 +115,12 @@ pub struct SceneError {
 }
 
 impl SceneError {
+    /// The same with what to do about it.
+    pub(super) fn hinted(mut self, hint: Option<impl AsRef<str>>) -> Self {
+        self.hint = hint.map(|hint| abridged(hint.as_ref()));
+        self
+    }
+
     pub(super) fn because(mut self, cause: impl std::error::Error + Send + Sync + 'static) -> Self {
         self.cause = Some(Arc::new(cause));
         self

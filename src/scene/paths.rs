@@ -11,17 +11,18 @@ use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
 use super::read::{parse, read_item};
 use super::read_top::{has_forces, read_top};
-use super::{Force, Item, Scene, Top, quoted_list};
+use super::{Force, Scene, quoted_list};
 
 /// Most paths that a message lists.
 const LISTED: usize = 24;
 
 /// Where a quantity stands in the text of a scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slot {
     pub(crate) owner: Owner,
     /// Where its number stands in the text.
     place: Range<usize>,
+    value: f64,
 }
 
 /// What a quantity belongs to.
@@ -31,6 +32,8 @@ pub(crate) enum Owner {
     Force,
     /// The punches, or the loads in their place.
     Top,
+    /// The stack as a whole, which is no quantity.
+    Stack,
     /// The item of the stack with this index.
     Item(usize),
 }
@@ -50,7 +53,7 @@ impl Scene {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn paths(&self) -> Vec<String> {
-        self.slots().into_iter().map(|(path, ..)| path).collect()
+        self.slots().into_iter().map(|(path, _)| path).collect()
     }
 
     /// The same scene with another value of the quantity at `path`. Only for scenes read from a text.
@@ -83,105 +86,88 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] if there is no such quantity.
     pub fn number(&self, path: &str) -> Result<f64, SceneError> {
-        self.found(path).map(|(_, number)| number)
+        self.slot(path).map(|slot| slot.value)
     }
 
     /// Finds the quantity at `path`.
     pub(crate) fn slot(&self, path: &str) -> Result<Slot, SceneError> {
-        self.found(path).map(|(slot, _)| slot)
-    }
-
-    /// The same, with its value.
-    fn found(&self, path: &str) -> Result<(Slot, f64), SceneError> {
-        let mut slots = self.slots();
-        if let Some(index) = slots.iter().position(|(found, ..)| found == path) {
-            let (_, slot, number) = slots.swap_remove(index);
-            return Ok((slot, number));
+        let slots = self.slots();
+        if let Some((_, slot)) = slots.iter().find(|(found, _)| found == path) {
+            return Ok(slot.clone());
         }
         let nowhere = Origin { file: "scene".into(), ..Origin::default() };
         let origin = self.origin.as_deref().unwrap_or(&nowhere);
-        let names: Vec<&str> = slots.iter().map(|(path, ..)| &path[..]).collect();
+        let names: Vec<&str> = slots.iter().map(|(path, _)| &path[..]).collect();
         if names.is_empty() {
-            let message = format!("there is no `{path}` in a scene that was not read from a text");
-            return Err(origin.error(None, message, None));
+            return Err(origin.error(None, format!("there is no `{path}` in a scene that was not read from a text")));
         }
         let more = if names.len() > LISTED { ", ..." } else { "" };
         let allowed = quoted_list(&names[..names.len().min(LISTED)]);
         let message = format!("the scene has no quantity `{path}`; those that can vary are {allowed}{more}");
-        Err(origin.error(None, message, did_you_mean(path, &names)))
+        Err(origin.error(None, message).hinted(did_you_mean(path, &names)))
     }
 
     /// The same scene with other values.
     pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, SceneError> {
         let Some(origin) = &self.origin else { return Ok(self.clone()) };
-        let text = changed(&origin.text, changes);
+        let mut text = origin.text.clone();
+        let mut changes = changes.to_vec();
+        // from the end on, so that places before it stay
+        changes.sort_by_key(|(slot, _)| std::cmp::Reverse(slot.place.start));
+        changes.iter().for_each(|(slot, value)| text.replace_range(slot.place.clone(), &format!("{value:?}")));
         parse(Origin { file: origin.file.clone(), text, registry: origin.registry.clone(), ..Origin::default() })
     }
 
-    /// The force with other values; nothing but the force is read again, or the punches or loads whose forces it is the sum of.
-    pub(crate) fn force_with(&self, changes: &[Change]) -> Result<Force, SceneError> {
-        if self.node_of_top().is_some_and(|(name, _)| has_forces(name)) {
-            return Ok(Force::Given(self.top_with(changes)?.force()));
-        }
-        match changes.iter().find(|(slot, _)| slot.owner == Owner::Force) {
-            Some((_, value)) => match Positive::try_from(*value) {
-                Ok(number) => Ok(self.force.with(number)),
-                Err(_) => self.with_changes(changes).map(|scene| scene.force),
-            },
-            None => Ok(self.force),
-        }
+    /// What presses, the force and the stack with other values, without name and text; nothing but what changes is read again.
+    pub(crate) fn varied(&self, changes: &[Change]) -> Result<Self, SceneError> {
+        // where a value is not legal, once more for the place of the mistake
+        self.read_again(changes).map_or_else(|| self.with_changes(changes), Ok)
     }
 
-    /// What presses with other values; nothing else is read again.
-    pub(crate) fn top_with(&self, changes: &[Change]) -> Result<Top, SceneError> {
-        let top = self.origin.as_deref().zip(self.node_of_top());
-        let changed = top.and_then(|(origin, (name, node))| Some((origin, name, with(node, Owner::Top, changes)?)));
-        let Some((origin, name, node)) = changed else { return Ok(self.top.clone()) };
-        // where it is none, once more for the place of the mistake
-        read_top(name, &node, self.geometry, origin).or_else(|_| self.with_changes(changes).map(|scene| scene.top))
-    }
-
-    /// The items of the stack with other values; nothing but the items that change is read again.
-    pub(crate) fn items_with(&self, changes: &[Change]) -> Result<Vec<Item>, SceneError> {
-        let mut items = self.stack.clone();
-        let Some(origin) = self.origin.as_deref() else { return Ok(items) };
-        let nodes = origin.tree.field("stack").map_or(&[][..], Node::members);
-        for (slot, _) in changes {
-            let Owner::Item(index) = slot.owner else { continue };
-            let (Some(item), Some(node)) = (items.get_mut(index), nodes.get(index)) else { continue };
-            let Some(node) = with(node, slot.owner, changes) else { continue };
-            match read_item(&node, 1, origin) {
-                Ok(changed) => *item = changed,
-                Err(_) => return self.with_changes(changes).map(|scene| scene.stack),
+    /// The same, if all values are legal.
+    fn read_again(&self, changes: &[Change]) -> Option<Self> {
+        let origin = self.origin.as_deref()?;
+        let mut scene = Self::new(self.geometry, &self.top, self.force, self.stack.clone());
+        for (slot, value) in changes {
+            match slot.owner {
+                Owner::Force => scene.force = self.force.with(Positive::try_from(*value).ok()?),
+                Owner::Top => {
+                    let (name, node) = self.node_of_top()?;
+                    scene.top = read_top(name, &with(node, changes), self.geometry, origin).ok()?;
+                    scene.force = if has_forces(name) { Force::Given(scene.top.force()) } else { scene.force };
+                }
+                Owner::Item(index) => {
+                    let node = self.node(slot.owner)?;
+                    *scene.stack.get_mut(index)? = read_item(&with(node, changes), 1, origin).ok()?;
+                }
+                Owner::Stack => {}
             }
         }
-        Ok(items)
+        Some(scene)
     }
 
-    /// All quantities by path, with their values.
-    fn slots(&self) -> Vec<(String, Slot, f64)> {
-        let Some(origin) = self.origin.as_deref() else { return Vec::new() };
+    /// All quantities by path.
+    fn slots(&self) -> Vec<(String, Slot)> {
         let mut slots = Vec::new();
-        let force = origin.tree.field(self.force.field()).map(|node| (self.force.field(), Owner::Force, node));
-        let top = self.node_of_top().map(|(name, node)| (name, Owner::Top, node));
-        for (name, owner, node) in force.into_iter().chain(top) {
-            add(name, owner, node, &mut slots);
-        }
+        let mut add = |name: &str, owner| {
+            self.node(owner).into_iter().for_each(|node| add(name, owner, node, &mut slots));
+        };
+        add(self.force.field(), Owner::Force);
+        add(self.node_of_top().map_or("", |(name, _)| name), Owner::Top);
         let mut number = 0;
-        let nodes = origin.tree.field("stack").map_or(&[][..], Node::members);
-        for (index, (item, node)) in self.stack.iter().zip(nodes).enumerate() {
+        for (index, item) in self.stack.iter().enumerate() {
             number += usize::from(!item.is_interface());
             let kind = if item.is_interface() { "interface" } else { "layer" };
-            add(&format!("{kind}[{number}]"), Owner::Item(index), node, &mut slots);
+            add(&format!("{kind}[{number}]"), Owner::Item(index));
         }
         slots
     }
 }
 
 /// Adds the quantities of a value to those found.
-fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot, f64)>) {
+fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot)>) {
     match &node.kind {
-        Kind::Number(number) => slots.push((path.to_owned(), Slot { owner, place: node.place.clone() }, *number)),
+        Kind::Number(value) => slots.push((path.to_owned(), Slot { owner, place: node.place.clone(), value: *value })),
         Kind::Fields(fields) => {
             fields.iter().for_each(|field| add(&format!("{path}.{}", field.name), owner, &field.value, slots));
         }
@@ -199,43 +185,24 @@ fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot, f64
     }
 }
 
-/// A value of this owner with other numbers; `None` if none of its numbers changes.
-fn with(node: &Node, owner: Owner, changes: &[Change]) -> Option<Node> {
-    let own: Vec<&Change> = changes.iter().filter(|(slot, _)| slot.owner == owner).collect();
-    let mut node = (!own.is_empty()).then(|| node.clone())?;
-    set(&mut node, &own);
-    Some(node)
+/// A value with other numbers.
+fn with(node: &Node, changes: &[Change]) -> Node {
+    let mut node = node.clone();
+    set(&mut node, changes);
+    node
 }
 
-fn set(node: &mut Node, changes: &[&Change]) {
+fn set(node: &mut Node, changes: &[Change]) {
     if let Some((_, value)) = changes.iter().find(|(slot, _)| slot.place == node.place) {
         node.kind = Kind::Number(*value);
     }
-    match &mut node.kind {
-        Kind::List(members) | Kind::Row(members) => members.iter_mut().for_each(|member| set(member, changes)),
-        Kind::Fields(fields) => fields.iter_mut().for_each(|field| set(&mut field.value, changes)),
-        Kind::Nothing | Kind::Number(_) | Kind::Text(_) => {}
-    }
-}
-
-/// A text with other numbers.
-fn changed(text: &str, changes: &[Change]) -> String {
-    let mut changes = changes.to_vec();
-    changes.sort_by_key(|(slot, _)| slot.place.start);
-    let mut changed = String::with_capacity(text.len() + 24 * changes.len());
-    let mut at = 0;
-    for (slot, value) in changes {
-        changed += &text[at..slot.place.start];
-        changed += &format!("{value:?}");
-        at = slot.place.end;
-    }
-    changed + &text[at..]
+    node.values_mut().into_iter().for_each(|value| set(value, changes));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Punch;
+    use crate::scene::{Punch, Top};
 
     const SCENE: &str =
         "// force: 7\nScene(\n  geometry: PlaneStrain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
@@ -257,9 +224,9 @@ mod tests {
         );
         assert_eq!(changed.paths(), paths);
         // bit by bit is the same
-        assert_eq!(scene.force_with(&changes).unwrap(), changed.force);
-        assert_eq!(scene.top_with(&changes).unwrap(), changed.top);
-        assert_eq!(format!("{:?}", scene.items_with(&changes).unwrap()), format!("{:?}", changed.stack));
+        let varied = scene.varied(&changes).unwrap();
+        assert_eq!((varied.force, varied.top), (changed.force, changed.top));
+        assert_eq!(format!("{:?}", varied.stack), format!("{:?}", changed.stack));
         assert!(format!("{:?}", changed.stack).contains("1e-7"), "{:?}", changed.stack);
     }
 
@@ -270,8 +237,7 @@ mod tests {
             let slot = scene.slot(path).unwrap();
             let changes = [(&slot, -1.0)];
             let whole = scene.with_changes(&changes).unwrap_err().to_string();
-            let parts = scene.force_with(&changes).err().or(scene.top_with(&changes).err());
-            assert_eq!(parts.or(scene.items_with(&changes).err()).unwrap().to_string(), whole);
+            assert_eq!(scene.varied(&changes).unwrap_err().to_string(), whole);
             whole
         };
         assert_eq!(said("force"), "scene:4:10: `force` of the scene: found -1.0, allowed is a finite number > 0");

@@ -279,35 +279,17 @@ impl Punch {
         self.shape().height(x)
     }
 
-    /// Where the pieces begin of which the profile consists, from left to right, of an even one from x = 0 outwards; none if it is one piece.
-    pub(crate) fn starts(&self) -> Vec<f64> {
-        match self.shape() {
-            Shape::Pieces { pieces, .. } => pieces.iter().map(|piece| piece.start).collect(),
-            _ => Vec::new(),
-        }
-    }
-
-    /// The smallest height of the profile, in length: 0 unless it falls somewhere.
-    pub(crate) fn lowest(&self) -> f64 {
-        self.shape().lowest()
-    }
-
     /// Half-length that no contact can exceed: a cylinder's radius, the end of a table, half of its length if it is uneven, where a polynomial
     /// begins to fall for good, the half-width of a flat punch with sharp corners; `None` if there is no such limit.
     pub fn max_half_length(&self) -> Option<f64> {
         self.shape().edge()
-    }
-
-    /// Where the punch ends on the left and on the right, in length; infinite where it does not.
-    pub(crate) fn ends(&self) -> [f64; 2] {
-        self.shape().ends()
     }
 }
 
 impl fmt::Display for Punch {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        written(self, f)
+        f.write_str(&written(self))
     }
 }
 

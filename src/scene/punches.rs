@@ -1,15 +1,12 @@
 //! Punches that press at once, as they are written.
-use std::borrow::Cow;
 use std::fmt;
 
-use recede_layers::description::Value;
-use recede_layers::{Finite, Positive};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use recede_layers::{Finite, Positive, described};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::punch::Punch;
 use super::text::written;
-use super::value::{MOST_AT_ONCE, PunchesError, ValueError, scaled};
+use super::value::{ListError, ValueError, check_list, scaled};
 use crate::geometry::Geometry;
 
 /// Punches that press on the top face at once, each anywhere on x, from left to right.
@@ -31,8 +28,7 @@ use crate::geometry::Geometry;
 /// assert!(punches.alone().is_none() && Top::from(punches).punch().is_none());
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Vec<Pressed>", into = "Vec<Pressed>")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Punches(Vec<Pressed>);
 
 /// One of several punches.
@@ -138,16 +134,16 @@ impl Pressed {
         [self.at() - half, self.at() + half]
     }
 
-    /// What it is, and where, for messages.
+    /// Its shape and its place, for messages.
     fn name(&self) -> String {
         format!("{} at {:?}", self.shape.label(Geometry::PlaneStrain), self.at())
     }
 
     /// Whether it is legal as the punch of this number in the list.
-    fn check(&self, number: usize) -> Result<(), PunchesError> {
+    fn check(&self, number: usize) -> Result<(), ListError> {
         match (&self.shape, self.tilt) {
             (Punch::Flat { half_width }, Tilt::Free { eccentricity }) if eccentricity.abs() >= half_width.get() => {
-                Err(PunchesError::Eccentricity { number, eccentricity, half_width: half_width.get() })
+                Err(ListError::Eccentricity { number, eccentricity, half_width: half_width.get() })
             }
             _ => Ok(()),
         }
@@ -158,7 +154,7 @@ impl Punches {
     /// Punches, in any order.
     ///
     /// # Errors
-    /// [`ValueError::Punches`] if there are none or too many, if two of them overlap, if the force on one that may turn lies outside
+    /// [`ValueError::List`] if there are none or too many, if two of them overlap, if the force on one that may turn lies outside
     /// of its corners, if one of several is elastic, or if the sum of the forces is not finite.
     pub fn new(punches: &[Pressed]) -> Result<Self, ValueError> {
         Ok(punches.to_vec().try_into()?)
@@ -211,7 +207,7 @@ impl fmt::Display for Punches {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.alone() {
             Some(punch) => punch.fmt(f),
-            None => written(self, f),
+            None => f.write_str(&written(&self.0)),
         }
     }
 }
@@ -223,45 +219,28 @@ impl From<Punch> for Punches {
     }
 }
 
-impl From<Punches> for Vec<Pressed> {
-    fn from(punches: Punches) -> Self {
-        punches.0
-    }
-}
-
 impl TryFrom<Vec<Pressed>> for Punches {
-    type Error = PunchesError;
+    type Error = ListError;
 
-    fn try_from(punches: Vec<Pressed>) -> Result<Self, PunchesError> {
-        if punches.is_empty() || punches.len() > MOST_AT_ONCE {
-            return Err(PunchesError::Count(punches.len()));
-        }
+    fn try_from(punches: Vec<Pressed>) -> Result<Self, ListError> {
+        check_list("punches", punches.len(), 0.0)?;
         let mut numbered: Vec<(usize, Pressed)> = (1..).zip(punches).collect();
         numbered.iter().try_for_each(|(number, pressed)| pressed.check(*number))?;
         let elastic = numbered.iter().find(|(_, pressed)| pressed.shape.material().is_some());
         if let Some(&(number, _)) = elastic.filter(|(_, own)| numbered.len() > 1 || !own.is_upright()) {
-            return Err(PunchesError::Elastic { number });
+            return Err(ListError::Elastic { number });
         }
         numbered.sort_by(|(_, one), (_, other)| one.at().total_cmp(&other.at()));
         // where any two overlap, two neighbours do
         let mut neighbours = numbered.windows(2).map(|pair| [&pair[0], &pair[1]]);
         if let Some(mut pair) = neighbours.find(|[left, right]| left.1.face()[1] >= right.1.face()[0]) {
             pair.sort_by_key(|(number, _)| *number);
-            return Err(PunchesError::Overlap { numbers: pair.map(|one| one.0), names: pair.map(|one| one.1.name()) });
+            return Err(ListError::Overlap { numbers: pair.map(|one| one.0), names: pair.map(|one| one.1.name()) });
         }
         let punches = Self(numbered.into_iter().map(|(_, pressed)| pressed).collect());
-        if punches.force().is_finite() { Ok(punches) } else { Err(PunchesError::Sum) }
+        check_list("punches", punches.0.len(), punches.force()).map(|()| punches)
     }
 }
 
-impl JsonSchema for Punches {
-    fn schema_name() -> Cow<'static, str> {
-        "Punches".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema(
-            "[(shape: ..., at: x, force: P, tilt: ...), ...], one or more punches with the places x of their tips and forces P > 0",
-        )
-    }
-}
+described!(Punches in
+    "[(shape: ..., at: x, force: P, tilt: ...), ...], one or more punches with the places x of their tips and forces P > 0");

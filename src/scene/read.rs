@@ -2,32 +2,33 @@
 //!
 //! The text, in RON or in JSON, is read once, into a tree of values that know their places. The fields of the scene, its punch
 //! and every item of its stack are then read from their parts of the tree, a layer through the [`Registry`].
-use std::borrow::Cow;
 use std::io::{self, Read};
 #[cfg(feature = "files")]
 use std::path::Path;
 use std::sync::Arc;
 
-use recede_layers::description::{Field, Value, schema_of};
+use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Kind, Node, token};
-use recede_layers::{Positive, Registry};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use recede_layers::{Positive, Registry, described};
+use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::de::{DeserializeOwned, IgnoredAny};
 
 use super::convert::without_units;
 use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, SceneError};
-use super::part::Part;
-use super::read_top::{TOPS, has_forces, only_top, read_top};
+use super::read_top::{TOPS, only_top, read_top};
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
+
+/// What a scene is called in messages.
+const THE_SCENE: &str = "the scene";
 
 /// The scene with punch and stack still unread.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Scene")]
-struct Draft {
+pub(super) struct Draft {
     /// A name for reports.
     #[serde(default)]
     name: Option<String>,
@@ -82,28 +83,7 @@ impl Draft {
 /// The form of a stack in a scene.
 struct StackForm;
 
-impl JsonSchema for StackForm {
-    fn schema_name() -> Cow<'static, str> {
-        "Stack".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        Value::plain_schema("a list in `[` and `]` of layers and interfaces in turn")
-    }
-}
-
-/// The JSON Schema of a scene, whose stack is a list of anything.
-pub(super) fn schema_of_scene() -> Schema {
-    schema_of::<Draft>()
-}
-
-/// The fields of a scene.
-pub(super) fn fields_of_scene() -> Vec<Field> {
-    match Value::of_schema(&schema_of_scene()) {
-        Value::Fields(fields) => fields,
-        _ => Vec::new(),
-    }
-}
+described!(StackForm in "a list in `[` and `]` of layers and interfaces in turn");
 
 impl Scene {
     /// Reads a scene from RON with the layer types that ship.
@@ -163,63 +143,65 @@ impl Scene {
 
 /// Reads a text in RON that is not a scene; `owner` is what it is called in messages.
 #[cfg(feature = "files")]
-pub(crate) fn read_document<T: serde::de::DeserializeOwned>(
-    file: &str,
-    reader: impl Read,
-    owner: &str,
-) -> Result<T, SceneError> {
+pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, owner: &str) -> Result<T, SceneError> {
     let origin = read_text(file, reader)?;
     let tree = Node::from_ron(&origin.text);
     let read = tree.as_ref().map_err(Clone::clone).and_then(Node::read);
-    read.map_err(|error| Part { node: tree.as_ref().unwrap_or(&origin.tree), owner }.error(&origin, error))
+    read.map_err(|error| origin.explained(tree.as_ref().unwrap_or(&origin.tree), owner, None, error))
 }
 
 #[cfg(feature = "files")]
 impl SceneError {
     /// A file could not be opened.
     pub(crate) fn unreadable(path: &Path, cause: io::Error) -> Self {
-        unreadable(&Origin { file: path.display().to_string(), ..Origin::default() }, cause)
+        Origin { file: path.display().to_string(), ..Origin::default() }.unreadable(cause)
     }
 }
 
-/// The text of a file, and nothing else of it.
+impl Origin {
+    fn unreadable(&self, cause: io::Error) -> SceneError {
+        self.error(None, format!("cannot be read: {cause}")).because(cause)
+    }
+
+    /// The error where a scene has one field beside another.
+    pub(super) fn both(&self, first: &str, second: &str, hint: impl AsRef<str>) -> SceneError {
+        let node = self.tree.field(second).unwrap_or(&self.tree);
+        self.error_at(node, format!("the scene has `{first}` and `{second}`")).hinted(Some(hint))
+    }
+
+    /// Reads a part of the scene that is called `owner` in messages.
+    pub(super) fn read<T: DeserializeOwned + JsonSchema>(&self, node: &Node, owner: &str) -> Result<T, SceneError> {
+        node.read().map_err(|error| self.explained(node, owner, Some(&Value::of::<T>()), error))
+    }
+}
+
+/// The text of a file, without the mark that some editors put first, and nothing else of it.
 fn read_text(file: &str, reader: impl Read) -> Result<Origin, SceneError> {
     let mut bytes = Vec::new();
     let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
-    match reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes) {
-        Err(cause) => return Err(unreadable(&origin, cause)),
-        Ok(length) if length > MAX_BYTES => {
-            let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
-            return Err(origin.error(None, message, Some("is this a scene file?".into())));
-        }
-        Ok(_) => {}
+    reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(|cause| origin.unreadable(cause))?;
+    if bytes.len() > MAX_BYTES {
+        let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
+        return Err(origin.error(None, message).hinted(Some("is this a scene file?")));
     }
-    origin.text = decoded(&origin, bytes)?;
+    match String::from_utf8(bytes) {
+        Ok(text) => origin.text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text),
+        Err(cause) => {
+            let (valid, rest) = cause.as_bytes().split_at(cause.utf8_error().valid_up_to());
+            origin.text = String::from_utf8_lossy(valid).into_owned();
+            let message = format!("the byte 0x{:02X} is no UTF-8 text", rest.first().copied().unwrap_or_default());
+            let error = origin.error(Some(valid.len()), message).hinted(Some("a scene is a text file in UTF-8"));
+            return Err(error.because(cause));
+        }
+    }
     Ok(origin)
-}
-
-fn unreadable(origin: &Origin, cause: io::Error) -> SceneError {
-    origin.error(None, format!("cannot be read: {cause}"), None).because(cause)
-}
-
-/// The bytes as text, without the mark that some editors put first.
-fn decoded(origin: &Origin, bytes: Vec<u8>) -> Result<String, SceneError> {
-    let text = String::from_utf8(bytes).map_err(|cause| {
-        let valid = cause.utf8_error().valid_up_to();
-        let found = cause.as_bytes().get(valid).copied().unwrap_or_default();
-        let text = String::from_utf8_lossy(&cause.as_bytes()[..valid]).into_owned();
-        let origin = Origin { file: origin.file.clone(), text, ..Origin::default() };
-        let hint = Some("a scene is a text file in UTF-8".into());
-        origin.error(Some(valid), format!("the byte 0x{found:02X} is no UTF-8 text"), hint).because(cause)
-    })?;
-    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
 /// Reads the scene whose text this is.
 pub(super) fn parse(mut origin: Origin) -> Result<Scene, SceneError> {
     if origin.text.trim().is_empty() {
         let hint = "a scene begins with `Scene(geometry: PlaneStrain, punch: ..., force: ..., stack: [...])`";
-        return Err(origin.error(None, "the text is empty".into(), Some(hint.into())));
+        return Err(origin.error(None, "the text is empty").hinted(Some(hint)));
     }
     // a scene in RON begins with its name or a parenthesis
     let tree = if origin.text.trim_start().starts_with('{') {
@@ -228,8 +210,7 @@ pub(super) fn parse(mut origin: Origin) -> Result<Scene, SceneError> {
     } else {
         Node::from_ron(&origin.text)
     };
-    let whole = Part { node: &origin.tree, owner: "the scene" };
-    let mut tree = tree.map_err(|error| whole.error(&origin, error))?;
+    let mut tree = tree.map_err(|error| origin.explained(&origin.tree, THE_SCENE, None, error))?;
     without_units(&mut tree, &origin)?;
     origin.tree = tree;
     let scene = scene(&origin)?;
@@ -244,29 +225,26 @@ fn is_json(origin: &Origin) -> Result<(), SceneError> {
         let at = (lines + error.column().saturating_sub(1)).min(text.len());
         let at = (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
         let message = error.to_string();
-        let message = message.split(" at line ").next().unwrap_or(&message).to_owned();
-        let hint = Some("the text begins with `{`, and is read as JSON".to_owned());
-        origin.error(Some(at), message, hint)
+        let message = message.split(" at line ").next().unwrap_or_default();
+        origin.error(Some(at), message).hinted(Some("the text begins with `{`, and is read as JSON"))
     })
 }
 
 /// Reads a scene from its tree.
 fn scene(origin: &Origin) -> Result<Scene, SceneError> {
     let tree = &origin.tree;
-    let whole = Part { node: tree, owner: "the scene" };
-    let read = tree.read::<Draft>();
-    let draft = read.map_err(|error| whole.error_of(Some(&Value::of_schema(&schema_of_scene())), origin, error))?;
+    let draft = origin.read::<Draft>(tree, THE_SCENE)?;
     let name = only_top(&draft.tops(), origin)?;
     let top = read_top(name, tree.field(name).unwrap_or(tree), draft.geometry, origin)?;
     let force = force(&draft, name, &top, origin)?;
-    let list = Part { node: tree.field("stack").unwrap_or(tree), owner: "the stack" };
-    let Kind::List(items) = &list.node.kind else {
-        let error = Fault::Expected(Form::List).at(list.node.place.start);
-        return Err(list.error(origin, error));
+    let list = tree.field("stack").unwrap_or(tree);
+    let Kind::List(items) = &list.kind else {
+        let error = Fault::Expected(Form::List).at(list.place.start);
+        return Err(origin.explained(list, "the stack", None, error));
     };
     if items.len() > MAX_ITEMS {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
-        return Err(origin.error(Some(list.node.place.start), message, None));
+        return Err(origin.error_at(list, message));
     }
     let mut stack = Vec::with_capacity(items.len());
     let mut layers = 0;
@@ -281,73 +259,60 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
 
 /// The force, or what it is found for.
 fn force(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
-    let given = |force: fn(f64) -> Force, number: Option<Positive>| number.map(|number| force(number.get()));
-    let all = [
-        given(Force::Given, draft.force),
-        given(Force::ForHalfLength, draft.half_length),
-        given(Force::ForDepth, draft.depth),
-    ];
-    let given: Vec<Force> = all.into_iter().flatten().collect();
-    let (other, name, hint) = match (&given[..], top) {
-        ([], _) if has_forces(field) => return Ok(Force::Given(top.force())),
-        ([found, ..], Top::Loads(_)) if has_forces(field) => {
-            (field, found.field(), "each of the loads has a force of its own, and the force is their sum: remove it")
+    let kinds: [fn(f64) -> Force; 3] = [Force::Given, Force::ForHalfLength, Force::ForDepth];
+    let numbers = [draft.force, draft.half_length, draft.depth];
+    let given = kinds.iter().zip(numbers).filter_map(|(kind, number)| Some(kind(number?.get())));
+    let given: Vec<Force> = given.collect();
+    let (other, name, hint): (_, _, String) = match (&given[..], field) {
+        ([], "punches" | "loads") => return Ok(Force::Given(top.force())),
+        ([found, ..], "loads") | ([found @ Force::Given(_), ..], "punches") => {
+            let hint = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
+            (field, found.field(), hint)
         }
-        ([found @ Force::Given(_), ..], _) if has_forces(field) => {
-            (field, found.field(), "each of the punches has a force of its own, and the force is their sum: remove it")
+        ([found, ..], "punches") => {
+            (field, found.field(), "it is for one `punch` only: each of several punches has its `force`".into())
         }
-        ([found, ..], _) if has_forces(field) => {
-            (field, found.field(), "it is for one `punch` only: each of several punches has its `force`")
-        }
-        ([Force::Given(force)], _) => return Ok(Force::Given(*force)),
-        ([found], Top::Punches(_)) => return Ok(*found),
-        ([found], Top::Loads(_)) => {
-            ("load", found.field(), "no force changes how far a load reaches: give its resultant, `force: ...`")
+        ([found], "punch") | ([found @ Force::Given(_)], _) => return Ok(*found),
+        ([found], _) => {
+            let hint = "no force changes how far a load reaches: give its resultant, `force: ...`";
+            (field, found.field(), hint.into())
         }
         ([], _) => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
-            let message = "`force` is missing in the scene".into();
-            return Err(origin.error(Some(origin.tree.place.start), message, Some(hint.into())));
+            return Err(origin.error_at(&origin.tree, "`force` is missing in the scene").hinted(Some(hint)));
         }
-        ([first, second, ..], _) => (
-            first.field(),
-            second.field(),
-            "`force` is given, or found for `half_length` or `depth`: remove one of them",
-        ),
+        ([first, second, ..], _) => {
+            let hint = "`force` is given, or found for `half_length` or `depth`: remove one of them";
+            (first.field(), second.field(), hint.into())
+        }
     };
-    let at = origin.tree.field(name).map(|value| value.place.start);
-    let message = format!("the scene has `{other}` and `{name}`");
-    Err(origin.error(at, message, Some(hint.into())))
+    Err(origin.both(other, name, hint))
 }
 
 /// Reads the item that is, or would be, layer `number`.
 pub(super) fn read_item(item: &Node, number: usize, origin: &Origin) -> Result<Item, SceneError> {
-    let registry = &origin.registry;
-    let names = || Item::names(registry);
-    let error = |at: usize, message, hint| Err(origin.error(Some(at), message, hint));
-    let start = item.place.start;
+    let names = || Item::names(&origin.registry);
     let Some(name) = item.name.as_deref() else {
-        let message = format!("a layer or an interface is expected, found {}", token(origin.rest(start)));
-        return error(start, message, Some(format!("allowed are {}", quoted_list(&names()))));
+        let found = token(origin.rest(item.place.start));
+        let error = origin.error_at(item, format!("a layer or an interface is expected, found {found}"));
+        return Err(error.hinted(Some(format!("allowed are {}", quoted_list(&names())))));
     };
     if let Some(plain) = Item::plain(name) {
         if item.kind == Kind::Nothing {
             return Ok(plain);
         }
         let message = format!("`{name}` has no fields, found {}", token(origin.rest(item.inner)));
-        return error(item.inner, message, Some(format!("write `{name}` alone")));
+        return Err(origin.error(Some(item.inner), message).hinted(Some(format!("write `{name}` alone"))));
     }
     if name == SPRING {
         let owner = format!("the springs below layer {}", number - 1);
-        let part = Part { node: item, owner: &owner };
         let read = item.read_inner().map(Item::Spring);
-        return read.map_err(|error| part.error_of(Some(&Value::of::<Spring>()), origin, error));
+        return read.map_err(|error| origin.explained(item, &owner, Some(&Value::of::<Spring>()), error));
     }
-    let Some(entry) = registry.get(name) else {
+    let Some(entry) = origin.registry.get(name) else {
         let message = format!("no layer or interface is called `{name}`; allowed are {}", quoted_list(&names()));
-        return error(start, message, instead_of(name, &names()));
+        return Err(origin.error_at(item, message).hinted(instead_of(name, &names())));
     };
     let owner = format!("layer {number} ({name})");
-    let part = Part { node: item, owner: &owner };
-    (entry.read)(item).map(Item::of).map_err(|error| part.error_of(entry.describe().as_ref(), origin, error))
+    (entry.read)(item).map(Item::of).map_err(|error| origin.explained(item, &owner, entry.describe().as_ref(), error))
 }

@@ -1,13 +1,11 @@
 //! Reading what presses on top: a punch or a load, or a list of them.
-use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Kind, Node};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::origin::{Origin, SceneError};
-use super::part::Part;
 use super::round::{RoundLoad, RoundPunch};
-use super::value::{LoadsError, PunchesError, ValueError};
+use super::value::{ListError, ValueError};
 use super::{Load, Loads, PlacedLoad, Pressed, Punch, Punches, Top};
 use crate::geometry::Geometry;
 
@@ -21,23 +19,20 @@ pub(super) fn has_forces(name: &str) -> bool {
 
 /// The one of these fields that is given.
 pub(super) fn only_top(given: &[&'static str], origin: &Origin) -> Result<&'static str, SceneError> {
-    let tree = &origin.tree;
     match given[..] {
         [name] => Ok(name),
         [] => {
             let hint =
                 "add `punch: ...` or, for given pressures, `load: ...` or `loads: [...]` between its parentheses";
-            let message = "`punch` is missing in the scene".into();
-            Err(origin.error(Some(tree.place.start), message, Some(hint.into())))
+            Err(origin.error_at(&origin.tree, "`punch` is missing in the scene").hinted(Some(hint)))
         }
         [first, second, ..] => {
-            let at = tree.field(second).map(|node| node.place.start);
             let hint = match (first, second) {
                 ("punch", "punches") => "one punch at x = 0 is `punch`, several are `punches`: remove one of them",
                 ("punch" | "punches", _) => "a load takes the place of a punch: remove one of them",
                 _ => "one load about x = 0 is `load`, several are `loads`: remove one of them",
             };
-            Err(origin.error(at, format!("the scene has `{first}` and `{second}`"), Some(hint.into())))
+            Err(origin.both(first, second, hint))
         }
     }
 }
@@ -45,69 +40,45 @@ pub(super) fn only_top(given: &[&'static str], origin: &Origin) -> Result<&'stat
 /// Reads what presses on top from the field of a scene in which it stands.
 pub(super) fn read_top(name: &str, node: &Node, geometry: Geometry, origin: &Origin) -> Result<Top, SceneError> {
     let owner = format!("the {name}");
-    let part = &Part { node, owner: &owner };
-    let explained = |form: fn() -> Value| move |error| part.error_of(Some(&form()), origin, error);
-    match (name, geometry) {
-        ("loads", _) => loads(part, geometry, origin).map(Top::Loads),
-        ("punches", _) => punches(part, geometry, origin).map(Top::Punches),
+    let not_round = |hint: &str| {
+        let error = origin.error_at(node, format!("`{name}` are for plane scenes"));
+        Err(error.hinted(Some(format!("about an axis write {hint}"))))
+    };
+    match (name, geometry.is_axisymmetric()) {
+        ("loads", true) => not_round("`load: ...`, which is one disc, one ring, or a point force"),
+        ("loads", false) => list::<PlacedLoad, Loads>(node, ["load", name], origin).map(Top::from),
+        ("punches", true) => not_round("`punch: ...`, which is one punch about the axis"),
+        ("punches", false) => list::<Pressed, Punches>(node, ["punch", name], origin).map(Top::from),
         ("load", _) if node.name.as_deref() == Some(SEVERAL) => Err(several(node, origin)),
-        ("load", Geometry::Axisymmetric) => {
-            node.read::<RoundLoad>().map(|load| Load::from(load).into()).map_err(explained(Value::of::<RoundLoad>))
-        }
-        ("load", _) => node.read::<Load>().map(Top::from).map_err(explained(Value::of::<Load>)),
-        (_, Geometry::Axisymmetric) => {
-            node.read::<RoundPunch>().map(|punch| Punch::from(punch).into()).map_err(explained(Value::of::<RoundPunch>))
-        }
-        _ => node.read::<Punch>().map(Top::from).map_err(explained(Value::of::<Punch>)),
+        ("load", true) => origin.read::<RoundLoad>(node, &owner).map(|load| Load::from(load).into()),
+        ("load", false) => origin.read::<Load>(node, &owner).map(Top::from),
+        (_, true) => origin.read::<RoundPunch>(node, &owner).map(|punch| Punch::from(punch).into()),
+        (_, false) => origin.read::<Punch>(node, &owner).map(Top::from),
     }
 }
 
-/// Reads a list of loads.
-fn loads(list: &Part, geometry: Geometry, origin: &Origin) -> Result<Loads, SceneError> {
-    let hint = "about an axis write `load: ...`, which is one disc, one ring, or a point force";
-    let members: Vec<PlacedLoad> = members(list, "load", (geometry, hint), origin)?;
-    members.try_into().map_err(|cause: LoadsError| refused(list.node, cause, origin))
-}
-
-/// Reads a list of punches.
-fn punches(list: &Part, geometry: Geometry, origin: &Origin) -> Result<Punches, SceneError> {
-    let hint = "about an axis write `punch: ...`, which is one punch about the axis";
-    let members: Vec<Pressed> = members(list, "punch", (geometry, hint), origin)?;
-    members.try_into().map_err(|cause: PunchesError| {
-        let (number, path) = cause.place().unwrap_or_default();
-        let whole = number.checked_sub(1).and_then(|index| list.node.members().get(index)).unwrap_or(list.node);
-        let node = path.iter().fold(whole, |node, name| node.field(name).unwrap_or(node));
-        refused(node, cause, origin)
-    })
-}
-
-/// The error where the members of a list make none.
-fn refused(node: &Node, cause: impl Into<ValueError>, origin: &Origin) -> SceneError {
-    let cause = cause.into();
-    origin.error(Some(node.place.start), cause.to_string(), None).because(cause)
-}
-
-/// Reads the members of a list, each called by a word with its number; about an axis there is none, with a hint.
-fn members<T: DeserializeOwned>(
-    list: &Part,
-    word: &str,
-    (geometry, hint): (Geometry, &str),
-    origin: &Origin,
-) -> Result<Vec<T>, SceneError> {
-    let start = list.node.place.start;
-    if geometry.is_axisymmetric() {
-        let name = list.owner.trim_start_matches("the ");
-        return Err(origin.error(Some(start), format!("`{name}` are for plane scenes"), Some(hint.into())));
-    }
-    let Kind::List(members) = &list.node.kind else {
-        return Err(list.error(origin, Fault::Expected(Form::List).at(start)));
+/// Reads a list of punches or loads; in messages each has a word and its number.
+fn list<T, L>(list: &Node, [one, all]: [&str; 2], origin: &Origin) -> Result<L, SceneError>
+where
+    T: DeserializeOwned,
+    L: TryFrom<Vec<T>, Error = ListError>,
+{
+    let Kind::List(nodes) = &list.kind else {
+        let error = Fault::Expected(Form::List).at(list.place.start);
+        return Err(origin.explained(list, &format!("the {all}"), None, error));
     };
     let read = |(i, node): (usize, &Node)| {
-        let owner = format!("{word} {}", i + 1);
         let named = node.name.as_ref().map(|_| Fault::Expected(Form::Open).at(node.place.start));
-        named.map_or_else(|| node.read::<T>(), Err).map_err(|error| Part { node, owner: &owner }.error(origin, error))
+        let read = named.map_or_else(|| node.read::<T>(), Err);
+        read.map_err(|error| origin.explained(node, &format!("{one} {}", i + 1), None, error))
     };
-    members.iter().enumerate().map(read).collect()
+    let members = nodes.iter().enumerate().map(read).collect::<Result<Vec<T>, _>>()?;
+    members.try_into().map_err(|cause: ListError| {
+        let (number, path) = cause.place().unwrap_or_default();
+        let whole = number.checked_sub(1).and_then(|index| nodes.get(index)).unwrap_or(list);
+        let node = path.iter().fold(whole, |node, name| node.field(name).unwrap_or(node));
+        origin.error_at(node, cause.to_string()).because(ValueError::from(cause))
+    })
 }
 
 /// The name under which scenes once had several loads, each with its mirror image and a share of the force.
@@ -123,10 +94,7 @@ fn several(node: &Node, origin: &Origin) -> SceneError {
         share: f64,
         load: Load,
     }
-    let force = origin
-        .tree
-        .field("force")
-        .and_then(|force| if let Kind::Number(force) = force.kind { Some(force) } else { None });
+    let force = origin.tree.field("force").and_then(|force| force.read::<f64>().ok());
     let lines = |parts: Vec<Shared>| {
         let shares: f64 = parts.iter().map(|part| part.share).sum();
         let line = |Shared { at, share, load }: &Shared| {
@@ -140,6 +108,6 @@ fn several(node: &Node, origin: &Origin) -> SceneError {
     };
     let lines = node.read_inner().map_or_else(|_| "[(load: ..., at: ..., force: ...), ...]".to_owned(), lines);
     let hint = format!("in place of `load` and `force` write `loads: {lines}`");
-    let message = "`Several` is written as `loads`, each with its place and its force".to_owned();
-    origin.error(Some(node.place.start), message, Some(hint))
+    let message = "`Several` is written as `loads`, each with its place and its force";
+    origin.error_at(node, message).hinted(Some(hint))
 }

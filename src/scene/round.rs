@@ -1,5 +1,5 @@
 //! Punches and loads about an axis, as they are written: in an axisymmetric scene a cylinder is a sphere, and half-widths are radii. The
-//! profiles are those of the plane punches, so that each is read into one of these.
+//! profiles are the profiles of plane punches, so that each is read into one of these.
 use recede_layers::{Exponent, Positive, Thickness};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,7 +8,7 @@ use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{PolynomialHeights, RoundHeights};
 use super::load::Load;
 use super::punch::Punch;
-use super::text::Written;
+use super::text::written;
 use super::wedge::Cone;
 use crate::geometry::Geometry;
 
@@ -94,33 +94,46 @@ pub(super) enum RoundLoad {
     },
 }
 
-impl From<RoundPunch> for Punch {
-    fn from(punch: RoundPunch) -> Self {
-        match punch {
-            RoundPunch::Sphere { radius } => Self::Cylinder { radius },
-            RoundPunch::Parabola { radius } => Self::Parabola { radius },
-            RoundPunch::Power { exponent, radius, height } => Self::Power { exponent, half_width: radius, height },
-            RoundPunch::Polynomial { radius, heights } => Self::Polynomial { half_width: radius, heights },
-            RoundPunch::Cone(Cone(wedge)) => Self::Wedge(wedge),
-            RoundPunch::RoundedFlat { flat_radius, radius } => Self::RoundedFlat { half_width: flat_radius, radius },
-            RoundPunch::Flat { radius } => Self::Flat { half_width: radius },
-            RoundPunch::Table(RoundHeights(heights)) => Self::Table(heights),
-            RoundPunch::ElasticSphere(sphere) => Self::ElasticCylinder(sphere),
+/// Names in the plane and about the axis for the same forms: each is made into the other.
+macro_rules! same {
+    ($plane:ident and $round:ident: $($own:ident $fields:tt is $other:ident $others:tt),+ $(,)?) => {
+        impl From<$round> for $plane {
+            fn from(round: $round) -> Self {
+                match round {
+                    $($round::$other $others => Self::$own $fields,)+
+                }
+            }
         }
-    }
+
+        impl From<$plane> for $round {
+            fn from(plane: $plane) -> Self {
+                match plane {
+                    $($plane::$own $fields => Self::$other $others,)+
+                }
+            }
+        }
+    };
 }
 
-impl From<RoundLoad> for Load {
-    fn from(load: RoundLoad) -> Self {
-        match load {
-            RoundLoad::Point => Self::Line,
-            RoundLoad::Uniform { radius } => Self::Uniform { half_width: radius },
-            RoundLoad::Parabolic { radius } => Self::Parabolic { half_width: radius },
-            RoundLoad::Elliptic { radius } => Self::Elliptic { half_width: radius },
-            RoundLoad::Ring { radius, half_width } => Self::Ring { radius, half_width },
-        }
-    }
-}
+same!(Punch and RoundPunch:
+    Cylinder { radius } is Sphere { radius },
+    Parabola { radius } is Parabola { radius },
+    Power { exponent, half_width: radius, height } is Power { exponent, radius, height },
+    Polynomial { half_width: radius, heights } is Polynomial { radius, heights },
+    Wedge(wedge) is Cone(Cone(wedge)),
+    RoundedFlat { half_width: flat_radius, radius } is RoundedFlat { flat_radius, radius },
+    Flat { half_width: radius } is Flat { radius },
+    Table(heights) is Table(RoundHeights(heights)),
+    ElasticCylinder(sphere) is ElasticSphere(sphere),
+);
+
+same!(Load and RoundLoad:
+    Line {} is Point {},
+    Uniform { half_width: radius } is Uniform { radius },
+    Parabolic { half_width: radius } is Parabolic { radius },
+    Elliptic { half_width: radius } is Elliptic { radius },
+    Ring { radius, half_width } is Ring { radius, half_width },
+);
 
 impl Punch {
     /// As it is written in a scene of this geometry: in an axisymmetric one a cylinder is a sphere, and half-widths are radii.
@@ -133,39 +146,13 @@ impl Punch {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn written_in(&self, geometry: Geometry) -> String {
-        match geometry {
-            Geometry::Axisymmetric => Written(RoundPunch::of(self)).to_string(),
-            _ => self.to_string(),
-        }
+        if geometry.is_axisymmetric() { written(&RoundPunch::from(self.clone())) } else { self.to_string() }
     }
 }
 
-impl RoundPunch {
-    /// The punch about the axis.
-    pub(super) fn of(punch: &Punch) -> Self {
-        match punch.clone() {
-            Punch::Cylinder { radius } => Self::Sphere { radius },
-            Punch::Parabola { radius } => Self::Parabola { radius },
-            Punch::Power { exponent, half_width, height } => Self::Power { exponent, radius: half_width, height },
-            Punch::Polynomial { half_width, heights } => Self::Polynomial { radius: half_width, heights },
-            Punch::Wedge(wedge) => Self::Cone(Cone(wedge)),
-            Punch::RoundedFlat { half_width, radius } => Self::RoundedFlat { flat_radius: half_width, radius },
-            Punch::Flat { half_width } => Self::Flat { radius: half_width },
-            Punch::Table(heights) => Self::Table(RoundHeights(heights)),
-            Punch::ElasticCylinder(sphere) => Self::ElasticSphere(sphere),
-        }
-    }
-}
-
-impl RoundLoad {
-    /// The load about the axis.
-    pub(super) fn of(load: &Load) -> Self {
-        match *load {
-            Load::Line => Self::Point,
-            Load::Uniform { half_width } => Self::Uniform { radius: half_width },
-            Load::Parabolic { half_width } => Self::Parabolic { radius: half_width },
-            Load::Elliptic { half_width } => Self::Elliptic { radius: half_width },
-            Load::Ring { radius, half_width } => Self::Ring { radius, half_width },
-        }
+impl Load {
+    /// As it is written in a scene of this geometry.
+    pub(super) fn written_in(&self, geometry: Geometry) -> String {
+        if geometry.is_axisymmetric() { written(&RoundLoad::from(self.clone())) } else { self.to_string() }
     }
 }

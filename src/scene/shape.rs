@@ -125,38 +125,39 @@ impl Shape<'_> {
 
     /// The last place x > 0 at which the profile falls, in length; 0 if it falls nowhere.
     pub(crate) fn last_fall(&self) -> f64 {
-        match self {
-            Self::Powers { length, terms, end, .. } => {
-                let turns = turns(terms).into_iter().map(|turn| turn * length);
-                // between the last turns of a polynomial that rises in the end it falls
-                turns.rev().find(|turn| end.is_none_or(|end| *turn < end)).unwrap_or(0.0)
-            }
-            Self::Circle(_) | Self::Flat(_) => 0.0,
-            Self::Pieces { .. } => self.falls().last().copied().unwrap_or(0.0),
-        }
+        self.falls().last().copied().unwrap_or(0.0)
     }
 
-    /// The smallest height: that at x = 0, or where a fall ends.
+    /// The smallest height: at x = 0, or where a fall ends.
     pub(crate) fn lowest(&self) -> f64 {
-        let ends_of_falls: Vec<f64> = match self {
+        self.falls().into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
+    }
+
+    /// Places x > 0, ascending, among which are the last ones of all falls; of a power also where falls begin.
+    fn falls(&self) -> Vec<f64> {
+        match self {
             Self::Powers { length, terms, end, .. } => {
                 let turns = turns(terms).into_iter().map(|turn| turn * length);
                 turns.filter(|turn| end.is_none_or(|end| *turn < end)).collect()
             }
             Self::Circle(_) | Self::Flat(_) => Vec::new(),
-            Self::Pieces { .. } => self.falls(),
-        };
-        ends_of_falls.into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
+            Self::Pieces { pieces, end, .. } => {
+                let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
+                pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start)).collect()
+            }
+        }
     }
 
-    /// The last places at which the pieces fall that do.
-    fn falls(&self) -> Vec<f64> {
-        let Self::Pieces { pieces, end, .. } = self else { return Vec::new() };
-        let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
-        pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start)).collect()
+    /// Where the pieces begin of which the profile consists, from left to right, of an even one from x = 0 outwards; none if it is one piece.
+    pub(crate) fn starts(&self) -> Vec<f64> {
+        if let Self::Pieces { pieces, .. } = self {
+            pieces.iter().map(|piece| piece.start).collect()
+        } else {
+            Vec::new()
+        }
     }
 
-    /// Half-length that any contact exceeds: that of the flat part.
+    /// Half-length that any contact exceeds: the half-length of the flat part.
     pub(crate) fn flat(&self) -> f64 {
         match self {
             Self::Pieces { pieces, .. } => {

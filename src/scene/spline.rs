@@ -68,30 +68,35 @@ fn hermite(rows: &[(f64, f64)], slopes: &[f64], tip: f64) -> Vec<Piece> {
 /// Slopes of the cubic spline through (x, height): one polynomial across the two intervals at an end, from x = 0 on even.
 fn spline(rows: &[(f64, f64)]) -> Vec<f64> {
     let n = rows.len();
-    let steps: Vec<f64> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
-    let secants: Vec<f64> = rows.windows(2).zip(&steps).map(|(pair, step)| (pair[1].1 - pair[0].1) / step).collect();
+    let side = |pair: &[(f64, f64)]| (pair[1].0 - pair[0].0, (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0));
+    // steps and secants
+    let sides: Vec<(f64, f64)> = rows.windows(2).map(side).collect();
     // slopes at the rows: a tridiagonal system, (below, diagonal, above, right-hand side)
     let is_even = rows.first().is_none_or(|(x, _)| *x == 0.0);
-    let mut system = vec![match (&steps[..], &secants[..]) {
+    // at an end: the diagonal, the entry beside it and the right-hand side, from the steps and secants of the last interval and of the one before
+    let at_end = |(h, d): (f64, f64), (inner, secant): (f64, f64)| {
+        let both = h + inner;
+        (inner, both, (h * h * secant + (2.0 * both + h) * inner * d) / both)
+    };
+    let mut system = vec![match sides[..] {
         _ if is_even => (0.0, 1.0, 0.0, 0.0),
-        ([h0, h1], [d0, d1]) => (0.0, 1.0, 0.0, d0 - h0 * (d1 - d0) / (h0 + h1)), // a parabola through three points
-        ([h0, h1, ..], [d0, d1, ..]) => {
-            let both = h0 + h1;
-            (0.0, *h1, both, (h0 * h0 * d1 + (2.0 * both + h0) * h1 * d0) / both)
+        [(h0, d0), (h1, d1)] => (0.0, 1.0, 0.0, d0 - h0 * (d1 - d0) / (h0 + h1)), // a parabola through three points
+        [first, second, ..] => {
+            let (diagonal, beside, known) = at_end(first, second);
+            (0.0, diagonal, beside, known)
         }
-        _ => (0.0, 1.0, 0.0, secants.first().copied().unwrap_or(0.0)),
+        _ => (0.0, 1.0, 0.0, sides.first().map_or(0.0, |(_, secant)| *secant)),
     }];
-    for i in 1..n.saturating_sub(1) {
-        let (before, after) = (steps[i - 1].recip(), steps[i].recip());
-        let right = 3.0 * (secants[i - 1] * before + secants[i] * after);
-        system.push((before, 2.0 * (before + after), after, right));
+    for pair in sides.windows(2) {
+        let (before, after) = (pair[0].0.recip(), pair[1].0.recip());
+        system.push((before, 2.0 * (before + after), after, 3.0 * (pair[0].1 * before + pair[1].1 * after)));
     }
-    system.push(match (steps.as_slice(), secants.as_slice()) {
-        ([.., h0, h1], [.., d0, d1]) => {
-            let both = h0 + h1;
-            (both, *h0, 0.0, (h1 * h1 * d0 + (2.0 * both + h1) * h0 * d1) / both)
+    system.push(match sides[..] {
+        [.., before, last] => {
+            let (diagonal, beside, known) = at_end(last, before);
+            (beside, diagonal, 0.0, known)
         }
-        (_, secants) => (0.0, 1.0, 0.0, 2.0 * secants.first().copied().unwrap_or(0.0)),
+        _ => (0.0, 1.0, 0.0, 2.0 * sides.first().map_or(0.0, |(_, secant)| *secant)),
     });
     for i in 1..system.len() {
         let (_, pivot, above, known) = system[i - 1];

@@ -1,4 +1,5 @@
 //! Springs between layers, as they are written.
+use super::text::written;
 use super::value::ValueError;
 use recede_layers::Positive;
 use schemars::JsonSchema;
@@ -46,7 +47,6 @@ impl Spring {
 
     /// The stiffnesses as written in a scene.
     pub(crate) fn parameters(&self) -> String {
-        let tangential = self.tangential.map_or(String::new(), |stiffness| format!(", tangential: {stiffness:?}"));
-        format!("normal: {:?}{tangential}", self.normal)
+        written(self).trim_matches(['(', ')']).to_owned()
     }
 }

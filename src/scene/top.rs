@@ -7,8 +7,6 @@ use super::load::Load;
 use super::loads::Loads;
 use super::punch::Punch;
 use super::punches::Punches;
-use super::round::RoundLoad;
-use super::text::Written;
 use crate::geometry::Geometry;
 
 /// Longest text of a punch in a label.
@@ -75,14 +73,22 @@ impl Top {
         }
     }
 
+    /// How many punches or loads stand in a list, each with its force; `None` for one about x = 0, which has none of its own.
+    fn listed(&self) -> Option<usize> {
+        match self {
+            Self::Punches(punches) => punches.alone().is_none().then(|| punches.parts().count()),
+            Self::Loads(loads) => loads.alone().is_none().then(|| loads.parts().count()),
+        }
+    }
+
+    /// What one of it is called, and what several.
+    fn names(&self) -> [&'static str; 2] {
+        if self.loads().is_some() { ["load", "loads"] } else { ["punch", "punches"] }
+    }
+
     /// The name of the field of a scene in which it stands.
     pub(super) fn field(&self) -> &'static str {
-        match self {
-            Self::Punches(punches) if punches.alone().is_some() => "punch",
-            Self::Punches(_) => "punches",
-            Self::Loads(loads) if loads.alone().is_some() => "load",
-            Self::Loads(_) => "loads",
-        }
+        self.names()[usize::from(self.listed().is_some())]
     }
 
     /// The sum of the forces of punches, or of loads.
@@ -95,37 +101,24 @@ impl Top {
 
     /// As it is written with this sum of forces in a plane scene; `None` for one punch and one load, which have none of their own.
     pub(super) fn written_with(&self, force: f64) -> Option<String> {
-        match self {
-            Self::Punches(punches) if punches.alone().is_none() => Some(punches.with_force(force).to_string()),
-            Self::Loads(loads) if loads.alone().is_none() => Some(loads.with_force(force).to_string()),
-            _ => None,
-        }
+        let all: Self = match self {
+            Self::Punches(punches) => punches.with_force(force).into(),
+            Self::Loads(loads) => loads.with_force(force).into(),
+        };
+        self.listed().map(|_| all.to_string())
     }
 
     /// As it is written in a scene of this geometry: in an axisymmetric one a cylinder is a sphere, and half-widths are radii.
     pub fn written_in(&self, geometry: Geometry) -> String {
-        match self {
-            Self::Punches(punches) => match punches.alone() {
-                Some(punch) => punch.written_in(geometry),
-                None => self.to_string(),
-            },
-            Self::Loads(loads) => match loads.alone() {
-                Some(load) if geometry.is_axisymmetric() => Written(RoundLoad::of(load)).to_string(),
-                _ => self.to_string(),
-            },
-        }
+        let load = self.loads().and_then(Loads::alone).map(|load| load.written_in(geometry));
+        load.or_else(|| Some(self.punch()?.written_in(geometry))).unwrap_or_else(|| self.to_string())
     }
 
     /// The same, or its name alone if that is long; of several punches or loads how many they are.
     pub fn label(&self, geometry: Geometry) -> String {
-        let counted = match self {
-            Self::Punches(punches) if punches.alone().is_none() => (punches.parts().count(), ["punch", "punches"]),
-            Self::Loads(loads) if loads.alone().is_none() => (loads.parts().count(), ["load", "loads"]),
-            _ => return shortened(self.written_in(geometry)),
-        };
-        match counted {
-            (1, [one, _]) => format!("1 {one}"),
-            (count, [_, many]) => format!("{count} {many}"),
+        match self.listed() {
+            Some(count) => format!("{count} {}", self.names()[usize::from(count != 1)]),
+            None => shortened(self.written_in(geometry)),
         }
     }
 }
@@ -155,13 +148,6 @@ impl fmt::Display for Top {
     }
 }
 
-impl From<Punch> for Top {
-    /// One punch at x = 0.
-    fn from(punch: Punch) -> Self {
-        Self::Punches(punch.into())
-    }
-}
-
 impl From<Punches> for Top {
     fn from(punches: Punches) -> Self {
         Self::Punches(punches)
@@ -174,10 +160,17 @@ impl From<Loads> for Top {
     }
 }
 
+impl From<Punch> for Top {
+    /// One punch at x = 0.
+    fn from(punch: Punch) -> Self {
+        Punches::from(punch).into()
+    }
+}
+
 impl From<Load> for Top {
     /// One load about x = 0.
     fn from(load: Load) -> Self {
-        Self::Loads(load.into())
+        Loads::from(load).into()
     }
 }
 

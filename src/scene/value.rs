@@ -4,28 +4,22 @@ use recede_layers::{LayerError, OutOfRange, Positive};
 use super::HeightsError;
 
 /// Most loads, or punches, in a list.
-pub(super) const MOST_AT_ONCE: usize = 1000;
+const MOST_AT_ONCE: usize = 1000;
 
-/// A list of loads that is none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum LoadsError {
-    /// Too few or too many of them.
-    #[error("there are {0} loads; allowed are 1 to {MOST_AT_ONCE}")]
-    Count(usize),
-    /// Forces so large that their sum is not finite.
-    #[error("the forces of the loads are together beyond the largest number")]
-    Sum,
-}
-
-/// A list of punches that is none. Punches have their numbers in the list, from 1 on.
+/// A list of loads or punches that is none. Punches have their numbers in the list, from 1 on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PunchesError {
+pub enum ListError {
     /// Too few or too many of them.
-    #[error("there are {0} punches; allowed are 1 to {MOST_AT_ONCE}")]
-    Count(usize),
+    #[error("there are {found} {what}; allowed are 1 to {MOST_AT_ONCE}")]
+    Count {
+        /// What they are, `loads` or `punches`.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+    },
     /// Forces so large that their sum is not finite.
-    #[error("the forces of the punches are together beyond the largest number")]
-    Sum,
+    #[error("the forces of the {0} are together beyond the largest number")]
+    Sum(&'static str),
     /// An elastic punch beside others, away from x = 0, or turned.
     #[error("punch {number} is elastic; allowed is an elastic punch alone, at x = 0 and without tilt")]
     Elastic {
@@ -55,11 +49,11 @@ pub enum PunchesError {
     },
 }
 
-impl PunchesError {
+impl ListError {
     /// The number of the punch that it is about, and the fields in which the mistake is, from the outermost on; `None` if it is about all of them.
     pub(super) fn place(&self) -> Option<(usize, &'static [&'static str])> {
         match self {
-            Self::Count(_) | Self::Sum => None,
+            Self::Count { .. } | Self::Sum(_) => None,
             Self::Elastic { number } => Some((*number, &["shape"])),
             Self::Eccentricity { number, .. } => Some((*number, &["tilt", "eccentricity"])),
             Self::Overlap { numbers: [_, number], .. } => Some((*number, &["at"])),
@@ -90,18 +84,24 @@ pub enum ValueError {
     /// Elastic constants that make no material.
     #[error(transparent)]
     Material(#[from] LayerError),
-    /// A list of loads that is none.
+    /// A list of loads or punches that is none.
     #[error(transparent)]
-    Loads(#[from] LoadsError),
-    /// A list of punches that is none.
-    #[error(transparent)]
-    Punches(#[from] PunchesError),
+    List(#[from] ListError),
 }
 
 impl ValueError {
     /// Checks the number given for `quantity`.
     pub(super) fn checked<Q: TryFrom<f64, Error = OutOfRange>>(quantity: &'static str, value: f64) -> Result<Q, Self> {
         Q::try_from(value).map_err(|reason| Self::OutOfRange { quantity, reason })
+    }
+}
+
+/// Checks how many loads or punches are in a list, and the sum of their forces.
+pub(super) fn check_list(what: &'static str, found: usize, force: f64) -> Result<(), ListError> {
+    match found {
+        1..=MOST_AT_ONCE if force.is_finite() => Ok(()),
+        1..=MOST_AT_ONCE => Err(ListError::Sum(what)),
+        _ => Err(ListError::Count { what, found }),
     }
 }
 

@@ -2,7 +2,7 @@
 use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value};
 
-use super::read::fields_of_scene;
+use super::read::Draft;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch};
 
@@ -55,7 +55,7 @@ impl Vocabulary {
         let (interfaces, rigid) = Item::forms();
         bases.push(rigid);
         Self {
-            scene: fields_of_scene(),
+            scene: if let Value::Fields(fields) = Value::of::<Draft>() { fields } else { Vec::new() },
             punches: alternatives(Value::of::<Punch>()),
             loads: alternatives(Value::of::<Load>()),
             round_punches: alternatives(Value::of::<RoundPunch>()),

@@ -1,8 +1,6 @@
 //! The inclination of a wedge or a cone, as it is written.
-use std::borrow::Cow;
-
-use recede_layers::{HalfAngle, LayerError, Positive};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use recede_layers::{HalfAngle, LayerError, Positive, described};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::ValueError;
@@ -47,25 +45,8 @@ struct ConeFields {
     half_angle: Option<HalfAngle>,
 }
 
-impl JsonSchema for Wedge {
-    fn schema_name() -> Cow<'static, str> {
-        "Wedge".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        Fields::json_schema(generator)
-    }
-}
-
-impl JsonSchema for Cone {
-    fn schema_name() -> Cow<'static, str> {
-        "Cone".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        ConeFields::json_schema(generator)
-    }
-}
+described!(Wedge by Fields);
+described!(Cone by ConeFields);
 
 impl TryFrom<Fields> for Wedge {
     type Error = LayerError;

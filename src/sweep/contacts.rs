@@ -80,8 +80,8 @@ impl Sweep {
         let own: Vec<(&Axis, &Slot)> = own.collect();
         let mut choice = Choice::default();
         let mut refused = None;
-        let mut add = |changes: &[Change]| match self.scene.items_with(changes) {
-            Ok(mut items) => choice.add(items.swap_remove(index)),
+        let mut add = |changes: &[Change]| match self.scene.varied(changes) {
+            Ok(mut scene) => choice.add(scene.stack.swap_remove(index)),
             Err(error) => drop(refused.get_or_insert(error)),
         };
         if own.is_empty() {

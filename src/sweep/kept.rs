@@ -83,13 +83,13 @@ impl Sweep {
             |of: fn(Owner) -> bool| changes.iter().copied().filter(|(slot, _)| of(slot.owner)).collect::<Vec<_>>();
         let of_stack = own(|owner| matches!(owner, Owner::Item(_)));
         let model = self.models.get(&of_stack, || {
-            let stack = Stack::from_items(self.scene.geometry, &self.scene.items_with(&of_stack)?)?;
+            let stack = Stack::from_items(self.scene.geometry, &self.scene.varied(&of_stack)?.stack)?;
             let model = Model::new(stack)?;
             Ok(if self.rows / self.stacks() >= MANY { model.for_many_loads() } else { model })
         })?;
         let of_top = own(|owner| owner == Owner::Top);
-        let top = self.tops.get(&of_top, || Ok(self.scene.top_with(&of_top)?))?;
-        let force = self.scene.force_with(&changes)?;
+        let top = self.tops.get(&of_top, || Ok(self.scene.varied(&of_top)?.top))?;
+        let force = self.scene.varied(&own(|owner| !matches!(owner, Owner::Item(_))))?.force;
         let solution = model.press_with(&*top, force, &self.options)?;
         Ok((model, top, solution))
     }

@@ -29,7 +29,7 @@ impl<'a> Placed<'a> {
             tilt: pressed.tilt(),
             length,
             force,
-            ends: pressed.shape().ends().map(|end| end / length),
+            ends: pressed.shape().shape().ends().map(|end| end / length),
         };
         punches.parts().map(of).collect()
     }
