@@ -28,7 +28,6 @@ fn check(placed: &Placed, plane: Plane, bottom: bool, length: f64) -> Result<(),
     }
     rough_face(&*placed.layer, plane, bottom, length).map_or(Ok(()), |rough| {
         let problem = StackProblem::RoughFace { layer: placed.name(), face: rough.face, exponent: rough.exponent };
-        // layers and interfaces alternate
-        Err(StackError { item: Some(2 * (placed.number - 1)), problem })
+        Err(StackError::of_layer(placed.number, problem))
     })
 }

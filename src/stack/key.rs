@@ -1,70 +1,53 @@
 //! What tells stacks apart: geometry, bodies and joints.
 use std::sync::Arc;
 
-use recede_layers::{Key, Layer, Support};
+use recede_layers::{Body, Key};
 
-use super::{Foundation, Joint, Stack};
+use super::{Group, Joint, Stack};
 use crate::geometry::Geometry;
 
 /// All that a solution depends on in a stack. Stacks with equal keys are the same, however often they are built.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StackKey {
     geometry: Geometry,
-    groups: Vec<GroupKey>,
+    /// The bodies and the joints of each group.
+    groups: Vec<(Vec<Numbered>, Vec<Joint>)>,
 }
 
-/// Layers joined to each other, with their numbers in the scene.
-#[derive(Clone, Debug, PartialEq)]
-struct GroupKey {
-    bodies: Vec<(usize, BodyKey)>,
-    joints: Vec<Joint>,
-}
-
-/// One layer or support. Without a key of its own it is the same as nothing but itself: that it is held here keeps its address from
-/// being used again.
+/// A layer or a support with its number in the scene, `None` if it is rigid. Without a key of its own it is the same as nothing but itself:
+/// that it is held here keeps its address from being used again.
 #[derive(Clone, Debug)]
-enum BodyKey {
-    Known(Key),
-    Layer(Arc<dyn Layer>),
-    Support(Arc<dyn Support>),
-    Rigid,
-}
+struct Numbered(usize, Option<Body>);
 
-impl PartialEq for BodyKey {
+impl PartialEq for Numbered {
     fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Known(one), Self::Known(other)) => one == other,
-            (Self::Layer(one), Self::Layer(other)) => Arc::ptr_eq(one, other),
-            (Self::Support(one), Self::Support(other)) => Arc::ptr_eq(one, other),
-            (Self::Rigid, Self::Rigid) => true,
-            _ => false,
-        }
+        let have_one_key = |one: Option<Key>, other| one.is_some() && one == other;
+        self.0 == other.0
+            && match (&self.1, &other.1) {
+                (Some(Body::Layer(one)), Some(Body::Layer(other))) => {
+                    Arc::ptr_eq(one, other) || have_one_key(one.key(), other.key())
+                }
+                (Some(Body::Support(one)), Some(Body::Support(other))) => {
+                    Arc::ptr_eq(one, other) || have_one_key(one.key(), other.key())
+                }
+                (one, other) => one.is_none() && other.is_none(),
+            }
     }
 }
 
 impl Stack {
     /// What tells this stack from others.
     pub(crate) fn key(&self) -> StackKey {
-        let layer = |layer: &Arc<dyn Layer>| layer.key().map_or(BodyKey::Layer(Arc::clone(layer)), BodyKey::Known);
-        let foundation = |foundation: &Foundation| match foundation {
-            Foundation::HalfPlane(placed) => (placed.number, layer(&placed.layer)),
-            Foundation::Support { number, support } => {
-                (*number, support.key().map_or(BodyKey::Support(Arc::clone(support)), BodyKey::Known))
-            }
-            Foundation::Rigid { number } => (*number, BodyKey::Rigid),
-        };
-        let groups = self.groups().map(|group| {
-            let layers = group.layers.iter().map(|placed| (placed.number, layer(&placed.layer)));
-            GroupKey { bodies: layers.chain(group.foundation.map(foundation)).collect(), joints: group.joints.to_vec() }
-        });
-        StackKey { geometry: self.geometry, groups: groups.collect() }
+        let bodies = |group: &Group| group.bodies().map(|(number, body)| Numbered(number, body)).collect();
+        let groups = self.groups().map(|group| (bodies(&group), group.joints.to_vec())).collect();
+        StackKey { geometry: self.geometry, groups }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use recede_layers::{
-        EngineeringConstants, Exponential, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Material,
+        EngineeringConstants, Exponential, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Layer, Material,
         Orthotropic, OrthotropicHalfPlane, Plane, PowerHalfPlane, Profile, Winkler,
     };
 

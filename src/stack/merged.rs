@@ -28,24 +28,19 @@ impl Stack {
 /// Makes one layer of neighbours that are one body; returns the number of layers that were merged.
 fn merge(layers: &mut Vec<Placed>, joints: &mut Vec<Joint>) -> usize {
     let before = layers.len();
-    let (mut whole, mut between): (Vec<Placed>, Vec<Joint>) = Default::default();
-    // a layer on a rigid base has a joint below it, too
-    let last = joints.get(before.saturating_sub(1)).copied();
-    for (i, placed) in layers.drain(..).enumerate() {
-        let joint = i.checked_sub(1).and_then(|i| joints.get(i).copied());
-        if let (Some(above), Some(joint)) = (whole.last_mut(), joint) {
-            if joint == Joint::BONDED
-                && let Some(one) = above.layer.continues(&*placed.layer)
-            {
-                above.layer = one;
-                continue;
-            }
-            between.push(joint);
+    let mut given = std::mem::take(joints).into_iter();
+    layers.dedup_by(|below, above| {
+        let Some(joint) = given.next() else { return false };
+        let one = if joint == Joint::BONDED { above.layer.continues(&*below.layer) } else { None };
+        let is_one = one.is_some();
+        match one {
+            Some(one) => above.layer = one,
+            None => joints.push(joint),
         }
-        whole.push(placed);
-    }
-    between.extend(last.filter(|_| before > 0));
-    (*layers, *joints) = (whole, between);
+        is_one
+    });
+    // a layer on a rigid base has a joint below it, too
+    joints.extend(given);
     before - layers.len()
 }
 

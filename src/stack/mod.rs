@@ -11,7 +11,7 @@ mod merged;
 
 use std::sync::Arc;
 
-use recede_layers::{Isotropic, Layer, Plane, Support};
+use recede_layers::{Body, Isotropic, Layer, Plane, Support};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
@@ -126,11 +126,6 @@ impl Base {
     pub fn foundation(&self) -> &Foundation {
         &self.foundation
     }
-
-    /// Number of the topmost layer of the base.
-    fn top_number(&self) -> usize {
-        self.layers.first().map_or(self.foundation.number(), |layer| layer.number)
-    }
 }
 
 /// The foundation of a stack.
@@ -165,20 +160,20 @@ impl<'a> Group<'a> {
         self.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
     }
 
-    /// The joints of each layer with the next, and of the last one with a rigid foundation.
+    /// The joints of each body with the next.
     pub(crate) fn joints(&self) -> &'a [Joint] {
         self.joints
     }
 
-    /// The support below the layers and its number, if there is one.
-    pub(crate) fn support(&self) -> Option<(usize, &'a Arc<dyn Support>)> {
-        self.foundation.and_then(Foundation::support)
-    }
-
-    /// The number of a rigid foundation, if there is one.
-    pub(crate) fn rigid(&self) -> Option<usize> {
-        let rigid = |foundation: &&Foundation| foundation.half_plane().is_none() && foundation.support().is_none();
-        self.foundation.filter(rigid).map(Foundation::number)
+    /// The bodies from the top down with their numbers, the foundation as the last one; `None` if that is rigid.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = (usize, Option<Body>)> + use<'a> {
+        let layer = |placed: &Placed| (placed.number, Some(Body::Layer(Arc::clone(&placed.layer))));
+        let foundation = self.foundation.map(|foundation| match foundation {
+            Foundation::HalfPlane(placed) => layer(placed),
+            Foundation::Support { number, support } => (*number, Some(Body::Support(Arc::clone(support)))),
+            Foundation::Rigid { number } => (*number, None),
+        });
+        self.layers.iter().map(layer).chain(foundation)
     }
 }
 
@@ -226,7 +221,7 @@ impl Stack {
     /// Checks that an elastic punch is neither stiffer nor softer than the layers by more than [`MAX_CONTRAST`].
     pub(crate) fn check_punch(&self, material: &Isotropic) -> Result<(), StackError> {
         let material = material.material(self.plane());
-        contrast::check(self, Some(material)).map_err(|(problem, _)| StackError { item: None, problem })
+        contrast::check(self, Some(material)).map_err(|StackError { problem, .. }| StackError::whole(problem))
     }
 
     /// Plane, and in which way, or axisymmetric.
@@ -264,10 +259,9 @@ impl Stack {
 
     /// The contacts from the top down: the punch, then every receding interface.
     pub fn contacts(&self) -> Vec<Interface> {
-        let tops = self.laminates.iter().skip(1).filter_map(|below| below.layers.first()).map(|layer| layer.number);
-        let tops = tops.chain([self.base.top_number()]);
-        let bottoms = self.laminates.iter().filter_map(|above| above.layers.last()).map(|layer| layer.number);
-        let receding = bottoms.zip(tops).map(|(above, below)| Interface::Between { above, below });
+        let tops = self.groups().skip(1).filter_map(|below| below.bodies().next());
+        let bottoms = self.laminates.iter().filter_map(|above| above.layers.last());
+        let receding = bottoms.zip(tops).map(|(above, (below, _))| Interface::Between { above: above.number, below });
         [Interface::Punch].into_iter().chain(receding).collect()
     }
 

@@ -1,8 +1,8 @@
 //! The block matrix in LaTeX: an array, or a list of equations where an array would be too wide.
 use std::fmt::Write;
 
-use super::text::MAX_COLUMNS;
-use crate::system::{Block, BlockSystem, Condition, Face, Place, Quantity, Row, Side};
+use super::text::{MAX_COLUMNS, stiffness};
+use crate::system::{Block, BlockSystem, Face, Row};
 
 impl BlockSystem {
     /// The block matrix in LaTeX, to stand in a document that uses `amsmath`.
@@ -69,35 +69,26 @@ fn line(out: &mut String, text: impl std::fmt::Display) {
 
 fn signed(block: &Block) -> String {
     let sign = if block.negative { '-' } else { '+' };
-    let face = match block.face {
-        Face::Top => 't',
-        Face::Bottom => 'b',
-    };
-    let stiffness = match (block.stiffness.is_some(), block.quantity) {
-        (true, Quantity::U) => "k_t ",
-        (true, _) => "k_n ",
-        (false, _) => "",
-    };
+    let face = if block.face == Face::Top { 't' } else { 'b' };
+    let stiffness = stiffness(block).map_or(String::new(), |k| format!("k_{k} "));
     format!(r"{sign}{stiffness}\mathbf{{{}}}_{{{}}}^{{{face}}}", block.quantity, block.layer)
+}
+
+/// Quantities are symbols, as the numbers of a place are; all else are words.
+fn in_latex(words: &str) -> String {
+    let word = |word: &str| match word {
+        word if word.len() == 1 || word.contains('|') => word.replace('|', r"\,|\,"),
+        word => format!(r"\text{{{word}}}"),
+    };
+    words.split(' ').map(word).collect::<Vec<_>>().join(r"\ ")
 }
 
 impl Row {
     fn latex_name(&self) -> String {
-        let place = match self.place {
-            Place::Punch => r"\text{punch}".to_owned(),
-            Place::Between { above, below } => format!(r"{above}\,|\,{below}"),
-        };
-        let side = |side| match (self.place, side) {
-            (Place::Punch, _) => "",
-            (_, Side::Above) => r"\ \text{above}",
-            (_, Side::Below) => r"\ \text{below}",
-        };
-        match self.condition() {
-            None => place,
-            Some(Condition::Continuous(quantity)) => format!(r"{place}:\ {quantity}\ \text{{continuous}}"),
-            Some(Condition::Zero(quantity, at)) => format!(r"{place}:\ {quantity}{}", side(at)),
-            Some(Condition::Sprung(quantity)) => format!(r"{place}:\ {quantity}\ \text{{springs}}"),
-            Some(Condition::Pressed(at)) => format!(r"{place}:\ S{}", side(at)),
+        let name = self.name();
+        match name.split_once(' ') {
+            None => in_latex(&name),
+            Some((place, condition)) => format!(r"{}:\ {}", in_latex(place), in_latex(condition)),
         }
     }
 

@@ -23,8 +23,8 @@ impl fmt::Display for BlockSystem {
         let header = self.columns().iter().map(Column::to_string);
         table.set_header([String::new()].into_iter().chain(header).chain([String::new()]));
         for row in self.rows() {
-            let entry =
-                |column| row.blocks.iter().filter(move |block| block.column == column).map(entry_text).collect();
+            let entry = |block: &Block| format!("{}({})", signed(block), block.face);
+            let entry = |column| row.blocks.iter().filter(move |block| block.column == column).map(entry).collect();
             let entries = (0..self.columns().len()).map(entry);
             table.add_row([row.name()].into_iter().chain(entries).chain([row.right_hand_side()]));
         }
@@ -35,19 +35,16 @@ impl fmt::Display for BlockSystem {
     }
 }
 
-/// A block within its column, e.g. `+S(bottom)`.
-fn entry_text(block: &Block) -> String {
+/// The quantity of a block with its sign and the stiffness of springs, e.g. `+kn·V`.
+fn signed(block: &Block) -> String {
     let sign = if block.negative { '-' } else { '+' };
-    format!("{sign}{}{}({})", stiffness(block), block.quantity, block.face)
+    let stiffness = stiffness(block).map_or(String::new(), |k| format!("k{k}·"));
+    format!("{sign}{stiffness}{}", block.quantity)
 }
 
-/// The stiffness of springs before a displacement: normal or tangential.
-fn stiffness(block: &Block) -> &'static str {
-    match (block.stiffness.is_some(), block.quantity) {
-        (true, Quantity::U) => "kt·",
-        (true, _) => "kn·",
-        (false, _) => "",
-    }
+/// The direction of the springs whose stiffness is before a displacement: normal or tangential.
+pub(super) fn stiffness(block: &Block) -> Option<char> {
+    block.stiffness.map(|_| if block.quantity == Quantity::U { 't' } else { 'n' })
 }
 
 impl fmt::Display for Column {
@@ -78,8 +75,7 @@ impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:", self.name())?;
         for block in self.blocks.iter() {
-            let sign = if block.negative { '-' } else { '+' };
-            write!(f, " {sign}{}{}({} of {})", stiffness(block), block.quantity, block.face, block.layer)?;
+            write!(f, " {}({} of {})", signed(block), block.face, block.layer)?;
         }
         write!(f, " {}", self.right_hand_side())
     }
@@ -102,41 +98,21 @@ impl fmt::Display for Pressure {
     }
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Punch => f.write_str("punch"),
-            Self::Between { above, below } => write!(f, "{above}|{below}"),
-        }
-    }
-}
-
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::U => "U",
-            Self::V => "V",
-            Self::S => "S",
-            Self::T => "T",
-        })
+        fmt::Debug::fmt(self, f)
     }
 }
 
 impl fmt::Display for Face {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Top => "top",
-            Self::Bottom => "bottom",
-        })
+        f.write_str(if *self == Self::Top { "top" } else { "bottom" })
     }
 }
 
 impl fmt::Display for Side {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Above => "above",
-            Self::Below => "below",
-        })
+        f.write_str(if *self == Self::Above { "above" } else { "below" })
     }
 }
 

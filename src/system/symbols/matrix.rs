@@ -1,6 +1,5 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
 use std::ops::Deref;
-use std::sync::Arc;
 
 use recede_layers::{Body, Plane};
 
@@ -157,27 +156,19 @@ impl BlockSystem {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
-            for (i, layer) in group.layers().enumerate() {
-                let (above, below) = (last, system.column(layer.number, Body::Layer(Arc::clone(&layer.layer))));
-                match i.checked_sub(1) {
-                    None => system.interface(interface.into(), [above, Some(below)], conditions::contact(contact)),
-                    Some(i) => system.interface(
-                        system.place(above, layer.number),
-                        [above, Some(below)],
-                        joint(group.joints().get(i).unwrap_or(&Joint::BONDED)),
-                    ),
-                }
-                last = Some(below);
-            }
-            if let Some((number, support)) = group.support() {
-                let (above, below) = (last, system.column(number, Body::Support(Arc::clone(support))));
-                let relations = group.joints().last().map_or_else(|| conditions::contact(contact), &joint);
-                system.interface(system.place(above, number), [above, Some(below)], relations);
-            }
-            // a rigid base has no column
-            if let Some(rigid) = group.rigid() {
-                let relations = group.joints().last().map_or_else(|| conditions::contact(contact), &joint);
-                system.interface(system.place(last, rigid), [last, None], relations);
+            for (i, (number, body)) in group.bodies().enumerate() {
+                let (place, relations) = match (i.checked_sub(1), last) {
+                    (Some(i), Some(above)) => {
+                        let above = system.columns[above].number;
+                        let relations = joint(group.joints().get(i).unwrap_or(&Joint::BONDED));
+                        (Place::Between { above, below: number }, relations)
+                    }
+                    _ => (interface, conditions::contact(contact)),
+                };
+                // a rigid base has no column
+                let below = body.map(|body| system.column(number, body));
+                system.interface(place, [last, below], relations);
+                last = below;
             }
         }
         system
@@ -209,11 +200,6 @@ impl BlockSystem {
         let count = if body.layer().is_some_and(|layer| layer.thickness().is_some()) { 4 } else { 2 };
         self.columns.push(Column { number, body, first, count });
         self.columns.len() - 1
-    }
-
-    /// The place below a column.
-    fn place(&self, above: Option<usize>, below: usize) -> Place {
-        above.map_or(Place::Punch, |above| Place::Between { above: self.columns[above].number, below })
     }
 
     /// The rows of an interface between two columns. A body without a column is rigid: its displacements are zero, and its
