@@ -1,12 +1,12 @@
 //! The chain of a base: layers joined to a foundation.
 use std::sync::Arc;
 
-use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Vector2};
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2};
 use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
 use super::cut_off::{Taken, cut_off};
 use super::free::{junctions, layers};
-use super::half::{Eliminated, Half, displacement, eliminate_two, stacked, stress};
+use super::half::{Eliminated, displacement, eliminate_two, stacked, stress, uniform};
 use super::junction::{Junction, Rows};
 use super::repeats::{self, Bodies, Repeat};
 use crate::system::{BlockSystem, Component, Side};
@@ -19,8 +19,6 @@ pub struct BaseChain {
     pub(super) layers: Vec<Arc<dyn Layer>>,
     /// Between each layer and the next, and above an elastic foundation.
     pub(super) junctions: Vec<Junction>,
-    /// The stresses (S, T) on the top face under a unit load.
-    pub(super) load: Vector2<f64>,
     pub(super) foot: Foot,
     pub(super) repeats: Vec<Repeat>,
 }
@@ -56,7 +54,8 @@ impl BaseChain {
     /// The base of a block system; it has no layers if all layers are above a receding interface on a rigid base.
     pub fn of(system: &BlockSystem) -> Self {
         let components = system.components();
-        components.iter().find(|component| !component.is_free()).map_or_else(Self::rigid, Self::new)
+        let rigid = Component::default();
+        Self::new(components.iter().find(|component| !component.is_free()).unwrap_or(&rigid))
     }
 
     fn new(component: &Component<'_>) -> Self {
@@ -70,13 +69,7 @@ impl BaseChain {
             },
         };
         let repeats = repeats::find(&layers, &junctions);
-        Self { layers, junctions, load: Half::of_face(component.rows_at(0), Side::Below).by_load, foot, repeats }
-    }
-
-    /// A rigid base without layers.
-    fn rigid() -> Self {
-        let foot = Foot::Held(Box::new(Rows::new(std::iter::empty())));
-        Self { layers: Vec::new(), junctions: Vec::new(), load: Vector2::new(1.0, 0.0), foot, repeats: Vec::new() }
+        Self { layers, junctions, foot, repeats }
     }
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` if a layer's states are not
@@ -102,7 +95,7 @@ impl BaseChain {
         }
         let Below::Allows(allowed) = below else { return Some((0.0, Taken { cut_off, evaluated: 0 })) };
         let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
-        let shares = solve_equilibrated(stress, self.load)?;
+        let shares = solve_equilibrated(stress, uniform())?;
         Some(((allowed.row(1) * shares)[0], Taken { cut_off, evaluated: bodies.evaluated }))
     }
 

@@ -56,16 +56,6 @@ impl<const N: usize> Rows<N> {
         }
         filled
     }
-
-    /// The factors that are no stiffnesses.
-    pub(super) fn plain(&self) -> [SMatrix<f64, N, 4>; 2] {
-        self.plain
-    }
-
-    /// Whether no row has a stiffness.
-    pub(super) fn are_plain(&self) -> bool {
-        self.largest.iter().all(|stiffness| *stiffness == 0.0)
-    }
 }
 
 /// An interface between two layers of a chain.
@@ -79,7 +69,7 @@ impl Junction {
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         let rows = Rows::<4>::new(rows);
         let [above, below] = &rows.plain;
-        if rows.are_plain() && *above == -below && above.determinant() != 0.0 {
+        if rows.largest == [0.0; 4] && *above == -below && above.determinant() != 0.0 {
             return Self { rows: None };
         }
         Self { rows: Some(Box::new([Side::Above, Side::Below].map(|near| with_far_stresses(rows.clone(), near)))) }

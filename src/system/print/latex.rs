@@ -76,10 +76,8 @@ fn signed(block: &Block) -> String {
 
 /// Quantities are symbols, as the numbers of a place are; all else are words.
 fn in_latex(words: &str) -> String {
-    let word = |word: &str| match word {
-        word if word.len() == 1 || word.contains('|') => word.replace('|', r"\,|\,"),
-        word => format!(r"\text{{{word}}}"),
-    };
+    let is_symbol = |word: &str| word.len() == 1 || word.contains('|');
+    let word = |word| if is_symbol(word) { word.replace('|', r"\,|\,") } else { format!(r"\text{{{word}}}") };
     words.split(' ').map(word).collect::<Vec<_>>().join(r"\ ")
 }
 
