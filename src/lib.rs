@@ -121,6 +121,5 @@ pub use sweep::ParallelRows;
 pub use sweep::{Part, PartError, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved, WrongCount};
 pub use system::{
-    Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,
-    Term,
+    Block, BlockSystem, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side, Term,
 };

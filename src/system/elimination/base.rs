@@ -6,7 +6,7 @@ use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
 use super::cut_off::{Taken, cut_off};
 use super::free::{junctions, layers};
-use super::half::{Eliminated, displacement, eliminate_two, stacked, stress, uniform};
+use super::half::{displacement, eliminate_two, stacked, stress, uniform};
 use super::junction::{Junction, Rows};
 use super::repeats::{self, Bodies, Repeat};
 use crate::system::{BlockSystem, Component, Side};
@@ -146,7 +146,7 @@ impl UnitStresses {
             (Below::Holds(rows), _) => (*rows, None),
             (Below::Allows(allowed), None) => (reciprocal(allowed), None),
             (Below::Allows(allowed), Some([above, below])) => {
-                let Eliminated { left, solved } = eliminate_two(below * allowed, above)?;
+                let [left, solved] = eliminate_two(below * allowed, above)?;
                 (left, Some(solved))
             }
         };

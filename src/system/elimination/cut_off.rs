@@ -21,13 +21,6 @@ pub(crate) struct Taken {
     pub(crate) evaluated: usize,
 }
 
-impl std::ops::AddAssign for Taken {
-    fn add_assign(&mut self, other: Self) {
-        self.cut_off += other.cut_off;
-        self.evaluated += other.evaluated;
-    }
-}
-
 /// The number of layers, in the order `outwards` from a loaded face, after which the fields of the load have decayed; `junctions` are
 /// those between each layer and the next.
 pub(super) fn cut_off(

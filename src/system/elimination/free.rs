@@ -58,10 +58,10 @@ impl FreeChain {
     pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(Flexibility, Taken)> {
         let count = self.layers.len();
         let Some([above, below]) = self.decayed(wave) else { return self.part(0..count, self.meeting, wave) };
-        let (top, mut taken) = self.part(0..above, 0, wave)?;
-        let (Flexibility { bottom, .. }, more) = self.part(below..count, count, wave)?;
-        taken += more;
-        Some((Flexibility { coupling: 0.0, bottom, equal_top: top.top, equal_bottom: bottom, ..top }, taken))
+        let (Flexibility { top, .. }, upper) = self.part(0..above, 0, wave)?;
+        let (Flexibility { bottom, .. }, lower) = self.part(below..count, count, wave)?;
+        let taken = Taken { cut_off: upper.cut_off + lower.cut_off, evaluated: upper.evaluated + lower.evaluated };
+        Some((Flexibility { top, coupling: 0.0, bottom, equal_top: top, equal_bottom: bottom }, taken))
     }
 
     /// The layers between which the fields of loads on either face have decayed; `None` if they meet.

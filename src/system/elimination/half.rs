@@ -1,6 +1,7 @@
 //! The part of a free chain between a loaded face and an interface, with the amplitudes eliminated.
 use nalgebra::{
-    Matrix2, Matrix2x3, Matrix2x4, Matrix4, Matrix4x2, Matrix4x3, Matrix4x6, RowVector4, SMatrix, Vector2, Vector4,
+    Matrix2, Matrix2x3, Matrix2x4, Matrix2x6, Matrix4, Matrix4x2, Matrix4x3, Matrix4x6, RowVector4, SMatrix, Vector2,
+    Vector4,
 };
 use recede_layers::{Flexibility, State, Wave, solve_equilibrated};
 
@@ -55,7 +56,7 @@ impl Half {
                 (stress(near) - stiffness * displacement(near), known, None)
             }
             Some(rows) => {
-                let Eliminated { left, solved } = self.behind(&rows, near_uniform)?;
+                let [left, solved] = self.behind(&rows, near_uniform)?;
                 let known: Matrix2<f64> = -left.fixed_columns::<2>(4);
                 (left.fixed_columns::<4>(0) * near, known, Some(solved))
             }
@@ -94,7 +95,7 @@ impl Half {
 
     /// The rows of an interface on which states differ, filled with the state on this side, which is a function of two displacements, after the
     /// elimination of these. Columns for the state of the layer, for the load and for equal loads.
-    fn behind(&self, rows: &[Matrix4<f64>; 2], near_uniform: &State) -> Option<Eliminated<6>> {
+    fn behind(&self, rows: &[Matrix4<f64>; 2], near_uniform: &State) -> Option<[Matrix2x6<f64>; 2]> {
         let [this_side, layer_side] = rows;
         let stress_columns = this_side.fixed_columns::<2>(2);
         let mut known = Matrix4x6::zeros();
@@ -165,15 +166,8 @@ pub(super) fn uniform() -> Vector2<f64> {
     Vector2::new(1.0, 0.0)
 }
 
-/// Four rows after the elimination of two unknowns.
-pub(super) struct Eliminated<const M: usize> {
-    /// Two rows without the unknowns.
-    pub(super) left: SMatrix<f64, 2, M>,
-    /// The unknowns as functions of the other columns.
-    pub(super) solved: SMatrix<f64, 2, M>,
-}
-
-/// Eliminates two unknowns from four rows, whose other columns are `others`; `None` if the rows do not determine the unknowns.
+/// Eliminates two unknowns from four rows, whose other columns are `others`: two rows without the unknowns, and the unknowns as functions of
+/// the other columns; `None` if the rows do not determine the unknowns.
 ///
 /// An unknown that occurs in no row, as the motion along springs that resist none below an interface that slides, is 0.
 ///
@@ -181,7 +175,7 @@ pub(super) struct Eliminated<const M: usize> {
 pub(super) fn eliminate_two<const M: usize>(
     unknowns: Matrix4x2<f64>,
     others: SMatrix<f64, 4, M>,
-) -> Option<Eliminated<M>> {
+) -> Option<[SMatrix<f64, 2, M>; 2]> {
     let mut sizes = [unknowns.column(0).amax().recip(), unknowns.column(1).amax().recip()];
     let mut unknowns: [[f64; 2]; 4] = std::array::from_fn(|i| [unknowns[(i, 0)], unknowns[(i, 1)]]);
     let mut others: [[f64; M]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| others[(i, j)]));
@@ -221,7 +215,7 @@ pub(super) fn eliminate_two<const M: usize>(
             left[(i, j)] = others[row][j];
         }
     }
-    Some(Eliminated { left, solved })
+    Some([left, solved])
 }
 
 /// Subtracts a multiple of the pivot row from each other row, so that the entries of a column vanish there.

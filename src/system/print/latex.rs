@@ -51,11 +51,8 @@ impl BlockSystem {
     fn equations(&self, out: &mut String) {
         line(out, r"\begin{align*}");
         for row in self.rows() {
-            let blocks: String = row
-                .blocks
-                .iter()
-                .map(|block| format!(r"{}\,\mathbf{{c}}_{{{}}}", signed(block), block.layer))
-                .collect();
+            let blocks = row.blocks.iter().map(|block| format!(r"{}\,\mathbf{{c}}_{{{}}}", signed(block), block.layer));
+            let blocks: String = blocks.collect();
             line(out, format_args!(r"  & {}: && {blocks} {} \\", row.latex_name(), row.latex_right()));
         }
         line(out, r"\end{align*}");
@@ -92,51 +89,5 @@ impl Row {
 
     fn latex_right(&self) -> String {
         self.pressure.map_or("= 0".into(), |pressure| format!(r"= -\hat{{p}}_{{{}}}", pressure.contact))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use recede_layers::{Exponential, HalfPlane, Plane};
-
-    use super::*;
-    use crate::stack::Stack;
-
-    #[test]
-    fn a_graded_layer_on_a_half_plane() {
-        let stack = Stack::builder(Plane::Strain)
-            .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
-            .receding()
-            .layer(HalfPlane::new(1.0, 0.25).unwrap())
-            .build()
-            .unwrap();
-        insta::assert_snapshot!(BlockSystem::new(&stack).to_latex(), @r#"
-        % c_1 = (C_1, ..., C_4): Exponential
-        % c_2 = (C_5, ..., C_6): HalfPlane
-        \[
-        \begin{array}{l|cc|l}
-          & \mathbf{c}_{1} & \mathbf{c}_{2} & \\ \hline
-          \text{punch}:\ S & +\mathbf{S}_{1}^{t} &  & = -\hat{p}_{0} \\
-          \text{punch}:\ T & +\mathbf{T}_{1}^{t} &  & = 0 \\
-          1\,|\,2:\ S\ \text{above} & +\mathbf{S}_{1}^{b} &  & = -\hat{p}_{1} \\
-          1\,|\,2:\ T\ \text{above} & +\mathbf{T}_{1}^{b} &  & = 0 \\
-          1\,|\,2:\ S\ \text{below} &  & +\mathbf{S}_{2}^{t} & = -\hat{p}_{1} \\
-          1\,|\,2:\ T\ \text{below} &  & +\mathbf{T}_{2}^{t} & = 0 \\
-        \end{array}
-        \]
-        "#);
-    }
-
-    #[test]
-    fn many_layers_are_written_as_equations() {
-        let mut stack = Stack::builder(Plane::Strain);
-        for _ in 0..=MAX_COLUMNS {
-            stack = stack.layer(Exponential::new(1.0, 1.0, 0.25, 0.0).unwrap()).bonded();
-        }
-        let latex = BlockSystem::new(&stack.rigid().build().unwrap()).to_latex();
-        assert!(
-            latex.contains(r"+\mathbf{U}_{1}^{b}\,\mathbf{c}_{1}-\mathbf{U}_{2}^{t}\,\mathbf{c}_{2} = 0"),
-            "{latex}"
-        );
     }
 }

@@ -118,57 +118,25 @@ impl fmt::Display for Side {
 
 #[cfg(test)]
 mod tests {
-    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+    use recede_layers::{Homogeneous, Plane};
 
     use super::*;
     use crate::stack::Stack;
 
     #[test]
-    fn rows_are_named_by_condition_and_columns_by_layer() {
-        let stack = Stack::builder(Plane::Strain)
-            .layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap())
-            .bonded()
-            .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
-            .receding()
-            .layer(HalfPlane::new(1.0, 0.25).unwrap())
-            .build()
-            .unwrap();
-        insta::assert_snapshot!(BlockSystem::new(&stack), @r#"
-        10 conditions for 10 amplitudes
-        ┌──────────────────┬───────────────┬───────────────┬─────────────┬───────┐
-        │                  ┆ 1 Homogeneous ┆ 2 Exponential ┆ 3 HalfPlane ┆       │
-        │                  ┆     C1..C4    ┆     C5..C8    ┆   C9..C10   ┆       │
-        ╞══════════════════╪═══════════════╪═══════════════╪═════════════╪═══════╡
-        │ punch S          ┆    +S(top)    ┆               ┆             ┆ = -p0 │
-        │ punch T          ┆    +T(top)    ┆               ┆             ┆  = 0  │
-        │ 1|2 U continuous ┆   +U(bottom)  ┆    -U(top)    ┆             ┆  = 0  │
-        │ 1|2 V continuous ┆   +V(bottom)  ┆    -V(top)    ┆             ┆  = 0  │
-        │ 1|2 S continuous ┆   +S(bottom)  ┆    -S(top)    ┆             ┆  = 0  │
-        │ 1|2 T continuous ┆   +T(bottom)  ┆    -T(top)    ┆             ┆  = 0  │
-        │ 2|3 S above      ┆               ┆   +S(bottom)  ┆             ┆ = -p1 │
-        │ 2|3 T above      ┆               ┆   +T(bottom)  ┆             ┆  = 0  │
-        │ 2|3 S below      ┆               ┆               ┆   +S(top)   ┆ = -p1 │
-        │ 2|3 T below      ┆               ┆               ┆   +T(top)   ┆  = 0  │
-        └──────────────────┴───────────────┴───────────────┴─────────────┴───────┘
-        "#);
-    }
-
-    #[test]
-    fn a_rigid_base_holds_or_carries_the_lowest_layer() {
-        let strip = || Stack::builder(Plane::Strain).layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap());
-        let bonded = BlockSystem::new(&strip().bonded().rigid().build().unwrap());
-        assert_eq!(bonded.rows()[3].to_string(), "1|2 V above: +V(bottom of 1) = 0");
-        let receding = BlockSystem::new(&strip().receding().rigid().build().unwrap());
-        assert_eq!(receding.rows()[2].to_string(), "1|2 S above: +S(bottom of 1) = -p1");
-    }
-
-    #[test]
-    fn many_layers_are_listed() {
-        let mut stack = Stack::builder(Plane::Strain);
-        for _ in 0..=MAX_COLUMNS {
-            stack = stack.layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap()).bonded();
-        }
-        let text = BlockSystem::new(&stack.rigid().build().unwrap()).to_string();
+    fn a_rigid_base_holds_the_lowest_layer_and_many_layers_are_listed() {
+        let strips = |count: usize| {
+            let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+            let stack = (0..count).fold(Stack::builder(Plane::Strain), |stack, _| stack.layer(strip()).bonded());
+            BlockSystem::new(&stack.rigid().build().unwrap())
+        };
+        assert_eq!(strips(1).rows()[3].to_string(), "1|2 V above: +V(bottom of 1) = 0");
+        let many = strips(MAX_COLUMNS + 1);
+        let (text, latex) = (many.to_string(), many.to_latex());
         assert!(text.contains("\n1|2 U continuous: +U(bottom of 1) -U(top of 2) = 0\n"), "{text}");
+        assert!(
+            latex.contains(r"+\mathbf{U}_{1}^{b}\,\mathbf{c}_{1}-\mathbf{U}_{2}^{t}\,\mathbf{c}_{2} = 0"),
+            "{latex}"
+        );
     }
 }

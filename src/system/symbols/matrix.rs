@@ -1,5 +1,4 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
-use std::ops::Deref;
 
 use recede_layers::{Body, Plane};
 
@@ -47,7 +46,7 @@ impl Column {
 }
 
 /// A face quantity of one layer, as a linear function of the layer's amplitudes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
     /// Index of the column, from 0.
     pub column: usize,
@@ -73,40 +72,13 @@ impl Block {
     }
 }
 
-/// The blocks of a row from left to right: at most four, and one or two for most conditions.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Blocks {
-    // in place, since a stack of many layers has many rows
-    list: [Block; 4],
-    count: usize,
-}
-
-impl Deref for Blocks {
-    type Target = [Block];
-
-    fn deref(&self) -> &[Block] {
-        &self.list[..self.count]
-    }
-}
-
-impl From<[Option<Block>; 4]> for Blocks {
-    fn from(blocks: [Option<Block>; 4]) -> Self {
-        let mut collected = Self::default();
-        for (place, block) in collected.list.iter_mut().zip(blocks.into_iter().flatten()) {
-            *place = block;
-            collected.count += 1;
-        }
-        collected
-    }
-}
-
 /// One scalar condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Where the condition holds.
     pub place: Place,
-    /// The blocks from left to right; all others are zero.
-    pub blocks: Blocks,
+    /// The blocks from left to right, one or two for most conditions; all others are zero.
+    pub blocks: Vec<Block>,
     /// The right-hand side; `None` is zero.
     pub pressure: Option<Pressure>,
 }
@@ -220,7 +192,7 @@ impl BlockSystem {
                 let Term { quantity, negative, stiffness, .. } = term;
                 Some(Block { column, layer: self.columns[column].number, face, quantity, negative, stiffness })
             };
-            let blocks = Blocks::from(terms.map(block));
+            let blocks: Vec<Block> = terms.into_iter().filter_map(block).collect();
             // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
                 self.rows.push(Row { place, blocks, pressure });
@@ -232,40 +204,11 @@ impl BlockSystem {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+    use recede_layers::{HalfPlane, Homogeneous, Plane};
 
     use super::*;
     use crate::scene::{Item, Spring};
     use crate::stack::StackProblem;
-
-    /// The stack of the paper: a strip bonded to a graded layer, both lying loose on a half-plane.
-    fn paper(h1: f64, h2: f64) -> BlockSystem {
-        let stack = Stack::builder(Plane::Strain)
-            .layer(Homogeneous::new(h1, 1.0, 0.25).unwrap())
-            .bonded()
-            .layer(Exponential::new(h2, 1.0, 0.25, -1.0).unwrap())
-            .receding()
-            .layer(HalfPlane::new(1.0, 0.25).unwrap())
-            .build()
-            .unwrap();
-        BlockSystem::new(&stack)
-    }
-
-    #[test]
-    fn the_stack_of_the_paper_has_ten_conditions_for_ten_unknowns() {
-        let system = paper(1.0, 1.0);
-        assert_eq!((system.rows().len(), system.unknowns()), (10, 10));
-        let amplitudes: Vec<_> = system.columns().iter().map(Column::amplitudes).collect();
-        assert_eq!(amplitudes, [1..=4, 5..=8, 9..=10]);
-    }
-
-    #[test]
-    fn without_one_of_its_layers_it_has_six() {
-        for system in [paper(0.0, 1.0), paper(1.0, 0.0)] {
-            assert_eq!((system.rows().len(), system.unknowns()), (6, 6));
-        }
-        assert_eq!(paper(0.0, 0.0).rows().len(), 2);
-    }
 
     fn item() -> impl Strategy<Value = Item> {
         let thickness = prop_oneof![Just(0.0), Just(1.0), Just(2.5)];

@@ -1,12 +1,12 @@
 //! What rows and blocks are named by: quantities, faces, sides, places and pressures.
+
 /// Where a condition holds.
 pub use crate::solution::Interface as Place;
 
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// Of the displacement u along the layers.
-    #[default]
     U,
     /// Of the displacement v upwards.
     V,
@@ -29,10 +29,9 @@ impl Quantity {
 }
 
 /// Face of a layer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Face {
     /// The upper face.
-    #[default]
     Top,
     /// The lower face.
     Bottom,
