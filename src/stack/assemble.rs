@@ -24,9 +24,7 @@ impl Between {
 #[derive(Debug, Default)]
 struct Groups {
     finished: Vec<Laminate>,
-    open: Vec<Placed>,
-    /// The joints between the layers of `open`.
-    joints: Vec<Joint>,
+    open: Laminate,
     /// The interface below the last layer of `open`, as long as the layer on its other side is not known.
     below: Option<Between>,
     dropped: Vec<Placed>,
@@ -36,7 +34,7 @@ impl Groups {
     /// Adds an interface; `None` if springs are left without a layer on one side.
     fn interface(&mut self, next: Between) -> Option<()> {
         // the interfaces above the first layer are dropped
-        if self.open.is_empty() {
+        if self.open.layers.is_empty() {
             return (!next.gives_way()).then_some(());
         }
         // of the interfaces around dropped layers, a receding one takes precedence; compliances of others add up
@@ -52,11 +50,8 @@ impl Groups {
     /// Closes the open group if the next layer is not joined to it.
     fn begin_next(&mut self) {
         match self.below.take() {
-            Some(Between::Receding) => {
-                let (layers, joints) = (std::mem::take(&mut self.open), std::mem::take(&mut self.joints));
-                self.finished.push(Laminate { layers, joints });
-            }
-            Some(Between::Joint(joint)) => self.joints.push(joint),
+            Some(Between::Receding) => self.finished.push(std::mem::take(&mut self.open)),
+            Some(Between::Joint(joint)) => self.open.joints.push(joint),
             None => {}
         }
     }
@@ -66,7 +61,7 @@ impl Groups {
             self.dropped.push(placed);
         } else {
             self.begin_next();
-            self.open.push(placed);
+            self.open.layers.push(placed);
         }
     }
 }
@@ -114,22 +109,22 @@ pub(super) fn assemble(geometry: Geometry, items: &[Item]) -> Result<Stack, Stac
 
 /// The stack of these groups, within the limits.
 fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<Stack, StackError> {
-    let Groups { finished: laminates, open: layers, joints, dropped, .. } = groups;
-    if let (Foundation::Rigid { number }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
+    let Groups { finished: laminates, open: joined, dropped, .. } = groups;
+    if let (Foundation::Rigid { number }, true, true) = (&foundation, laminates.is_empty(), joined.layers.is_empty()) {
         return Err(StackError::of_layer(*number, StackProblem::NothingElastic));
     }
-    if let (Foundation::Support { number, support }, true) = (&foundation, layers.is_empty()) {
+    if let (Foundation::Support { number, support }, true) = (&foundation, joined.layers.is_empty()) {
         let base = format!("layer {number} ({})", support.notation().kind);
         return Err(StackError::of_layer(*number, StackProblem::NotBonded { base }));
     }
-    let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + layers.len();
+    let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + joined.layers.len();
     if found > MAX_LAYERS {
         return Err(StackError::whole(StackProblem::TooManyLayers { found }));
     }
     if laminates.len() > MAX_RECEDING {
         return Err(StackError::whole(StackProblem::TooManyReceding { found: laminates.len() }));
     }
-    let stack = Stack { geometry, laminates, base: Base { layers, joints, foundation }, dropped };
+    let stack = Stack { geometry, laminates, base: Base { joined, foundation }, dropped };
     if !stack.total_thickness().is_finite() {
         return Err(StackError::whole(StackProblem::TooThick));
     }

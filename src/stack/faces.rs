@@ -8,17 +8,12 @@ impl Stack {
     /// Checks the material next to all loaded faces: without a slope there, kernels have no short-wave asymptote.
     /// Layers with closed forms are not checked, since their response does not come from the material as a function of the depth.
     pub(crate) fn check_faces(&self) -> Result<(), StackError> {
-        let laminates = self.laminates.iter().map(|laminate| &laminate.layers);
-        let bottoms = laminates.clone().filter_map(|layers| layers.last()).map(|layer| (layer, true));
-        let top_of_base = self.base.layers.first().or(self.base.foundation.half_plane());
-        let tops = laminates.filter_map(|layers| layers.first()).chain(top_of_base).map(|layer| (layer, false));
-        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane(), bottom, self.length()))
-    }
-
-    /// The length with which depths in a half-plane are compared.
-    fn length(&self) -> f64 {
+        let tops = self.groups().filter_map(|group| group.layers().next()).map(|layer| (layer, false));
+        let bottoms = self.laminates.iter().filter_map(|laminate| laminate.layers.last()).map(|layer| (layer, true));
+        // the length with which depths in a half-plane are compared
         let total = self.total_thickness();
-        if total > 0.0 { total } else { 1.0 }
+        let length = if total > 0.0 { total } else { 1.0 };
+        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane(), bottom, length))
     }
 }
 

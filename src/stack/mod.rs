@@ -80,7 +80,7 @@ impl Placed {
 }
 
 /// A free group of at least one layer, joined to each other.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Laminate {
     layers: Vec<Placed>,
     joints: Vec<Joint>,
@@ -106,20 +106,20 @@ impl Laminate {
 /// The foundation, and the layers joined to it.
 #[derive(Clone, Debug)]
 pub struct Base {
-    layers: Vec<Placed>,
-    joints: Vec<Joint>,
+    /// The layers, with a joint below the last one, too.
+    joined: Laminate,
     foundation: Foundation,
 }
 
 impl Base {
     /// The layers joined to the foundation from the top down, without the foundation itself.
     pub fn layers(&self) -> &[Placed] {
-        &self.layers
+        &self.joined.layers
     }
 
     /// The joints of each layer with the next, from the top down, and of the last one with the foundation.
     pub fn joints(&self) -> &[Joint] {
-        &self.joints
+        &self.joined.joints
     }
 
     /// The foundation.
@@ -149,20 +149,19 @@ pub enum Foundation {
 
 /// Layers joined to each other: a laminate, or the base with its foundation.
 pub(crate) struct Group<'a> {
-    layers: &'a [Placed],
-    joints: &'a [Joint],
+    joined: &'a Laminate,
     foundation: Option<&'a Foundation>,
 }
 
 impl<'a> Group<'a> {
     /// The layers from the top down, an elastic foundation as the last one.
     pub(crate) fn layers(&self) -> impl Iterator<Item = &'a Placed> + use<'a> {
-        self.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
+        self.joined.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
     }
 
     /// The joints of each body with the next.
     pub(crate) fn joints(&self) -> &'a [Joint] {
-        self.joints
+        &self.joined.joints
     }
 
     /// The bodies from the top down with their numbers, the foundation as the last one; `None` if that is rigid.
@@ -173,7 +172,7 @@ impl<'a> Group<'a> {
             Foundation::Support { number, support } => (*number, Some(Body::Support(Arc::clone(support)))),
             Foundation::Rigid { number } => (*number, None),
         });
-        self.layers.iter().map(layer).chain(foundation)
+        self.joined.layers.iter().map(layer).chain(foundation)
     }
 }
 
@@ -246,10 +245,9 @@ impl Stack {
 
     /// The laminates from the top down, then the base.
     pub(crate) fn groups(&self) -> impl Iterator<Item = Group<'_>> {
-        let Base { layers, joints, foundation } = &self.base;
-        let base = Group { layers, joints, foundation: Some(foundation) };
-        let free = self.laminates.iter().map(|Laminate { layers, joints }| Group { layers, joints, foundation: None });
-        free.chain([base])
+        let Base { joined, foundation } = &self.base;
+        let free = self.laminates.iter().map(|joined| Group { joined, foundation: None });
+        free.chain([Group { joined, foundation: Some(foundation) }])
     }
 
     /// Layers left out because their thickness is zero.
@@ -267,7 +265,6 @@ impl Stack {
 
     /// Thickness of all layers without the half-plane, in length; 0 for a half-plane alone.
     pub fn total_thickness(&self) -> f64 {
-        let base: f64 = self.base.layers.iter().map(Placed::thickness).sum();
-        base + self.laminates.iter().map(Laminate::thickness).sum::<f64>()
+        self.groups().map(|group| group.joined.thickness()).sum()
     }
 }

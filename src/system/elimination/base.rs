@@ -42,14 +42,6 @@ pub(super) enum Below {
     Holds(Matrix2x4<f64>),
 }
 
-/// A layer of a base under unit stresses S and T on its top face.
-pub(super) struct UnitStresses {
-    /// Its amplitudes.
-    pub(super) amplitudes: Matrix4x2<f64>,
-    /// The shares of the states that [`Below::Allows`].
-    pub(super) below: Option<Matrix2<f64>>,
-}
-
 impl BaseChain {
     /// The base of a block system; it has no layers if all layers are above a receding interface on a rigid base.
     pub fn of(system: &BlockSystem) -> Self {
@@ -90,7 +82,7 @@ impl BaseChain {
         for body in bodies.iter(wave).rev() {
             let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
             let across = self.across(body.layers.end, wave);
-            let amplitudes = UnitStresses::new(&below, across, &top, &bottom)?.amplitudes;
+            let (amplitudes, _) = under_unit_stresses(&below, across, &top, &bottom)?;
             below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
         }
         let Below::Allows(allowed) = below else { return Some((0.0, Taken { cut_off, evaluated: 0 })) };
@@ -134,28 +126,27 @@ impl BaseChain {
     }
 }
 
-impl UnitStresses {
-    /// Of a layer with these states at its faces; `across` are the rows below it, `None` if states are the same on both sides.
-    pub(super) fn new(
-        below: &Below,
-        across: Option<[Matrix4<f64>; 2]>,
-        top: &Matrix4<f64>,
-        bottom: &Matrix4<f64>,
-    ) -> Option<Self> {
-        let (condition, shares) = match (below, across) {
-            (Below::Holds(rows), _) => (*rows, None),
-            (Below::Allows(allowed), None) => (reciprocal(allowed), None),
-            (Below::Allows(allowed), Some([above, below])) => {
-                let [left, solved] = eliminate_two(below * allowed, above)?;
-                (left, Some(solved))
-            }
-        };
-        let amplitudes: Matrix4x2<f64> = solve_equilibrated(
-            stacked(&(condition * bottom), &stress(top)),
-            Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
-        )?;
-        Some(Self { amplitudes, below: shares.map(|shares| shares * bottom * amplitudes) })
-    }
+/// The amplitudes of a layer with these states at its faces under unit stresses S and T on its top face, and the shares of the states that
+/// [`Below::Allows`]; `across` are the rows below the layer, `None` if states are the same on both sides, and then there are no shares.
+pub(super) fn under_unit_stresses(
+    below: &Below,
+    across: Option<[Matrix4<f64>; 2]>,
+    top: &Matrix4<f64>,
+    bottom: &Matrix4<f64>,
+) -> Option<(Matrix4x2<f64>, Option<Matrix2<f64>>)> {
+    let (condition, shares) = match (below, across) {
+        (Below::Holds(rows), _) => (*rows, None),
+        (Below::Allows(allowed), None) => (reciprocal(allowed), None),
+        (Below::Allows(allowed), Some([above, below])) => {
+            let [left, solved] = eliminate_two(below * allowed, above)?;
+            (left, Some(solved))
+        }
+    };
+    let amplitudes: Matrix4x2<f64> = solve_equilibrated(
+        stacked(&(condition * bottom), &stress(top)),
+        Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
+    )?;
+    Some((amplitudes, shares.map(|shares| shares * bottom * amplitudes)))
 }
 
 /// The states for S = 1 and for T = 1, from the displacements under them.
