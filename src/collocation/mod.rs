@@ -18,7 +18,7 @@ use crate::options::Options;
 use crate::scene::Top;
 use crate::solution::{Interface, Solution, Stats, Strip, Warning, WarningCode};
 
-use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::answer::{Answer, Found};
 use crate::contact::even::RightInterval;
 use crate::contact::problem::estimate::Estimate;
 use crate::contact::problem::modes::alternating;
@@ -228,8 +228,8 @@ impl Collocation<'_> {
             modes: vec![nodes.half(); problem.contacts()],
             newton_steps: self.steps.clone(),
             factorisations: self.steps.iter().sum(),
-            wavenumbers: problem.kernel.work().wavenumbers + self.spatial.samples(),
-            ..stats(problem.kernel)
+            wavenumbers: problem.kernel.stats().wavenumbers + self.spatial.samples(),
+            ..problem.kernel.stats()
         };
         Ok(Answer { contacts, min_pressure, min_gap, tilts: Vec::new(), stats, warnings }.into_solution(problem))
     }

@@ -3,7 +3,6 @@ use crate::contact::even::{RightInterval, whole};
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
-use crate::kernel::{self, Kernel};
 use crate::solution::{Carried, Contact, Interface, Interval, Solution, Stats, Strip, Warning};
 
 /// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
@@ -103,21 +102,5 @@ impl Found {
             intervals: self.intervals.iter().map(interval).collect(),
         };
         contact.with_forces()
-    }
-}
-
-/// What it took to evaluate the stack.
-pub(crate) fn stats(kernel: &Kernel) -> Stats {
-    let kernel::Evaluations { wavenumbers, layers, repeated, below_decay_depth } = kernel.work();
-    let (dropped, merged) = (kernel.dropped(), kernel.merged());
-    Stats {
-        dropped,
-        merged,
-        wavenumbers,
-        layers,
-        repeated,
-        below_decay_depth,
-        uncoupled: kernel.uncoupled_values(),
-        ..Stats::default()
     }
 }

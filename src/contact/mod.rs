@@ -30,7 +30,7 @@ pub use error::{ContactError, Controlled, NoSolution};
 pub(crate) use starts::table::Table;
 pub(crate) use tangent::tangent;
 
-use answer::{Answer, stats};
+use answer::Answer;
 use ends::newton::Work;
 use problem::Problem;
 use problem::estimate::Estimate;
@@ -106,7 +106,7 @@ pub(crate) fn kernel_under<'a>(kernel: &'a Kernel, top: &Top, force: f64) -> Cow
 /// Solves from the first of the starting points that leads to an admissible solution.
 fn solve(problem: &Problem, table: Option<&Table>) -> Result<Solution, ContactError> {
     if problem.unknown().next().is_none() {
-        let stats = Stats { modes: vec![1; problem.contacts()], ..stats(problem.kernel) };
+        let stats = Stats { modes: vec![1; problem.contacts()], ..problem.kernel.stats() };
         let known = Answer {
             contacts: Vec::new(),
             min_pressure: 0.0,

@@ -213,7 +213,6 @@ mod tests {
     use recede_layers::{HalfPlane, Homogeneous};
 
     use super::*;
-    use crate::stack::StackBuilder;
 
     fn strip(thickness: f64) -> Item {
         Item::layer(Homogeneous::new(thickness, 1.0, 0.25).unwrap())
@@ -257,24 +256,5 @@ mod tests {
         // a dropped first layer drops the interface below it
         assert_eq!(groups(&[none(), Receding, one(), Bonded, ground()]), (vec![], vec![2]));
         assert_eq!(groups(&[none(), Receding, none(), Receding, ground()]), (vec![], vec![]));
-    }
-
-    #[test]
-    fn contacts_are_named_by_the_layers_that_are_there() {
-        let items = [strip(1.0), Item::Bonded, strip(0.0), Item::Receding, ground()];
-        let stack = assemble(Geometry::PlaneStrain, &items).unwrap();
-        let names: Vec<String> = stack.contacts().iter().map(ToString::to_string).collect();
-        assert_eq!(names, ["punch", "1|3"]);
-        assert_eq!(stack.dropped()[0].number, 2);
-    }
-
-    #[test]
-    fn nothing_elastic_is_refused() {
-        let builder = || StackBuilder::new(Geometry::PlaneStrain);
-        assert_eq!(builder().rigid().build().unwrap_err().problem(), &StackProblem::NothingElastic);
-        let empty = builder().item(strip(0.0)).bonded().rigid().build();
-        assert_eq!(empty.unwrap_err().item(), Some(2));
-        let thick = builder().item(strip(1e308)).bonded().item(strip(1e308)).bonded().rigid().build();
-        assert_eq!(thick.unwrap_err().problem(), &StackProblem::TooThick);
     }
 }

@@ -14,7 +14,7 @@ mod waves;
 
 use std::f64::consts::PI;
 
-use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::LAYOUT_SERVES;
 use crate::contact::even::RightInterval;
 use crate::contact::integrals::layout::Layout;
@@ -149,7 +149,7 @@ fn refine(problem: &Problem, first: Level, work: &mut Work) -> Option<Solution> 
     let stats = Stats {
         modes: (0..problem.contacts()).map(|contact| terms(contact).unwrap_or(1)).collect(),
         newton_steps: work.steps.clone(),
-        ..stats(problem.kernel)
+        ..problem.kernel.stats()
     };
     let contacts = found(problem, &level, &errors);
     Some(

@@ -4,11 +4,12 @@ use std::sync::Arc;
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2};
 use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
-use super::cut_off::{Taken, cut_off};
+use super::cut_off::cut_off;
 use super::free::{junctions, layers};
 use super::half::{displacement, eliminate_two, stacked, stress, uniform};
 use super::junction::{Junction, Rows};
 use super::repeats::{self, Bodies, Repeat};
+use crate::solution::Stats;
 use crate::system::{BlockSystem, Component, Side};
 
 /// Layers joined to each other and to a foundation, top down, with a shear-free top face: the component of the block system
@@ -67,28 +68,30 @@ impl BaseChain {
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` if a layer's states are not
     /// finite or do not determine its fields.
     pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
-        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
+        self.counted_flexibility(wave, &mut Stats::default())
     }
 
-    /// The same, and the number of layers for it, the foundation not counted.
-    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(f64, Taken)> {
+    /// The same, with the layers for it counted, without the foundation.
+    pub(crate) fn counted_flexibility(&self, wave: &Wave, stats: &mut Stats) -> Option<f64> {
         let cut_off = cut_off(&self.layers, &self.junctions, 0..self.layers.len(), wave);
+        stats.below_decay_depth += self.layers.len() - cut_off;
         let states = |column: &dyn Layer| match column.face_states(wave) {
             FaceStates::HalfPlane { top } => Some(top),
             FaceStates::Finite { .. } => None,
         };
         let mut below = self.below(cut_off, wave, states)?;
         let bodies = Bodies::new(&self.layers, &self.repeats, 0..cut_off, wave);
+        bodies.count(stats);
         for body in bodies.iter(wave).rev() {
             let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
             let across = self.across(body.layers.end, wave);
             let (amplitudes, _) = under_unit_stresses(&below, across, &top, &bottom)?;
             below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
         }
-        let Below::Allows(allowed) = below else { return Some((0.0, Taken { cut_off, evaluated: 0 })) };
+        let Below::Allows(allowed) = below else { return Some(0.0) };
         let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
         let shares = solve_equilibrated(stress, uniform())?;
-        Some(((allowed.row(1) * shares)[0], Taken { cut_off, evaluated: bodies.evaluated }))
+        Some((allowed.row(1) * shares)[0])
     }
 
     /// The bodies below the layers above the cut-off; `states` gives the states at the face of a half-plane.

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, Wave};
 
-use super::cut_off::{Taken, cut_off};
+use super::cut_off::cut_off;
 use super::half::{FaceOf, Half, Meeting, PutBack};
 use super::junction::Junction;
 use super::repeats::{self, Bodies, Body, Repeat};
+use crate::solution::Stats;
 use crate::system::{BlockSystem, Component, Side};
 
 /// Layers joined to each other, top down, with shear-free faces above and below: a component of the block system that only
@@ -51,17 +52,19 @@ impl FreeChain {
 
     /// Flexibility at one wavenumber; `None` if a layer's states are not finite or do not determine its fields.
     pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
+        self.counted_flexibility(wave, &mut Stats::default())
     }
 
-    /// The same, and the number of layers for it.
-    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(Flexibility, Taken)> {
+    /// The same, with the layers for it counted.
+    pub(crate) fn counted_flexibility(&self, wave: &Wave, stats: &mut Stats) -> Option<Flexibility> {
         let count = self.layers.len();
-        let Some([above, below]) = self.decayed(wave) else { return self.part(0..count, self.meeting, wave) };
-        let (Flexibility { top, .. }, upper) = self.part(0..above, 0, wave)?;
-        let (Flexibility { bottom, .. }, lower) = self.part(below..count, count, wave)?;
-        let taken = Taken { cut_off: upper.cut_off + lower.cut_off, evaluated: upper.evaluated + lower.evaluated };
-        Some((Flexibility { top, coupling: 0.0, bottom, equal_top: top, equal_bottom: bottom }, taken))
+        let Some([above, below]) = self.decayed(wave) else {
+            return self.part(0..count, self.meeting, wave, stats);
+        };
+        stats.below_decay_depth += below - above;
+        let top = self.part(0..above, 0, wave, stats)?.top;
+        let bottom = self.part(below..count, count, wave, stats)?.bottom;
+        Some(Flexibility { top, coupling: 0.0, bottom, equal_top: top, equal_bottom: bottom })
     }
 
     /// The layers between which the fields of loads on either face have decayed; `None` if they meet.
@@ -73,18 +76,17 @@ impl FreeChain {
     }
 
     /// Flexibility of some of the layers, eliminated from both faces to the interface above layer `meeting`.
-    fn part(&self, range: Range<usize>, meeting: usize, wave: &Wave) -> Option<(Flexibility, Taken)> {
-        let cut_off = range.len();
+    fn part(&self, range: Range<usize>, meeting: usize, wave: &Wave, stats: &mut Stats) -> Option<Flexibility> {
         if let [layer] = &self.layers[range.clone()] {
-            let flexibility = layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
-            return Some((flexibility?, Taken { cut_off, evaluated: 1 }));
+            stats.layers += 1;
+            return layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
         }
         let [upper, lower] =
             [range.start..meeting, meeting..range.end].map(|part| Bodies::new(&self.layers, &self.repeats, part, wave));
-        let taken = Taken { cut_off, evaluated: upper.evaluated + lower.evaluated };
+        upper.count(stats);
+        lower.count(stats);
         let (mut down, mut up) = (upper.iter(wave), lower.iter(wave).rev());
-        let meeting = self.eliminate(&range, meeting, wave, [&mut down, &mut up], |_, _, _| ())?;
-        Some((meeting.flexibility(), taken))
+        Some(self.eliminate(&range, meeting, wave, [&mut down, &mut up], |_, _, _| ())?.flexibility())
     }
 
     /// Eliminates the amplitudes of `bodies`, those between the upper face of `range` and the interface above layer `meeting` from the top down
