@@ -1,4 +1,5 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
+use std::ops::Deref;
 
 use recede_layers::{Body, Plane};
 
@@ -46,7 +47,7 @@ impl Column {
 }
 
 /// A face quantity of one layer, as a linear function of the layer's amplitudes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Block {
     /// Index of the column, from 0.
     pub column: usize,
@@ -72,13 +73,40 @@ impl Block {
     }
 }
 
+/// The blocks of a row from left to right: at most four, and one or two for most conditions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Blocks {
+    // in place, since a stack of many layers has many rows
+    list: [Block; 4],
+    count: usize,
+}
+
+impl Deref for Blocks {
+    type Target = [Block];
+
+    fn deref(&self) -> &[Block] {
+        &self.list[..self.count]
+    }
+}
+
+impl From<[Option<Block>; 4]> for Blocks {
+    fn from(blocks: [Option<Block>; 4]) -> Self {
+        let mut collected = Self::default();
+        for (place, block) in collected.list.iter_mut().zip(blocks.into_iter().flatten()) {
+            *place = block;
+            collected.count += 1;
+        }
+        collected
+    }
+}
+
 /// One scalar condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Where the condition holds.
     pub place: Place,
-    /// The blocks from left to right, one or two for most conditions; all others are zero.
-    pub blocks: Vec<Block>,
+    /// The blocks from left to right; all others are zero.
+    pub blocks: Blocks,
     /// The right-hand side; `None` is zero.
     pub pressure: Option<Pressure>,
 }
@@ -192,7 +220,7 @@ impl BlockSystem {
                 let Term { quantity, negative, stiffness, .. } = term;
                 Some(Block { column, layer: self.columns[column].number, face, quantity, negative, stiffness })
             };
-            let blocks: Vec<Block> = terms.into_iter().filter_map(block).collect();
+            let blocks = Blocks::from(terms.map(block));
             // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
                 self.rows.push(Row { place, blocks, pressure });

@@ -4,9 +4,10 @@
 pub use crate::solution::Interface as Place;
 
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// Of the displacement u along the layers.
+    #[default]
     U,
     /// Of the displacement v upwards.
     V,
@@ -29,9 +30,10 @@ impl Quantity {
 }
 
 /// Face of a layer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Face {
     /// The upper face.
+    #[default]
     Top,
     /// The lower face.
     Bottom,
