@@ -2,7 +2,6 @@
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
-use crate::kernel::{self, Kernel};
 use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Strip, Warning};
 use crate::validity;
 
@@ -37,7 +36,7 @@ pub(crate) struct Answer {
 impl Answer {
     /// Where all pressures are given.
     pub(crate) fn known(problem: &Problem) -> Self {
-        let stats = Stats { modes: vec![1; problem.contacts()], ..stats(problem.kernel) };
+        let stats = Stats { modes: vec![1; problem.contacts()], ..problem.kernel.stats() };
         Self { contacts: Vec::new(), min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings: Vec::new() }
     }
 
@@ -136,21 +135,5 @@ impl Found {
             intervals: self.intervals.iter().map(interval).collect(),
         };
         contact.with_forces()
-    }
-}
-
-/// What it took to evaluate the stack.
-pub(crate) fn stats(kernel: &Kernel) -> Stats {
-    let kernel::Evaluations { wavenumbers, layers, repeated, below_decay_depth } = kernel.work();
-    let (dropped, merged) = (kernel.dropped(), kernel.merged());
-    Stats {
-        dropped,
-        merged,
-        wavenumbers,
-        layers,
-        repeated,
-        below_decay_depth,
-        uncoupled: kernel.uncoupled_values(),
-        ..Stats::default()
     }
 }

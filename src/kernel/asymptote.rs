@@ -1,8 +1,9 @@
 //! Large wavenumbers: the short-wave asymptote of a kernel and the terms due to the grading at its own faces.
 use crate::numeric::chebyshev::{self, Series};
+use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::{Chains, Evaluations, Sample};
+use super::{Chains, Sample};
 
 /// Points of the fit.
 const POINTS: usize = 17;
@@ -18,18 +19,23 @@ pub(crate) struct Asymptote {
     /// The short-wave limit g∞, for ζ → ∞, which makes the Cauchy kernel.
     pub(crate) limit: f64,
     /// The remainder: the kernel minus its short-wave limit, in u = from/ζ; `None` if it vanishes.
-    pub(super) remainder: Option<Series>,
+    remainder: Option<Series>,
     /// A bound on the remainder over u.
-    pub(super) rate: f64,
+    rate: f64,
 }
 
 impl Asymptote {
+    /// A kernel that is constant beyond a wavenumber.
+    pub(super) fn constant(from: f64, limit: f64) -> Self {
+        Self { from, limit, remainder: None, rate: 0.0 }
+    }
+
     /// Fits the diagonal of one contact on ζ ≥ `from`; `None` if it is not yet smooth there.
     pub(super) fn fit(
         chains: &Chains,
         contact: usize,
         from: f64,
-        work: &mut Evaluations,
+        stats: &mut Stats,
     ) -> Result<Option<Self>, Unresolved> {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
         let mut sample = Sample::new(chains.contacts());
@@ -37,7 +43,7 @@ impl Asymptote {
         let points = chebyshev::points(0.0, 1.0, POINTS);
         for u in &points {
             // u = 0 stands for a wavenumber so large that the kernel depends on the material at the face only
-            chains.sample(from / u.max(1e-25), &wanted, &mut sample, work)?;
+            chains.sample(from / u.max(1e-25), &wanted, &mut sample, stats)?;
             values.push(sample.components[contact]);
         }
         let series = Series::from_values_at_points(0.0, 1.0, &values);
@@ -46,23 +52,19 @@ impl Asymptote {
         }
         let limit = series.eval(0.0);
         let spread = values.iter().map(|value| (value - limit).abs()).fold(0.0, f64::max);
-        if spread <= RESOLVED * limit {
-            return Ok(Some(Self { from, limit, remainder: None, rate: 0.0 }));
+        let mut found = Self::constant(from, limit);
+        if spread > RESOLVED * limit {
+            let remainder: Vec<f64> = values.iter().map(|value| value - limit).collect();
+            let rates = points.iter().zip(&remainder).skip(1).map(|(u, remainder)| (remainder / u).abs());
+            found.rate = rates.fold(0.0, f64::max);
+            found.remainder = Some(Series::from_values_at_points(0.0, 1.0, &remainder));
         }
-        let remainder: Vec<f64> = values.iter().map(|value| value - limit).collect();
-        let rates = points.iter().zip(&remainder).skip(1).map(|(u, remainder)| (remainder / u).abs());
-        let rate = rates.fold(0.0, f64::max);
-        Ok(Some(Self { from, limit, remainder: Some(Series::from_values_at_points(0.0, 1.0, &remainder)), rate }))
+        Ok(Some(found))
     }
 
     /// Whether the kernel equals its limit.
     pub(crate) fn is_constant(&self) -> bool {
         self.remainder.is_none()
-    }
-
-    /// A constant kernel that holds for all wavenumbers.
-    pub(super) fn starts_at_zero(&mut self) {
-        self.from = 0.0;
     }
 
     /// The wavenumber ζ beyond which the remainder is below `little` (1 + ζa) of the limit; 0 if that is before `from`.

@@ -9,13 +9,6 @@ use super::{Asymptote, Kernel};
 /// Gauss points in an octave of wavenumbers, and on all wavenumbers beyond the panels: enough for an estimate.
 const POINTS: usize = 8;
 
-impl Asymptote {
-    /// A kernel that is constant beyond a wavenumber.
-    fn constant(from: f64, limit: f64) -> Self {
-        Self { from, limit, remainder: None, rate: 0.0 }
-    }
-}
-
 impl Kernel {
     /// The equal-pressure response of contact i at one wavenumber.
     fn equal_pressure(&self, contact: usize, zeta: f64) -> f64 {

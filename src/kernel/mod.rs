@@ -8,20 +8,19 @@ mod closed;
 mod cut_off;
 mod length;
 mod panel;
-mod work;
 
 use std::sync::Arc;
 
 use recede_layers::{Flexibility, Isotropic, Layer, Wave};
 
 use crate::geometry::Geometry;
+use crate::solution::Stats;
 use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
 
 pub(crate) use asymptote::Asymptote;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
-pub(crate) use work::Evaluations;
 
 /// Beyond this λh the two faces of a layer do not interact: e^(−2·18.5) is below rounding.
 pub(crate) const DECAYED: f64 = 18.5;
@@ -45,10 +44,8 @@ pub(crate) struct Kernel {
     panels: Vec<Panel>,
     /// The diagonals for large wavenumbers, one for each contact.
     asymptotes: Vec<Asymptote>,
-    work: Evaluations,
-    /// Layers of thickness 0, and layers that were merged with a neighbour.
-    dropped: usize,
-    merged: usize,
+    /// Counts of what was evaluated for the stack.
+    stats: Stats,
     /// Compliance λμ₀C of an elastic punch, which deforms like a half-plane; part of contact 0.
     punch: f64,
 }
@@ -98,28 +95,21 @@ impl Chains {
     }
 
     /// All components at one wavenumber for the contacts that are `wanted`.
-    fn sample(
-        &self,
-        zeta: f64,
-        wanted: &[bool],
-        sample: &mut Sample,
-        work: &mut Evaluations,
-    ) -> Result<(), Unresolved> {
+    fn sample(&self, zeta: f64, wanted: &[bool], sample: &mut Sample, stats: &mut Stats) -> Result<(), Unresolved> {
         let Sample { components, bent } = sample;
         let wave = self.wave(zeta);
         let n = self.contacts();
         let failed = || Unresolved { wavenumber: wave.wavenumber };
         components.fill(0.0);
-        work.wavenumbers += 1;
-        if work.wavenumbers > n * MOST_WAVENUMBERS {
+        stats.wavenumbers += 1;
+        if stats.wavenumbers > n * MOST_WAVENUMBERS {
             return Err(failed());
         }
         for (i, laminate) in self.laminates.iter().enumerate() {
             if !(wanted[i] || wanted[i + 1]) {
                 continue;
             }
-            let (c, taken) = laminate.flexibility_and_taken(&wave).ok_or_else(failed)?;
-            work.add(taken, laminate.layers().len());
+            let c = laminate.counted_flexibility(&wave, stats).ok_or_else(failed)?;
             components[i] += c.top;
             components[n + i] += c.equal_top;
             components[i + 1] -= c.bottom;
@@ -129,8 +119,7 @@ impl Chains {
             bent[i] |= laminate.layers().len() > 1 || c.equal_top + c.equal_bottom != 0.0;
         }
         if wanted[n - 1] {
-            let (c, taken) = self.base.flexibility_and_taken(&wave).ok_or_else(failed)?;
-            work.add(taken, self.base.layers().len());
+            let c = self.base.counted_flexibility(&wave, stats).ok_or_else(failed)?;
             components[n - 1] += c;
             components[2 * n - 1] += c;
         }
@@ -159,23 +148,29 @@ impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
     pub(crate) fn new(stack: &Stack) -> Result<Self, Unresolved> {
         let (stack, merged) = stack.merged();
-        Ok(Self { dropped: stack.dropped().len(), merged, ..Self::sampled(Chains::new(&stack))? })
+        let mut kernel = Self::sampled(Chains::new(&stack))?;
+        (kernel.stats.dropped, kernel.stats.merged) = (stack.dropped().len(), merged);
+        Ok(kernel)
     }
 
     /// The kernel of the stack without one of its laminates.
     pub(crate) fn without(&self, laminate: usize) -> Result<Self, Unresolved> {
         let mut chains = self.chains.clone();
         chains.laminates.remove(laminate);
-        let kernel = Self::sampled(chains)?;
-        let kernel = Self { dropped: self.dropped, merged: self.merged, work: self.work.and(kernel.work), ..kernel };
+        let mut kernel = Self::sampled(chains)?;
+        let own = std::mem::replace(&mut kernel.stats, self.stats.clone());
+        kernel.stats.wavenumbers += own.wavenumbers;
+        kernel.stats.layers += own.layers;
+        kernel.stats.repeated += own.repeated;
+        kernel.stats.below_decay_depth += own.below_decay_depth;
         Ok(if self.punch == 0.0 { kernel } else { kernel.under_punch(self.punch) })
     }
 
     /// Samples chains until every component is resolved to rounding.
     fn sampled(chains: Chains) -> Result<Self, Unresolved> {
         let n = chains.contacts();
-        let (panels, asymptotes, work) = (Vec::new(), Vec::new(), Evaluations::default());
-        let mut kernel = Self { panels, asymptotes, work, dropped: 0, merged: 0, punch: 0.0, chains };
+        let (panels, asymptotes, stats) = (Vec::new(), Vec::new(), Stats::default());
+        let mut kernel = Self { panels, asymptotes, stats, punch: 0.0, chains };
         let mut asymptotes: Vec<Option<Asymptote>> = vec![None; n];
         let mut edge = 0.0;
         // long waves need two panels in most stacks, and an interval after one that was halved is as a rule halved too
@@ -186,10 +181,10 @@ impl Kernel {
                 // next to a half-plane the kernel may be constant from the start
                 let from = if thickness.is_finite() { edge } else { f64::max(edge, 1e-9) };
                 if asymptote.is_none() && from * thickness >= DECAYED {
-                    *asymptote = Asymptote::fit(&kernel.chains, i, from, &mut kernel.work)?
+                    *asymptote = Asymptote::fit(&kernel.chains, i, from, &mut kernel.stats)?
                         .filter(|asymptote| edge > 0.0 || asymptote.is_constant());
                     if let (Some(asymptote), true) = (asymptote, edge == 0.0) {
-                        asymptote.starts_at_zero();
+                        asymptote.from = 0.0;
                     }
                 }
             }
@@ -204,8 +199,8 @@ impl Kernel {
                 return Ok(kernel);
             }
             let next = 2.0 * f64::from(2u32).powi(doubling as i32);
-            let (panels, work) = (&mut kernel.panels, &mut kernel.work);
-            halved = panel::resolve(&kernel.chains, [edge, next], halved, &wanted, panels, work)?;
+            let (panels, stats) = (&mut kernel.panels, &mut kernel.stats);
+            halved = panel::resolve(&kernel.chains, [edge, next], halved, &wanted, panels, stats)?;
             edge = next;
         }
         Err(Unresolved { wavenumber: edge / kernel.chains.length })
@@ -276,25 +271,10 @@ impl Kernel {
         self.panels.len() * panel::POINTS * (3 * self.contacts() - 1)
     }
 
-    /// How much was evaluated for the stack.
-    pub(crate) fn work(&self) -> Evaluations {
-        self.work
-    }
-
-    /// Number of layers of thickness 0.
-    pub(crate) fn dropped(&self) -> usize {
-        self.dropped
-    }
-
-    /// Number of layers that were merged with a neighbour.
-    pub(crate) fn merged(&self) -> usize {
-        self.merged
-    }
-
-    /// Number of coupling values that vanish, and are left out of all integrals.
-    pub(crate) fn uncoupled_values(&self) -> usize {
+    /// Counts of what was evaluated for the stack, and of the coupling values that vanish and are left out of all integrals.
+    pub(crate) fn stats(&self) -> Stats {
         let vanishing = self.panels.iter().flat_map(|panel| &panel.coupled).filter(|coupled| !**coupled);
-        panel::POINTS * vanishing.count()
+        Stats { uncoupled: panel::POINTS * vanishing.count(), ..self.stats.clone() }
     }
 
     /// The same with all couplings, also those that vanish.

@@ -4,9 +4,10 @@ use std::sync::LazyLock;
 use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
+use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::{Asymptote, Chains, Evaluations, Sample};
+use super::{Asymptote, Chains, Sample};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
@@ -68,23 +69,23 @@ pub(super) fn resolve(
     expected: bool,
     wanted: &[bool],
     panels: &mut Vec<Panel>,
-    work: &mut Evaluations,
+    stats: &mut Stats,
 ) -> Result<bool, Unresolved> {
     if !expected {
-        let panel = Panel::new(chains, from, to, wanted, work)?;
+        let panel = Panel::new(chains, from, to, wanted, stats)?;
         if panel.is_resolved() || to < LOWEST || to - from < NARROWEST * to {
             panels.push(panel);
             return Ok(false);
         }
     }
     let (first, middle) = (panels.len(), 0.5 * (from + to));
-    resolve(chains, [from, middle], false, wanted, panels, work)?;
-    resolve(chains, [middle, to], false, wanted, panels, work)?;
+    resolve(chains, [from, middle], false, wanted, panels, stats)?;
+    resolve(chains, [middle, to], false, wanted, panels, stats)?;
     if let ([left, right], true) = (&panels[first..], expected)
         && left.is_one_with(right)
     {
         // interpolated values are less accurate than samples
-        let whole = Panel::new(chains, from, to, wanted, work)?;
+        let whole = Panel::new(chains, from, to, wanted, stats)?;
         if whole.is_resolved() {
             panels.truncate(first);
             panels.push(whole);
@@ -130,13 +131,13 @@ fn interpolation(x: f64) -> [f64; POINTS] {
 }
 
 impl Panel {
-    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], work: &mut Evaluations) -> Result<Self, Unresolved> {
+    fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], stats: &mut Stats) -> Result<Self, Unresolved> {
         let contacts = chains.contacts();
         let mut sample = Sample::new(contacts);
         let mut values = vec![[0.0; POINTS]; sample.components.len()];
         for (k, x) in quadrature::rule(POINTS).nodes.iter().enumerate() {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
-            chains.sample(zeta, wanted, &mut sample, work)?;
+            chains.sample(zeta, wanted, &mut sample, stats)?;
             for (c, value) in sample.components.iter().enumerate() {
                 values[c][k] = value * power(zeta, powers(contacts, c));
             }
@@ -189,20 +190,21 @@ impl Panel {
         resolved(&self.bent, [self.from, self.to], |c| self.size(c), |c| self.values[c])
     }
 
-    /// The largest absolute value of a component minus `limit`, on the Gauss points.
-    fn largest(&self, component: usize, limit: f64) -> f64 {
+    /// The Gauss points, and a component there.
+    fn samples(&self, component: usize) -> impl Iterator<Item = (f64, f64)> {
         let exponent = powers(self.contacts, component);
         let nodes = quadrature::rule(POINTS).on(self.from, self.to);
-        let values = nodes.zip(&self.values[component]).map(|((zeta, _), value)| value / power(zeta, exponent) - limit);
-        values.fold(0.0, |largest, value| largest.max(value.abs()))
+        nodes.zip(&self.values[component]).map(move |((zeta, _), value)| (zeta, value / power(zeta, exponent)))
+    }
+
+    /// The largest absolute value of a component minus `limit`, on the Gauss points.
+    fn largest(&self, component: usize, limit: f64) -> f64 {
+        self.samples(component).fold(0.0, |largest: f64, (_, value)| largest.max((value - limit).abs()))
     }
 
     /// The largest Gauss point at which the diagonal of contact `i` differs from `limit` by more than `little`.
     pub(super) fn last_above(&self, i: usize, limit: f64, little: f64) -> Option<f64> {
-        let exponent = powers(self.contacts, i);
-        let nodes: Vec<f64> = quadrature::rule(POINTS).on(self.from, self.to).map(|(zeta, _)| zeta).collect();
-        let above = |(zeta, value): &(&f64, &f64)| (*value / power(**zeta, exponent) - limit).abs() > little;
-        nodes.iter().zip(&self.values[i]).rev().find(above).map(|(zeta, _)| *zeta)
+        self.samples(i).filter(|(_, value)| (value - limit).abs() > little).map(|(zeta, _)| zeta).last()
     }
 
     /// Bounds the remainders and the couplings, once the asymptotes are known.
@@ -328,7 +330,8 @@ impl At<'_> {
 mod tests {
     use recede_layers::{HalfPlane, Homogeneous, Plane};
 
-    use crate::kernel::{Evaluations, Kernel, Sample};
+    use crate::kernel::{Kernel, Sample};
+    use crate::solution::Stats;
     use crate::stack::Stack;
 
     /// Next to a loose thin layer that bends very easily equal-pressure responses keep their accuracy.
@@ -344,7 +347,7 @@ mod tests {
             let mut exact = Sample::new(2);
             for k in 1..400 {
                 let zeta = 0.01 * 1.02f64.powi(k);
-                kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Evaluations::default()).unwrap();
+                kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Stats::default()).unwrap();
                 for i in 0..2 {
                     let found = kernel.remainder(i, zeta) + kernel.asymptote(i).limit;
                     // the longer the waves, the less accurate they need be

@@ -68,29 +68,13 @@ const DEEPEST: f64 = 690.0;
 ///
 /// # Panics
 /// If `out` is not `orders` times as long as `arguments`.
-///
-/// ```
-/// let mut j = [0.0; 4];
-/// recede::numeric::bessel::table(2, &[0.0, 1.0], &mut j);
-/// assert_eq!((j[0], j[2]), (1.0, 0.0));
-/// assert!((j[1] - 0.765_197_686_557_966_6).abs() < 1e-15); // J0(1)
-/// assert!((j[3] - 0.440_050_585_744_933_5).abs() < 1e-15); // J1(1)
-/// ```
 pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
     assert_eq!(out.len(), orders * arguments.len(), "a Bessel table holds one value per order and argument");
-    scaled_table(orders, arguments, 1.0, arguments.len(), out);
+    scaled_orders(orders, Wanted::ALL, arguments, 1.0, arguments.len(), out);
 }
 
-/// As [`table`], into the first rows of a matrix with more rows: `factor` J_n(z_i) goes to `out[n * stride + i]`.
-///
-/// # Panics
-/// If `stride` is less than the number of arguments, or `out` too short.
-pub fn scaled_table(orders: usize, arguments: &[f64], factor: f64, stride: usize, out: &mut [f64]) {
-    scaled_orders(orders, Wanted::ALL, arguments, factor, stride, out);
-}
-
-/// As [`scaled_table`], with the same values, but of the orders below `orders` only those that are `wanted`, one after
-/// the other.
+/// As [`table`], of the orders below `orders` only those that are `wanted`, one after the other, into the first rows of a matrix with more rows:
+/// `factor` J_n(z_i) of the order in the place k among these goes to `out[k * stride + i]`.
 ///
 /// # Panics
 /// If `stride` is less than the number of arguments, or `out` too short.
@@ -158,22 +142,15 @@ fn fill<const SPHERICAL: bool>(
         z[..block.len()].copy_from_slice(block);
         let mut window = Window { first, width: block.len(), stride, wanted, out };
         let far = z.map(|z| z >= upward_from);
-        match far[..block.len()].iter().filter(|&&far| far).count() {
-            0 => {
-                let scale = downward::<SPHERICAL>(orders, &z, &mut rows).map(|scale| factor * scale);
-                window.store(&rows[..orders], &scale, [true; LANES]);
-            }
-            all if all == block.len() => {
-                upward::<SPHERICAL>(orders, &z, &mut rows);
-                window.store(&rows[..orders], &[factor; LANES], [true; LANES]);
-            }
-            _ => {
-                let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
-                let scale = downward::<SPHERICAL>(orders, &near, &mut rows).map(|scale| factor * scale);
-                window.store(&rows[..orders], &scale, far.map(|far| !far));
-                upward::<SPHERICAL>(orders, &z, &mut rows);
-                window.store(&rows[..orders], &[factor; LANES], far);
-            }
+        let count = far.iter().filter(|far| **far).count();
+        if count < block.len() {
+            let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
+            let scale = downward::<SPHERICAL>(orders, &near, &mut rows).map(|scale| factor * scale);
+            window.store(&rows[..orders], &scale, far.map(|far| !far));
+        }
+        if count > 0 {
+            upward::<SPHERICAL>(orders, &z, &mut rows);
+            window.store(&rows[..orders], &[factor; LANES], far);
         }
     }
 }

@@ -34,15 +34,6 @@ pub fn barycentric_weights(nodes: &[f64]) -> Vec<f64> {
 
 /// The values at `x` of the polynomials that are 1 at one node and 0 at the others: their scalar product with the
 /// values of a function at the nodes interpolates the function. Exact at the nodes.
-///
-/// ```
-/// use recede::numeric::chebyshev::{barycentric_weights, interpolation_row};
-/// let nodes = [0.0, 1.0, 3.0];
-/// let mut row = [0.0; 3];
-/// interpolation_row(&nodes, &barycentric_weights(&nodes), 2.0, &mut row);
-/// let square: f64 = row.iter().zip(nodes).map(|(r, x)| r * x * x).sum();
-/// assert!((square - 4.0).abs() < 1e-15);
-/// ```
 pub fn interpolation_row(nodes: &[f64], weights: &[f64], x: f64, row: &mut [f64]) {
     let mut sum = 0.0;
     for j in 0..row.len().min(nodes.len()).min(weights.len()) {
@@ -78,13 +69,6 @@ pub fn panel_matrix(n: usize) -> &'static [f64] {
 
 /// How well a panel resolves a function: the last Legendre coefficients relative to the largest one, from the values at
 /// the nodes of `rule(PANEL)`. Infinite if a value is not finite, zero if all values are zero.
-///
-/// ```
-/// use recede::numeric::{chebyshev::legendre_tail, quadrature::rule};
-/// let tail = |f: fn(f64) -> f64| legendre_tail(&std::array::from_fn(|i| f(rule(16).nodes[i])));
-/// assert!(tail(f64::exp) < 1e-12);
-/// assert!(tail(f64::abs) > 1e-3);
-/// ```
 pub fn legendre_tail(values_at_rule16: &[f64; PANEL]) -> f64 {
     // Row j is what the value at x_j contributes to the coefficients of all P_l: (l + 1/2) w_j P_l(x_j).
     static ANALYSIS: LazyLock<[[f64; PANEL]; PANEL]> = LazyLock::new(|| {

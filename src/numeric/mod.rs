@@ -3,14 +3,33 @@
 pub mod bessel;
 pub(crate) mod buffer;
 pub mod chebyshev;
-mod largest;
 pub mod quadrature;
 pub(crate) mod trigonometry;
 pub(crate) mod vector;
 
-pub use largest::largest;
-
 /// Σ a_i b_i.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The largest of non-negative numbers, 0 if there are none; NaN if any of them is: an error that is not known is no small
+/// one, as it would be with [`f64::max`], which passes over NaN.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values
+        .into_iter()
+        .fold(0.0, |most: f64, value| if value.is_nan() || most.is_nan() { f64::NAN } else { most.max(value) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+
+    #[test]
+    fn what_is_no_number_is_not_passed_over() {
+        assert_eq!(largest([]), 0.0);
+        assert_eq!(largest([0.5, f64::INFINITY]), f64::INFINITY);
+        for values in [[f64::NAN, 1.0], [1.0, f64::NAN], [f64::NAN, f64::INFINITY]] {
+            assert!(largest(values).is_nan());
+        }
+    }
 }

@@ -38,10 +38,6 @@ pub(super) fn position(n: usize) -> usize {
 }
 
 /// The smallest kept Gauss-Legendre rule on [-1, 1] with at least `n` nodes (the largest, 1024, beyond that).
-///
-/// ```
-/// assert_eq!(recede::numeric::quadrature::rule(10).nodes.len(), 12);
-/// ```
 pub fn rule(n: usize) -> &'static Rule {
     static RULES: [OnceLock<Rule>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];
     let i = position(n);
@@ -49,16 +45,10 @@ pub fn rule(n: usize) -> &'static Rule {
 }
 
 /// The Gauss-Laguerre rule with 24 nodes (`n` <= 24) or 32, for integrals of exp(-s) f(s) over s > 0.
-///
-/// ```
-/// let rule = recede::numeric::quadrature::laguerre_rule(24);
-/// let factorial: f64 = rule.nodes.iter().zip(&rule.weights).map(|(s, w)| w * s.powi(5)).sum();
-/// assert!((factorial - 120.0).abs() < 1e-11);
-/// ```
 pub fn laguerre_rule(n: usize) -> &'static Rule {
     // Evaluated by the compiler: bisection for 24 nodes takes a million instructions, a seventh of a first solution.
-    const FEW: [[f64; 24]; 2] = laguerre_arrays();
-    const MANY: [[f64; 32]; 2] = laguerre_arrays();
+    const FEW: [[f64; 24]; 2] = gauss_laguerre();
+    const MANY: [[f64; 32]; 2] = gauss_laguerre();
     static RULES: [OnceLock<Rule>; 2] = [const { OnceLock::new() }; 2];
     let (i, [nodes, weights]): (_, [&[f64]; 2]) =
         if n <= 24 { (0, [&FEW[0], &FEW[1]]) } else { (1, [&MANY[0], &MANY[1]]) };
@@ -125,33 +115,21 @@ fn legendre(n: usize, angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
     (value, descent)
 }
 
-/// Gauss-Laguerre rule with `n` nodes, for integrals of exp(-s) f(s) over s > 0. Meant for n up to 40.
+/// Gauss-Laguerre rule for integrals of exp(-s) f(s) over s > 0: nodes and weights. Meant for up to 40 nodes. Loops are written so that the
+/// compiler can run them.
 ///
 /// The nodes are separated by the sign changes of L_0, L_1, ... (a Sturm sequence) and refined by Newton's method.
 /// Source: Szegő 1939, (5.1.10), (5.1.14), (15.3.5).
-pub fn gauss_laguerre(n: usize) -> Rule {
-    let mut rule = Rule { nodes: vec![0.0; n], weights: vec![0.0; n] };
-    fill_laguerre(&mut rule.nodes, &mut rule.weights);
-    rule
-}
-
-/// Nodes and weights of [`gauss_laguerre`] for a constant number of nodes.
-const fn laguerre_arrays<const N: usize>() -> [[f64; N]; 2] {
-    let (mut nodes, mut weights) = ([0.0; N], [0.0; N]);
-    fill_laguerre(&mut nodes, &mut weights);
-    [nodes, weights]
-}
-
-/// The rule with as many nodes as there is room for. Loops are written so that the compiler, too, can run them.
-const fn fill_laguerre(nodes: &mut [f64], weights: &mut [f64]) {
-    let n = nodes.len();
+const fn gauss_laguerre<const N: usize>() -> [[f64; N]; 2] {
+    let [mut nodes, mut weights] = [[0.0; N]; 2];
     let mut k = 0;
-    while k < n {
-        let (mut lo, mut hi) = (0.0, 4.0 * n as f64 + 2.0);
+    while k < N {
+        let (mut lo, mut hi) = (0.0, 4.0 * N as f64 + 2.0);
         let mut halved = 0;
         while halved < 40 {
             let middle = 0.5 * (lo + hi);
-            if laguerre(n, middle).zeros_below > k {
+            let (.., zeros_below) = laguerre(N, middle);
+            if zeros_below > k {
                 hi = middle;
             } else {
                 lo = middle;
@@ -162,8 +140,8 @@ const fn fill_laguerre(nodes: &mut [f64], weights: &mut [f64]) {
         let mut steps = 0;
         while steps < 3 {
             // x L'' = (x - 1) L' - n L gives the slope at the corrected node.
-            let Laguerre { value, difference, .. } = laguerre(n, x);
-            let descent = n as f64 * difference / x;
+            let (value, difference, _) = laguerre(N, x);
+            let descent = N as f64 * difference / x;
             let step = -value / descent;
             slope = descent * (1.0 + step * (x - 1.0) / x);
             x += step;
@@ -173,19 +151,11 @@ const fn fill_laguerre(nodes: &mut [f64], weights: &mut [f64]) {
         weights[k] = 1.0 / (x * slope * slope);
         k += 1;
     }
+    [nodes, weights]
 }
 
-/// The recurrence of the Laguerre polynomials at one point.
-struct Laguerre {
-    /// L_n
-    value: f64,
-    /// L_n - L_{n-1} = (x/n) dL_n/dx
-    difference: f64,
-    /// How many zeros of L_n are smaller.
-    zeros_below: usize,
-}
-
-const fn laguerre(n: usize, x: f64) -> Laguerre {
+/// The recurrence of the Laguerre polynomials at one point: L_n, L_n - L_(n-1) = (x/n) dL_n/dx, and the number of zeros of L_n below x.
+const fn laguerre(n: usize, x: f64) -> (f64, f64, usize) {
     let (mut value, mut difference, mut zeros_below) = (1.0f64, 0.0, 0);
     let mut k = 0;
     while k < n {
@@ -197,7 +167,7 @@ const fn laguerre(n: usize, x: f64) -> Laguerre {
         }
         k += 1;
     }
-    Laguerre { value, difference, zeros_below }
+    (value, difference, zeros_below)
 }
 
 #[cfg(test)]
@@ -250,16 +220,9 @@ mod tests {
     }
 
     #[test]
-    fn what_the_compiler_makes_is_what_is_computed() {
-        for n in [24, 32] {
-            assert_eq!(*laguerre_rule(n), gauss_laguerre(n));
-        }
-    }
-
-    #[test]
     fn laguerre_moments_are_factorials() {
-        for n in [1, 2, 10, 24, 32, 40] {
-            let rule = gauss_laguerre(n);
+        for n in [24, 32] {
+            let rule = laguerre_rule(n);
             let mut factorial = 1.0;
             for degree in 0..2 * n {
                 let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(s, w)| w * s.powi(degree as i32)).sum();
@@ -272,7 +235,7 @@ mod tests {
             }
         }
         // first and last node and weight of 24, from a multiple-precision evaluation
-        let rule = gauss_laguerre(24);
+        let rule = laguerre_rule(24);
         for (i, node, weight) in [
             (0, 0.059_019_852_181_507_98, 0.142_811_973_334_781_85),
             (23, 81.498_279_233_948_89, 5.575_345_788_328_357e-35),

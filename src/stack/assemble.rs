@@ -15,16 +15,6 @@ enum Between {
 }
 
 impl Between {
-    fn of(item: &Item) -> Option<Self> {
-        Some(match item {
-            Item::Bonded => Self::Joint(Joint::BONDED),
-            Item::Sliding => Self::Joint(Joint::SLIDING),
-            Item::Spring(spring) => Self::Joint(Joint { normal: spring.normal(), tangential: spring.tangential() }),
-            Item::Receding => Self::Receding,
-            Item::Layer(_) | Item::Support(_) | Item::Rigid => return None,
-        })
-    }
-
     fn gives_way(self) -> bool {
         matches!(self, Self::Joint(joint) if joint.gives_way())
     }
@@ -34,9 +24,7 @@ impl Between {
 #[derive(Debug, Default)]
 struct Groups {
     finished: Vec<Laminate>,
-    open: Vec<Placed>,
-    /// The joints between the layers of `open`.
-    joints: Vec<Joint>,
+    open: Laminate,
     /// The interface below the last layer of `open`, as long as the layer on its other side is not known.
     below: Option<Between>,
     dropped: Vec<Placed>,
@@ -46,7 +34,7 @@ impl Groups {
     /// Adds an interface; `None` if springs are left without a layer on one side.
     fn interface(&mut self, next: Between) -> Option<()> {
         // the interfaces above the first layer are dropped
-        if self.open.is_empty() {
+        if self.open.layers.is_empty() {
             return (!next.gives_way()).then_some(());
         }
         // of the interfaces around dropped layers, a receding one takes precedence; compliances of others add up
@@ -62,11 +50,8 @@ impl Groups {
     /// Closes the open group if the next layer is not joined to it.
     fn begin_next(&mut self) {
         match self.below.take() {
-            Some(Between::Receding) => {
-                let (layers, joints) = (std::mem::take(&mut self.open), std::mem::take(&mut self.joints));
-                self.finished.push(Laminate { layers, joints });
-            }
-            Some(Between::Joint(joint)) => self.joints.push(joint),
+            Some(Between::Receding) => self.finished.push(std::mem::take(&mut self.open)),
+            Some(Between::Joint(joint)) => self.open.joints.push(joint),
             None => {}
         }
     }
@@ -76,7 +61,7 @@ impl Groups {
             self.dropped.push(placed);
         } else {
             self.begin_next();
-            self.open.push(placed);
+            self.open.layers.push(placed);
         }
     }
 }
@@ -85,123 +70,110 @@ pub(super) fn assemble(geometry: Geometry, items: &[Item]) -> Result<Stack, Stac
     check_order(items)?;
     let mut groups = Groups::default();
     let mut foundation = None;
-    let mut number = 0;
     for (index, item) in items.iter().enumerate() {
-        if let Some(between) = Between::of(item)
-            && groups.interface(between).is_none()
-        {
-            let layer = groups.dropped.last().map_or(String::new(), Placed::name);
-            return Err(at(index, StackProblem::LooseSprings { layer }));
-        }
-        match item {
-            Item::Bonded | Item::Sliding | Item::Spring(_) | Item::Receding => {}
+        let number = number(index);
+        let interface = match item {
+            Item::Bonded => Between::Joint(Joint::BONDED),
+            Item::Sliding => Between::Joint(Joint::SLIDING),
+            Item::Spring(spring) => Between::Joint(Joint { normal: spring.normal(), tangential: spring.tangential() }),
+            Item::Receding => Between::Receding,
             Item::Rigid => {
-                number += 1;
                 foundation = Some(Foundation::Rigid { number });
+                continue;
             }
             Item::Support(support) => {
-                number += 1;
                 foundation = Some(Foundation::Support { number, support: Arc::clone(support) });
+                continue;
             }
             Item::Layer(layer) => {
-                number += 1;
                 let placed = Placed { number, layer: Arc::clone(layer) };
                 match layer.thickness() {
                     None => foundation = Some(Foundation::HalfPlane(placed)),
                     Some(found) if !(found >= 0.0 && found.is_finite()) => {
-                        return Err(at(index, StackProblem::Thickness { layer: placed.name(), found }));
+                        return Err(StackError::at(index, StackProblem::Thickness { layer: placed.name(), found }));
                     }
                     Some(_) => groups.layer(placed),
                 }
+                continue;
             }
+        };
+        if groups.interface(interface).is_none() {
+            let layer = groups.dropped.last().map_or(String::new(), Placed::name);
+            return Err(StackError::at(index, StackProblem::LooseSprings { layer }));
         }
     }
     groups.begin_next();
     // `check_order` has found a base
-    let foundation = foundation.ok_or(StackError { item: None, problem: StackProblem::Empty })?;
-    finish(geometry, groups, foundation).map_err(|(item, problem)| match item {
-        Place::Whole => StackError { item: None, problem },
-        Place::Base => at(items.len() - 1, problem),
-        // layers and interfaces alternate
-        Place::Layer(number) => at(2 * (number - 1), problem),
-    })
-}
-
-/// Where something is wrong with a stack whose items are in order.
-enum Place {
-    Whole,
-    Base,
-    /// Number from the top.
-    Layer(usize),
+    finish(geometry, groups, foundation.ok_or(StackError::whole(StackProblem::Empty))?)
 }
 
 /// The stack of these groups, within the limits.
-fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<Stack, (Place, StackProblem)> {
-    let Groups { finished: laminates, open: layers, joints, dropped, .. } = groups;
-    if let (Foundation::Rigid { .. }, true, true) = (&foundation, laminates.is_empty(), layers.is_empty()) {
-        return Err((Place::Base, StackProblem::NothingElastic));
+fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<Stack, StackError> {
+    let Groups { finished: laminates, open: joined, dropped, .. } = groups;
+    if let (Foundation::Rigid { number }, true, true) = (&foundation, laminates.is_empty(), joined.layers.is_empty()) {
+        return Err(StackError::of_layer(*number, StackProblem::NothingElastic));
     }
-    if let (Foundation::Support { number, support }, true) = (&foundation, layers.is_empty()) {
+    if let (Foundation::Support { number, support }, true) = (&foundation, joined.layers.is_empty()) {
         let base = format!("layer {number} ({})", support.notation().kind);
-        return Err((Place::Base, StackProblem::NotBonded { base }));
+        return Err(StackError::of_layer(*number, StackProblem::NotBonded { base }));
     }
-    let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + layers.len();
+    let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + joined.layers.len();
     if found > MAX_LAYERS {
-        return Err((Place::Whole, StackProblem::TooManyLayers { found }));
+        return Err(StackError::whole(StackProblem::TooManyLayers { found }));
     }
     if laminates.len() > MAX_RECEDING {
-        return Err((Place::Whole, StackProblem::TooManyReceding { found: laminates.len() }));
+        return Err(StackError::whole(StackProblem::TooManyReceding { found: laminates.len() }));
     }
-    let stack = Stack { geometry, laminates, base: Base { layers, joints, foundation }, dropped };
+    let stack = Stack { geometry, laminates, base: Base { joined, foundation }, dropped };
     if !stack.total_thickness().is_finite() {
-        return Err((Place::Whole, StackProblem::TooThick));
+        return Err(StackError::whole(StackProblem::TooThick));
     }
     if geometry.is_axisymmetric() {
         check_all_around(&stack)?;
     }
-    contrast::check(&stack, None).map_err(|(problem, number)| (Place::Layer(number), problem))?;
+    contrast::check(&stack, None)?;
     Ok(stack)
-}
-
-fn at(item: usize, problem: StackProblem) -> StackError {
-    StackError { item: Some(item), problem }
 }
 
 /// Layers and interfaces alternate, from a layer to a base, which is the only one.
 fn check_order(items: &[Item]) -> Result<(), StackError> {
     let (Some(first), Some(last)) = (items.first(), items.last()) else {
-        return Err(StackError { item: None, problem: StackProblem::Empty });
+        return Err(StackError::whole(StackProblem::Empty));
     };
     if first.is_interface() {
-        return Err(at(0, StackProblem::BeginsWithInterface { interface: first.name() }));
+        return Err(StackError::at(0, StackProblem::BeginsWithInterface { interface: first.name() }));
     }
-    let mut number = 1;
     for (index, pair) in items.windows(2).enumerate() {
         let [above, below] = pair else { continue };
+        let number = number(index);
         match (above.is_interface(), below.is_interface()) {
             (true, true) => {
                 let problem = StackProblem::TwoInterfaces { first: above.name(), second: below.name() };
-                return Err(at(index + 1, problem));
+                return Err(StackError::at(index + 1, problem));
             }
             (false, _) if is_base(above) => {
-                return Err(at(index, StackProblem::BaseNotLast { base: called(above, number) }));
+                return Err(StackError::at(index, StackProblem::BaseNotLast { base: called(above, number) }));
             }
             (false, false) => {
                 let (above, below) = (called(above, number), called(below, number + 1));
-                return Err(at(index + 1, StackProblem::NoInterface { above, below }));
+                return Err(StackError::at(index + 1, StackProblem::NoInterface { above, below }));
             }
-            (false, true) => number += 1,
-            (true, false) => {}
+            _ => {}
         }
     }
     let end = items.len() - 1;
     if last.is_interface() {
-        Err(at(end, StackProblem::EndsWithInterface { interface: last.name() }))
+        Err(StackError::at(end, StackProblem::EndsWithInterface { interface: last.name() }))
     } else if is_base(last) {
         Ok(())
     } else {
-        Err(at(end, StackProblem::NoBase { last: called(last, number) }))
+        Err(StackError::at(end, StackProblem::NoBase { last: called(last, number(end)) }))
     }
+}
+
+/// The number of the layer at this place among the items, where layers and interfaces alternate.
+fn number(index: usize) -> usize {
+    index / 2 + 1
 }
 
 fn is_base(item: &Item) -> bool {
@@ -221,19 +193,17 @@ fn called(item: &Item, number: usize) -> String {
 
 /// Materials have to be the same in all directions along the layers; next to loaded faces the fields of those with complex roots have no closed
 /// form about an axis.
-fn check_all_around(stack: &Stack) -> Result<(), (Place, StackProblem)> {
+fn check_all_around(stack: &Stack) -> Result<(), StackError> {
     let plane = stack.plane();
     for placed in stack.groups().flat_map(|group| group.layers()) {
         let material = placed.layer.material(0.0, plane);
         let [first, _] = material.squared_roots();
-        let problem = if !placed.layer.is_same_all_around() {
-            StackProblem::NotAxisymmetric { layer: placed.name() }
-        } else if !material.is_isotropic() && first.im != 0.0 {
-            StackProblem::ComplexRoots { layer: placed.name() }
-        } else {
-            continue;
-        };
-        return Err((Place::Layer(placed.number), problem));
+        if !placed.layer.is_same_all_around() {
+            return Err(StackError::of_layer(placed.number, StackProblem::NotAxisymmetric { layer: placed.name() }));
+        }
+        if !material.is_isotropic() && first.im != 0.0 {
+            return Err(StackError::of_layer(placed.number, StackProblem::ComplexRoots { layer: placed.name() }));
+        }
     }
     Ok(())
 }
@@ -243,7 +213,6 @@ mod tests {
     use recede_layers::{HalfPlane, Homogeneous};
 
     use super::*;
-    use crate::stack::StackBuilder;
 
     fn strip(thickness: f64) -> Item {
         Item::layer(Homogeneous::new(thickness, 1.0, 0.25).unwrap())
@@ -287,24 +256,5 @@ mod tests {
         // a dropped first layer drops the interface below it
         assert_eq!(groups(&[none(), Receding, one(), Bonded, ground()]), (vec![], vec![2]));
         assert_eq!(groups(&[none(), Receding, none(), Receding, ground()]), (vec![], vec![]));
-    }
-
-    #[test]
-    fn contacts_are_named_by_the_layers_that_are_there() {
-        let items = [strip(1.0), Item::Bonded, strip(0.0), Item::Receding, ground()];
-        let stack = assemble(Geometry::PlaneStrain, &items).unwrap();
-        let names: Vec<String> = stack.contacts().iter().map(ToString::to_string).collect();
-        assert_eq!(names, ["punch", "1|3"]);
-        assert_eq!(stack.dropped()[0].number, 2);
-    }
-
-    #[test]
-    fn nothing_elastic_is_refused() {
-        let builder = || StackBuilder::new(Geometry::PlaneStrain);
-        assert_eq!(builder().rigid().build().unwrap_err().problem(), &StackProblem::NothingElastic);
-        let empty = builder().item(strip(0.0)).bonded().rigid().build();
-        assert_eq!(empty.unwrap_err().item(), Some(2));
-        let thick = builder().item(strip(1e308)).bonded().item(strip(1e308)).bonded().rigid().build();
-        assert_eq!(thick.unwrap_err().problem(), &StackProblem::TooThick);
     }
 }

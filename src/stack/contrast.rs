@@ -1,51 +1,38 @@
 //! Ratios of moduli: a stack whose ratio is beyond double precision, and beyond any two materials, is rejected.
 use recede_layers::{Layer, Material, Plane};
 
-use super::{MAX_CONTRAST, Placed, Stack, StackProblem};
+use super::{MAX_CONTRAST, Placed, Stack, StackError, StackProblem};
 
 /// Depths at which the material of a layer is evaluated, in parts of the thickness, besides its kinks.
 const DEPTHS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// A body with its smallest or largest modulus.
-struct Extreme {
-    modulus: f64,
-    number: usize,
-    name: String,
-}
-
-impl Extreme {
-    fn new(modulus: f64, number: usize, name: &dyn Fn() -> String) -> Self {
-        Self { modulus, number, name: name() }
-    }
-}
-
-/// Rejects moduli whose ratio is larger than [`MAX_CONTRAST`], with the number of the layer that has the largest one.
+/// Rejects moduli whose ratio is larger than [`MAX_CONTRAST`], with the item of the layer that has the largest one.
 /// Of a half-plane the face counts: deeper down a graded one may have any modulus. A punch comes before all layers.
-pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), (StackProblem, usize)> {
-    let (mut softest, mut stiffest): (Option<Extreme>, Option<Extreme>) = (None, None);
-    let mut look = |number: usize, moduli: [f64; 2], name: &dyn Fn() -> String| {
-        if softest.as_ref().is_none_or(|known| moduli[0] < known.modulus) {
-            softest = Some(Extreme::new(moduli[0], number, name));
+pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), StackError> {
+    let punch = punch.map(|material| (None, moduli(&material)));
+    let layers = stack.groups().flat_map(|group| group.layers());
+    let layers = layers.map(|placed| (Some(placed), range(placed, stack.plane())));
+    let mut bodies = punch.into_iter().chain(layers);
+    let Some((first, moduli)) = bodies.next() else { return Ok(()) };
+    let [mut softest, mut stiffest] = moduli.map(|modulus| (first, modulus));
+    for (body, [least, most]) in bodies {
+        if least < softest.1 {
+            softest = (body, least);
         }
-        if stiffest.as_ref().is_none_or(|known| moduli[1] > known.modulus) {
-            stiffest = Some(Extreme::new(moduli[1], number, name));
+        if most > stiffest.1 {
+            stiffest = (body, most);
         }
-    };
-    if let Some(material) = punch {
-        look(1, moduli(&material), &|| "the punch".to_owned());
     }
-    let laminates = stack.laminates.iter().flat_map(|laminate| &laminate.layers);
-    for placed in laminates.chain(&stack.base.layers).chain(stack.base.foundation.half_plane()) {
-        look(placed.number, range(placed, stack.plane()), &|| placed.name());
-    }
-    let (Some(soft), Some(stiff)) = (softest, stiffest) else { return Ok(()) };
-    let ratio = stiff.modulus / soft.modulus;
+    let ratio = stiffest.1 / softest.1;
     if ratio <= MAX_CONTRAST || ratio.is_nan() {
         return Ok(());
     }
-    let same = soft.number == stiff.number && soft.name == stiff.name;
-    let soft = if same { "elsewhere in the same layer".to_owned() } else { soft.name };
-    Err((StackProblem::Contrast { stiff: stiff.name, soft, ratio }, stiff.number))
+    // the punch has no number
+    let [soft, stiff] = [softest, stiffest].map(|(body, _)| body.map(|placed| placed.number));
+    let name = |body: Option<&Placed>| body.map_or("the punch".to_owned(), Placed::name);
+    let elsewhere = || "elsewhere in the same layer".to_owned();
+    let soft = if soft == stiff { elsewhere() } else { name(softest.0) };
+    Err(StackError::of_layer(stiff.unwrap_or(1), StackProblem::Contrast { stiff: name(stiffest.0), soft, ratio }))
 }
 
 /// The smallest and the largest modulus of a layer.

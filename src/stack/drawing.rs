@@ -1,9 +1,9 @@
 //! The small drawing of a stack.
 use std::fmt;
 
-use recede_layers::Notation;
+use recede_layers::Body;
 
-use super::{Group, Joint, Placed, Stack};
+use super::{Joint, Placed, Stack};
 
 /// Columns between the borders, at least.
 const NARROWEST: usize = 50;
@@ -36,11 +36,11 @@ impl Stack {
     /// ```
     pub fn drawing(&self, punch: Option<&str>, columns: Option<usize>) -> String {
         let joints: Vec<&[Joint]> = self.groups().map(|group| group.joints()).collect();
-        let labels = |group: Group<'_>| {
-            let support = group.support().map(|(number, support)| label(number, &support.notation()));
-            group.layers().map(|placed| label(placed.number, &placed.layer.notation())).chain(support).collect()
+        let label = |(number, body): (usize, Option<Body>)| match body.map(|body| body.notation()) {
+            Some(notation) => format!(" {number} {}({}) ", notation.kind, notation.parameters),
+            None => format!(" {number} Rigid"),
         };
-        let groups: Vec<Vec<String>> = self.groups().map(labels).collect();
+        let groups: Vec<Vec<String>> = self.groups().map(|group| group.bodies().map(label).collect()).collect();
         let widths = groups.iter().flatten().map(|text| text.chars().count());
         let width = widths.chain([NARROWEST]).max().unwrap_or(NARROWEST).min(WIDEST);
         // the borders take a column each
@@ -65,12 +65,6 @@ impl Stack {
                 }
                 lines.extend(folded(text, width).iter().map(|line| format!("│{line:width$}│")));
             }
-        }
-        if let Some(number) = self.groups().find_map(|group| group.rigid()) {
-            if !self.base.layers.is_empty() {
-                lines.push(joined(self.base.joints.last(), width));
-            }
-            lines.push(format!("│{:width$}│", format!(" {number} Rigid")));
         }
         lines.push(format!("│{}│", "╱".repeat(width)));
         lines.extend(self.left_out());
@@ -121,11 +115,6 @@ fn folded(text: &str, width: usize) -> Vec<String> {
     }
     lines.push(line);
     lines
-}
-
-/// The text in the box of a layer.
-fn label(number: usize, notation: &Notation) -> String {
-    format!(" {number} {}({}) ", notation.kind, notation.parameters)
 }
 
 #[cfg(test)]

@@ -10,6 +10,19 @@ pub struct StackError {
 }
 
 impl StackError {
+    pub(super) fn whole(problem: StackProblem) -> Self {
+        Self { item: None, problem }
+    }
+
+    pub(super) fn at(index: usize, problem: StackProblem) -> Self {
+        Self { item: Some(index), problem }
+    }
+
+    /// Of the layer of this number: layers and interfaces alternate.
+    pub(super) fn of_layer(number: usize, problem: StackProblem) -> Self {
+        Self::at(2 * (number - 1), problem)
+    }
+
     /// Index of the offending item among the items, layers and interfaces, from 0; `None` if it is the whole stack.
     pub fn item(&self) -> Option<usize> {
         self.item

@@ -8,17 +8,12 @@ impl Stack {
     /// Checks the material next to all loaded faces: without a slope there, kernels have no short-wave asymptote.
     /// Layers with closed forms are not checked, since their response does not come from the material as a function of the depth.
     pub(crate) fn check_faces(&self) -> Result<(), StackError> {
-        let laminates = self.laminates.iter().map(|laminate| &laminate.layers);
-        let bottoms = laminates.clone().filter_map(|layers| layers.last()).map(|layer| (layer, true));
-        let top_of_base = self.base.layers.first().or(self.base.foundation.half_plane());
-        let tops = laminates.filter_map(|layers| layers.first()).chain(top_of_base).map(|layer| (layer, false));
-        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane(), bottom, self.length()))
-    }
-
-    /// The length with which depths in a half-plane are compared.
-    fn length(&self) -> f64 {
+        let tops = self.groups().filter_map(|group| group.layers().next()).map(|layer| (layer, false));
+        let bottoms = self.laminates.iter().filter_map(|laminate| laminate.layers.last()).map(|layer| (layer, true));
+        // the length with which depths in a half-plane are compared
         let total = self.total_thickness();
-        if total > 0.0 { total } else { 1.0 }
+        let length = if total > 0.0 { total } else { 1.0 };
+        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane(), bottom, length))
     }
 }
 
@@ -28,7 +23,6 @@ fn check(placed: &Placed, plane: Plane, bottom: bool, length: f64) -> Result<(),
     }
     rough_face(&*placed.layer, plane, bottom, length).map_or(Ok(()), |rough| {
         let problem = StackProblem::RoughFace { layer: placed.name(), face: rough.face, exponent: rough.exponent };
-        // layers and interfaces alternate
-        Err(StackError { item: Some(2 * (placed.number - 1)), problem })
+        Err(StackError::of_layer(placed.number, problem))
     })
 }

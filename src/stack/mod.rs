@@ -11,7 +11,7 @@ mod merged;
 
 use std::sync::Arc;
 
-use recede_layers::{Isotropic, Layer, Plane, Support};
+use recede_layers::{Body, Isotropic, Layer, Plane, Support};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
@@ -80,7 +80,7 @@ impl Placed {
 }
 
 /// A free group of at least one layer, joined to each other.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Laminate {
     layers: Vec<Placed>,
     joints: Vec<Joint>,
@@ -106,30 +106,25 @@ impl Laminate {
 /// The foundation, and the layers joined to it.
 #[derive(Clone, Debug)]
 pub struct Base {
-    layers: Vec<Placed>,
-    joints: Vec<Joint>,
+    /// The layers, with a joint below the last one, too.
+    joined: Laminate,
     foundation: Foundation,
 }
 
 impl Base {
     /// The layers joined to the foundation from the top down, without the foundation itself.
     pub fn layers(&self) -> &[Placed] {
-        &self.layers
+        &self.joined.layers
     }
 
     /// The joints of each layer with the next, from the top down, and of the last one with the foundation.
     pub fn joints(&self) -> &[Joint] {
-        &self.joints
+        &self.joined.joints
     }
 
     /// The foundation.
     pub fn foundation(&self) -> &Foundation {
         &self.foundation
-    }
-
-    /// Number of the topmost layer of the base.
-    fn top_number(&self) -> usize {
-        self.layers.first().map_or(self.foundation.number(), |layer| layer.number)
     }
 }
 
@@ -154,31 +149,30 @@ pub enum Foundation {
 
 /// Layers joined to each other: a laminate, or the base with its foundation.
 pub(crate) struct Group<'a> {
-    layers: &'a [Placed],
-    joints: &'a [Joint],
+    joined: &'a Laminate,
     foundation: Option<&'a Foundation>,
 }
 
 impl<'a> Group<'a> {
     /// The layers from the top down, an elastic foundation as the last one.
     pub(crate) fn layers(&self) -> impl Iterator<Item = &'a Placed> + use<'a> {
-        self.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
+        self.joined.layers.iter().chain(self.foundation.and_then(Foundation::half_plane))
     }
 
-    /// The joints of each layer with the next, and of the last one with a rigid foundation.
+    /// The joints of each body with the next.
     pub(crate) fn joints(&self) -> &'a [Joint] {
-        self.joints
+        &self.joined.joints
     }
 
-    /// The support below the layers and its number, if there is one.
-    pub(crate) fn support(&self) -> Option<(usize, &'a Arc<dyn Support>)> {
-        self.foundation.and_then(Foundation::support)
-    }
-
-    /// The number of a rigid foundation, if there is one.
-    pub(crate) fn rigid(&self) -> Option<usize> {
-        let rigid = |foundation: &&Foundation| foundation.half_plane().is_none() && foundation.support().is_none();
-        self.foundation.filter(rigid).map(Foundation::number)
+    /// The bodies from the top down with their numbers, the foundation as the last one; `None` if that is rigid.
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = (usize, Option<Body>)> + use<'a> {
+        let layer = |placed: &Placed| (placed.number, Some(Body::Layer(Arc::clone(&placed.layer))));
+        let foundation = self.foundation.map(|foundation| match foundation {
+            Foundation::HalfPlane(placed) => layer(placed),
+            Foundation::Support { number, support } => (*number, Some(Body::Support(Arc::clone(support)))),
+            Foundation::Rigid { number } => (*number, None),
+        });
+        self.joined.layers.iter().map(layer).chain(foundation)
     }
 }
 
@@ -226,7 +220,7 @@ impl Stack {
     /// Checks that an elastic punch is neither stiffer nor softer than the layers by more than [`MAX_CONTRAST`].
     pub(crate) fn check_punch(&self, material: &Isotropic) -> Result<(), StackError> {
         let material = material.material(self.plane());
-        contrast::check(self, Some(material)).map_err(|(problem, _)| StackError { item: None, problem })
+        contrast::check(self, Some(material)).map_err(|StackError { problem, .. }| StackError::whole(problem))
     }
 
     /// Plane, and in which way, or axisymmetric.
@@ -251,10 +245,9 @@ impl Stack {
 
     /// The laminates from the top down, then the base.
     pub(crate) fn groups(&self) -> impl Iterator<Item = Group<'_>> {
-        let Base { layers, joints, foundation } = &self.base;
-        let base = Group { layers, joints, foundation: Some(foundation) };
-        let free = self.laminates.iter().map(|Laminate { layers, joints }| Group { layers, joints, foundation: None });
-        free.chain([base])
+        let Base { joined, foundation } = &self.base;
+        let free = self.laminates.iter().map(|joined| Group { joined, foundation: None });
+        free.chain([Group { joined, foundation: Some(foundation) }])
     }
 
     /// Layers left out because their thickness is zero.
@@ -264,16 +257,14 @@ impl Stack {
 
     /// The contacts from the top down: the punch, then every receding interface.
     pub fn contacts(&self) -> Vec<Interface> {
-        let tops = self.laminates.iter().skip(1).filter_map(|below| below.layers.first()).map(|layer| layer.number);
-        let tops = tops.chain([self.base.top_number()]);
-        let bottoms = self.laminates.iter().filter_map(|above| above.layers.last()).map(|layer| layer.number);
-        let receding = bottoms.zip(tops).map(|(above, below)| Interface::Between { above, below });
+        let tops = self.groups().skip(1).filter_map(|below| below.bodies().next());
+        let bottoms = self.laminates.iter().filter_map(|above| above.layers.last());
+        let receding = bottoms.zip(tops).map(|(above, (below, _))| Interface::Between { above: above.number, below });
         [Interface::Punch].into_iter().chain(receding).collect()
     }
 
     /// Thickness of all layers without the half-plane, in length; 0 for a half-plane alone.
     pub fn total_thickness(&self) -> f64 {
-        let base: f64 = self.base.layers.iter().map(Placed::thickness).sum();
-        base + self.laminates.iter().map(Laminate::thickness).sum::<f64>()
+        self.groups().map(|group| group.joined.thickness()).sum()
     }
 }

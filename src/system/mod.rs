@@ -22,7 +22,7 @@ mod print;
 mod symbols;
 
 pub use elimination::{BaseChain, FreeChain};
-pub(crate) use elimination::{Load, Taken, slowest_decay};
+pub(crate) use elimination::{Load, slowest_decay};
 pub use error::{Unresolved, WrongCount};
 pub use symbols::components::Component;
 pub use symbols::conditions::{Relation, Term};

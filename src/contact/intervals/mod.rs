@@ -14,7 +14,7 @@ mod waves;
 
 use std::f64::consts::PI;
 
-use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
 use crate::contact::integrals::layout::Layout;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
@@ -125,7 +125,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     let stats = Stats {
         modes: (0..problem.contacts()).map(|contact| terms(contact).unwrap_or(1)).collect(),
         newton_steps: work.steps.clone(),
-        ..stats(problem.kernel)
+        ..problem.kernel.stats()
     };
     let contacts = found(problem, &level, &errors);
     Some(Answer { contacts, min_pressure, min_gap, tilts: tilts(problem, &level), stats, warnings })

@@ -2,7 +2,7 @@
 //!
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
-use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::answer::{Answer, Found};
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, load};
@@ -27,7 +27,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<An
          constant pressures on each of {elements} elements (see troubleshooting: low accuracy)"
     );
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
-    let stats = Stats { modes: vec![elements; problem.contacts()], ..stats(problem.kernel) };
+    let stats = Stats { modes: vec![elements; problem.contacts()], ..problem.kernel.stats() };
     Some(Answer { contacts, min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings })
 }
 

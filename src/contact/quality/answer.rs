@@ -1,7 +1,7 @@
 //! What a refinement level that passed the checks tells of the contacts.
 use std::f64::consts::PI;
 
-use crate::contact::answer::{Answer, Found, stats};
+use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::Work;
 use crate::contact::problem::Problem;
 use crate::contact::problem::twin::Twin;
@@ -29,7 +29,7 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
             factorisations: work.factorisations,
             interpolated: work.interpolated,
             stopped: work.stopped,
-            ..stats(problem.kernel)
+            ..problem.kernel.stats()
         },
         warnings,
     }

@@ -37,10 +37,8 @@ pub(super) fn factors(z: &Lanes, zeroth: &Lanes, first: &Lanes) -> Lanes {
 
 #[cfg(test)]
 mod tests {
-    use num_complex::Complex64;
-
     use super::*;
-    use crate::numeric::bessel::{Kind, Wanted, hankel_table, jy_table, scaled_orders};
+    use crate::numeric::bessel::{Kind, Wanted, scaled_orders};
 
     /// j_3 in closed form.
     fn third(z: f64) -> f64 {
@@ -88,17 +86,5 @@ mod tests {
         }
         let values = all(4, 1e-3);
         assert!((values[2] / (1e-6 / 15.0) - 1.0).abs() < 1e-6 && (values[3] / (1e-9 / 105.0) - 1.0).abs() < 1e-6);
-    }
-
-    #[test]
-    fn functions_of_the_third_kind_are_those_of_the_first_two() {
-        let (z, orders) = (60.0, 40);
-        let (mut j, mut y, mut h) = (vec![0.0; orders], vec![0.0; orders], vec![Complex64::ZERO; orders]);
-        jy_table(Kind::Spherical, orders, &[z], &mut j, &mut y);
-        hankel_table(Kind::Spherical, orders, &[Complex64::new(z, 0.0)], &mut h);
-        for n in 0..orders {
-            let whole = h[n] * Complex64::cis(z);
-            assert!((whole - Complex64::new(j[n], y[n])).norm() < 1e-14 * whole.norm().max(1.0), "{n}");
-        }
     }
 }

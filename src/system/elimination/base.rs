@@ -1,14 +1,15 @@
 //! The chain of a base: layers joined to a foundation.
 use std::sync::Arc;
 
-use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2, Vector2};
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2};
 use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
-use super::cut_off::{Taken, cut_off};
+use super::cut_off::cut_off;
 use super::free::{junctions, layers};
-use super::half::{Eliminated, Half, displacement, eliminate_two, stacked, stress};
+use super::half::{displacement, eliminate_two, stacked, stress, uniform};
 use super::junction::{Junction, Rows};
 use super::repeats::{self, Bodies, Repeat};
+use crate::solution::Stats;
 use crate::system::{BlockSystem, Component, Side};
 
 /// Layers joined to each other and to a foundation, top down, with a shear-free top face: the component of the block system
@@ -19,8 +20,6 @@ pub struct BaseChain {
     pub(super) layers: Vec<Arc<dyn Layer>>,
     /// Between each layer and the next, and above an elastic foundation.
     pub(super) junctions: Vec<Junction>,
-    /// The stresses (S, T) on the top face under a unit load.
-    pub(super) load: Vector2<f64>,
     pub(super) foot: Foot,
     pub(super) repeats: Vec<Repeat>,
 }
@@ -44,19 +43,12 @@ pub(super) enum Below {
     Holds(Matrix2x4<f64>),
 }
 
-/// A layer of a base under unit stresses S and T on its top face.
-pub(super) struct UnitStresses {
-    /// Its amplitudes.
-    pub(super) amplitudes: Matrix4x2<f64>,
-    /// The shares of the states that [`Below::Allows`].
-    pub(super) below: Option<Matrix2<f64>>,
-}
-
 impl BaseChain {
     /// The base of a block system; it has no layers if all layers are above a receding interface on a rigid base.
     pub fn of(system: &BlockSystem) -> Self {
         let components = system.components();
-        components.iter().find(|component| !component.is_free()).map_or_else(Self::rigid, Self::new)
+        let rigid = Component::default();
+        Self::new(components.iter().find(|component| !component.is_free()).unwrap_or(&rigid))
     }
 
     fn new(component: &Component<'_>) -> Self {
@@ -70,40 +62,36 @@ impl BaseChain {
             },
         };
         let repeats = repeats::find(&layers, &junctions);
-        Self { layers, junctions, load: Half::of_face(component.rows_at(0), Side::Below).by_load, foot, repeats }
-    }
-
-    /// A rigid base without layers.
-    fn rigid() -> Self {
-        let foot = Foot::Held(Box::new(Rows::new(std::iter::empty())));
-        Self { layers: Vec::new(), junctions: Vec::new(), load: Vector2::new(1.0, 0.0), foot, repeats: Vec::new() }
+        Self { layers, junctions, foot, repeats }
     }
 
     /// λμ₀C: displacement of the top face, times λμ₀, under unit pressure amplitude S on it; `None` if a layer's states are not
     /// finite or do not determine its fields.
     pub fn flexibility(&self, wave: &Wave) -> Option<f64> {
-        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
+        self.counted_flexibility(wave, &mut Stats::default())
     }
 
-    /// The same, and the number of layers for it, the foundation not counted.
-    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(f64, Taken)> {
+    /// The same, with the layers for it counted, without the foundation.
+    pub(crate) fn counted_flexibility(&self, wave: &Wave, stats: &mut Stats) -> Option<f64> {
         let cut_off = cut_off(&self.layers, &self.junctions, 0..self.layers.len(), wave);
+        stats.below_decay_depth += self.layers.len() - cut_off;
         let states = |column: &dyn Layer| match column.face_states(wave) {
             FaceStates::HalfPlane { top } => Some(top),
             FaceStates::Finite { .. } => None,
         };
         let mut below = self.below(cut_off, wave, states)?;
         let bodies = Bodies::new(&self.layers, &self.repeats, 0..cut_off, wave);
+        bodies.count(stats);
         for body in bodies.iter(wave).rev() {
             let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
             let across = self.across(body.layers.end, wave);
-            let amplitudes = UnitStresses::new(&below, across, &top, &bottom)?.amplitudes;
+            let (amplitudes, _) = under_unit_stresses(&below, across, &top, &bottom)?;
             below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
         }
-        let Below::Allows(allowed) = below else { return Some((0.0, Taken { cut_off, evaluated: 0 })) };
+        let Below::Allows(allowed) = below else { return Some(0.0) };
         let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
-        let shares = solve_equilibrated(stress, self.load)?;
-        Some(((allowed.row(1) * shares)[0], Taken { cut_off, evaluated: bodies.evaluated }))
+        let shares = solve_equilibrated(stress, uniform())?;
+        Some((allowed.row(1) * shares)[0])
     }
 
     /// The bodies below the layers above the cut-off; `states` gives the states at the face of a half-plane.
@@ -141,28 +129,27 @@ impl BaseChain {
     }
 }
 
-impl UnitStresses {
-    /// Of a layer with these states at its faces; `across` are the rows below it, `None` if states are the same on both sides.
-    pub(super) fn new(
-        below: &Below,
-        across: Option<[Matrix4<f64>; 2]>,
-        top: &Matrix4<f64>,
-        bottom: &Matrix4<f64>,
-    ) -> Option<Self> {
-        let (condition, shares) = match (below, across) {
-            (Below::Holds(rows), _) => (*rows, None),
-            (Below::Allows(allowed), None) => (reciprocal(allowed), None),
-            (Below::Allows(allowed), Some([above, below])) => {
-                let Eliminated { left, solved } = eliminate_two(below * allowed, above)?;
-                (left, Some(solved))
-            }
-        };
-        let amplitudes: Matrix4x2<f64> = solve_equilibrated(
-            stacked(&(condition * bottom), &stress(top)),
-            Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
-        )?;
-        Some(Self { amplitudes, below: shares.map(|shares| shares * bottom * amplitudes) })
-    }
+/// The amplitudes of a layer with these states at its faces under unit stresses S and T on its top face, and the shares of the states that
+/// [`Below::Allows`]; `across` are the rows below the layer, `None` if states are the same on both sides, and then there are no shares.
+pub(super) fn under_unit_stresses(
+    below: &Below,
+    across: Option<[Matrix4<f64>; 2]>,
+    top: &Matrix4<f64>,
+    bottom: &Matrix4<f64>,
+) -> Option<(Matrix4x2<f64>, Option<Matrix2<f64>>)> {
+    let (condition, shares) = match (below, across) {
+        (Below::Holds(rows), _) => (*rows, None),
+        (Below::Allows(allowed), None) => (reciprocal(allowed), None),
+        (Below::Allows(allowed), Some([above, below])) => {
+            let [left, solved] = eliminate_two(below * allowed, above)?;
+            (left, Some(solved))
+        }
+    };
+    let amplitudes: Matrix4x2<f64> = solve_equilibrated(
+        stacked(&(condition * bottom), &stress(top)),
+        Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
+    )?;
+    Some((amplitudes, shares.map(|shares| shares * bottom * amplitudes)))
 }
 
 /// The states for S = 1 and for T = 1, from the displacements under them.

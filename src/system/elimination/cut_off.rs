@@ -12,22 +12,6 @@ const END: f64 = 40.0;
 /// since nothing but their bending resists: by no less than λd·λd/(λd + LOOSE). Among plates of different stiffness fields decay faster.
 const LOOSE: f64 = 4.0;
 
-/// The number of layers for one flexibility.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Taken {
-    /// Layers above the cut-off.
-    pub(crate) cut_off: usize,
-    /// Layers evaluated: less than those above the cut-off where sequences are repeated.
-    pub(crate) evaluated: usize,
-}
-
-impl std::ops::AddAssign for Taken {
-    fn add_assign(&mut self, other: Self) {
-        self.cut_off += other.cut_off;
-        self.evaluated += other.evaluated;
-    }
-}
-
 /// The number of layers, in the order `outwards` from a loaded face, after which the fields of the load have decayed; `junctions` are
 /// those between each layer and the next.
 pub(super) fn cut_off(

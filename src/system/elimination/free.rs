@@ -5,10 +5,11 @@ use std::sync::Arc;
 use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, Wave};
 
-use super::cut_off::{Taken, cut_off};
-use super::half::{Half, Meeting};
+use super::cut_off::cut_off;
+use super::half::{FaceOf, Half, Meeting, PutBack};
 use super::junction::Junction;
-use super::repeats::{self, Bodies, Repeat};
+use super::repeats::{self, Bodies, Body, Repeat};
+use crate::solution::Stats;
 use crate::system::{BlockSystem, Component, Side};
 
 /// Layers joined to each other, top down, with shear-free faces above and below: a component of the block system that only
@@ -28,8 +29,6 @@ pub struct FreeChain {
     pub(super) layers: Vec<Arc<dyn Layer>>,
     /// Between each layer and the next.
     pub(super) junctions: Vec<Junction>,
-    /// The loaded faces, the upper one first.
-    pub(super) faces: [Half; 2],
     /// The chain is eliminated from both faces to the interface above layer `meeting`, the one nearest to the neutral
     /// axis: for long waves, the bending of a stiff part would cancel against its stretching.
     pub(super) meeting: usize,
@@ -47,75 +46,91 @@ impl FreeChain {
     fn new(component: &Component<'_>, plane: Plane) -> Self {
         let layers = layers(component);
         let junctions = junctions(component);
-        let faces = [(0, Side::Below), (layers.len(), Side::Above)];
-        let faces = faces.map(|(interface, side)| Half::of_face(component.rows_at(interface), side));
         let repeats = repeats::find(&layers, &junctions);
-        Self { meeting: neutral_interface(&layers, plane), layers, junctions, faces, repeats }
+        Self { meeting: neutral_interface(&layers, plane), layers, junctions, repeats }
     }
 
     /// Flexibility at one wavenumber; `None` if a layer's states are not finite or do not determine its fields.
     pub fn flexibility(&self, wave: &Wave) -> Option<Flexibility> {
-        self.flexibility_and_taken(wave).map(|(flexibility, _)| flexibility)
+        self.counted_flexibility(wave, &mut Stats::default())
     }
 
-    /// The same, and the number of layers for it.
-    pub(crate) fn flexibility_and_taken(&self, wave: &Wave) -> Option<(Flexibility, Taken)> {
+    /// The same, with the layers for it counted.
+    pub(crate) fn counted_flexibility(&self, wave: &Wave, stats: &mut Stats) -> Option<Flexibility> {
+        let count = self.layers.len();
+        let Some([above, below]) = self.decayed(wave) else {
+            return self.part(0..count, self.meeting, wave, stats);
+        };
+        stats.below_decay_depth += below - above;
+        let top = self.part(0..above, 0, wave, stats)?.top;
+        let bottom = self.part(below..count, count, wave, stats)?.bottom;
+        Some(Flexibility { top, coupling: 0.0, bottom, equal_top: top, equal_bottom: bottom })
+    }
+
+    /// The layers between which the fields of loads on either face have decayed; `None` if they meet.
+    pub(super) fn decayed(&self, wave: &Wave) -> Option<[usize; 2]> {
         let count = self.layers.len();
         let above = cut_off(&self.layers, &self.junctions, 0..count, wave);
         let below = cut_off(&self.layers, &self.junctions, (0..count).rev(), wave);
-        if above + below <= count && above < count {
-            // the fields of either face have decayed before the other one
-            let (top, mut taken) = self.part(0..above, 0, wave)?;
-            let (bottom, more) = self.part(count - below..count, count, wave)?;
-            taken += more;
-            let apart = Flexibility {
-                top: top.top,
-                coupling: 0.0,
-                bottom: bottom.bottom,
-                equal_top: top.top,
-                equal_bottom: bottom.bottom,
-            };
-            return Some((apart, taken));
-        }
-        self.part(0..count, self.meeting, wave)
+        (above + below <= count && above < count).then_some([above, count - below])
     }
 
     /// Flexibility of some of the layers, eliminated from both faces to the interface above layer `meeting`.
-    fn part(&self, range: Range<usize>, meeting: usize, wave: &Wave) -> Option<(Flexibility, Taken)> {
-        let cut_off = range.len();
+    fn part(&self, range: Range<usize>, meeting: usize, wave: &Wave, stats: &mut Stats) -> Option<Flexibility> {
         if let [layer] = &self.layers[range.clone()] {
-            let flexibility = layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
-            return Some((flexibility?, Taken { cut_off, evaluated: 1 }));
+            stats.layers += 1;
+            return layer.flexibility(wave).or_else(|| Flexibility::of_face_states(&layer.face_states(wave)));
         }
         let [upper, lower] =
             [range.start..meeting, meeting..range.end].map(|part| Bodies::new(&self.layers, &self.repeats, part, wave));
-        let inside = |interface: usize| range.start < interface && interface < range.end;
-        let at = |interface: usize, near: Side| self.junction(interface).filter(|_| inside(interface))?.at(wave, near);
-        let [mut above, mut below] = self.faces;
-        for body in upper.iter(wave) {
-            let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = body.states else { return None };
-            let across = at(body.layers.start, Side::Above);
-            above = above.through(across, (&top, &at_top), (&bottom, &at_bottom))?.0;
-        }
-        for body in lower.iter(wave).rev() {
-            let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = body.states else { return None };
-            let across = at(body.layers.end, Side::Below);
-            below = below.through(across, (&bottom, &at_bottom), (&top, &at_top))?.0;
-        }
-        let evaluated = upper.evaluated + lower.evaluated;
-        let junction = self.junction(meeting).filter(|_| inside(meeting));
-        Some((Meeting::of(above, below, junction, wave)?.flexibility(), Taken { cut_off, evaluated }))
+        upper.count(stats);
+        lower.count(stats);
+        let (mut down, mut up) = (upper.iter(wave), lower.iter(wave).rev());
+        Some(self.eliminate(&range, meeting, wave, [&mut down, &mut up], |_, _, _| ())?.flexibility())
     }
 
-    /// The interface above a layer; `None` above the first one.
-    pub(super) fn junction(&self, interface: usize) -> Option<&Junction> {
-        self.junctions.get(interface.checked_sub(1)?)
+    /// Eliminates the amplitudes of `bodies`, those between the upper face of `range` and the interface above layer `meeting` from the top down
+    /// and those between the lower face and this interface from the bottom up. `keep` is given the half, 0 or 1, the first layer of each body and
+    /// its back substitution.
+    pub(super) fn eliminate(
+        &self,
+        range: &Range<usize>,
+        meeting: usize,
+        wave: &Wave,
+        bodies: [&mut dyn Iterator<Item = Body>; 2],
+        mut keep: impl FnMut(usize, usize, PutBack),
+    ) -> Option<Meeting> {
+        let junction = |interface: usize| {
+            let is_inside = range.start < interface && interface < range.end;
+            if is_inside { self.junctions.get(interface - 1) } else { None }
+        };
+        let mut halves = [Half::of_face(); 2];
+        for (side, bodies) in bodies.into_iter().enumerate() {
+            for Body { layers, states } in bodies {
+                let [near, far] = faces(&states, side)?;
+                let (interface, near_side) = [(layers.start, Side::Above), (layers.end, Side::Below)][side];
+                let across = junction(interface).and_then(|junction| junction.at(wave, near_side));
+                let (half, put_back) = halves[side].through(across, near, far)?;
+                halves[side] = half;
+                keep(side, layers.start, put_back);
+            }
+        }
+        let [above, below] = halves;
+        Meeting::of(above, below, junction(meeting), wave)
     }
 
     /// The layers, top down.
     pub fn layers(&self) -> &[Arc<dyn Layer>] {
         &self.layers
     }
+}
+
+/// The faces of a layer, first the one that is nearer to the loaded face of the upper half, 0, or the lower half, 1.
+pub(super) fn faces(states: &FaceStates, side: usize) -> Option<[FaceOf<'_>; 2]> {
+    let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = states else { return None };
+    let mut faces = [(top, at_top), (bottom, at_bottom)];
+    faces.swap(0, side);
+    Some(faces)
 }
 
 /// The layers of a component, which keep what the general body computes of them.

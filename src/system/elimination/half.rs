@@ -1,24 +1,21 @@
 //! The part of a free chain between a loaded face and an interface, with the amplitudes eliminated.
 use nalgebra::{
-    Matrix2, Matrix2x3, Matrix2x4, Matrix4, Matrix4x2, Matrix4x3, Matrix4x6, RowVector2, RowVector4, SMatrix, Vector2,
+    Matrix2, Matrix2x3, Matrix2x4, Matrix2x6, Matrix4, Matrix4x2, Matrix4x3, Matrix4x6, RowVector4, SMatrix, Vector2,
     Vector4,
 };
 use recede_layers::{Flexibility, State, Wave, solve_equilibrated};
 
-use super::junction::{Junction, Rows};
-use crate::system::{Row, Side};
+use super::junction::Junction;
+use crate::system::Side;
 
-/// The result of the elimination so far: the stresses (S, T) at the interface and V at the face, as
-/// functions of the displacements w = (U, V) at the interface and of the load. Under equal loads on both faces of the
-/// chain, S is the stress minus the load.
+/// The result of the elimination so far, as functions of the displacements (U, V) at the interface, of the load and of equal loads on both
+/// faces of the chain, one column each. Under equal loads S is the stress minus the load.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Half {
-    pub(super) stiffness: Matrix2<f64>,
-    pub(super) by_load: Vector2<f64>,
-    pub(super) by_equal: Vector2<f64>,
-    pub(super) face: RowVector2<f64>,
-    pub(super) face_by_load: f64,
-    pub(super) face_by_equal: f64,
+    /// The stresses (S, T) at the interface.
+    pub(super) stress: Matrix2x4<f64>,
+    /// V at the loaded face.
+    pub(super) face: RowVector4<f64>,
 }
 
 /// The back substitution of a layer: its amplitudes and, where the interface before it is not bonded, the displacements on the other
@@ -33,26 +30,11 @@ pub(super) struct PutBack {
 pub(super) type FaceOf<'a> = (&'a Matrix4<f64>, &'a State);
 
 impl Half {
-    /// Before the first layer: the interface is the loaded face itself, at which these rows hold for the layer on this side.
-    pub(super) fn of_face<'a>(rows: impl Iterator<Item = &'a Row> + Clone, side: Side) -> Self {
-        let mut loads = Vector2::zeros();
-        loads
-            .iter_mut()
-            .zip(rows.clone())
-            .for_each(|(load, row)| *load = if row.pressure.is_some() { 1.0 } else { 0.0 });
-        let [above, below] = Rows::<2>::new(rows).plain();
-        let rows = if side == Side::Above { above } else { below };
-        // without springs on it a face has no stiffness
-        let by_load = rows.fixed_columns::<2>(2).into_owned().try_inverse().map(|inverse| inverse * loads);
-        let by_load = by_load.unwrap_or(Vector2::repeat(f64::NAN));
-        Self {
-            stiffness: Matrix2::zeros(),
-            by_load,
-            by_equal: by_load - uniform(),
-            face: RowVector2::new(0.0, 1.0),
-            face_by_load: 0.0,
-            face_by_equal: 0.0,
-        }
+    /// Before the first layer: the interface is the loaded face itself, on which there is no shear.
+    pub(super) fn of_face() -> Self {
+        let mut stress = Matrix2x4::zeros();
+        stress.set_column(2, &uniform());
+        Self { stress, face: RowVector4::new(0.0, 1.0, 0.0, 0.0) }
     }
 
     /// One layer more: `near` is its face at the present interface, `far` the one that becomes the interface. `across` are the
@@ -63,74 +45,64 @@ impl Half {
         near: FaceOf<'_>,
         far: FaceOf<'_>,
     ) -> Option<(Self, PutBack)> {
-        match across {
-            None => self.through_bonded(near, far),
-            Some(rows) => self.through_rows(&rows, near, far),
-        }
-    }
-
-    /// Four amplitudes from the stresses at the near face and the displacements at the far one.
-    fn through_bonded(&self, near: FaceOf<'_>, far: FaceOf<'_>) -> Option<(Self, PutBack)> {
         let [(near, near_uniform), (far, far_uniform)] = [near, far];
-        let condition = stress(near) - self.stiffness * displacement(near);
-        let uniform_condition =
-            self.by_equal - (near_uniform.fixed_rows::<2>(2) - self.stiffness * near_uniform.fixed_rows::<2>(0));
+        // two rows on the amplitudes of the layer, the load and equal loads
+        let (condition, known, solved) = match across {
+            None => {
+                let stiffness = self.stiffness();
+                let mut known: Matrix2<f64> = self.stress.fixed_columns::<2>(2).into_owned();
+                let uniform = near_uniform.fixed_rows::<2>(2) - stiffness * near_uniform.fixed_rows::<2>(0);
+                known.set_column(1, &(known.column(1) - uniform));
+                (stress(near) - stiffness * displacement(near), known, None)
+            }
+            Some(rows) => {
+                let [left, solved] = self.behind(&rows, near_uniform)?;
+                let known: Matrix2<f64> = -left.fixed_columns::<2>(4);
+                (left.fixed_columns::<4>(0) * near, known, Some(solved))
+            }
+        };
         let mut loads = Matrix4::zeros();
         loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
-        loads.fixed_view_mut::<2, 1>(0, 2).copy_from(&self.by_load);
-        loads.fixed_view_mut::<2, 1>(0, 3).copy_from(&uniform_condition);
+        loads.fixed_view_mut::<2, 2>(0, 2).copy_from(&known);
         loads.fixed_view_mut::<2, 1>(2, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
         let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
-        let mut half = self.beyond(far, far_uniform, &amplitudes, &(self.face * displacement(near) * amplitudes));
-        half.face_by_equal += (self.face * near_uniform.fixed_rows::<2>(0))[0];
-        Some((half, PutBack { amplitudes, before: None }))
+
+        let own_face = self.face.fixed_columns::<2>(0);
+        let (mut face, before) = match solved {
+            None => {
+                let mut face = own_face * displacement(near) * amplitudes;
+                face[3] += (own_face * near_uniform.fixed_rows::<2>(0))[0];
+                (face, None)
+            }
+            Some(solved) => {
+                let mut before: Matrix2x4<f64> = solved.fixed_columns::<4>(0) * near * amplitudes;
+                let mut by_loads = before.fixed_columns_mut::<2>(2);
+                by_loads += solved.fixed_columns::<2>(4);
+                (own_face * before, Some(before))
+            }
+        };
+        face[2] += self.face[2];
+        face[3] += self.face[3];
+        let mut stress = stress(far) * amplitudes;
+        stress.set_column(3, &(stress.column(3) + far_uniform.fixed_rows::<2>(2)));
+        Some((Self { stress, face }, PutBack { amplitudes, before }))
     }
 
-    /// The same where rows hold in place of continuity: they are filled with the state on this side, a function of two
-    /// displacements, and these are eliminated, which leaves two rows on the state of the layer.
-    fn through_rows(&self, rows: &[Matrix4<f64>; 2], near: FaceOf<'_>, far: FaceOf<'_>) -> Option<(Self, PutBack)> {
-        let [(near, near_uniform), (far, far_uniform)] = [near, far];
+    /// The stresses at the interface under unit displacements there.
+    fn stiffness(&self) -> Matrix2<f64> {
+        self.stress.fixed_columns::<2>(0).into_owned()
+    }
+
+    /// The rows of an interface on which states differ, filled with the state on this side, which is a function of two displacements, after the
+    /// elimination of these. Columns for the state of the layer, for the load and for equal loads.
+    fn behind(&self, rows: &[Matrix4<f64>; 2], near_uniform: &State) -> Option<[Matrix2x6<f64>; 2]> {
         let [this_side, layer_side] = rows;
         let stress_columns = this_side.fixed_columns::<2>(2);
-        // columns for the state of the layer, for the load and for equal loads
         let mut known = Matrix4x6::zeros();
         known.fixed_view_mut::<4, 4>(0, 0).copy_from(layer_side);
-        known.set_column(4, &(stress_columns * self.by_load));
-        known.set_column(5, &(stress_columns * self.by_equal + layer_side * near_uniform + of_uniform(rows)));
-        let unknowns = this_side.fixed_columns::<2>(0) + stress_columns * self.stiffness;
-        let Eliminated { left, solved } = eliminate_two(unknowns, known)?;
-        let condition: Matrix2x4<f64> = left.fixed_columns::<4>(0) * near;
-        let mut loads = Matrix4::zeros();
-        loads.fixed_view_mut::<2, 2>(2, 0).fill_with_identity();
-        loads.fixed_view_mut::<2, 2>(0, 2).copy_from(&-left.fixed_columns::<2>(4));
-        loads.fixed_view_mut::<2, 1>(2, 3).copy_from(&-far_uniform.fixed_rows::<2>(0));
-        let amplitudes = solve_equilibrated(stacked(&condition, &displacement(far)), loads)?;
-        let mut before: Matrix2x4<f64> = solved.fixed_columns::<4>(0) * near * amplitudes;
-        for case in [0, 1] {
-            let column = before.column(2 + case) + solved.column(4 + case);
-            before.set_column(2 + case, &column);
-        }
-        let half = self.beyond(far, far_uniform, &amplitudes, &(self.face * before));
-        Some((half, PutBack { amplitudes, before: Some(before) }))
-    }
-
-    /// The half with one layer more, from the amplitudes of that and V at the loaded face.
-    fn beyond(
-        &self,
-        far: &Matrix4<f64>,
-        far_uniform: &State,
-        amplitudes: &Matrix4<f64>,
-        face: &RowVector4<f64>,
-    ) -> Self {
-        let at_far = stress(far) * amplitudes;
-        Self {
-            stiffness: at_far.fixed_columns::<2>(0).into_owned(),
-            by_load: at_far.column(2).into_owned(),
-            by_equal: at_far.column(3) + far_uniform.fixed_rows::<2>(2),
-            face: face.fixed_columns::<2>(0).into_owned(),
-            face_by_load: self.face_by_load + face[2],
-            face_by_equal: self.face_by_equal + face[3],
-        }
+        known.set_column(4, &(stress_columns * self.stress.column(2)));
+        known.set_column(5, &(stress_columns * self.stress.column(3) + layer_side * near_uniform + of_uniform(rows)));
+        eliminate_two(this_side.fixed_columns::<2>(0) + stress_columns * self.stiffness(), known)
     }
 }
 
@@ -148,10 +120,11 @@ impl Meeting {
         let displacements = match junction.and_then(|junction| junction.at(wave, Side::Above)) {
             None => {
                 // stresses are continuous: K_above w + ... = K_below w + ...
+                let by = |half: &Half, column: usize| half.stress.column(column).into_owned();
                 let zero = Vector2::zeros();
                 let loads =
-                    Matrix2x3::from_columns(&[zero - above.by_load, below.by_load, below.by_equal - above.by_equal]);
-                [solve_equilibrated(above.stiffness - below.stiffness, loads)?; 2]
+                    Matrix2x3::from_columns(&[zero - by(&above, 2), by(&below, 2), by(&below, 3) - by(&above, 3)]);
+                [solve_equilibrated(above.stiffness() - below.stiffness(), loads)?; 2]
             }
             Some(rows) => {
                 let mut matrix = Matrix4::zeros();
@@ -160,10 +133,10 @@ impl Meeting {
                 loads.set_column(2, &-equal);
                 for (i, (rows, half)) in rows.iter().zip([&above, &below]).enumerate() {
                     let stress = rows.fixed_columns::<2>(2);
-                    let columns = rows.fixed_columns::<2>(0) + stress * half.stiffness;
+                    let columns = rows.fixed_columns::<2>(0) + stress * half.stiffness();
                     matrix.fixed_view_mut::<4, 2>(0, 2 * i).copy_from(&columns);
-                    loads.set_column(i, &-(stress * half.by_load));
-                    let equal = loads.column(2) - stress * half.by_equal;
+                    loads.set_column(i, &-(stress * half.stress.column(2)));
+                    let equal = loads.column(2) - stress * half.stress.column(3);
                     loads.set_column(2, &equal);
                 }
                 let solved = solve_equilibrated(matrix, loads)?;
@@ -176,32 +149,25 @@ impl Meeting {
     /// The flexibility of the faces.
     pub(super) fn flexibility(&self) -> Flexibility {
         let Self { above, below, displacements: [at_above, at_below] } = self;
-        let (top, bottom) = (above.face * at_above, below.face * at_below);
-        let (top_by_top, bottom_by_bottom) = (top[0] + above.face_by_load, bottom[1] + below.face_by_load);
+        let [top, bottom] = [(above, at_above), (below, at_below)].map(|(half, w)| half.face.fixed_columns::<2>(0) * w);
+        let (top_by_top, bottom_by_bottom) = (top[0] + above.face[2], bottom[1] + below.face[2]);
         Flexibility {
             top: top_by_top,
             coupling: Flexibility::coupling(top_by_top, top[1], bottom[0], bottom_by_bottom),
             bottom: bottom_by_bottom,
-            equal_top: top[2] + above.face_by_equal,
-            equal_bottom: bottom[2] + below.face_by_equal,
+            equal_top: top[2] + above.face[3],
+            equal_bottom: bottom[2] + below.face[3],
         }
     }
 }
 
 /// The stresses (S, T) of uniform pressure.
-fn uniform() -> Vector2<f64> {
+pub(super) fn uniform() -> Vector2<f64> {
     Vector2::new(1.0, 0.0)
 }
 
-/// Four rows after the elimination of two unknowns.
-pub(super) struct Eliminated<const M: usize> {
-    /// Two rows without the unknowns.
-    pub(super) left: SMatrix<f64, 2, M>,
-    /// The unknowns as functions of the other columns.
-    pub(super) solved: SMatrix<f64, 2, M>,
-}
-
-/// Eliminates two unknowns from four rows, whose other columns are `others`; `None` if the rows do not determine the unknowns.
+/// Eliminates two unknowns from four rows, whose other columns are `others`: two rows without the unknowns, and the unknowns as functions of
+/// the other columns; `None` if the rows do not determine the unknowns.
 ///
 /// An unknown that occurs in no row, as the motion along springs that resist none below an interface that slides, is 0.
 ///
@@ -209,7 +175,7 @@ pub(super) struct Eliminated<const M: usize> {
 pub(super) fn eliminate_two<const M: usize>(
     unknowns: Matrix4x2<f64>,
     others: SMatrix<f64, 4, M>,
-) -> Option<Eliminated<M>> {
+) -> Option<[SMatrix<f64, 2, M>; 2]> {
     let mut sizes = [unknowns.column(0).amax().recip(), unknowns.column(1).amax().recip()];
     let mut unknowns: [[f64; 2]; 4] = std::array::from_fn(|i| [unknowns[(i, 0)], unknowns[(i, 1)]]);
     let mut others: [[f64; M]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| others[(i, j)]));
@@ -249,7 +215,7 @@ pub(super) fn eliminate_two<const M: usize>(
             left[(i, j)] = others[row][j];
         }
     }
-    Some(Eliminated { left, solved })
+    Some([left, solved])
 }
 
 /// Subtracts a multiple of the pivot row from each other row, so that the entries of a column vanish there.

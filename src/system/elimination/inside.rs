@@ -4,11 +4,11 @@ use std::ops::Range;
 use nalgebra::{Matrix2, Vector2, Vector3, Vector4};
 use recede_layers::{FaceStates, InnerStates, LayerStates, State, Wave, solve_equilibrated};
 
-use super::base::{BaseChain, Below, UnitStresses, with_unit_stress};
+use super::base::{BaseChain, Below, under_unit_stresses, with_unit_stress};
 use super::cut_off::cut_off;
-use super::free::FreeChain;
-use super::half::{FaceOf, Meeting, PutBack, displacement, stacked, stress};
-use crate::system::Side;
+use super::free::{FreeChain, faces};
+use super::half::{PutBack, displacement, stacked, stress, uniform};
+use super::repeats::Body;
 
 /// Amplitudes S of loads on the shear-free faces of a chain.
 ///
@@ -32,19 +32,15 @@ impl FreeChain {
     /// if a layer's states are not finite or do not determine its fields.
     pub fn states(&self, wave: &Wave, depths: &Depths, load: &Load) -> Option<Vec<Vec<State>>> {
         let count = self.layers.len();
-        let above = cut_off(&self.layers, &self.junctions, 0..count, wave);
-        let below = cut_off(&self.layers, &self.junctions, (0..count).rev(), wave);
-        if above + below <= count && above < count {
-            // the fields of either load have decayed before the other face
-            let split = count - below;
-            let from_top = Load { top: load.top + load.equal, ..Load::default() };
-            let from_bottom = Load { bottom: load.bottom + load.equal, ..Load::default() };
-            let mut states = self.states_of(0..above, 0, wave, depths, &from_top)?;
-            states.extend(depths[above..split].iter().map(|depths| vec![State::zeros(); depths.len()]));
-            states.extend(self.states_of(split..count, count, wave, depths, &from_bottom)?);
-            return Some(states);
-        }
-        self.states_of(0..count, self.meeting, wave, depths, load)
+        let Some([above, below]) = self.decayed(wave) else {
+            return self.states_of(0..count, self.meeting, wave, depths, load);
+        };
+        let from_top = Load { top: load.top + load.equal, ..Load::default() };
+        let from_bottom = Load { bottom: load.bottom + load.equal, ..Load::default() };
+        let mut states = self.states_of(0..above, 0, wave, depths, &from_top)?;
+        states.extend(depths[above..below].iter().map(|depths| vec![State::zeros(); depths.len()]));
+        states.extend(self.states_of(below..count, count, wave, depths, &from_bottom)?);
+        Some(states)
     }
 
     /// Some of the layers, eliminated from both faces to the interface above layer `meeting` and put back.
@@ -61,35 +57,20 @@ impl FreeChain {
             return Some(vec![single_layer(single, load)?]);
         }
         let of = |i: usize| &states[i - range.start];
-        let junction =
-            |interface: usize| self.junction(interface).filter(|_| range.start < interface && interface < range.end);
-        let order: [Vec<usize>; 2] = [(range.start..meeting).collect(), (meeting..range.end).rev().collect()];
-        let mut halves = self.faces;
-        let mut eliminated: [Vec<PutBack>; 2] = [Vec::new(), Vec::new()];
-        for (side, order) in order.iter().enumerate() {
-            for i in order {
-                let [near, far] = faces(of(*i), side)?;
-                let across = if side == 0 {
-                    junction(*i).and_then(|junction| junction.at(wave, Side::Above))
-                } else {
-                    junction(i + 1).and_then(|junction| junction.at(wave, Side::Below))
-                };
-                let (half, put_back) = halves[side].through(across, near, far)?;
-                halves[side] = half;
-                eliminated[side].push(put_back);
-            }
-        }
-        let [above, below] = halves;
-        let meet = Meeting::of(above, below, junction(meeting), wave)?;
+        let body = |i: usize| Body { layers: i..i + 1, states: of(i).faces };
+        let (mut down, mut up) = ((range.start..meeting).map(body), (meeting..range.end).rev().map(body));
+        let mut eliminated: [Vec<(usize, PutBack)>; 2] = Default::default();
+        let keep = |side: usize, layer, put_back| eliminated[side].push((layer, put_back));
+        let meet = self.eliminate(&range, meeting, wave, [&mut down, &mut up], keep)?;
         let loads = Vector3::new(load.top, load.bottom, load.equal);
         let mut found = vec![Vec::new(); range.len()];
-        for (side, order) in order.iter().enumerate() {
+        for (side, eliminated) in eliminated.iter().enumerate() {
             let on_face = if side == 0 { load.top } else { load.bottom };
             let mut w: Vector2<f64> = meet.displacements[side] * loads;
-            for (i, PutBack { amplitudes, before }) in order.iter().zip(&eliminated[side]).rev() {
+            for (i, PutBack { amplitudes, before }) in eliminated.iter().rev() {
                 let by = Vector4::new(w[0], w[1], on_face, load.equal);
                 let amplitudes = amplitudes * by;
-                let [(near, uniform), _] = faces(of(*i), side)?;
+                let [(near, uniform), _] = faces(&of(*i).faces, side)?;
                 w = match before {
                     Some(before) => before * by,
                     None => displacement(near) * amplitudes + uniform.fixed_rows::<2>(0) * load.equal,
@@ -99,14 +80,6 @@ impl FreeChain {
         }
         Some(found)
     }
-}
-
-/// The faces of a layer, first the one that is nearer to the loaded face of the upper half, 0, or the lower half, 1.
-fn faces(states: &LayerStates, side: usize) -> Option<[FaceOf<'_>; 2]> {
-    let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = &states.faces else { return None };
-    let mut faces = [(top, at_top), (bottom, at_bottom)];
-    faces.swap(0, side);
-    Some(faces)
 }
 
 /// One layer alone: its amplitudes from the stresses on both faces.
@@ -150,12 +123,12 @@ impl BaseChain {
         for i in (0..cut_off).rev() {
             let states = self.layers[i].states(wave, &depths[i]);
             let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
-            let unit = UnitStresses::new(&below, self.across(i + 1, wave), top, bottom)?;
-            below = Below::Allows(with_unit_stress(&(displacement(top) * unit.amplitudes)));
-            let at_bottom = unit.below.unwrap_or(stress(bottom) * unit.amplitudes);
-            eliminated.push((states.inside, unit.amplitudes, at_bottom));
+            let (amplitudes, shares) = under_unit_stresses(&below, self.across(i + 1, wave), top, bottom)?;
+            below = Below::Allows(with_unit_stress(&(displacement(top) * amplitudes)));
+            let at_bottom = shares.unwrap_or(stress(bottom) * amplitudes);
+            eliminated.push((states.inside, amplitudes, at_bottom));
         }
-        let mut at_top = self.load * load;
+        let mut at_top = uniform() * load;
         for (i, (inside, amplitudes, at_bottom)) in eliminated.iter().rev().enumerate() {
             found[i] = combine(inside, &(amplitudes * at_top), 0.0)?;
             at_top = at_bottom * at_top;

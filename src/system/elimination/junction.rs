@@ -14,8 +14,6 @@ pub(super) struct Rows<const N: usize> {
     plain: [SMatrix<f64, N, 4>; 2],
     /// Stiffnesses, in stress per length.
     stiffness: [SMatrix<f64, N, 4>; 2],
-    /// The largest stiffness in each row.
-    largest: [f64; N],
 }
 
 impl<const N: usize> Rows<N> {
@@ -23,7 +21,7 @@ impl<const N: usize> Rows<N> {
     /// chain with them is singular.
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         let zeros = [SMatrix::zeros(); 2];
-        let mut all = Self { plain: zeros, stiffness: zeros, largest: [0.0; N] };
+        let mut all = Self { plain: zeros, stiffness: zeros };
         let Ok(rows) = <[&Row; N]>::try_from(rows.collect::<Vec<_>>()) else { return all };
         for (i, row) in rows.into_iter().enumerate() {
             for block in row.blocks.iter() {
@@ -32,7 +30,6 @@ impl<const N: usize> Rows<N> {
                     Some(stiffness) => (&mut all.stiffness, sign * stiffness),
                     None => (&mut all.plain, sign),
                 };
-                all.largest[i] = all.largest[i].max(block.stiffness.map_or(0.0, f64::abs));
                 matrices[index(block.side())][(i, block.quantity.index())] += factor;
             }
         }
@@ -44,7 +41,8 @@ impl<const N: usize> Rows<N> {
         let mut filled = self.plain;
         // states hold λμ₀ times the displacements
         let displacement = wave.wavenumber * wave.modulus;
-        for (i, stiffness) in self.largest.into_iter().enumerate() {
+        for i in 0..N {
+            let stiffness = self.stiffness.iter().fold(0.0, |most: f64, side| most.max(side.row(i).amax()));
             if stiffness > 0.0 {
                 // λμ₀ and the stiffness may be of any size: only their ratio counts
                 let largest = displacement.max(stiffness);
@@ -55,16 +53,6 @@ impl<const N: usize> Rows<N> {
             }
         }
         filled
-    }
-
-    /// The factors that are no stiffnesses.
-    pub(super) fn plain(&self) -> [SMatrix<f64, N, 4>; 2] {
-        self.plain
-    }
-
-    /// Whether no row has a stiffness.
-    pub(super) fn are_plain(&self) -> bool {
-        self.largest.iter().all(|stiffness| *stiffness == 0.0)
     }
 }
 
@@ -79,7 +67,7 @@ impl Junction {
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         let rows = Rows::<4>::new(rows);
         let [above, below] = &rows.plain;
-        if rows.are_plain() && *above == -below && above.determinant() != 0.0 {
+        if rows.stiffness == [Matrix4::zeros(); 2] && *above == -below && above.determinant() != 0.0 {
             return Self { rows: None };
         }
         Self { rows: Some(Box::new([Side::Above, Side::Below].map(|near| with_far_stresses(rows.clone(), near)))) }

@@ -15,6 +15,6 @@ mod repeats;
 mod tests;
 
 pub use base::BaseChain;
-pub(crate) use cut_off::{Taken, slowest_decay};
+pub(crate) use cut_off::slowest_decay;
 pub use free::FreeChain;
 pub(crate) use inside::Load;

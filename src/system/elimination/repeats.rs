@@ -12,6 +12,7 @@ use nalgebra::{Matrix4, Vector4};
 use recede_layers::{FaceStates, Key, Layer, Wave};
 
 use super::junction::Junction;
+use crate::solution::Stats;
 
 /// Longest sequence that is recognised, in layers.
 const LONGEST: usize = 16;
@@ -38,12 +39,6 @@ pub(super) struct Repeat {
 pub(super) struct Body {
     pub(super) layers: Range<usize>,
     pub(super) states: FaceStates,
-}
-
-/// Layers that are evaluated as one body, with the index of the transfer through their upper half, if they are several.
-struct Piece {
-    layers: Range<usize>,
-    power: Option<usize>,
 }
 
 /// The transfer of the state from the bottom of a sequence to its top.
@@ -95,23 +90,32 @@ fn kinds(layers: &[Arc<dyn Layer>]) -> Vec<Option<usize>> {
 /// Some layers of a chain as bodies, top down, for one wave.
 pub(super) struct Bodies<'a> {
     layers: &'a [Arc<dyn Layer>],
-    pieces: Vec<Piece>,
+    /// Layers that are evaluated as one body, with the index of the transfer through their upper half, if they are several.
+    pieces: Vec<(Range<usize>, Option<usize>)>,
     /// Layers after these, each of which is a body.
     single: Range<usize>,
     /// Sequences of repeats, each 1, 2, 4, ... times.
     powers: Vec<Transfer>,
-    /// Number of layers evaluated.
-    pub(super) evaluated: usize,
+    /// Number of layers evaluated, and of those that repeat others.
+    evaluated: usize,
+    repeated: usize,
 }
 
 impl<'a> Bodies<'a> {
     pub(super) fn new(layers: &'a [Arc<dyn Layer>], repeats: &[Repeat], range: Range<usize>, wave: &Wave) -> Self {
-        let mut bodies = Self { layers, pieces: Vec::new(), single: range, powers: Vec::new(), evaluated: 0 };
+        let mut bodies =
+            Self { layers, pieces: Vec::new(), single: range, powers: Vec::new(), evaluated: 0, repeated: 0 };
         for repeat in repeats {
             bodies.join(repeat, wave);
         }
         bodies.evaluated += bodies.single.len();
         bodies
+    }
+
+    /// Counts the layers.
+    pub(super) fn count(&self, stats: &mut Stats) {
+        stats.layers += self.evaluated;
+        stats.repeated += self.repeated;
     }
 
     /// Makes bodies of the repetitions within these layers.
@@ -132,25 +136,26 @@ impl<'a> Bodies<'a> {
         }
         let before = self.single.start..first;
         self.evaluated += before.len() + repeat.period;
-        self.pieces.extend(before.map(|i| Piece { layers: i..i + 1, power: None }));
+        self.pieces.extend(before.map(|i| (i..i + 1, None)));
         let (mut next, mut left) = (first, count);
         for power in (first_power..self.powers.len()).rev() {
             let together = 2 << (power - first_power);
             while left >= together {
                 let layers = next..next + together * repeat.period;
                 (next, left) = (layers.end, left - together);
-                self.pieces.push(Piece { layers, power: Some(power) });
+                self.pieces.push((layers, Some(power)));
             }
         }
+        self.repeated += next - first - repeat.period;
         self.single.start = next;
     }
 
     /// Top down, or the other way round.
     pub(super) fn iter(&self, wave: &Wave) -> impl DoubleEndedIterator<Item = Body> {
         let one = |i: usize| Body { layers: i..i + 1, states: self.layers[i].face_states(wave) };
-        let pieces = self.pieces.iter().map(move |piece| match piece.power {
-            Some(power) => Body { layers: piece.layers.clone(), states: self.powers[power].about_the_middle() },
-            None => one(piece.layers.start),
+        let pieces = self.pieces.iter().map(move |(layers, power)| match power {
+            Some(power) => Body { layers: layers.clone(), states: self.powers[*power].about_the_middle() },
+            None => one(layers.start),
         });
         pieces.chain(self.single.clone().map(one))
     }
@@ -268,11 +273,12 @@ mod tests {
             let base = BaseChain::of(&BlockSystem::new(&on_ground));
             let plain_base = BaseChain { repeats: Vec::new(), ..base.clone() };
             for wave in waves() {
-                let (found, taken) = chain.flexibility_and_taken(&wave).unwrap();
-                let (expected, all) = plain.flexibility_and_taken(&wave).unwrap();
-                assert!(all.evaluated == all.cut_off && taken.cut_off == all.cut_off);
+                let [mut taken, mut all] = [Stats::default(), Stats::default()];
+                let found = chain.counted_flexibility(&wave, &mut taken).unwrap();
+                let expected = plain.counted_flexibility(&wave, &mut all).unwrap();
+                assert_eq!((all.repeated, all.layers), (0, taken.layers + taken.repeated));
                 if wave.wavenumber < 1.0 {
-                    assert!(3 * taken.evaluated < all.evaluated, "{taken:?}");
+                    assert!(3 * taken.layers < all.layers, "{taken:?}");
                 }
                 let parts = |c: &Flexibility| [c.top, c.bottom, c.equal_top, c.equal_bottom, c.coupling];
                 for (k, (value, expected)) in parts(&found).into_iter().zip(parts(&expected)).enumerate() {

@@ -1,11 +1,11 @@
-//! Fields inside the layers satisfy the rows that are printed.
+//! There are as many rows as amplitudes, and fields inside the layers satisfy the rows that are printed.
 use proptest::prelude::*;
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane, State, Wave};
 
 use super::{BaseChain, FreeChain, Load};
 use crate::scene::{Item, Spring};
 use crate::stack::Stack;
-use crate::system::{BlockSystem, Component, Face};
+use crate::system::{Block, BlockSystem, Component, Face};
 
 /// The states at the top and at the bottom face of each layer of a chain; of a half-plane twice at the top.
 type AtFaces = Vec<Vec<State>>;
@@ -76,6 +76,11 @@ proptest! {
         });
         let stack = if rigid { stack.rigid() } else { stack.layer(HalfPlane::new(0.7, 0.3).unwrap()) }.build().unwrap();
         let system = BlockSystem::new(&stack);
+        prop_assert_eq!(system.rows().len(), system.unknowns());
+        // a block next to the diagonal at most: the matrix is a chain
+        let is_next = |pair: &[Block]| [0, 1].contains(&(pair[1].column - pair[0].column));
+        let mut rows = system.rows().iter();
+        prop_assert!(rows.all(|row| matches!(row.blocks.len(), 1..=3) && row.blocks.windows(2).all(is_next)));
         let wave = Wave { wavenumber: lambda_h / stack.total_thickness(), modulus: 1.7, plane: Plane::Strain };
         let components = system.components();
         let free = FreeChain::all(&system);

@@ -1,8 +1,8 @@
 //! The block matrix in LaTeX: an array, or a list of equations where an array would be too wide.
 use std::fmt::Write;
 
-use super::text::MAX_COLUMNS;
-use crate::system::{Block, BlockSystem, Condition, Face, Place, Quantity, Row, Side};
+use super::text::{MAX_COLUMNS, stiffness};
+use crate::system::{Block, BlockSystem, Face, Row};
 
 impl BlockSystem {
     /// The block matrix in LaTeX, to stand in a document that uses `amsmath`.
@@ -51,11 +51,8 @@ impl BlockSystem {
     fn equations(&self, out: &mut String) {
         line(out, r"\begin{align*}");
         for row in self.rows() {
-            let blocks: String = row
-                .blocks
-                .iter()
-                .map(|block| format!(r"{}\,\mathbf{{c}}_{{{}}}", signed(block), block.layer))
-                .collect();
+            let blocks = row.blocks.iter().map(|block| format!(r"{}\,\mathbf{{c}}_{{{}}}", signed(block), block.layer));
+            let blocks: String = blocks.collect();
             line(out, format_args!(r"  & {}: && {blocks} {} \\", row.latex_name(), row.latex_right()));
         }
         line(out, r"\end{align*}");
@@ -69,85 +66,28 @@ fn line(out: &mut String, text: impl std::fmt::Display) {
 
 fn signed(block: &Block) -> String {
     let sign = if block.negative { '-' } else { '+' };
-    let face = match block.face {
-        Face::Top => 't',
-        Face::Bottom => 'b',
-    };
-    let stiffness = match (block.stiffness.is_some(), block.quantity) {
-        (true, Quantity::U) => "k_t ",
-        (true, _) => "k_n ",
-        (false, _) => "",
-    };
+    let face = if block.face == Face::Top { 't' } else { 'b' };
+    let stiffness = stiffness(block).map_or(String::new(), |k| format!("k_{k} "));
     format!(r"{sign}{stiffness}\mathbf{{{}}}_{{{}}}^{{{face}}}", block.quantity, block.layer)
+}
+
+/// Quantities are symbols, as the numbers of a place are; all else are words.
+fn in_latex(words: &str) -> String {
+    let is_symbol = |word: &str| word.len() == 1 || word.contains('|');
+    let word = |word| if is_symbol(word) { word.replace('|', r"\,|\,") } else { format!(r"\text{{{word}}}") };
+    words.split(' ').map(word).collect::<Vec<_>>().join(r"\ ")
 }
 
 impl Row {
     fn latex_name(&self) -> String {
-        let place = match self.place {
-            Place::Punch => r"\text{punch}".to_owned(),
-            Place::Between { above, below } => format!(r"{above}\,|\,{below}"),
-        };
-        let side = |side| match (self.place, side) {
-            (Place::Punch, _) => "",
-            (_, Side::Above) => r"\ \text{above}",
-            (_, Side::Below) => r"\ \text{below}",
-        };
-        match self.condition() {
-            None => place,
-            Some(Condition::Continuous(quantity)) => format!(r"{place}:\ {quantity}\ \text{{continuous}}"),
-            Some(Condition::Zero(quantity, at)) => format!(r"{place}:\ {quantity}{}", side(at)),
-            Some(Condition::Sprung(quantity)) => format!(r"{place}:\ {quantity}\ \text{{springs}}"),
-            Some(Condition::Pressed(at)) => format!(r"{place}:\ S{}", side(at)),
+        let name = self.name();
+        match name.split_once(' ') {
+            None => in_latex(&name),
+            Some((place, condition)) => format!(r"{}:\ {}", in_latex(place), in_latex(condition)),
         }
     }
 
     fn latex_right(&self) -> String {
         self.pressure.map_or("= 0".into(), |pressure| format!(r"= -\hat{{p}}_{{{}}}", pressure.contact))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use recede_layers::{Exponential, HalfPlane, Plane};
-
-    use super::*;
-    use crate::stack::Stack;
-
-    #[test]
-    fn a_graded_layer_on_a_half_plane() {
-        let stack = Stack::builder(Plane::Strain)
-            .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
-            .receding()
-            .layer(HalfPlane::new(1.0, 0.25).unwrap())
-            .build()
-            .unwrap();
-        insta::assert_snapshot!(BlockSystem::new(&stack).to_latex(), @r#"
-        % c_1 = (C_1, ..., C_4): Exponential
-        % c_2 = (C_5, ..., C_6): HalfPlane
-        \[
-        \begin{array}{l|cc|l}
-          & \mathbf{c}_{1} & \mathbf{c}_{2} & \\ \hline
-          \text{punch}:\ S & +\mathbf{S}_{1}^{t} &  & = -\hat{p}_{0} \\
-          \text{punch}:\ T & +\mathbf{T}_{1}^{t} &  & = 0 \\
-          1\,|\,2:\ S\ \text{above} & +\mathbf{S}_{1}^{b} &  & = -\hat{p}_{1} \\
-          1\,|\,2:\ T\ \text{above} & +\mathbf{T}_{1}^{b} &  & = 0 \\
-          1\,|\,2:\ S\ \text{below} &  & +\mathbf{S}_{2}^{t} & = -\hat{p}_{1} \\
-          1\,|\,2:\ T\ \text{below} &  & +\mathbf{T}_{2}^{t} & = 0 \\
-        \end{array}
-        \]
-        "#);
-    }
-
-    #[test]
-    fn many_layers_are_written_as_equations() {
-        let mut stack = Stack::builder(Plane::Strain);
-        for _ in 0..=MAX_COLUMNS {
-            stack = stack.layer(Exponential::new(1.0, 1.0, 0.25, 0.0).unwrap()).bonded();
-        }
-        let latex = BlockSystem::new(&stack.rigid().build().unwrap()).to_latex();
-        assert!(
-            latex.contains(r"+\mathbf{U}_{1}^{b}\,\mathbf{c}_{1}-\mathbf{U}_{2}^{t}\,\mathbf{c}_{2} = 0"),
-            "{latex}"
-        );
     }
 }

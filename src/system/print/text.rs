@@ -23,8 +23,8 @@ impl fmt::Display for BlockSystem {
         let header = self.columns().iter().map(Column::to_string);
         table.set_header([String::new()].into_iter().chain(header).chain([String::new()]));
         for row in self.rows() {
-            let entry =
-                |column| row.blocks.iter().filter(move |block| block.column == column).map(entry_text).collect();
+            let entry = |block: &Block| format!("{}({})", signed(block), block.face);
+            let entry = |column| row.blocks.iter().filter(move |block| block.column == column).map(entry).collect();
             let entries = (0..self.columns().len()).map(entry);
             table.add_row([row.name()].into_iter().chain(entries).chain([row.right_hand_side()]));
         }
@@ -35,19 +35,16 @@ impl fmt::Display for BlockSystem {
     }
 }
 
-/// A block within its column, e.g. `+S(bottom)`.
-fn entry_text(block: &Block) -> String {
+/// The quantity of a block with its sign and the stiffness of springs, e.g. `+kn·V`.
+fn signed(block: &Block) -> String {
     let sign = if block.negative { '-' } else { '+' };
-    format!("{sign}{}{}({})", stiffness(block), block.quantity, block.face)
+    let stiffness = stiffness(block).map_or(String::new(), |k| format!("k{k}·"));
+    format!("{sign}{stiffness}{}", block.quantity)
 }
 
-/// The stiffness of springs before a displacement: normal or tangential.
-fn stiffness(block: &Block) -> &'static str {
-    match (block.stiffness.is_some(), block.quantity) {
-        (true, Quantity::U) => "kt·",
-        (true, _) => "kn·",
-        (false, _) => "",
-    }
+/// The direction of the springs whose stiffness is before a displacement: normal or tangential.
+pub(super) fn stiffness(block: &Block) -> Option<char> {
+    block.stiffness.map(|_| if block.quantity == Quantity::U { 't' } else { 'n' })
 }
 
 impl fmt::Display for Column {
@@ -78,8 +75,7 @@ impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:", self.name())?;
         for block in self.blocks.iter() {
-            let sign = if block.negative { '-' } else { '+' };
-            write!(f, " {sign}{}{}({} of {})", stiffness(block), block.quantity, block.face, block.layer)?;
+            write!(f, " {}({} of {})", signed(block), block.face, block.layer)?;
         }
         write!(f, " {}", self.right_hand_side())
     }
@@ -102,97 +98,45 @@ impl fmt::Display for Pressure {
     }
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Punch => f.write_str("punch"),
-            Self::Between { above, below } => write!(f, "{above}|{below}"),
-        }
-    }
-}
-
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::U => "U",
-            Self::V => "V",
-            Self::S => "S",
-            Self::T => "T",
-        })
+        fmt::Debug::fmt(self, f)
     }
 }
 
 impl fmt::Display for Face {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Top => "top",
-            Self::Bottom => "bottom",
-        })
+        f.write_str(if *self == Self::Top { "top" } else { "bottom" })
     }
 }
 
 impl fmt::Display for Side {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Above => "above",
-            Self::Below => "below",
-        })
+        f.write_str(if *self == Self::Above { "above" } else { "below" })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
+    use recede_layers::{Homogeneous, Plane};
 
     use super::*;
     use crate::stack::Stack;
 
     #[test]
-    fn rows_are_named_by_condition_and_columns_by_layer() {
-        let stack = Stack::builder(Plane::Strain)
-            .layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap())
-            .bonded()
-            .layer(Exponential::new(1.0, 1.0, 0.25, -1.0).unwrap())
-            .receding()
-            .layer(HalfPlane::new(1.0, 0.25).unwrap())
-            .build()
-            .unwrap();
-        insta::assert_snapshot!(BlockSystem::new(&stack), @r#"
-        10 conditions for 10 amplitudes
-        ┌──────────────────┬───────────────┬───────────────┬─────────────┬───────┐
-        │                  ┆ 1 Homogeneous ┆ 2 Exponential ┆ 3 HalfPlane ┆       │
-        │                  ┆     C1..C4    ┆     C5..C8    ┆   C9..C10   ┆       │
-        ╞══════════════════╪═══════════════╪═══════════════╪═════════════╪═══════╡
-        │ punch S          ┆    +S(top)    ┆               ┆             ┆ = -p0 │
-        │ punch T          ┆    +T(top)    ┆               ┆             ┆  = 0  │
-        │ 1|2 U continuous ┆   +U(bottom)  ┆    -U(top)    ┆             ┆  = 0  │
-        │ 1|2 V continuous ┆   +V(bottom)  ┆    -V(top)    ┆             ┆  = 0  │
-        │ 1|2 S continuous ┆   +S(bottom)  ┆    -S(top)    ┆             ┆  = 0  │
-        │ 1|2 T continuous ┆   +T(bottom)  ┆    -T(top)    ┆             ┆  = 0  │
-        │ 2|3 S above      ┆               ┆   +S(bottom)  ┆             ┆ = -p1 │
-        │ 2|3 T above      ┆               ┆   +T(bottom)  ┆             ┆  = 0  │
-        │ 2|3 S below      ┆               ┆               ┆   +S(top)   ┆ = -p1 │
-        │ 2|3 T below      ┆               ┆               ┆   +T(top)   ┆  = 0  │
-        └──────────────────┴───────────────┴───────────────┴─────────────┴───────┘
-        "#);
-    }
-
-    #[test]
-    fn a_rigid_base_holds_or_carries_the_lowest_layer() {
-        let strip = || Stack::builder(Plane::Strain).layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap());
-        let bonded = BlockSystem::new(&strip().bonded().rigid().build().unwrap());
-        assert_eq!(bonded.rows()[3].to_string(), "1|2 V above: +V(bottom of 1) = 0");
-        let receding = BlockSystem::new(&strip().receding().rigid().build().unwrap());
-        assert_eq!(receding.rows()[2].to_string(), "1|2 S above: +S(bottom of 1) = -p1");
-    }
-
-    #[test]
-    fn many_layers_are_listed() {
-        let mut stack = Stack::builder(Plane::Strain);
-        for _ in 0..=MAX_COLUMNS {
-            stack = stack.layer(Homogeneous::new(1.0, 1.0, 0.25).unwrap()).bonded();
-        }
-        let text = BlockSystem::new(&stack.rigid().build().unwrap()).to_string();
+    fn a_rigid_base_holds_the_lowest_layer_and_many_layers_are_listed() {
+        let strips = |count: usize| {
+            let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+            let stack = (0..count).fold(Stack::builder(Plane::Strain), |stack, _| stack.layer(strip()).bonded());
+            BlockSystem::new(&stack.rigid().build().unwrap())
+        };
+        assert_eq!(strips(1).rows()[3].to_string(), "1|2 V above: +V(bottom of 1) = 0");
+        let many = strips(MAX_COLUMNS + 1);
+        let (text, latex) = (many.to_string(), many.to_latex());
         assert!(text.contains("\n1|2 U continuous: +U(bottom of 1) -U(top of 2) = 0\n"), "{text}");
+        assert!(
+            latex.contains(r"+\mathbf{U}_{1}^{b}\,\mathbf{c}_{1}-\mathbf{U}_{2}^{t}\,\mathbf{c}_{2} = 0"),
+            "{latex}"
+        );
     }
 }

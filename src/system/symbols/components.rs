@@ -7,17 +7,17 @@ use crate::system::WrongCount;
 
 /// Columns that conditions without a pressure connect, from the top down. In this order the rows of a component are block
 /// tridiagonal: a row involves one column, or two that follow each other.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Component<'a> {
-    columns: Vec<&'a Column>,
+    columns: &'a [Column],
     /// The rows with the number of their interface: 0 is the upper face of the first column, i lies below i columns.
     rows: Vec<(usize, &'a Row)>,
 }
 
 impl<'a> Component<'a> {
     /// The columns from the top down.
-    pub fn columns(&self) -> &[&'a Column] {
-        &self.columns
+    pub fn columns(&self) -> &'a [Column] {
+        self.columns
     }
 
     /// The rows at an interface of the component: 0 is its upper face, i lies below i of its columns.
@@ -78,41 +78,23 @@ impl BlockSystem {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn components(&self) -> Vec<Component<'_>> {
-        // each column points to the first one that it is connected with
-        let mut first: Vec<usize> = (0..self.columns().len()).collect();
-        let root = |first: &[usize], mut column: usize| {
-            while first[column] != column {
-                column = first[column];
-            }
-            column
-        };
+        // rows connect neighbours only: the columns that are connected with the column before
+        let mut is_joined = vec![false; self.columns().len()];
         for row in self.rows().iter().filter(|row| row.pressure.is_none()) {
-            for pair in row.blocks.windows(2) {
-                let [a, b] = [root(&first, pair[0].column), root(&first, pair[1].column)];
-                first[a.max(b)] = a.min(b);
+            for pair in row.blocks.windows(2).filter(|pair| pair[0].column != pair[1].column) {
+                is_joined[pair[0].column.max(pair[1].column)] = true;
             }
         }
-        // where each column goes: which component, and below how many others of its columns
-        let mut components: Vec<Component> = Vec::new();
-        let mut places: Vec<(usize, usize)> = Vec::with_capacity(first.len());
-        for (i, column) in self.columns().iter().enumerate() {
-            let root = root(&first, i);
-            // later columns are found in one step
-            first[i] = root;
-            let component = if root == i { components.len() } else { places[root].0 };
-            if root == i {
-                components.push(Component { columns: Vec::new(), rows: Vec::new() });
-            }
-            places.push((component, components[component].columns.len()));
-            components[component].columns.push(column);
-        }
+        let starts: Vec<usize> = (0..is_joined.len()).filter(|column| !is_joined[*column]).collect();
+        let ends = starts.iter().skip(1).copied().chain([is_joined.len()]);
+        let columns = starts.iter().zip(ends).map(|(start, end)| &self.columns()[*start..end]);
+        let mut components: Vec<Component> = columns.map(|columns| Component { columns, rows: Vec::new() }).collect();
         for row in self.rows() {
             let Some(block) = row.blocks.first() else { continue };
-            let (component, above) = places[block.column];
-            let interface = above + if block.face == Face::Bottom { 1 } else { 0 };
-            components[component].rows.push((interface, row));
+            let component = starts.partition_point(|start| *start <= block.column) - 1;
+            let above = block.column - starts[component];
+            components[component].rows.push((above + usize::from(block.face == Face::Bottom), row));
         }
-        components.iter_mut().for_each(|component| component.rows.sort_by_key(|(interface, _)| *interface));
         components
     }
 }

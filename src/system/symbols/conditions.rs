@@ -79,28 +79,20 @@ pub(super) fn contact(contact: usize) -> [Relation; 4] {
 
 /// An interface that stays closed: the jump of each displacement, then the stresses that are transmitted.
 pub(super) fn joint(joint: &Joint) -> [Relation; 4] {
-    let jump = |displacement: Quantity, stress: Quantity, stiffness: f64| {
+    // the relation of the jump, and of the stress that is transmitted: none without stiffness
+    let relations = |displacement: Quantity, stress: Quantity, stiffness: f64| {
         let [above, below] = [Above.of(displacement), Below.of(displacement)];
+        let [stress_above, stress_below] = [Above.of(stress), Below.of(stress)];
+        let transmitted = Relation::zero([stress_above, -stress_below]);
         if stiffness == 0.0 {
-            Relation::zero([Above.of(stress)])
+            [Relation::zero([stress_above]), Relation::zero([stress_below])]
         } else if stiffness.is_finite() {
-            Relation::zero([above.times(stiffness), -Above.of(stress), -below.times(stiffness)])
+            [Relation::zero([above.times(stiffness), -stress_above, -below.times(stiffness)]), transmitted]
         } else {
-            Relation::zero([above, -below])
+            [Relation::zero([above, -below]), transmitted]
         }
     };
-    let transmitted = |stress: Quantity, stiffness: f64| {
-        // without stiffness no stress is transmitted
-        if stiffness == 0.0 {
-            Relation::zero([Below.of(stress)])
-        } else {
-            Relation::zero([Above.of(stress), -Below.of(stress)])
-        }
-    };
-    [
-        jump(U, T, joint.tangential),
-        jump(V, S, joint.normal),
-        transmitted(S, joint.normal),
-        transmitted(T, joint.tangential),
-    ]
+    let [along, shear] = relations(U, T, joint.tangential);
+    let [across, normal] = relations(V, S, joint.normal);
+    [along, across, normal, shear]
 }

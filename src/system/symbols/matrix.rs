@@ -1,6 +1,5 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
 use std::ops::Deref;
-use std::sync::Arc;
 
 use recede_layers::{Body, Plane};
 
@@ -157,27 +156,19 @@ impl BlockSystem {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
-            for (i, layer) in group.layers().enumerate() {
-                let (above, below) = (last, system.column(layer.number, Body::Layer(Arc::clone(&layer.layer))));
-                match i.checked_sub(1) {
-                    None => system.interface(interface.into(), [above, Some(below)], conditions::contact(contact)),
-                    Some(i) => system.interface(
-                        system.place(above, layer.number),
-                        [above, Some(below)],
-                        joint(group.joints().get(i).unwrap_or(&Joint::BONDED)),
-                    ),
-                }
-                last = Some(below);
-            }
-            if let Some((number, support)) = group.support() {
-                let (above, below) = (last, system.column(number, Body::Support(Arc::clone(support))));
-                let relations = group.joints().last().map_or_else(|| conditions::contact(contact), &joint);
-                system.interface(system.place(above, number), [above, Some(below)], relations);
-            }
-            // a rigid base has no column
-            if let Some(rigid) = group.rigid() {
-                let relations = group.joints().last().map_or_else(|| conditions::contact(contact), &joint);
-                system.interface(system.place(last, rigid), [last, None], relations);
+            for (i, (number, body)) in group.bodies().enumerate() {
+                let (place, relations) = match (i.checked_sub(1), last) {
+                    (Some(i), Some(above)) => {
+                        let above = system.columns[above].number;
+                        let relations = joint(group.joints().get(i).unwrap_or(&Joint::BONDED));
+                        (Place::Between { above, below: number }, relations)
+                    }
+                    _ => (interface, conditions::contact(contact)),
+                };
+                // a rigid base has no column
+                let below = body.map(|body| system.column(number, body));
+                system.interface(place, [last, below], relations);
+                last = below;
             }
         }
         system
@@ -211,11 +202,6 @@ impl BlockSystem {
         self.columns.len() - 1
     }
 
-    /// The place below a column.
-    fn place(&self, above: Option<usize>, below: usize) -> Place {
-        above.map_or(Place::Punch, |above| Place::Between { above: self.columns[above].number, below })
-    }
-
     /// The rows of an interface between two columns. A body without a column is rigid: its displacements are zero, and its
     /// stresses are not unknowns.
     fn interface(&mut self, place: Place, columns: [Option<usize>; 2], relations: [Relation; 4]) {
@@ -238,97 +224,6 @@ impl BlockSystem {
             // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
                 self.rows.push(Row { place, blocks, pressure });
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-    use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
-
-    use super::*;
-    use crate::scene::{Item, Spring};
-    use crate::stack::StackProblem;
-
-    /// The stack of the paper: a strip bonded to a graded layer, both lying loose on a half-plane.
-    fn paper(h1: f64, h2: f64) -> BlockSystem {
-        let stack = Stack::builder(Plane::Strain)
-            .layer(Homogeneous::new(h1, 1.0, 0.25).unwrap())
-            .bonded()
-            .layer(Exponential::new(h2, 1.0, 0.25, -1.0).unwrap())
-            .receding()
-            .layer(HalfPlane::new(1.0, 0.25).unwrap())
-            .build()
-            .unwrap();
-        BlockSystem::new(&stack)
-    }
-
-    #[test]
-    fn the_stack_of_the_paper_has_ten_conditions_for_ten_unknowns() {
-        let system = paper(1.0, 1.0);
-        assert_eq!((system.rows().len(), system.unknowns()), (10, 10));
-        let amplitudes: Vec<_> = system.columns().iter().map(Column::amplitudes).collect();
-        assert_eq!(amplitudes, [1..=4, 5..=8, 9..=10]);
-    }
-
-    #[test]
-    fn without_one_of_its_layers_it_has_six() {
-        for system in [paper(0.0, 1.0), paper(1.0, 0.0)] {
-            assert_eq!((system.rows().len(), system.unknowns()), (6, 6));
-        }
-        assert_eq!(paper(0.0, 0.0).rows().len(), 2);
-    }
-
-    fn item() -> impl Strategy<Value = Item> {
-        let thickness = prop_oneof![Just(0.0), Just(1.0), Just(2.5)];
-        thickness.prop_map(|h| Item::layer(Homogeneous::new(h, 1.0, 0.25).unwrap()))
-    }
-
-    fn interface() -> impl Strategy<Value = Item> {
-        let spring = |tangential| Item::Spring(Spring::new(2.0, tangential).unwrap());
-        prop_oneof![
-            Just(Item::Bonded),
-            Just(Item::Sliding),
-            Just(Item::Receding),
-            Just(spring(None)),
-            Just(spring(Some(0.5)))
-        ]
-    }
-
-    proptest! {
-        #[test]
-        fn every_legal_stack_has_as_many_conditions_as_unknowns(
-            above in prop::collection::vec((item(), interface()), 0..8),
-            rigid in any::<bool>(),
-        ) {
-            let mut stack = Stack::builder(Plane::Strain);
-            for (layer, interface) in above {
-                stack = stack.item(layer).item(interface);
-            }
-            let ground = HalfPlane::new(1.0, 0.25).unwrap();
-            let built = if rigid { stack.rigid().build() } else { stack.layer(ground).build() };
-            // rejected are dropped layers alone on a rigid base, or next to springs
-            let stack = match built {
-                Ok(stack) => stack,
-                Err(error) => {
-                    let loose = matches!(error.problem(), StackProblem::LooseSprings { .. });
-                    prop_assert!(rigid || loose);
-                    return Ok(());
-                }
-            };
-            let system = BlockSystem::new(&stack);
-            prop_assert_eq!(system.rows().len(), system.unknowns());
-            for row in system.rows() {
-                // a block next to the diagonal at most: the matrix is a chain
-                prop_assert!(row.blocks.windows(2).all(|pair| [0, 1].contains(&(pair[1].column - pair[0].column))));
-                prop_assert!(matches!(row.blocks.len(), 1..=3));
-            }
-            // every amplitude of a layer is held by at least as many conditions
-            for (i, column) in system.columns().iter().enumerate() {
-                let touching = system.rows().iter().filter(|row| row.blocks.iter().any(|block| block.column == i));
-                prop_assert!(touching.count() >= column.amplitudes().count());
             }
         }
     }

@@ -1,5 +1,7 @@
 //! What rows and blocks are named by: quantities, faces, sides, places and pressures.
-use crate::solution::Interface;
+
+/// Where a condition holds.
+pub use crate::solution::Interface as Place;
 
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -46,32 +48,9 @@ pub enum Side {
     Below,
 }
 
-/// Where a condition holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Place {
-    /// On the top face of the stack, below the punch.
-    Punch,
-    /// Between neighbours, numbered as in the scene; the base counts.
-    Between {
-        /// Number of the layer above.
-        above: usize,
-        /// Number of the layer or base below.
-        below: usize,
-    },
-}
-
 /// Right-hand side of a row that is loaded: minus the transformed pressure of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pressure {
     /// Index of the contact, from 0 for the punch; see [`crate::Stack::contacts`].
     pub contact: usize,
-}
-
-impl From<Interface> for Place {
-    fn from(interface: Interface) -> Self {
-        match interface {
-            Interface::Punch => Self::Punch,
-            Interface::Between { above, below } => Self::Between { above, below },
-        }
-    }
 }
