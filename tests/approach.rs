@@ -8,7 +8,7 @@ fn scene(punch: &str, force: f64, stack: &str) -> Scene {
 /// To a relative tolerance.
 fn approach_to(scene: &Scene, tolerance: f64) -> Approach {
     let model = Model::new(scene.stack().unwrap()).unwrap();
-    let options = Options { tolerance, ..Options::default() };
+    let options = Options { tolerance };
     model.approach(&scene.top, &model.press_with(&scene.top, scene.force, &options).unwrap()).unwrap()
 }
 

@@ -19,7 +19,7 @@ fn solve(top: &str, tolerance: f64) -> Solution {
             HalfPlane(shear_modulus: 1.0, poisson: 0.25)])"
     );
     let scene = Scene::from_ron(&text).unwrap();
-    let options = Options { tolerance, ..Options::default() };
+    let options = Options { tolerance };
     Model::new(scene.stack().unwrap()).unwrap().press_with(&scene.top, scene.force, &options).unwrap()
 }
 
@@ -91,7 +91,7 @@ fn the_errors_of_stresses_are_estimated() {
         let scene = Scene::from_ron(&text).unwrap();
         let model = Model::new(Stack::from_items(scene.geometry, &scene.stack).unwrap()).unwrap();
         let solved = |tolerance: f64| {
-            let options = Options { tolerance, ..Options::default() };
+            let options = Options { tolerance };
             model.press_with(&scene.top, scene.force, &options).unwrap()
         };
         let (best, rough) = (solved(1e-12), solved(1e-4));

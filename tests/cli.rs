@@ -13,7 +13,9 @@ const PAPER: &str = "examples/scenes/strip_fgm_half_plane.ron";
 
 fn succeeds(arguments: &[&str]) -> String {
     let Run { status, stdout, stderr } = recede(arguments, b"");
-    assert_eq!((status, &stderr[..]), (Some(0), ""), "{arguments:?}");
+    // what takes long on a busy machine says how far it has come
+    let said: Vec<&str> = stderr.lines().filter(|line| !line.ends_with(" s left")).collect();
+    assert_eq!((status, &said[..]), (Some(0), &[][..]), "{arguments:?}");
     stdout
 }
 

@@ -31,7 +31,7 @@ fn read(name: &str) -> Scene {
 }
 
 fn press(scene: &Scene, model: &Model, tolerance: f64) -> Solution {
-    model.press_with(&scene.top, scene.force, &Options { tolerance, ..Options::default() }).unwrap()
+    model.press_with(&scene.top, scene.force, &Options { tolerance }).unwrap()
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn cautions_of(scene: &Scene, tolerances: &[f64]) -> Vec<f64> {
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let mut cautions = Vec::new();
     for tolerance in tolerances {
-        let options = Options { tolerance: *tolerance, ..Options::default() };
+        let options = Options { tolerance: *tolerance };
         let solution = model.press_with(&scene.top, scene.force, &options).unwrap();
         let all = compare(scene, &solution).unwrap();
         for one in &all {
@@ -100,7 +100,7 @@ fn an_end_that_lies_in_the_noise_of_the_pressure_is_not_known() {
                 Exponential(thickness: {thickness}, shear_modulus: {modulus}, poisson: 0.5, beta: 1.02), Receding, Rigid])"
         );
         let scene = Scene::from_ron(&text).unwrap();
-        let options = Options { tolerance: 1e-3, ..Options::default() };
+        let options = Options { tolerance: 1e-3 };
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let solution = model.press_with(&scene.top, scene.force, &options).unwrap();
         for contact in &solution.contacts()[1..] {

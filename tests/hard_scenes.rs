@@ -56,7 +56,7 @@ const UNSEEN: [(&str, &str); 2] = [("seed_1_number_22", "4|5"), ("seed_21_number
 fn check(name: &str, tolerance: f64) -> Check {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::read(Path::new(&path)).unwrap();
-    Check::of_contacts(&scene, &Options { tolerance, ..Options::default() })
+    Check::of_contacts(&scene, &Options { tolerance })
 }
 
 #[test]

@@ -280,7 +280,7 @@ fn punches_loads_and_interfaces_of_all_kinds_do_not_end_in_panic() {
         let scene = scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap();
         let read = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!(read.to_ron(), scene.to_ron());
-        let check = Check::run(&read, &recede::Options { tolerance: 1e-8, ..Default::default() }, false);
+        let check = Check::run(&read, &recede::Options { tolerance: 1e-8 }, false);
         assert!(!check.outcome.is_wrong(), "{number}: {}\n{}", check.outcome.reason(), scene.to_ron());
         solved += u64::from(matches!(check.outcome, Outcome::Solved(_)));
     }

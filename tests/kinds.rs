@@ -89,7 +89,7 @@ fn examples_changed_at_random_are_solved_and_reported() {
     let mut unsolved = 0;
     for number in 0..40 {
         let scene = variant(14, number).unwrap();
-        let check = Check::run(&scene, &Options { tolerance: 1e-8, ..Options::default() }, number % 8 == 0);
+        let check = Check::run(&scene, &Options { tolerance: 1e-8 }, number % 8 == 0);
         assert!(!check.outcome.is_wrong(), "{number}: {}\n{}", check.outcome.reason(), scene.to_ron());
         unsolved += usize::from(check.outcome.solution().is_none());
     }

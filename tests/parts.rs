@@ -8,7 +8,7 @@ use crate::support::outwards;
 fn solved(name: &str, tolerance: f64) -> (Model, Solution) {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::read(Path::new(&path)).unwrap();
-    let options = Options { tolerance, ..Options::default() };
+    let options = Options { tolerance };
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let solution = model.press_with(&scene.top, scene.force, &options).unwrap();
     (model, solution)

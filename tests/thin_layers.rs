@@ -221,7 +221,7 @@ fn what_is_left_out_is_within_the_estimates_of_random_scenes() {
         let scene = Scene::from_ron(&text).unwrap();
         let model = recede::Model::new(scene.stack().unwrap()).unwrap();
         let solve = |tolerance: f64| {
-            let options = recede::Options { tolerance, ..recede::Options::default() };
+            let options = recede::Options { tolerance };
             model.press_with(&scene.top, scene.force, &options)
         };
         let (Ok(loose), Ok(strict)) = (solve(1e-3), solve(1e-8)) else { continue };

@@ -43,7 +43,7 @@ impl Solver {
 
     /// The solution for a punch and a force, without its warnings.
     pub fn press(self: &Arc<Self>, py: Python<'_>, top: &Top, force: Force, tolerance: f64) -> Result<Solution, Error> {
-        let options = Options { tolerance, ..Options::default() };
+        let options = Options { tolerance };
         let begun = Instant::now();
         let solution = py.detach(|| self.model.press_with(top, force, &options))?;
         let (seconds, approach) = (begun.elapsed().as_secs_f64(), OnceLock::new());

@@ -35,7 +35,7 @@ impl Rows {
     ) -> PyResult<Self> {
         let axes: Result<Vec<Axis>, _> = axes.into_iter().map(|(path, values)| Axis::list(&path, values)).collect();
         let axes = axes.map_err(|error| raised(py, error))?;
-        let options = Options { tolerance, ..Options::default() };
+        let options = Options { tolerance };
         let sweep = Sweep::new(scene.get().inner.clone(), axes).and_then(|sweep| sweep.with_options(options));
         let sweep = sweep.map_err(|error| raised(py, error))?;
         let sweep = if approach { sweep.with_approach() } else { sweep };

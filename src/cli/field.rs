@@ -122,7 +122,7 @@ impl Field {
             ));
         }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let options = Options { tolerance: self.tolerance };
         let (model, solution) = solved(&scene, &options)?;
         warn(&solution);
         let field = model.field(&solution)?;

@@ -49,7 +49,7 @@ impl Grid {
             Sweep::new(scene, self.vary.clone())?
         };
         let sweep = match self.tolerance {
-            Some(tolerance) => sweep.with_options(Options { tolerance, ..Options::default() })?,
+            Some(tolerance) => sweep.with_options(Options { tolerance })?,
             None => sweep,
         };
         let sweep = if self.approach { sweep.with_approach() } else { sweep };

@@ -51,7 +51,7 @@ impl Plot {
     pub fn run(&self) -> Result<(), Failure> {
         Kind::of(&self.out)?;
         let scene = self.file.read_for(&[&self.out])?;
-        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let options = Options { tolerance: self.tolerance };
         let (model, solution) = solved(&scene, &options)?;
         let picture = plot::stack(&scene, model.stack(), &solution);
         Ok(plot::save(&self.out, &self.title.above(picture, &scene))?)

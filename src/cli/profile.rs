@@ -45,7 +45,7 @@ impl Profile {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         self.out.as_deref().map_or(Ok(()), |out| outputs::fits(out, &["csv"]))?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let options = Options { tolerance: self.tolerance };
         let (model, solution) = solved(&scene, &options)?;
         warn(&solution);
         let places = profile_places(&solution, self.to, self.points as usize);

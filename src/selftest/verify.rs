@@ -43,7 +43,7 @@ impl Comparison {
 /// # Errors
 /// As [`Model::press_with`], if there is no stricter answer.
 pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Error> {
-    let options = Options { tolerance: STRICTEST, ..Options::default() };
+    let options = Options { tolerance: STRICTEST };
     let strict = Model::new(scene.stack()?)?.press_with(&scene.top, scene.force, &options)?;
     let mut comparisons = Vec::new();
     // a prescribed traction has no error

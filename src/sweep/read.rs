@@ -56,7 +56,7 @@ impl Sweep {
         let scene = Scene::read_with(file.with_file_name(scene), registry)?;
         let sweep = Self::new(scene, vary)?;
         match tolerance {
-            Some(tolerance) => sweep.with_options(Options { tolerance, ..Options::default() }),
+            Some(tolerance) => sweep.with_options(Options { tolerance }),
             None => Ok(sweep),
         }
     }

@@ -77,7 +77,7 @@ const TOLERANCE: f64 = 1e-11;
 impl Solve for Scenario {
     fn solve(&self) -> Result<Solution, Error> {
         let scene = self.scene()?;
-        let options = Options { tolerance: TOLERANCE, ..Options::default() };
+        let options = Options { tolerance: TOLERANCE };
         Model::new(scene.stack()?)?.press_with(&scene.top, scene.force, &options)
     }
 }

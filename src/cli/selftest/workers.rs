@@ -100,7 +100,7 @@ impl Selftest {
     fn one(&self, number: u64) -> Result<Ended, recede::Error> {
         let scene = self.scene(number)?;
         let thickness = scene.stack()?.total_thickness();
-        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let options = Options { tolerance: self.tolerance };
         let check = Check::run(&scene, &options, number.is_multiple_of(super::PICTURED));
         Ok(self.ended(number, &scene, thickness, &check))
     }

@@ -25,29 +25,48 @@ pub(crate) struct Expected {
 /// Presses punches or loads that are not even, from where contacts are expected.
 ///
 /// # Errors
-/// [`NoSolution::NotConverged`] if no list of intervals was found without tension and penetration.
+/// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, else [`NoSolution::NotConverged`], if no list of intervals was
+/// found without tension and penetration.
 pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     let of = |Expected { contact, punch, ends }: &Expected| ContactInterval::anywhere(*contact, *punch, *ends);
-    let mut support = Intervals(expected.iter().map(of).collect());
+    let start = Intervals(expected.iter().map(of).collect());
+    let mut failure = None;
+    // few terms take the least; where they lead nowhere, twice as many may not
+    for least in [COARSEST, 2 * COARSEST, 4 * COARSEST] {
+        work.operations.start();
+        match follow(problem, start.clone(), least, &mut work) {
+            Ok(answer) => return Ok(answer),
+            Err(last) => failure = failure.or_else(|| last.0.iter().find_map(|interval| too_small(problem, interval))),
+        }
+    }
+    Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
+}
+
+/// Changes a list of intervals with this number of terms at least until it is an answer; the last list if it does not become one.
+fn follow(problem: &Problem, mut support: Intervals, least: usize, work: &mut Work) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
         work.steps.clear();
         let counts: Vec<usize> =
-            support.0.iter().map(|interval| resolved(problem, interval).clamp(COARSEST, 4 * COARSEST)).collect();
-        let next = match converge(problem, support.clone(), &counts, COARSE, &mut work) {
+            support.0.iter().map(|interval| resolved(problem, interval).clamp(least, 4 * COARSEST)).collect();
+        support = match converge(problem, support, &counts, COARSE, work) {
             Ok(level) => match negative(&level) {
-                Some(split) => Some(split),
-                None => match checked(problem, &level, &mut work) {
+                Some(split) => split,
+                None => match checked(problem, &level, work) {
                     Ok(answer) => return Ok(answer),
-                    Err(next) => next,
+                    Err(next) => next.ok_or(level.support)?,
                 },
             },
-            Err(failure) => changed(failure),
+            Err(failure) => changed(failure)?,
         };
-        let Some(next) = next else { break };
-        support = next;
     }
-    Err(NoSolution::NotConverged.into())
+    Err(support)
+}
+
+/// The error that a punch is too small, if an interval under it has grown to its edge.
+fn too_small(problem: &Problem, interval: &ContactInterval) -> Option<ContactError> {
+    let punch = problem.placed(interval.contact, interval.punch)?;
+    [interval.from(), interval.to()].into_iter().find_map(|end| punch.too_small(end))
 }
 
 /// The answer, or a list that is nearer to it, if there is one.
@@ -92,19 +111,19 @@ fn with_interval(support: &Intervals, (contact, punch): (usize, usize), at: f64,
     Intervals(all)
 }
 
-/// The list after a failure: without an interval that vanishes, or with two as one that meet.
-fn changed(failure: Failure) -> Option<Intervals> {
+/// The list after a failure: without an interval that vanishes, or with two as one that meet; the last list as an error if there is no other.
+fn changed(failure: Failure) -> Result<Intervals, Intervals> {
     match failure {
         Failure::Vanishes(Intervals(mut all), number) => {
             all.remove(number);
-            Some(Intervals(all))
+            Ok(Intervals(all))
         }
         Failure::Meet(Intervals(mut all), number) => {
             let next = all.remove(number + 1);
             let own = &mut all[number];
             *own = ContactInterval::anywhere(own.contact, own.punch, [own.from(), next.to()]);
-            Some(Intervals(all))
+            Ok(Intervals(all))
         }
-        Failure::Other => None,
+        Failure::Stuck(last) => Err(last),
     }
 }

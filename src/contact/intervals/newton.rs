@@ -43,7 +43,8 @@ pub(super) enum Failure {
     Vanishes(Intervals, usize),
     /// An interval of this list grows together with the next one.
     Meet(Intervals, usize),
-    Other,
+    /// Steps lead nowhere from this list, or take too long.
+    Stuck(Intervals),
 }
 
 /// What the pressure says of one end.
@@ -82,16 +83,17 @@ pub(super) fn converge(
             None => {
                 let Lengths { ends, shortest } = &lengths;
                 let layout = Layout::without_tails(problem.kernel, ends, shortest, negligible, 0.0);
-                (layout.ok_or(Failure::Other)?, ends.clone())
+                (layout.ok_or_else(|| Failure::Stuck(support.clone()))?, ends.clone())
             }
         };
         let terms = counts.iter().sum::<usize>() as f64;
         // a Bessel function takes as long as some 64 multiplications
         let products = layout.zeta.len() as f64 * terms * (terms + 64.0);
-        work.operations.spend(products + terms.powi(3) / 3.0).ok_or(Failure::Other)?;
+        work.operations.spend(products + terms.powi(3) / 3.0).ok_or_else(|| Failure::Stuck(support.clone()))?;
         work.step();
-        let Solved { pressures, rotations } =
-            Equations::new(problem, &layout, &support, counts).solve().ok_or(Failure::Other)?;
+        let Solved { pressures, rotations } = Equations::new(problem, &layout, &support, counts)
+            .solve()
+            .ok_or_else(|| Failure::Stuck(support.clone()))?;
         if let Some(failure) = changes(&support, &pressures) {
             return Err(failure);
         }
@@ -105,7 +107,7 @@ pub(super) fn converge(
             return Ok(Approximation { support, counts: counts.to_vec(), pressures, rotations, steps, left_out });
         }
         if !progress.goes_on(longest) || work.steps.last() > Some(&MOST_STEPS) {
-            return Err(Failure::Other);
+            return Err(Failure::Stuck(support));
         }
         if longest < SHORT {
             secants.improve(&Vec::new(), &mut Vec::new(), &mut steps);
@@ -118,7 +120,7 @@ pub(super) fn converge(
             }
         }
         limits.limit(&mut steps);
-        support = moved(problem, &support, &steps).ok_or(Failure::Other)?;
+        support = moved(problem, &support, &steps).ok_or(Failure::Stuck(support))?;
         kept = Some((layout, about));
     }
 }

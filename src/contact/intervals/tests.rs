@@ -30,7 +30,7 @@ fn one_interval_is_what_another_solver_finds() {
     for stack in stacks {
         let stack = stack.build().unwrap();
         let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
-        let options = Options { tolerance: 1e-8, ..Options::default() };
+        let options = Options { tolerance: 1e-8 };
         for top in [
             Top::from(Punch::parabola(30.0).unwrap()),
             Top::from(Punch::cylinder(30.0).unwrap()),

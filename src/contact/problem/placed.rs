@@ -1,7 +1,9 @@
 //! A punch anywhere on the top face, one of those whose contacts are not even.
+use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::Group;
-use crate::contact::problem::profile::{Profile, Span};
+use crate::contact::problem::profile::{NEARLY, Profile, Span};
 use crate::contact::problem::twin::Twin;
+use crate::geometry::Geometry;
 use crate::scene::{Pressed, Punch, Punches, Tilt};
 
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
@@ -76,6 +78,14 @@ impl<'a> Placed<'a> {
     /// The profile by itself, pressed with its own part of the force.
     pub(crate) fn alone(&self) -> Profile<'a> {
         Profile::new(self.punch, self.length, self.share * self.force, Twin::Plane)
+    }
+
+    /// The error that the punch is too small for a contact that ends at x.
+    pub(crate) fn too_small(&self, x: f64) -> Option<ContactError> {
+        let [left, right] = self.ends;
+        let (from_tip, edge) = if x < self.at { (self.at - x, -left) } else { (x - self.at, right) };
+        let punch = self.punch.label(Geometry::PlaneStrain);
+        (from_tip > NEARLY * edge).then(|| NoSolution::PunchTooSmall { punch, edge: edge * self.length }.into())
     }
 
     /// The place at which a step of an end from one place to another ends: next to the edge of the punch.

@@ -8,7 +8,7 @@ use crate::scene::{Punch, Shape};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
-const NEARLY: f64 = 0.999;
+pub(super) const NEARLY: f64 = 0.999;
 /// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {

@@ -20,7 +20,7 @@ fn drawn(geometry: Geometry, seed: u64, number: u64) -> Scene {
 
 /// Calls back with so many random scenes, the kernels of each, what is expected of it, and the solver's answer.
 fn each_solved(geometry: Geometry, seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f64], &Solution)) {
-    let options = Options { tolerance: 1e-6, ..Options::default() };
+    let options = Options { tolerance: 1e-6 };
     let solved = (0..).filter_map(|number| {
         let scene = drawn(geometry, seed, number);
         let stack = scene.stack().unwrap();
@@ -74,7 +74,7 @@ fn its_own_answer_is_as_good_as_it_says() {
 
 #[test]
 fn corners_tips_and_given_loads_are_known_as_well() {
-    let options = Options { tolerance: 1e-6, ..Options::default() };
+    let options = Options { tolerance: 1e-6 };
     for number in 0..12 {
         let scene = scene(&Ranges::moderate(), 9, number).scene().unwrap();
         let stack = scene.stack().unwrap();

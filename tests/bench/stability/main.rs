@@ -92,7 +92,7 @@ fn flexibility(steepness: f64) -> Result<Diagram, Box<dyn Error>> {
 /// Relative error of the receding half-length over the lowest wavenumber.
 fn cut_off() -> Result<Diagram, Box<dyn Error>> {
     let scene = Scene::from_ron(cutoff::SCENE)?;
-    let options = Options { tolerance: 1e-12, ..Options::default() };
+    let options = Options { tolerance: 1e-12 };
     let solution = recede::Model::new(scene.stack()?)?.press_with(&scene.top, scene.force, &options)?;
     let [punch, receding] = solution.contacts() else { return Err("two contacts".into()) };
     let mut points = Vec::new();
