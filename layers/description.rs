@@ -35,7 +35,7 @@ macro_rules! described {
 pub struct Field {
     /// Its name, e.g. `shear_modulus`.
     pub name: String,
-    /// What it is, a sentence.
+    /// Its meaning, a sentence.
     pub meaning: String,
     /// Whether it may be left out.
     pub optional: bool,
@@ -59,7 +59,7 @@ pub enum Value {
 pub struct Form {
     /// The name, e.g. `Homogeneous`.
     pub name: String,
-    /// What it is, a sentence.
+    /// Its meaning, a sentence.
     pub meaning: String,
     /// What follows in parentheses; `None` if nothing does.
     pub value: Option<Value>,

@@ -35,8 +35,8 @@ impl Body {
     }
 }
 
-/// Reads one layer or support from its fields in a scene, those of `Homogeneous(thickness: 1.0, shear_modulus: ...)`; the name
-/// is that of the [`Entry`].
+/// Reads one layer or support from its fields in a scene, as in `Homogeneous(thickness: 1.0, shear_modulus: ...)`; the name
+/// is the name of the [`Entry`].
 pub type ReadBody = fn(&Node) -> Result<Body, ReadError>;
 
 fn read_layer<L: Layer + DeserializeOwned>(node: &Node) -> Result<Body, ReadError> {

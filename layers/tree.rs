@@ -26,7 +26,7 @@ pub struct Node {
     pub name: Option<Box<str>>,
     /// Where begins what follows the name; the end of a name alone.
     pub inner: usize,
-    /// What follows the name, or what it is without one.
+    /// What follows the name, or the value itself without one.
     pub kind: Kind,
 }
 

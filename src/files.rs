@@ -45,7 +45,7 @@ impl Place {
             Self::File(_) => None,
             Self::Output => Some(Box::new(io::stdout())),
             Self::Error => Some(Box::new(io::stderr())),
-            // a descriptor may be that of a file, in which something stands already
+            // a descriptor may belong to a file in which something stands already
             Self::Other(path) => Some(Box::new(OpenOptions::new().append(true).open(path)?)),
         })
     }
@@ -121,7 +121,7 @@ pub fn replace(path: &Path, write: impl FnOnce(&mut (dyn Write + Send)) -> io::R
     written
 }
 
-/// A new file in a folder, and what it is called.
+/// A new file in a folder, and its name.
 fn unfinished(folder: &Path) -> io::Result<(PathBuf, File)> {
     loop {
         // short, so that it is legal wherever the name of the finished file is

@@ -6,8 +6,8 @@
 //! Source of the numbers: an independent program, see [`ASYMMETRIC`].
 use recede::selftest::{Check, Outcome, Ranges, scene_of_any_kind};
 use recede::{
-    Contact, Exponential, FaceSide, HalfPlane, Homogeneous, Interface, Load, Loads, Model, Options, Plane, Pressed,
-    Punch, Punches, Scene, Solution, Stack, Tilt, Top,
+    Contact, Error, Exponential, FaceSide, HalfPlane, Homogeneous, Interface, Load, Loads, Model, NoSolution, Options,
+    Plane, Pressed, Punch, Punches, Scene, Solution, Stack, Tilt, Top,
 };
 
 /// Line loads (x, force) on a homogeneous strip of thickness 1 loose on a half-plane of (1 − ν)/μ = k times (1 − ν)/μ of the strip: ends of the contact and
@@ -290,6 +290,31 @@ fn punches_are_mirrored_and_a_table_may_be_uneven() {
         assert!((one[0].moment + other[1].moment).abs() < 1e-11, "{one:?} {other:?}");
         assert!((one[1].tilt + other[0].tilt).abs() < 1e-16, "{one:?} {other:?}");
     }
+}
+
+/// Contacts that outgrow a punch, or grow together with the contact under the next one, are named.
+#[test]
+fn contacts_that_find_no_room_are_refused_with_the_reason() {
+    let ground = HalfPlane::new(0.6, 0.3).unwrap();
+    let strip = Homogeneous::new(0.7, 0.25, 0.28).unwrap();
+    let model =
+        Model::new(Stack::builder(Plane::Strain).layer(strip).receding().layer(ground).build().unwrap()).unwrap();
+    let refused = |all: &[(Punch, f64, f64)]| {
+        let pressed =
+            all.iter().map(|(punch, at, force)| Pressed::new(punch.clone(), *at, *force, Tilt::None).unwrap());
+        let punches = Punches::new(&pressed.collect::<Vec<_>>()).unwrap();
+        let force = punches.force();
+        match model.press(punches, force).unwrap_err() {
+            Error::NoSolution(reason) => reason,
+            other => panic!("{other}"),
+        }
+    };
+    let roller = || Punch::cylinder(200.0).unwrap();
+    let meeting = refused(&[(roller(), 0.0, 2e-3), (roller(), 1.2, 2e-3)]);
+    assert!(matches!(meeting, NoSolution::PunchesMeet { left: 1 }), "{meeting}");
+    let narrow = Punch::table(&[(-0.3, 0.0011), (0.0, 0.0), (0.3, 0.001)]).unwrap();
+    let outgrown = refused(&[(narrow, 0.0, 5e-3)]);
+    assert!(matches!(outgrown, NoSolution::PunchTooSmall { .. }), "{outgrown}");
 }
 
 /// Random scenes whose loads are not even and whose layers may lift off.

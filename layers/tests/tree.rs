@@ -1,4 +1,4 @@
-//! Texts are read into trees whose places are those of the text.
+//! Texts are read into trees with the places of the text.
 use std::fs;
 use std::path::Path;
 

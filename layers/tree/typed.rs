@@ -73,7 +73,7 @@ struct Value<'de> {
 }
 
 impl Node {
-    /// What it is, unless it has a name.
+    /// Its kind, unless it has a name.
     fn unnamed(&self) -> Option<&Kind> {
         self.name.is_none().then_some(&self.kind)
     }

@@ -35,7 +35,7 @@ Examples:
   recede man sweep > recede-sweep.1
   recede man > ~/.local/share/man/man1/recede.1")]
 pub struct Man {
-    /// The subcommand whose page it is to be, rather than that of the whole
+    /// The subcommand whose page it is to be, rather than the page of the whole
     command: Option<String>,
 }
 

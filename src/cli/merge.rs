@@ -8,7 +8,7 @@ use super::part_file::PartFile;
 use super::whole_file::{self, RowsKind};
 use super::{Failure, outputs};
 
-/// Gaps that are listed; those of many lost parts would fill the screen.
+/// Gaps that are listed; the gaps of many lost parts would fill the screen.
 const LISTED: usize = 5;
 
 /// Put the files of all parts of a sweep together, in the order of rows

@@ -117,6 +117,12 @@ pub enum NoSolution {
         /// Half-width of the punch, its radius in axisymmetric problems, in length.
         edge: f64,
     },
+    /// The contacts under two punches would grow together.
+    #[error("the contacts under punch {left} and punch {} would meet: each place is pressed by one punch only", .left + 1)]
+    PunchesMeet {
+        /// The number of the punch on the left, from 1.
+        left: usize,
+    },
     /// No force makes the contact as long, or the punch sink as far, as wanted.
     #[error("no force makes the {controlled} {punch} {wanted:?}; {}", reachable(*.controlled, *.below, *.above))]
     Unreachable {
@@ -218,13 +224,14 @@ fn intervals(parts: &[[f64; 2]]) -> String {
 impl NoSolution {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::PunchTooSmall { .. } | Self::Unreachable { .. })
+        matches!(self, Self::PunchTooSmall { .. } | Self::PunchesMeet { .. } | Self::Unreachable { .. })
     }
 
     /// What to do about it, if that can be said.
     pub fn hint(&self) -> Option<String> {
         let hint = match self {
             Self::PunchTooSmall { .. } => return None,
+            Self::PunchesMeet { .. } => "put them farther apart, or press with smaller forces",
             Self::NotConverged => {
                 "contacts hundreds of times longer than a layer next to them is thick need more modes than there are: \
                  try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"

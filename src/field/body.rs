@@ -87,7 +87,7 @@ impl Remainder {
     const NONE: Self = Self { size: 0.0, power: 2.0 };
 }
 
-/// The layers from the top down, without those of thickness 0.
+/// The layers from the top down, without layers of thickness 0.
 pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
     let mut layers: Vec<PlacedLayer> = Vec::new();
     let mut depth = 0.0;

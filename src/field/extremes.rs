@@ -6,7 +6,7 @@ use super::search::{HighestPlace, highest};
 use super::{Field, PlacedLayer, Point, waves};
 use crate::system::Unresolved;
 
-/// Stresses below this part of the mean pressure are those of rounding, and below [`Precision::on_face`] of it what sums over wavenumbers
+/// Stresses below this part of the mean pressure are rounding, and below [`Precision::on_face`] of it what sums over wavenumbers
 /// leave out.
 const NOTHING: f64 = 1e-12;
 
@@ -99,7 +99,7 @@ impl Field {
     /// The largest tension, the largest von Mises stress of each layer, and the largest shear stress and tension across each interface
     /// that does not open.
     ///
-    /// A value is that of the field at the place named, right to the error given with it. Places are found to some 1e-4 of the shortest
+    /// A value is the value of the field at the place named, right to the error given with it. Places are found to some 1e-4 of the shortest
     /// half-length, and a half-plane is searched to three half-lengths of the longest contact; so a value is the largest to some
     /// 1e-6 of itself. Where a pressure jumps, stresses are limits from one side, and the place is next to the end of the load. Where contacts
     /// are so long, or layers so thin, that not all short waves are summed, the error has what the search does not see of them.

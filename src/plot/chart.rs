@@ -34,7 +34,7 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
     /// How it is drawn.
     pub stroke: Stroke,
-    /// What it is called; empty for nothing. In a list it may have several lines.
+    /// Its name; empty for nothing. In a list it may have several lines.
     pub label: String,
 }
 

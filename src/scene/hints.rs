@@ -1,4 +1,4 @@
-//! What to write in place of words that are not those of a scene.
+//! What to write in place of words that scenes do not know.
 //!
 //! Tables have one row for words that mean the same, with what to say about them behind an arrow.
 

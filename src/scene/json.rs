@@ -51,7 +51,7 @@ fn inner(node: &Node) -> Value {
     }
 }
 
-/// The JSON Schema of scenes whose layers are those of `registry`, for editors and for programs that write scenes.
+/// The JSON Schema of scenes with the layers of `registry`, for editors and for programs that write scenes.
 ///
 /// ```
 /// use recede::{Registry, scene_schema};

@@ -36,7 +36,7 @@ pub enum Load {
         /// Half-width of the loaded strip, in length.
         half_width: Positive,
     },
-    /// A pressure like √(1 − (x/half_width)²), that of Hertz.
+    /// A pressure like √(1 − (x/half_width)²), as under Hertz's cylinder.
     Elliptic {
         /// Half-width of the loaded strip, in length.
         half_width: Positive,

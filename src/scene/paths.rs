@@ -1,6 +1,6 @@
 //! Quantities of a scene by path, such as `force` or `layer[2].beta`, and scenes in which they have other values.
 //!
-//! Values are replaced among those of the text, and what they belong to is read again: so a new value is checked as one in a
+//! Values are replaced among the values of the text, and what they belong to is read again: so a new value is checked as one in a
 //! file is. Only a mistake, which has a line and a column, takes the whole text with the new values.
 use std::ops::Range;
 

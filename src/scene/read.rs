@@ -132,7 +132,7 @@ impl Scene {
         Self::from_reader(&path.display().to_string(), reader, registry)
     }
 
-    /// Reads a scene from anything that yields bytes; `file` is what it is called in messages.
+    /// Reads a scene from anything that yields bytes; `file` is its name in messages.
     ///
     /// # Errors
     /// As [`Scene::from_ron`], and if it cannot be read or is longer than [`MAX_BYTES`].
@@ -141,7 +141,7 @@ impl Scene {
     }
 }
 
-/// Reads a text in RON that is not a scene; `owner` is what it is called in messages.
+/// Reads a text in RON that is not a scene; `owner` is its name in messages.
 #[cfg(feature = "files")]
 pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, owner: &str) -> Result<T, SceneError> {
     let origin = read_text(file, reader)?;
@@ -257,7 +257,7 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
     Ok(Scene { name, description, units, ..Scene::new(geometry, top, force, stack) })
 }
 
-/// The force, or what it is found for.
+/// The force, or the half-length or depth that it is found for.
 fn force(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
     let kinds: [fn(f64) -> Force; 3] = [Force::Given, Force::ForHalfLength, Force::ForDepth];
     let numbers = [draft.force, draft.half_length, draft.depth];

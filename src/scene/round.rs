@@ -80,7 +80,7 @@ pub(super) enum RoundLoad {
         /// Radius of the loaded disc, in length.
         radius: Positive,
     },
-    /// A pressure like √(1 − (r/radius)²), that of Hertz.
+    /// A pressure like √(1 − (r/radius)²), as under Hertz's sphere.
     Elliptic {
         /// Radius of the loaded disc, in length.
         radius: Positive,

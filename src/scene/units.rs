@@ -201,7 +201,7 @@ impl Units {
         symbol.map_or(String::new(), |symbol| format!(" {symbol}"))
     }
 
-    /// The unit of a quantity, if those of length and force are known.
+    /// The unit of a quantity, if the units of length and force are known.
     fn unit(&self, dimension: Dimension) -> Option<Unit> {
         let length = Unit::read(&self.length).filter(|unit| unit.dimension == Dimension::LENGTH)?;
         let force = Unit::read(&self.force).filter(|unit| unit.dimension == Dimension::FORCE)?;

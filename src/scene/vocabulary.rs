@@ -39,7 +39,7 @@ pub struct Vocabulary {
 }
 
 impl Vocabulary {
-    /// The words of scenes whose layers are those of `registry`. A type without a field `thickness` counts as a base, and of
+    /// The words of scenes with the layers of `registry`. A type without a field `thickness` counts as a base, and of
     /// one that was registered without a [description](Registry::register_described) only the name is known.
     pub fn new(registry: &Registry) -> Self {
         let registered = registry.iter().map(|entry| Form {

@@ -8,7 +8,7 @@ impl Scene {
     /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
     ///
     /// A layer is written as its [`notation`](crate::Layer::notation) says, so a user-defined layer type is read again
-    /// if its notation names the fields that it is read from, as those of the layers that ship do.
+    /// if its notation names the fields that it is read from, as the notation of the layers that ship does.
     ///
     /// ```
     /// use recede::{HalfPlane, Item, Plane, Punch, Scene};

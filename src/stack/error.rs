@@ -151,7 +151,7 @@ pub enum StackProblem {
     /// More layers than can be solved in a reasonable time.
     #[error("the stack has {found} layers; allowed are at most {MAX_LAYERS}")]
     TooManyLayers {
-        /// How many, those of thickness 0 left out.
+        /// How many, layers of thickness 0 left out.
         found: usize,
     },
     /// More receding interfaces than can be solved in a reasonable time and memory.

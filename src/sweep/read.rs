@@ -24,7 +24,7 @@ struct Written {
 }
 
 impl Sweep {
-    /// Whether a text begins as that of a sweep does, with `Sweep(`.
+    /// Whether a text begins as a sweep does, with `Sweep(`.
     pub fn begins(text: &str) -> bool {
         first_name(text) == Some("Sweep")
     }
@@ -38,15 +38,15 @@ impl Sweep {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Scene`] with line and column if the text is no sweep, and those of [`Scene::read`] and [`Sweep::new`].
+    /// [`Error::Scene`] with line and column if the text is no sweep, and the errors of [`Scene::read`] and [`Sweep::new`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let reader = File::open(path).map_err(|cause| SceneError::unreadable(path, cause))?;
         Self::from_reader(path, reader, &Registry::default())
     }
 
-    /// Reads a sweep in RON from anything that yields bytes; `file` is what it is called in messages, and in its folder
-    /// is the scene. The layer types are those of `registry`.
+    /// Reads a sweep in RON from anything that yields bytes; `file` is its name in messages, and in its folder
+    /// is the scene. `registry` has the layer types.
     ///
     /// # Errors
     /// As [`Sweep::read`].

@@ -45,7 +45,7 @@ pub(super) struct Answer {
     pub(super) warned: bool,
 }
 
-/// A number of an answer compared with that of the strictest answer.
+/// A number of an answer compared with the same number of the strictest answer.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Compared {
     pub(super) interface: String,

@@ -34,7 +34,7 @@ pub(crate) struct Equations<'a> {
     strong: &'a [bool],
     /// Where mode m of contact i stands: first modes first.
     place: Vec<Vec<usize>>,
-    /// Modes of contact i less those of contact i + 1 where the latter are counted from the former, at the rows of the
+    /// Modes of contact i less the modes of contact i + 1 where the latter are counted from the former, at the rows of the
     /// coupling; else the modes of contact i.
     differences: Vec<Columns>,
     /// What the edge singularity at the corners of a punch adds to the pressure of each contact.

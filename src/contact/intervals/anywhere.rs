@@ -5,7 +5,7 @@ use crate::contact::answer::Answer;
 use crate::contact::ends::newton::Work;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::gaps::{self, Fault};
-use crate::contact::intervals::newton::{Approximation, Failure, converge};
+use crate::contact::intervals::newton::{Approximation, Failure, TOGETHER, converge};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::intervals::{COARSEST, refine, resolved};
 use crate::contact::problem::Problem;
@@ -25,7 +25,7 @@ pub(crate) struct Expected {
 /// Presses punches or loads that are not even, from where contacts are expected.
 ///
 /// # Errors
-/// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, else [`NoSolution::NotConverged`], if no list of intervals was
+/// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together, else [`NoSolution::NotConverged`], if no list of intervals was
 /// found without tension and penetration.
 pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
@@ -37,7 +37,7 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, 
         work.operations.start();
         match follow(problem, start.clone(), least, &mut work) {
             Ok(answer) => return Ok(answer),
-            Err(last) => failure = failure.or_else(|| last.0.iter().find_map(|interval| too_small(problem, interval))),
+            Err(last) => failure = failure.or_else(|| outgrown(problem, &last.0)),
         }
     }
     Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
@@ -63,10 +63,18 @@ fn follow(problem: &Problem, mut support: Intervals, least: usize, work: &mut Wo
     Err(support)
 }
 
-/// The error that a punch is too small, if an interval under it has grown to its edge.
-fn too_small(problem: &Problem, interval: &ContactInterval) -> Option<ContactError> {
-    let punch = problem.placed(interval.contact, interval.punch)?;
-    [interval.from(), interval.to()].into_iter().find_map(|end| punch.too_small(end))
+/// The error that a punch is too small, if an interval under it has grown to its edge, or that the intervals of two punches meet.
+fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactError> {
+    let too_small = intervals.iter().find_map(|interval| {
+        let punch = problem.placed(interval.contact, interval.punch)?;
+        [interval.from(), interval.to()].into_iter().find_map(|end| punch.too_small(end))
+    });
+    let meet = |pair: &[ContactInterval]| {
+        let is_short = pair[1].from() - pair[0].to() < TOGETHER * pair[0].half.min(pair[1].half);
+        let are_two = pair[0].contact == pair[1].contact && pair[0].punch != pair[1].punch;
+        (is_short && are_two).then(|| NoSolution::PunchesMeet { left: pair[0].punch + 1 }.into())
+    };
+    too_small.or_else(|| intervals.windows(2).find_map(meet))
 }
 
 /// The answer, or a list that is nearer to it, if there is one.

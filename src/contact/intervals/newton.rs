@@ -16,7 +16,7 @@ const MOST_STEPS: usize = 40;
 /// Steps that are shorter, in half-lengths, are Newton's.
 const SHORT: f64 = 0.1;
 /// Intervals that both grow into a gap shorter than this part of the shorter one are one.
-const TOGETHER: f64 = 0.03;
+pub(super) const TOGETHER: f64 = 0.03;
 /// An end with a weaker singularity, in units of the mean pressure, need not be known.
 const WEAK: f64 = 1e-9;
 
