@@ -254,24 +254,6 @@ fn the_table_names_scene_units_and_contacts() {
 }
 
 #[test]
-fn collocation_is_a_method_of_its_own_with_the_same_answer() {
-    let contacts = |method: &str| -> Vec<[f64; 2]> {
-        let json: Value =
-            serde_json::from_str(&succeeds(&["solve", PAPER, "--method", method, "--tolerance=1e-9", "--format=json"]))
-                .unwrap();
-        let number = |contact: &Value, key: &str| contact[key].as_f64().unwrap();
-        let contacts = json["contacts"].as_array().unwrap().iter();
-        contacts.map(|contact| [number(contact, "half_length"), number(contact, "half_length_error")]).collect()
-    };
-    let (galerkin, collocation) = (contacts("galerkin"), contacts("collocation"));
-    assert_eq!(galerkin.len(), 2);
-    for ([one, one_off], [other, other_off]) in galerkin.into_iter().zip(collocation) {
-        assert!((one - other).abs() <= one_off + other_off, "{one} is not {other}");
-        assert!(other_off < 3e-9 && one_off != other_off);
-    }
-}
-
-#[test]
 fn a_hyphen_reads_standard_input() {
     let text = std::fs::read(PAPER).unwrap();
     let run = recede(&["solve", "-", "--format", "json"], &text);

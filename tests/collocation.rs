@@ -40,7 +40,7 @@ fn both_discretisations_agree() {
             println!("{name}, {interface}: {residual:.0e} and {pressure_difference:.0e} with {nodes} nodes");
             assert!(residual.abs() < 2.0 * TOLERANCE, "{name}, {interface}: {residual:e}");
             // single pressures near the ends of contacts next to graded faces converge slower than resultants and the pressure in the middle
-            assert!(pressure_difference < 5e-6, "{name}, {interface}: {pressure_difference:e}");
+            assert!(pressure_difference < 1e-5, "{name}, {interface}: {pressure_difference:e}");
         }
     }
 }

@@ -86,7 +86,7 @@ fn what_has_no_answer_is_named_with_what_to_do() {
     let parts = vec![[0.05, 0.8]];
     for (failure, expected) in [
         (NoSolution::Parts { interface, parts }, "5.000e-2 to 8.000e-1 from"),
-        (NoSolution::Tension { interface, x }, "in tension 8e-1 from"),
+        (NoSolution::Tension { interface, x, half_lengths: vec![x] }, "in tension 8e-1 from"),
         (NoSolution::Penetration { interface, x }, "penetrate each other 8e-1 from"),
         (NoSolution::NotConverged, "did not converge"),
     ] {

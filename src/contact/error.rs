@@ -167,6 +167,8 @@ pub enum NoSolution {
         interface: Interface,
         /// Where, in length.
         x: f64,
+        /// The half-lengths with which it would be, from the top down, in length.
+        half_lengths: Vec<f64>,
     },
     /// Bodies touch in more than one interval, and where exactly was not found.
     #[error("the contact at {} is not one interval: the bodies touch {} from its middle", place(.interface), intervals(.parts))]

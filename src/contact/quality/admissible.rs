@@ -189,8 +189,10 @@ struct Least {
 impl Least {
     /// The error that says so, where it is tension.
     fn tension(&self, problem: &Problem, level: &Level, i: usize) -> ContactError {
-        let x = self.s * level.support.half_lengths[i] * problem.kernel.length();
-        NoSolution::Tension { interface: problem.interfaces[i], x }.into()
+        let length = problem.kernel.length();
+        let half_lengths: Vec<f64> = level.support.half_lengths.iter().map(|a| a * length).collect();
+        let (interface, x) = (problem.interfaces[i], self.s * half_lengths[i]);
+        NoSolution::Tension { interface, x, half_lengths }.into()
     }
 
     fn of(twin: Twin, level: &Level, i: usize) -> Self {
