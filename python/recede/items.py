@@ -638,7 +638,7 @@ class Parabolic(Load):
 
 
 class Elliptic(Load):
-    """A pressure like √(1 − (x/half_width)²), that of Hertz.
+    """A pressure like √(1 − (x/half_width)²), as under Hertz's cylinder.
 
     Args:
         half_width: Half-width of the loaded strip, in length. Allowed: a finite number > 0.
