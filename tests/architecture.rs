@@ -123,7 +123,11 @@ fn an_answer_goes_through_the_rooms_of_the_contact_solver_in_order() {
 
 #[test]
 fn no_two_files_import_each_other_in_a_circle() {
-    let crates = [("src", modules(library(), "src")), ("layers", modules(layers(), "layers"))];
+    let crates = [
+        ("src", modules(library(), "src")),
+        ("layers", modules(layers(), "layers")),
+        ("python/src", modules(rust_files("python/src"), "python/src")),
+    ];
     for (name, files) in crates {
         let circles = files.circles();
         let circles = circles.iter().map(|circle| format!("{name}: {}", circle.join(" -> ")));

@@ -6,7 +6,7 @@ use recede::{ApproachError, Error};
 
 use crate::arrays;
 use crate::errors::raised;
-use crate::solution::Solved;
+use crate::solver::Solved;
 
 /// One contact of a solution. Pressures are positive in compression.
 #[pyclass(frozen, module = "recede", weakref)]

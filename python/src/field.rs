@@ -7,8 +7,7 @@ use recede::{BondExtremes, Extreme, FieldPoint, LayerExtremes, Point};
 
 use crate::arrays::{self, read};
 use crate::errors::raised;
-use crate::model::Solver;
-use crate::solution::dictionary;
+use crate::solver::Solver;
 
 /// Stresses and displacements inside a stack, stresses positive in tension.
 #[pyclass(frozen, module = "recede", weakref)]
@@ -120,4 +119,11 @@ impl Field {
             self.inner.layers().map(|(number, [top, bottom])| format!("layer {number} from {top} to {bottom}"));
         format!("<Field: {}>", layers.collect::<Vec<_>>().join(", "))
     }
+}
+
+/// A dictionary of numbers.
+fn dictionary<'py>(py: Python<'py>, fields: &[(&str, f64)]) -> PyResult<Bound<'py, PyDict>> {
+    let all = PyDict::new(py);
+    fields.iter().try_for_each(|(name, value)| all.set_item(name, value))?;
+    Ok(all)
 }

@@ -7,6 +7,8 @@ mod function;
 mod model;
 mod scene;
 mod solution;
+mod solver;
+mod source;
 mod sweep;
 
 use std::path::PathBuf;

@@ -1,69 +1,20 @@
 //! Stacks with their kernels, ready for any punch and force.
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 use pyo3::types::PyList;
-use recede::{Error, Force, Options, Top};
+use recede::Force;
 
 use crate::arrays;
 use crate::errors::raised;
 use crate::field::Field;
-use crate::scene::{self, Scene, Source};
-use crate::solution::{Solution, Solved};
+use crate::scene::{self, Scene};
+use crate::solution::Solution;
+use crate::solver::Solver;
 
 /// How often a long computation asks whether it has been interrupted.
 pub const PATIENCE: Duration = Duration::from_millis(100);
-
-/// A scene's stack with its kernels.
-pub struct Solver {
-    /// The scene; each question brings a punch and a force in place of the ones in it.
-    pub scene: recede::Scene,
-    pub model: recede::Model,
-    pub source: Source,
-}
-
-impl Solver {
-    pub fn new(py: Python<'_>, scene: recede::Scene, source: Source, many: bool) -> PyResult<Self> {
-        let stack = scene.stack().map_err(|error| source.failed(py, &error))?;
-        let model = py.detach(|| recede::Model::new(stack));
-        match model {
-            Ok(model) => {
-                let model = if many { model.for_many_loads() } else { model };
-                Ok(Self { scene, model, source })
-            }
-            Err(error) => Err(source.failed(py, &scene.locate(error))),
-        }
-    }
-
-    /// The text of the scene; an exception if a layer is a function, which has none.
-    pub fn text(&self) -> PyResult<String> {
-        self.source.written(&self.scene)
-    }
-
-    /// The solution for a punch and a force, without its warnings.
-    pub fn press(self: &Arc<Self>, py: Python<'_>, top: &Top, force: Force, tolerance: f64) -> Result<Solution, Error> {
-        let options = Options { tolerance };
-        let begun = Instant::now();
-        let solution = py.detach(|| self.model.press_with(top, force, &options))?;
-        let (seconds, approach) = (begun.elapsed().as_secs_f64(), OnceLock::new());
-        let mut scene = self.scene.clone();
-        (scene.top, scene.force) = (top.clone(), force);
-        Ok(Solution(Arc::new(Solved { solver: Arc::clone(self), scene, solution, tolerance, seconds, approach })))
-    }
-
-    /// The same for the punch and the force of the scene, whose text has a place for an error.
-    pub fn solve(self: &Arc<Self>, py: Python<'_>, tolerance: f64) -> PyResult<Solution> {
-        let solution = self.press(py, &self.scene.top, self.scene.force, tolerance);
-        let solution = solution.map_err(|error| self.failed(py, &self.scene.locate(error)))?;
-        solution.warn(py)?;
-        Ok(solution)
-    }
-
-    pub fn failed(&self, py: Python<'_>, error: &Error) -> PyErr {
-        self.source.failed(py, error)
-    }
-}
 
 /// A stack with its kernels: serves any punch and any force.
 ///
@@ -84,7 +35,7 @@ impl Model {
         let scene: Bound<'_, PyAny> = py.import("recede._text")?.call_method1("scene_of", (stack,))?;
         let scene = scene.cast::<Scene>()?.get();
         let solver = match many_loads {
-            true => Arc::new(Solver::new(py, scene.inner.clone(), scene.source().clone(), true)?),
+            true => scene.new_solver(py, true)?,
             false => scene.solver(py)?,
         };
         Ok(Self { solver, many: many_loads })
@@ -126,8 +77,8 @@ impl Model {
         };
         let top = scene::top(&self.solver.scene, punch)?;
         let one = |number: f64| {
-            let solution = self.solver.press(py, &top, force_of(kind, number), tolerance);
-            solution.map_err(|error| self.solver.failed(py, &error))
+            let solved = self.solver.press(py, &top, force_of(kind, number), tolerance);
+            solved.map(Solution).map_err(|error| self.solver.failed(py, &error))
         };
         let alone = |number: f64| -> PyResult<Bound<'py, PyAny>> {
             let solution = one(number)?;

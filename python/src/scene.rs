@@ -3,65 +3,13 @@ use std::sync::{Arc, OnceLock};
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString};
-use recede::{Geometry, Item, Registry, Top};
+use pyo3::types::{PyDict, PyString};
+use recede::{Geometry, Registry, Top};
 
 use crate::errors::{file_error, raised, raised_about};
-use crate::function::{self, Failure};
-use crate::model::Solver;
 use crate::solution::Solution;
-
-/// A layer of a scene that is a function of Python.
-#[derive(Clone)]
-pub struct FunctionLayer {
-    /// Its place among the items.
-    place: usize,
-    item: Item,
-    pub failure: Failure,
-}
-
-/// Layers as they are given: place among the items, thickness, and the function.
-type Functions = Vec<(usize, f64, Py<PyAny>)>;
-
-/// What a scene was made of, if not of a text.
-#[derive(Clone, Default)]
-pub struct Source {
-    pub functions: Vec<FunctionLayer>,
-    /// The objects that the lines of its text are about.
-    pub objects: Option<Arc<Py<PyAny>>>,
-}
-
-impl Source {
-    /// The exception for an error of the scene, or the exception that a function in a layer has raised.
-    pub fn failed(&self, py: Python<'_>, error: &recede::Error) -> PyErr {
-        let failure = self.functions.iter().find_map(|layer| layer.failure.take());
-        failure.unwrap_or_else(|| raised_about(py, error, self.objects.as_deref()))
-    }
-
-    /// The scene with its functions in their places.
-    fn complete(&self, mut scene: recede::Scene) -> recede::Scene {
-        for FunctionLayer { place, item, .. } in &self.functions {
-            scene.stack[*place] = item.clone();
-        }
-        scene
-    }
-
-    /// The text of a scene; an exception if a layer is a function, which has none.
-    pub fn written(&self, scene: &recede::Scene) -> PyResult<String> {
-        if self.functions.is_empty() {
-            return Ok(scene.to_ron());
-        }
-        let why =
-            "a layer of this scene is a function of Python, which has no text: it can neither be written nor pickled";
-        Err(PyTypeError::new_err(why))
-    }
-
-    /// Whether a path leads into a function.
-    fn is_hidden(&self, scene: &recede::Scene, path: &str) -> bool {
-        let number = |place: usize| 1 + scene.stack[..place].iter().filter(|item| !item.is_interface()).count();
-        self.functions.iter().any(|layer| path.starts_with(&format!("layer[{}].", number(layer.place))))
-    }
-}
+use crate::solver::Solver;
+use crate::source::{Functions, Source};
 
 /// What is pressed by what: a stack, a punch or a load, and a force.
 ///
@@ -92,8 +40,13 @@ pub struct Scene {
 }
 
 impl Scene {
-    pub fn of(inner: recede::Scene, source: Source) -> Self {
+    fn of(inner: recede::Scene, source: Source) -> Self {
         Self { inner, source, solver: OnceLock::new() }
+    }
+
+    /// The scene of a solution as an object of Python, of which a solver only knows how it is made.
+    fn object(py: Python<'_>, inner: recede::Scene, source: Source) -> PyResult<Py<PyAny>> {
+        Ok(Py::new(py, Self::of(inner, source))?.into_any())
     }
 
     /// The model of its stack, made when it is first needed.
@@ -101,8 +54,13 @@ impl Scene {
         if let Some(solver) = self.solver.get() {
             return Ok(Arc::clone(solver));
         }
-        let solver = Arc::new(Solver::new(py, self.inner.clone(), self.source.clone(), false)?);
+        let solver = self.new_solver(py, false)?;
         Ok(Arc::clone(self.solver.get_or_init(|| solver)))
+    }
+
+    /// A model of its own, for many loads if there are many.
+    pub fn new_solver(&self, py: Python<'_>, many: bool) -> PyResult<Arc<Solver>> {
+        Solver::new(py, self.inner.clone(), self.source.clone(), many, Self::object).map(Arc::new)
     }
 
     pub fn from_text(py: Python<'_>, text: &str) -> PyResult<Self> {
@@ -112,10 +70,6 @@ impl Scene {
     /// The text of the scene; an exception if a layer is a function, which has none.
     fn written(&self) -> PyResult<String> {
         self.source.written(&self.inner)
-    }
-
-    pub fn source(&self) -> &Source {
-        &self.source
     }
 
     /// A part of it, by the name of the argument.
@@ -151,11 +105,7 @@ impl Scene {
             py.import("recede._text")?.call_method("scene", (stack, punch, force), fields)?.extract()?;
         let objects = Arc::new(objects);
         let scene = recede::Scene::from_ron(&text).map_err(|error| raised_about(py, &error.into(), Some(&objects)))?;
-        let mut source = Source { functions: Vec::new(), objects: Some(objects) };
-        for (place, thickness, function) in layers {
-            let (item, failure) = function::item(py, thickness, function)?;
-            source.functions.push(FunctionLayer { place, item, failure });
-        }
+        let source = Source::of(py, layers, objects)?;
         let scene = source.complete(scene);
         // whether the items fit together
         scene.stack().map_err(|error| source.failed(py, &error))?;
@@ -277,9 +227,7 @@ impl Scene {
     fn with_number(&self, py: Python<'_>, path: &str, value: f64) -> PyResult<Self> {
         self.check_path(path)?;
         let scene = self.inner.with(path, value).map_err(|error| self.source.failed(py, &error.into()))?;
-        // the lines of its text say something else now
-        let objects = self.source.objects.as_ref().map(|_| Arc::new(PyList::empty(py).unbind().into_any()));
-        let source = Source { objects, ..self.source.clone() };
+        let source = self.source.without_objects(py);
         Ok(Self::of(source.complete(scene), source))
     }
 
@@ -292,7 +240,9 @@ impl Scene {
     ///     NoSolutionError: if no admissible contact was found.
     #[pyo3(signature = (*, tolerance=1e-10))]
     fn solve(&self, py: Python<'_>, tolerance: f64) -> PyResult<Solution> {
-        self.solver(py)?.solve(py, tolerance)
+        let solution = Solution(self.solver(py)?.solve(py, tolerance)?);
+        solution.warn(py)?;
+        Ok(solution)
     }
 
     fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (String,))> {
@@ -321,7 +271,7 @@ impl Scene {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        if !self.source.functions.is_empty() {
+        if self.source.has_functions() {
             return Ok(format!("<Scene {} with layers that are functions>", self.inner.title()));
         }
         py.import("recede._text")?.call_method1("scene_repr", (self.inner.to_json(),))?.extract()

@@ -1,9 +1,9 @@
 //! Solutions.
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::PyTuple;
 use recede::report::{Format, Report};
 use recede::{Approach, ApproachError, FieldError};
 
@@ -11,19 +11,7 @@ use crate::arrays;
 use crate::contact::Contact;
 use crate::errors::raised;
 use crate::field::Field;
-use crate::model::Solver;
-use crate::scene::{Scene, Source};
-
-/// A solution with the solver and the scene that it belongs to.
-pub struct Solved {
-    pub solver: Arc<Solver>,
-    /// The scene of the solver, with the punch or load and the force that were solved for.
-    pub scene: recede::Scene,
-    pub solution: recede::Solution,
-    pub tolerance: f64,
-    pub seconds: f64,
-    pub approach: OnceLock<Result<Approach, ApproachError>>,
-}
+use crate::solver::Solved;
 
 /// A solved scene. In a notebook it shows a table and the picture.
 #[pyclass(frozen, module = "recede", weakref)]
@@ -182,16 +170,8 @@ impl Solution {
 
     /// The scene that was solved.
     #[getter]
-    fn scene(&self, py: Python<'_>) -> PyResult<Scene> {
-        let Solved { solver, scene: own, .. } = &*self.0;
-        if own.top == solver.scene.top && own.force == solver.scene.force {
-            return Ok(Scene::of(own.clone(), solver.source.clone()));
-        }
-        solver.text()?;
-        // a text of its own, in which numbers may vary; what is wrong with it is about objects
-        let scene = Scene::from_text(py, &own.to_ron())?;
-        let objects = Some(Arc::new(pyo3::types::PyList::empty(py).unbind().into_any()));
-        Ok(Scene::of(scene.inner, Source { objects, ..Source::default() }))
+    fn scene(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.0.scene_object(py)
     }
 
     /// The punch that presses; None where a load takes its place.
@@ -295,11 +275,4 @@ impl Solution {
         let contacts: Vec<String> = self.0.solution.contacts().iter().map(of).collect();
         format!("<Solution force {}; half-lengths {}>", self.0.solution.force(), contacts.join(", "))
     }
-}
-
-/// A dictionary of numbers.
-pub fn dictionary<'py>(py: Python<'py>, fields: &[(&str, f64)]) -> PyResult<Bound<'py, PyDict>> {
-    let all = PyDict::new(py);
-    fields.iter().try_for_each(|(name, value)| all.set_item(name, value))?;
-    Ok(all)
 }
