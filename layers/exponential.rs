@@ -35,7 +35,7 @@ const EQUAL: f64 = 4.0 * f64::EPSILON;
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Fields")]
+#[serde(try_from = "ExponentialFields")]
 pub struct Exponential {
     thickness: Thickness,
     /// At the top face.
@@ -47,7 +47,7 @@ pub struct Exponential {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "Exponential")]
-struct Fields {
+struct ExponentialFields {
     /// Thickness h, in length.
     thickness: Thickness,
     /// Shear modulus μ at the top face, in stress; or in its place `young`.
@@ -63,13 +63,13 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described!(Exponential by Fields);
+described!(Exponential by ExponentialFields);
 
-impl TryFrom<Fields> for Exponential {
+impl TryFrom<ExponentialFields> for Exponential {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { thickness, shear_modulus, young, poisson, beta } = fields;
+    fn try_from(fields: ExponentialFields) -> Result<Self, LayerError> {
+        let ExponentialFields { thickness, shear_modulus, young, poisson, beta } = fields;
         Self::checked(thickness, ElasticConstants::read(shear_modulus, young, poisson)?, beta)
     }
 }

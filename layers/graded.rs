@@ -64,7 +64,7 @@ pub fn face_states(layer: &(impl Layer + ?Sized), wave: &Wave) -> FaceStates {
 /// `tree` has the parts of the layer in the plane of the wave.
 pub(crate) fn of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) -> FaceStates {
     let material = |depth| layer.material(depth, wave.plane);
-    Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() }.face_states(wave, tree)
+    BodyProfile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() }.face_states(wave, tree)
 }
 
 /// Flexibility of any layer with shear-free faces; `None` for a half-plane, or if the layer's amplitudes do not determine its
@@ -76,7 +76,7 @@ pub fn flexibility(layer: &(impl Layer + ?Sized), wave: &Wave) -> Option<Flexibi
 /// `tree` has the parts of the layer in the plane of the wave.
 pub(crate) fn flexibility_of_layer(layer: &(impl Layer + ?Sized), wave: &Wave, tree: &Tree) -> Option<Flexibility> {
     let material = |depth| layer.material(depth, wave.plane);
-    let profile = Profile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() };
+    let profile = BodyProfile { thickness: layer.thickness(), material: &material, kinks: &layer.kinks() };
     match profile.homogeneous(wave, tree) {
         Some(homogeneous) => Some(homogeneous.flexibility()),
         None => Flexibility::of_face_states(&profile.face_states(wave, tree)),
@@ -99,12 +99,12 @@ pub(crate) fn states_of_layer(
 ) -> LayerStates {
     let material = |depth| layer.material(depth, wave.plane);
     let cuts = [&layer.kinks(), cuts].concat();
-    Profile { thickness: layer.thickness(), material: &material, kinks: &cuts }.states(wave, tree, depths)
+    BodyProfile { thickness: layer.thickness(), material: &material, kinks: &cuts }.states(wave, tree, depths)
 }
 
 /// All that the general body knows of a layer.
 #[derive(Clone, Copy)]
-pub(crate) struct Profile<'a> {
+pub(crate) struct BodyProfile<'a> {
     /// As [`Layer::thickness`].
     pub thickness: Option<f64>,
     /// The material at a depth.
@@ -113,7 +113,7 @@ pub(crate) struct Profile<'a> {
     pub kinks: &'a [f64],
 }
 
-impl Profile<'_> {
+impl BodyProfile<'_> {
     /// `tree` is this profile's own.
     pub(crate) fn face_states(&self, wave: &Wave, tree: &Tree) -> FaceStates {
         self.states(wave, tree, &[]).faces
@@ -163,7 +163,7 @@ mod tests {
     fn a_jump_of_the_material_is_found() {
         let jump = 0.3;
         let material = |depth: f64| isotropic(if depth < jump { 1.0 } else { 10.0 });
-        let profile = Profile { thickness: Some(1.0), material: &material, kinks: &[] };
+        let profile = BodyProfile { thickness: Some(1.0), material: &material, kinks: &[] };
         let [stiffness] = profile.integrate(|m, _| [m.axial_stiffness]);
         let expected = isotropic(jump + 10.0 * (1.0 - jump)).axial_stiffness;
         assert!((stiffness / expected - 1.0).abs() < 1e-13);
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn a_material_without_any_order_ends() {
         let material = |depth: f64| isotropic(1.5 + (1e9 * depth).sin());
-        let profile = Profile { thickness: Some(1.0), material: &material, kinks: &[] };
+        let profile = BodyProfile { thickness: Some(1.0), material: &material, kinks: &[] };
         let states = profile.face_states(&wave(1.0), &Tree::default());
         assert!(Flexibility::of_face_states(&states).is_some());
     }
@@ -182,11 +182,11 @@ mod tests {
         // μ = e^(βd), so soft at the face that waves longer than 1/β feel nothing of it but its compression
         let material = |depth: f64| isotropic((5.0 * depth).exp());
         for wavenumber in [1e-8, 1e-3, 1.0, 10.0] {
-            let half_plane = Profile { thickness: None, material: &material, kinks: &[] };
+            let half_plane = BodyProfile { thickness: None, material: &material, kinks: &[] };
             let FaceStates::HalfPlane { top } = half_plane.face_states(&wave(wavenumber), &Tree::default()) else {
                 panic!("one face")
             };
-            let rigid = Profile { thickness: Some(14.0), material: &material, kinks: &[] };
+            let rigid = BodyProfile { thickness: Some(14.0), material: &material, kinks: &[] };
             let seen = rigid
                 .slices(&Tree::default(), wavenumber, From::Top, FELT)
                 .list

@@ -24,7 +24,7 @@ const RIGID: f64 = 300.0;
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Fields")]
+#[serde(try_from = "GradedHalfPlaneFields")]
 pub struct GradedHalfPlane {
     /// At the face.
     constants: ElasticConstants,
@@ -35,7 +35,7 @@ pub struct GradedHalfPlane {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "GradedHalfPlane")]
-struct Fields {
+struct GradedHalfPlaneFields {
     /// Shear modulus μ at the face, in stress; or in its place `young`.
     #[serde(default)]
     shear_modulus: Option<Positive>,
@@ -49,13 +49,13 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described!(GradedHalfPlane by Fields);
+described!(GradedHalfPlane by GradedHalfPlaneFields);
 
-impl TryFrom<Fields> for GradedHalfPlane {
+impl TryFrom<GradedHalfPlaneFields> for GradedHalfPlane {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { shear_modulus, young, poisson, beta } = fields;
+    fn try_from(fields: GradedHalfPlaneFields) -> Result<Self, LayerError> {
+        let GradedHalfPlaneFields { shear_modulus, young, poisson, beta } = fields;
         Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)?, beta })
     }
 }

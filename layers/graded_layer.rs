@@ -28,7 +28,7 @@ const MOST: f64 = 1e13;
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Deserialize)]
-#[serde(try_from = "Fields")]
+#[serde(try_from = "GradedFields")]
 pub struct Graded {
     thickness: Thickness,
     variation: Variation,
@@ -48,7 +48,7 @@ enum Variation {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "Graded")]
-struct Fields {
+struct GradedFields {
     /// Thickness h, in length.
     thickness: Thickness,
     /// Shear modulus as a function of the depth d, in stress; or in its place `young`.
@@ -66,13 +66,13 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described!(Graded by Fields);
+described!(Graded by GradedFields);
 
-impl TryFrom<Fields> for Graded {
+impl TryFrom<GradedFields> for Graded {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { thickness, shear_modulus, young, poisson, poisson_profile } = fields;
+    fn try_from(fields: GradedFields) -> Result<Self, LayerError> {
+        let GradedFields { thickness, shear_modulus, young, poisson, poisson_profile } = fields;
         let modulus = Modulus::one_of(shear_modulus, young)?;
         let poisson = match (poisson, poisson_profile) {
             (Some(constant), None) => Profile::Constant(constant),

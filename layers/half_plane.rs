@@ -19,7 +19,7 @@ use crate::{
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Fields")]
+#[serde(try_from = "HalfPlaneFields")]
 pub struct HalfPlane {
     constants: ElasticConstants,
 }
@@ -28,7 +28,7 @@ pub struct HalfPlane {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "HalfPlane")]
-struct Fields {
+struct HalfPlaneFields {
     /// Shear modulus μ, in stress; or in its place `young`.
     #[serde(default)]
     shear_modulus: Option<Positive>,
@@ -40,13 +40,13 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described!(HalfPlane by Fields);
+described!(HalfPlane by HalfPlaneFields);
 
-impl TryFrom<Fields> for HalfPlane {
+impl TryFrom<HalfPlaneFields> for HalfPlane {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { shear_modulus, young, poisson } = fields;
+    fn try_from(fields: HalfPlaneFields) -> Result<Self, LayerError> {
+        let HalfPlaneFields { shear_modulus, young, poisson } = fields;
         Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)? })
     }
 }

@@ -26,7 +26,7 @@ const THIN: f64 = 2.0;
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Fields")]
+#[serde(try_from = "HomogeneousFields")]
 pub struct Homogeneous {
     thickness: Thickness,
     constants: ElasticConstants,
@@ -36,7 +36,7 @@ pub struct Homogeneous {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "Homogeneous")]
-struct Fields {
+struct HomogeneousFields {
     /// Thickness h, in length.
     thickness: Thickness,
     /// Shear modulus μ, in stress; or in its place `young`.
@@ -50,13 +50,13 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described!(Homogeneous by Fields);
+described!(Homogeneous by HomogeneousFields);
 
-impl TryFrom<Fields> for Homogeneous {
+impl TryFrom<HomogeneousFields> for Homogeneous {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { thickness, shear_modulus, young, poisson } = fields;
+    fn try_from(fields: HomogeneousFields) -> Result<Self, LayerError> {
+        let HomogeneousFields { thickness, shear_modulus, young, poisson } = fields;
         Ok(Self { thickness, constants: ElasticConstants::read(shear_modulus, young, poisson)? })
     }
 }

@@ -20,7 +20,7 @@ use crate::{
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Fields")]
+#[serde(try_from = "PowerHalfPlaneFields")]
 pub struct PowerHalfPlane {
     /// At the face.
     constants: ElasticConstants,
@@ -32,7 +32,7 @@ pub struct PowerHalfPlane {
 #[derive(Deserialize)]
 #[cfg_attr(feature = "read", derive(JsonSchema))]
 #[serde(deny_unknown_fields, rename = "PowerHalfPlane")]
-struct Fields {
+struct PowerHalfPlaneFields {
     /// Shear modulus μ at the face, in stress; or in its place `young`.
     #[serde(default)]
     shear_modulus: Option<Positive>,
@@ -48,13 +48,13 @@ struct Fields {
 }
 
 #[cfg(feature = "read")]
-described!(PowerHalfPlane by Fields);
+described!(PowerHalfPlane by PowerHalfPlaneFields);
 
-impl TryFrom<Fields> for PowerHalfPlane {
+impl TryFrom<PowerHalfPlaneFields> for PowerHalfPlane {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { shear_modulus, young, poisson, length, exponent } = fields;
+    fn try_from(fields: PowerHalfPlaneFields) -> Result<Self, LayerError> {
+        let PowerHalfPlaneFields { shear_modulus, young, poisson, length, exponent } = fields;
         Ok(Self { constants: ElasticConstants::read(shear_modulus, young, poisson)?, length, exponent })
     }
 }

@@ -12,7 +12,7 @@ static NEXT: AtomicU64 = AtomicU64::new(0);
 const MOST_LINKS: usize = 40;
 
 /// Where a path leads, all symbolic links followed.
-enum Place {
+enum Destination {
     /// A regular file, which need not exist.
     File(PathBuf),
     /// A descriptor of this process: standard output, or standard error.
@@ -22,7 +22,7 @@ enum Place {
     Other(PathBuf),
 }
 
-impl Place {
+impl Destination {
     fn of(path: &Path) -> io::Result<Self> {
         let mut path = path.to_owned();
         for _ in 0..MOST_LINKS {
@@ -52,7 +52,7 @@ impl Place {
 }
 
 /// The open file that a path such as `/dev/fd/1` stands for, whatever it is; `None` for other paths.
-fn descriptor(path: &Path) -> Option<Place> {
+fn descriptor(path: &Path) -> Option<Destination> {
     let folder = folder(path).canonicalize().ok()?;
     let own = Path::new("/proc").join(process::id().to_string());
     if !(folder == Path::new("/dev/fd") || folder.starts_with("/proc") && folder.ends_with("fd")) {
@@ -60,9 +60,9 @@ fn descriptor(path: &Path) -> Option<Place> {
     }
     let is_own = folder.starts_with("/dev") || folder.starts_with(own);
     Some(match path.file_name()?.to_str()? {
-        "1" if is_own => Place::Output,
-        "2" if is_own => Place::Error,
-        _ => Place::Other(path.to_owned()),
+        "1" if is_own => Destination::Output,
+        "2" if is_own => Destination::Error,
+        _ => Destination::Other(path.to_owned()),
     })
 }
 
@@ -89,8 +89,8 @@ pub fn folder(path: &Path) -> &Path {
 /// # Errors
 /// Those of `write` and of the file system; the unfinished file is then removed.
 pub fn replace(path: &Path, write: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<()> {
-    let path = match Place::of(path)? {
-        Place::File(path) => path,
+    let path = match Destination::of(path)? {
+        Destination::File(path) => path,
         other => {
             let Some(stream) = other.stream()? else { return Ok(()) };
             let mut out = BufWriter::new(stream);
@@ -151,8 +151,8 @@ fn inherit(file: &File, old: &Metadata) -> io::Result<()> {
 /// # Errors
 /// Those of the file system, [`ErrorKind::AlreadyExists`] if there is such a file.
 pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    match Place::of(path)? {
-        Place::File(path) => OpenOptions::new().write(true).create_new(true).open(path)?.write_all(bytes),
+    match Destination::of(path)? {
+        Destination::File(path) => OpenOptions::new().write(true).create_new(true).open(path)?.write_all(bytes),
         other => other.stream()?.map_or(Ok(()), |mut stream| stream.write_all(bytes).and_then(|()| stream.flush())),
     }
 }
@@ -160,7 +160,7 @@ pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// Whether a path leads to something else than a regular file, such as a pipe, a device or `/dev/stdout`: its name says
 /// nothing about what is written to it.
 pub fn is_stream(path: &Path) -> bool {
-    Place::of(path).is_ok_and(|place| !matches!(place, Place::File(_)))
+    Destination::of(path).is_ok_and(|place| !matches!(place, Destination::File(_)))
 }
 
 /// What [`is_stream`], opened for writing; `None` for a regular file. A named pipe waits for its reader.
@@ -168,7 +168,7 @@ pub fn is_stream(path: &Path) -> bool {
 /// # Errors
 /// Those of the file system.
 pub fn stream(path: &Path) -> io::Result<Option<Box<dyn Write + Send>>> {
-    Place::of(path)?.stream()
+    Destination::of(path)?.stream()
 }
 
 /// Whether two paths lead to the same file, there or yet to be made, however they are written: through links, by several
@@ -203,7 +203,7 @@ fn is_same_file((one, found): (&Path, &Metadata), (other, _): (&Path, &Metadata)
 
 /// Where a file that does not exist will be.
 fn planned(path: &Path) -> Option<PathBuf> {
-    let Place::File(path) = Place::of(path).ok()? else { return None };
+    let Destination::File(path) = Destination::of(path).ok()? else { return None };
     Some(folder(&path).canonicalize().ok()?.join(path.file_name()?))
 }
 

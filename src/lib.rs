@@ -121,6 +121,6 @@ pub use sweep::ParallelRows;
 pub use sweep::{Part, PartError, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved, WrongCount};
 pub use system::{
-    Block, BlockSystem, Blocks, Column, Component, Condition, Face, Place, Pressure, Quantity, Relation, Row, Side,
-    Term,
+    Block, BlockSystem, Blocks, Column, Component, Condition, Face, InterfaceSide, Place, Pressure, Quantity, Relation,
+    Row, Term,
 };

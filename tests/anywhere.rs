@@ -4,7 +4,7 @@
 //! for their place, the solver for even contacts finds the same; every contact carries the force on its line of action; random scenes are solved.
 //!
 //! Source of the numbers: an independent program, see [`ASYMMETRIC`].
-use recede::selftest::{Check, Outcome, Ranges, scene_of_any_kind};
+use recede::selftest::{CheckedScene, Outcome, Ranges, scene_of_any_kind};
 use recede::{
     Contact, Error, Exponential, FaceSide, HalfPlane, Homogeneous, Interface, Load, Loads, Model, NoSolution, Options,
     Plane, Pressed, Punch, Punches, Scene, Solution, Stack, Tilt, Top,
@@ -331,7 +331,7 @@ fn random(seed: u64, count: usize) -> impl Iterator<Item = (u64, Scene)> {
 fn random_scenes_are_solved_and_reported() {
     let mut unsolved = Vec::new();
     for (number, scene) in random(37, 3) {
-        match Check::run(&scene, &Options::default(), false).outcome {
+        match CheckedScene::run(&scene, &Options::default(), false).outcome {
             Outcome::Solved(_) => {}
             Outcome::Unsolved(error) => unsolved.push((number, error)),
             Outcome::Wrong(what) | Outcome::Panicked(what) => panic!("{number}: {what}\n{}", scene.to_ron()),

@@ -1,7 +1,7 @@
 //! Random scenes that were hard: thin loose layers, stiffnesses that differ by 1e4, starts far from the answer.
 use std::path::Path;
 
-use recede::selftest::{Check, Outcome};
+use recede::selftest::{CheckedScene, Outcome};
 use recede::{Error, Interface, NoSolution, Options, Scene};
 
 use crate::support::{innermost_end, outwards};
@@ -53,10 +53,10 @@ const IN_PARTS: [(&str, &str, f64); 2] = [("seed_1_number_42", "5|6", 12.0), ("s
 /// two tolerances differ there by up to 10 %.
 const UNSEEN: [(&str, &str); 2] = [("seed_1_number_22", "4|5"), ("seed_21_number_1389", "1|2")];
 
-fn check(name: &str, tolerance: f64) -> Check {
+fn check(name: &str, tolerance: f64) -> CheckedScene {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::read(Path::new(&path)).unwrap();
-    Check::of_contacts(&scene, &Options { tolerance })
+    CheckedScene::of_contacts(&scene, &Options { tolerance })
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn a_trial_without_an_answer_says_why_in_words_that_count() {
         )
     };
     let [one, other] = [1e-2, 2e-2]
-        .map(|radius| Check::of_contacts(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
+        .map(|radius| CheckedScene::of_contacts(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
     assert_eq!((one.status(), one.is_wrong(), one.interface()), ("unsolved", false, None));
     assert!(one.solution().is_none() && one.reason().contains("reach its edge"), "{}", one.reason());
     // the same words for the same cause
@@ -134,7 +134,7 @@ fn a_contact_that_fades_is_one_that_cannot_open() {
         let last = receding.rfind("Receding").unwrap();
         let sliding = [&receding[..last], "Sliding", &receding[last + "Receding".len()..]].concat();
         let [receding, sliding] = [receding, sliding].map(|text| {
-            let check = Check::of_contacts(&Scene::from_ron(&text).unwrap(), &Options::default());
+            let check = CheckedScene::of_contacts(&Scene::from_ron(&text).unwrap(), &Options::default());
             let Outcome::Solved(solution) = check.outcome else { panic!("{name} is not solved") };
             solution
         });

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use recede::selftest::{Check, Outcome, Ranges, scenes};
+use recede::selftest::{CheckedScene, Outcome, Ranges, scenes};
 use recede::{Error, MAX_BYTES, MAX_ITEMS, MAX_LAYERS, MAX_RECEDING, Options, Registry, Scene};
 
 /// Nothing that is only read takes longer, even on a busy machine.
@@ -142,7 +142,7 @@ proptest! {
             }
         }
         if let Ok(scene) = read(text.as_bytes()) {
-            let check = Check::run(&scene, &Options::default(), false);
+            let check = CheckedScene::run(&scene, &Options::default(), false);
             let wrong = match &check.outcome {
                 Outcome::Wrong(what) | Outcome::Panicked(what) => Some(what),
                 Outcome::Solved(_) | Outcome::Unsolved(_) => None,
@@ -273,14 +273,14 @@ fn stacks_without_measure() {
 /// Scenes of all kinds end with an answer that is not known to be wrong, or with a reason.
 #[test]
 fn punches_loads_and_interfaces_of_all_kinds_do_not_end_in_panic() {
-    use recede::selftest::{Check, Outcome, scene_of_any_kind};
+    use recede::selftest::{CheckedScene, Outcome, scene_of_any_kind};
     const SCENES: u64 = 60;
     let mut solved = 0;
     for number in 0..SCENES {
         let scene = scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap();
         let read = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!(read.to_ron(), scene.to_ron());
-        let check = Check::run(&read, &recede::Options { tolerance: 1e-8 }, false);
+        let check = CheckedScene::run(&read, &recede::Options { tolerance: 1e-8 }, false);
         assert!(!check.outcome.is_wrong(), "{number}: {}\n{}", check.outcome.reason(), scene.to_ron());
         solved += u64::from(matches!(check.outcome, Outcome::Solved(_)));
     }

@@ -2,7 +2,7 @@
 //!
 //! Goal: for scenes of all kinds intervals are in order and apart, carry the whole force in balance, and the pressure integrates to
 //! what they say; nowhere is a pressure larger than the largest one.
-use recede::selftest::{Check, Outcome, Ranges, scene_of_any_kind};
+use recede::selftest::{CheckedScene, Outcome, Ranges, scene_of_any_kind};
 use recede::{Contact, HalfPlane, Load, Model, Options, Plane, Punch, Scene, Solution, Stack};
 
 /// The contacts of scenes of all kinds, and of hard ones with several intervals.
@@ -13,11 +13,12 @@ fn contacts() -> Vec<(String, Contact)> {
         let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
         (name.to_owned(), Scene::read(std::path::Path::new(&path)).unwrap())
     });
-    let solved =
-        random.chain(hard).filter_map(|(name, scene)| match Check::of_contacts(&scene, &Options::default()).outcome {
+    let solved = random.chain(hard).filter_map(|(name, scene)| {
+        match CheckedScene::of_contacts(&scene, &Options::default()).outcome {
             Outcome::Solved(solution) => Some((name, *solution)),
             _ => None,
-        });
+        }
+    });
     let each = |(name, solution): (String, Solution)| {
         let contacts = solution.contacts().to_vec();
         contacts.into_iter().map(move |contact| (name.clone(), contact)).collect::<Vec<_>>()

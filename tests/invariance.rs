@@ -17,7 +17,7 @@ use crate::support::innermost_end;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
-use recede::selftest::{Ply, Ranges, Scenario, Units, scene_of_any_kind_in_units};
+use recede::selftest::{Ply, Ranges, Scenario, ScenarioUnits, scene_of_any_kind_in_units};
 use recede::{Error, Interface, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 
 use crate::scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
@@ -51,7 +51,7 @@ proptest! {
         // powers of two change no digit, others do
         let factor = |exponent: f64| if binary { exponent.round().exp2() } else { (exponent / 10.0).exp() };
         let (length, modulus) = (factor(length / 5.0), factor(modulus / 5.0));
-        let other = scenario.clone().in_units(Units { length, stress: modulus });
+        let other = scenario.clone().in_units(ScenarioUnits { length, stress: modulus });
         scaled(&other, [length.recip(), modulus.recip()], &scenario)?;
     }
 
@@ -239,7 +239,7 @@ fn binary(power: i32) -> f64 {
 const UNITS: [[i32; 2]; 4] = [[60, 0], [-60, 9], [10, -60], [-7, 60]];
 
 /// The largest relative difference of two answers, of which `found` is in other units; less than the errors that both claim.
-fn in_units(found: &Solution, Units { length, stress }: Units, expected: &Solution) -> f64 {
+fn in_units(found: &Solution, ScenarioUnits { length, stress }: ScenarioUnits, expected: &Solution) -> f64 {
     assert_eq!(found.contacts().len(), expected.contacts().len());
     let pairs = found.contacts().iter().zip(expected.contacts());
     let one = pairs.map(|(found, expected)| {
@@ -259,14 +259,14 @@ fn in_units(found: &Solution, Units { length, stress }: Units, expected: &Soluti
 #[test]
 fn scenes_of_all_kinds_are_the_same_in_all_units() {
     let ranges = Ranges::moderate();
-    let solve = |number: u64, units: Units| {
+    let solve = |number: u64, units: ScenarioUnits| {
         let scene = scene_of_any_kind_in_units(&ranges, 11, number, units).unwrap();
         (Model::new(scene.stack().unwrap()).and_then(|model| model.press(&scene.top, scene.force)), scene)
     };
     for number in 0..60 {
-        let (expected, _) = solve(number, Units::default());
+        let (expected, _) = solve(number, ScenarioUnits::default());
         let [length, stress] = UNITS[number as usize % UNITS.len()].map(binary);
-        let units = Units { length, stress };
+        let units = ScenarioUnits { length, stress };
         let (found, scene) = solve(number, units);
         match (found, expected) {
             (Ok(found), Ok(expected)) => {
@@ -315,7 +315,7 @@ fn half_planes_alone_are_the_same_in_all_units() {
         let expected = solve([0, 0]);
         for power in UNITS.into_iter().chain([[3, 0], [-1, 0], [1, 0]]) {
             let [length, stress] = power.map(|power| 10f64.powi(power));
-            let units = Units { length, stress };
+            let units = ScenarioUnits { length, stress };
             let difference = in_units(&solve(power), units, &expected);
             assert!(difference < 1e-12, "{base} {punch} {power:?}: differ by {difference:e}");
         }

@@ -2,14 +2,14 @@
 //!
 //! Goal: whatever a scene is made of, error estimates cover the errors, fields are in equilibrium with the pressures, and a
 //! sweep gives what single scenes give.
-use recede::selftest::{Check, Outcome, Ranges, compare, scene_of_any_kind, variant};
+use recede::selftest::{CheckedScene, Outcome, Ranges, compare, scene_of_any_kind, variant};
 use recede::{Model, Options, Scene, Solution, Sweep};
 
 /// The solved scenes among the first of this number.
 fn solved(seed: u64, count: u64) -> impl Iterator<Item = (u64, Scene, Solution)> {
     (0..count).filter_map(move |number| {
         let scene = scene_of_any_kind(&Ranges::moderate(), seed, number).unwrap();
-        match Check::run(&scene, &Options::default(), false).outcome {
+        match CheckedScene::run(&scene, &Options::default(), false).outcome {
             Outcome::Solved(solution) => Some((number, scene, *solution)),
             outcome => {
                 assert!(!outcome.is_wrong(), "{number}: {}\n{}", outcome.reason(), scene.to_ron());
@@ -89,7 +89,7 @@ fn examples_changed_at_random_are_solved_and_reported() {
     let mut unsolved = 0;
     for number in 0..40 {
         let scene = variant(14, number).unwrap();
-        let check = Check::run(&scene, &Options { tolerance: 1e-8 }, number % 8 == 0);
+        let check = CheckedScene::run(&scene, &Options { tolerance: 1e-8 }, number % 8 == 0);
         assert!(!check.outcome.is_wrong(), "{number}: {}\n{}", check.outcome.reason(), scene.to_ron());
         unsolved += usize::from(check.outcome.solution().is_none());
     }

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use allocation_counter::measure;
-use recede::selftest::Check;
+use recede::selftest::CheckedScene;
 use recede::{MAX_RECEDING, Options, Scene};
 
 /// What is promised, in bytes.
@@ -24,7 +24,7 @@ fn scene(layers: usize, interface: &str, layer: impl Fn(usize) -> String, rest: 
 fn peak(scene: &Scene) -> u64 {
     // what is kept from one scene to the next counts for the first
     let mut outcome = None;
-    let taken = measure(|| outcome = Some(Check::run(scene, &Options::default(), true).outcome));
+    let taken = measure(|| outcome = Some(CheckedScene::run(scene, &Options::default(), true).outcome));
     let outcome = outcome.expect("an outcome");
     assert!(!outcome.is_wrong(), "{}", outcome.reason());
     taken.bytes_max

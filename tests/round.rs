@@ -1,5 +1,5 @@
 //! Axisymmetric problems: contacts of the references.
-use recede::selftest::{Check, Ranges, about_axis, scene_of_any_kind};
+use recede::selftest::{CheckedScene, Ranges, about_axis, scene_of_any_kind};
 use recede::{Geometry, HalfPlane, Homogeneous, Model, Options, Punch, Scene, Solution, Stack};
 
 /// A layer on a half-space, k = (μ₁/(1 − ν₁))/(μ₂/(1 − ν₂)).
@@ -380,7 +380,7 @@ fn random_twins_do_all_that_a_command_does() {
     let (mut solved, scenes) = (0, 24);
     for number in 0..scenes {
         let scene = about_axis(scene_of_any_kind(&Ranges::moderate(), 5, number).unwrap());
-        let outcome = Check::run(&scene, &Options::default(), number % 16 == 0).outcome;
+        let outcome = CheckedScene::run(&scene, &Options::default(), number % 16 == 0).outcome;
         assert!(!outcome.is_wrong(), "{number}: {}\n{}", outcome.reason(), scene.to_ron());
         solved += u64::from(outcome.solution().is_some());
     }

@@ -4,7 +4,7 @@ use crate::support;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use recede::selftest::Check;
+use recede::selftest::CheckedScene;
 use recede::{FieldQuantity, Geometry, Model, Options, Scene, plot};
 use support::{recede, texts};
 
@@ -252,7 +252,7 @@ fn scenes_are_read_and_written() {
         assert_eq!(scene.geometry, Geometry::Axisymmetric);
         let again = Scene::from_ron(&scene.to_ron()).unwrap();
         assert_eq!((again.top.clone(), again.force), (scene.top.clone(), scene.force), "{}", path.display());
-        let outcome = Check::run(&scene, &Options::default(), true).outcome;
+        let outcome = CheckedScene::run(&scene, &Options::default(), true).outcome;
         assert!(outcome.solution().is_some(), "{}: {}", path.display(), outcome.reason());
         let json = Scene::from_json(&scene.to_json()).unwrap();
         assert_eq!(json.top, scene.top);

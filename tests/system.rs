@@ -15,8 +15,8 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 use proptest::prelude::*;
 use recede::layers::Body;
 use recede::{
-    BaseChain, BlockSystem, Exponential, Face, FaceStates, FreeChain, HalfPlane, Homogeneous, Item, Plane, Quantity,
-    Relation, Side, Spring, Stack, Wave, Winkler,
+    BaseChain, BlockSystem, Exponential, Face, FaceStates, FreeChain, HalfPlane, Homogeneous, InterfaceSide, Item,
+    Plane, Quantity, Relation, Spring, Stack, Wave, Winkler,
 };
 
 /// Relative error allowed: the dense system is solved without any care for digits.
@@ -163,10 +163,10 @@ fn base() -> impl Strategy<Value = Item> {
 /// Kinds of interfaces that no scene can write, each told by its relations alone: what has one is printed, taken apart into
 /// chains and eliminated like any other.
 fn new_kinds() -> [(&'static str, [Relation; 4]); 3] {
+    use InterfaceSide::{Above, Below};
     use Quantity::{S, T, U, V};
-    use Side::{Above, Below};
     let continuous = |quantity| Relation::zero([Above.of(quantity), -Below.of(quantity)]);
-    let zero = |side: Side, quantity| Relation::zero([side.of(quantity)]);
+    let zero = |side: InterfaceSide, quantity| Relation::zero([side.of(quantity)]);
     [
         // no wave stretches it, so the shear stress jumps
         ("an inextensible film", [zero(Above, U), continuous(V), continuous(S), zero(Below, U)]),
@@ -208,8 +208,8 @@ fn a_new_kind_of_interface_is_its_relations() {
 
 #[test]
 fn conditions_are_as_many_as_determine_the_amplitudes() {
+    use InterfaceSide::{Above, Below};
     use Quantity::{S, T, U, V};
-    use Side::{Above, Below};
     let strip = |thickness| Homogeneous::new(thickness, 1.0, 0.3).unwrap();
     let two = || Stack::builder(Plane::Strain).layer(strip(0.7)).bonded().layer(strip(0.4));
     let on_rigid = two().bonded().rigid().build().unwrap();

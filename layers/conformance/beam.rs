@@ -2,14 +2,14 @@
 use super::DIGITS;
 use super::trial::Trial;
 use crate::Wave;
-use crate::graded::Profile;
+use crate::graded::BodyProfile;
 
 impl Trial<'_> {
     /// The layer as a beam; `None` for a half-plane.
     pub fn beam(&self) -> Option<Beam> {
         let h = self.thickness?;
         let material = |depth| self.layer.material(depth, self.plane);
-        let profile = Profile { thickness: self.thickness, material: &material, kinks: &[] };
+        let profile = BodyProfile { thickness: self.thickness, material: &material, kinks: &[] };
         let [stretching, first, compliance] = profile.integrate(|m, depth| {
             [m.axial_stiffness, m.axial_stiffness * depth, m.shear_compliance + m.normal_compliance]
         });

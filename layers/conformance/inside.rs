@@ -3,7 +3,7 @@ use nalgebra::{Matrix4, Vector4};
 
 use super::trial::{Trial, USUAL, size_over, work};
 use super::{DIGITS, Violation};
-use crate::graded::{Profile, Tree};
+use crate::graded::{BodyProfile, Tree};
 use crate::{FaceStates, InnerStates, Layer, Plane, State, Wave};
 
 /// Depths in parts of the thickness; of 1/λ for a half-plane.
@@ -28,12 +28,12 @@ pub fn inside(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
         for (depth, found) in depths.into_iter().zip(&states.inside) {
             // the whole layer once, from its top face down
             if depth < unit || faces.len() == 1 {
-                let above = Profile { thickness: Some(depth), material: &material, kinks: &[] };
+                let above = BodyProfile { thickness: Some(depth), material: &material, kinks: &[] };
                 part(&trial, &wave, above, [&faces[0], found], &faces)?;
             }
             if let Some(bottom) = faces.get(1) {
                 let material = |d: f64| material(depth + d);
-                let below = Profile { thickness: Some(unit - depth), material: &material, kinks: &[] };
+                let below = BodyProfile { thickness: Some(unit - depth), material: &material, kinks: &[] };
                 part(&trial, &wave, below, [found, bottom], &faces)?;
             }
         }
@@ -66,7 +66,7 @@ fn fields(states: &InnerStates) -> Vec<State> {
 fn part(
     trial: &Trial,
     wave: &Wave,
-    between: Profile,
+    between: BodyProfile,
     ends: [&InnerStates; 2],
     faces: &[InnerStates],
 ) -> Result<(), Violation> {

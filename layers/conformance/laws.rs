@@ -4,7 +4,7 @@ use nalgebra::{Matrix4, SMatrix};
 use super::bonded::{bonded, bonded_to_half_plane};
 use super::trial::{EXTREME, Trial, USUAL, stress_rows};
 use super::{DIGITS, ROUNDING, Violation};
-use crate::graded::{self, Profile, Tree};
+use crate::graded::{self, BodyProfile, Tree};
 use crate::{FaceStates, Flexibility, Layer, Plane, State, solve_equilibrated};
 
 /// Face states are finite for any wavenumber, from λh = 1e-150 to 1e150, and so is the flexibility from 1e-8 to 1e8.
@@ -142,7 +142,7 @@ pub fn mirror(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
     let Some(trial) = Trial::new("mirror", layer, plane) else { return Ok(()) };
     let Some(thickness) = trial.thickness else { return Ok(()) };
     let material = |depth: f64| layer.material((thickness - depth).clamp(0.0, thickness), plane);
-    let mirrored = Profile { thickness: Some(thickness), material: &material, kinks: &[] };
+    let mirrored = BodyProfile { thickness: Some(thickness), material: &material, kinks: &[] };
     let tree = Tree::default();
     for wave in USUAL.map(|z| trial.wave(z)) {
         let c = trial.of(&wave, &mirrored.face_states(&wave, &tree))?;
@@ -167,8 +167,8 @@ pub fn split_in_two(layer: &dyn Layer, plane: Plane) -> Result<(), Violation> {
     for wave in USUAL.map(|z| trial.wave(z)) {
         let cut = 0.4 * trial.thickness.unwrap_or(1.0 / wave.wavenumber);
         let [above, below] = [0.0, cut].map(|from| move |depth: f64| layer.material(from + depth, plane));
-        let above = Profile { thickness: Some(cut), material: &above, kinks: &[] };
-        let below = Profile { thickness: trial.thickness.map(|h| h - cut), material: &below, kinks: &[] };
+        let above = BodyProfile { thickness: Some(cut), material: &above, kinks: &[] };
+        let below = BodyProfile { thickness: trial.thickness.map(|h| h - cut), material: &below, kinks: &[] };
         let [above, below] = [above, below].map(|part| part.face_states(&wave, &Tree::default()));
         match below {
             FaceStates::Finite { .. } => {

@@ -5,10 +5,10 @@ use super::clamped::{Clamped, beside, step, upside_down};
 use super::slices::{Slices, inverse};
 use super::surface::surface_flexibility;
 use super::tree::{From, Tree};
-use super::{FELT, Profile, THIN, thin};
+use super::{BodyProfile, FELT, THIN, thin};
 use crate::{FaceStates, InnerStates, LayerStates, State, Wave};
 
-impl Profile<'_> {
+impl BodyProfile<'_> {
     /// States at the faces and at ascending depths, which are among the kinks, in common amplitudes.
     pub(super) fn states(&self, wave: &Wave, tree: &Tree, depths: &[f64]) -> LayerStates {
         if let Some(layer) = self.homogeneous(wave, tree).filter(|layer| !layer.is_thin()) {

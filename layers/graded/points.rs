@@ -1,7 +1,7 @@
 //! The material at the Gauss points of a slice, and whether they resolve it.
 use nalgebra::SVector;
 
-use super::Profile;
+use super::BodyProfile;
 use super::rule::{ENDS, NODES, RULE};
 use super::surface::Coefficients;
 use crate::Material;
@@ -29,7 +29,7 @@ pub(super) struct Points {
 }
 
 impl Points {
-    pub fn new(profile: &Profile, modulus: f64, depth: f64, thickness: f64) -> Self {
+    pub fn new(profile: &BodyProfile, modulus: f64, depth: f64, thickness: f64) -> Self {
         let at = |t: f64| (profile.material)(depth + (1.0 - t) * thickness);
         let materials = RULE.nodes.map(at);
         let coefficients = |material: Material| Coefficients::new(&material, modulus);

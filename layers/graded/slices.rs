@@ -1,7 +1,7 @@
 //! A layer cut into slices, for one wavenumber.
 use nalgebra::Matrix4;
 
-use super::Profile;
+use super::BodyProfile;
 use super::rule::NODES;
 use super::tree::{From, Tree};
 
@@ -38,7 +38,7 @@ pub(super) struct Slice {
     pub transfer: Matrix4<f64>,
 }
 
-impl Profile<'_> {
+impl BodyProfile<'_> {
     /// Slices from a face on to the other one or to where `felt` decay lengths are passed; in a half-plane also
     /// to where the material is so stiff that it does not move.
     pub(super) fn slices(&self, tree: &Tree, wavenumber: f64, from: From, felt: f64) -> Slices {
@@ -87,7 +87,7 @@ mod tests {
     fn a_slice_and_its_inverse_compose_to_nothing() {
         let material =
             |depth: f64| Isotropic { shear_modulus: (0.8 * depth).exp(), poisson: 0.3 }.material(Plane::Strain);
-        let profile = Profile { thickness: Some(1.0), material: &material, kinks: &[] };
+        let profile = BodyProfile { thickness: Some(1.0), material: &material, kinks: &[] };
         let slices = profile.slices(&Tree::default(), 0.5, From::Top, FELT);
         let transfer = slices.list[0].transfer;
         let back = inverse(&transfer);
@@ -100,7 +100,7 @@ mod tests {
         let count = |beta: f64, wavenumber: f64| {
             let layer = Exponential::new(1.0, 1.0, 0.25, beta).expect("legal");
             let material = |depth| layer.material(depth, Plane::Strain);
-            let profile = Profile { thickness: Some(1.0), material: &material, kinks: &[] };
+            let profile = BodyProfile { thickness: Some(1.0), material: &material, kinks: &[] };
             profile.slices(&Tree::default(), wavenumber, From::Top, FELT).list.len()
         };
         assert_eq!([count(0.0, 1e-8), count(0.0, 1.0), count(30.0, 1e-8)], [2, 2, 32]);
@@ -111,7 +111,7 @@ mod tests {
     fn what_was_asked_before_makes_no_difference() {
         let material =
             |depth: f64| Isotropic { shear_modulus: 1.0 + depth.sin(), poisson: 0.3 }.material(Plane::Strain);
-        let profile = Profile { thickness: Some(2.0), material: &material, kinks: &[0.7] };
+        let profile = BodyProfile { thickness: Some(2.0), material: &material, kinks: &[0.7] };
         let tree = Tree::default();
         for wavenumber in [30.0, 0.1, 1e5, 3.0, 30.0] {
             let [used, fresh] =

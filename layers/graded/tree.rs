@@ -1,7 +1,7 @@
 //! A layer halved again and again: what has been computed of its parts serves every wavenumber.
 use std::sync::{Arc, OnceLock};
 
-use super::Profile;
+use super::BodyProfile;
 use super::points::Points;
 use super::series::{LENGTH, Series};
 use super::surface::Coefficients;
@@ -43,12 +43,12 @@ pub(super) enum From {
 
 impl Tree {
     /// The modulus in units of which the parts are computed: c66 at the top face.
-    pub fn modulus(&self, profile: &Profile) -> f64 {
+    pub fn modulus(&self, profile: &BodyProfile) -> f64 {
         *self.modulus.get_or_init(|| (profile.material)(0.0).shear_compliance.recip())
     }
 
     /// The material of a layer of finite thickness, if it is homogeneous.
-    pub fn material(&self, profile: &Profile) -> Option<&Material> {
+    pub fn material(&self, profile: &BodyProfile) -> Option<&Material> {
         let find = || {
             profile.thickness?;
             let (material, modulus) = ((profile.material)(0.0), self.modulus(profile));
@@ -72,7 +72,7 @@ impl Tree {
     /// Parts short enough for the material and for the wave, one after the other, until `visit` has seen enough.
     pub(super) fn parts<'t>(
         &'t self,
-        profile: &Profile,
+        profile: &BodyProfile,
         wavenumber: f64,
         from: From,
         mut visit: impl FnMut(&'t Node) -> bool,
@@ -114,7 +114,7 @@ impl Tree {
 
 /// What lies between the kinks, in a layer also between them and mid-depth, from which thin layers are described. Of a
 /// half-plane only what lies above the last kink.
-fn roots(profile: &Profile) -> Vec<Node> {
+fn roots(profile: &BodyProfile) -> Vec<Node> {
     let end = profile.thickness.unwrap_or(f64::INFINITY);
     let mut cuts: Vec<f64> = profile.kinks.iter().copied().filter(|depth| *depth > 0.0 && *depth < end).collect();
     cuts.extend(profile.thickness.map(|thickness| 0.5 * thickness));
@@ -163,7 +163,7 @@ impl Node {
     }
 
     /// The material at the Gauss points.
-    pub fn points(&self, profile: &Profile, modulus: f64) -> &Points {
+    pub fn points(&self, profile: &BodyProfile, modulus: f64) -> &Points {
         self.points.get_or_init(|| Points::new(profile, modulus, self.from, self.thickness))
     }
 
@@ -181,7 +181,7 @@ impl Node {
         self.from + (1.0 - t) * self.thickness
     }
 
-    fn must_be_halved(&self, profile: &Profile, modulus: f64, wavenumber: f64) -> bool {
+    fn must_be_halved(&self, profile: &BodyProfile, modulus: f64, wavenumber: f64) -> bool {
         let zeta = wavenumber * self.thickness;
         if zeta > LENGTH {
             return true;

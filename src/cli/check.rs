@@ -11,12 +11,12 @@ use super::{Failure, SceneFile};
 Examples:
   recede check scene.ron
   recede check - < scene.ron")]
-pub struct Check {
+pub struct CheckArguments {
     #[command(flatten)]
     file: SceneFile,
 }
 
-impl Check {
+impl CheckArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
         let stack = scene.stack()?;

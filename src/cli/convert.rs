@@ -17,7 +17,7 @@ Examples:
 Numbers with a unit are written in the units of the scene, comments are left out.
 
 Exit status: 0 written, 2 bad input.")]
-pub struct Convert {
+pub struct ConvertArguments {
     #[command(flatten)]
     file: SceneFile,
     /// File to write; without it, standard output
@@ -36,7 +36,7 @@ enum Language {
     Ron,
 }
 
-impl Convert {
+impl ConvertArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let kinds = [("json", Language::Json), ("ron", Language::Ron)];
         let hint = "let it end in .json or .ron, or say --to json or --to ron";

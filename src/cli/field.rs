@@ -7,7 +7,7 @@ use std::str::FromStr;
 use clap::builder::PossibleValuesParser;
 use recede::plot;
 use recede::report::{Format, write_field};
-use recede::{Field as Fields, FieldPoint, FieldQuantity, Geometry, Options, Point, Solution};
+use recede::{Field, FieldPoint, FieldQuantity, Geometry, Options, Point, Solution};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, outputs, solved, warn};
@@ -38,7 +38,7 @@ Examples:
 On an interface a point belongs to the layer below, unless @LAYER says which.
 
 Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
-pub struct Field {
+pub struct FieldArguments {
     #[command(flatten)]
     file: SceneFile,
     /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear
@@ -112,7 +112,7 @@ fn point(text: &str) -> Result<Point, String> {
     Ok(Point { x: number(x)?, depth: number(depth)?, layer })
 }
 
-impl Field {
+impl FieldArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = self.output()?;
         if let (Output::Map, false) = (format, self.at.is_empty()) {
@@ -168,7 +168,7 @@ impl Field {
         })
     }
 
-    fn points(&self, field: &Fields, solution: &Solution, format: Format) -> Result<Vec<FieldPoint>, Failure> {
+    fn points(&self, field: &Field, solution: &Solution, format: Format) -> Result<Vec<FieldPoint>, Failure> {
         if !self.at.is_empty() {
             return Ok(field.points(&self.at)?);
         }
@@ -177,7 +177,7 @@ impl Field {
     }
 
     /// Places along x and depths; the default number of each unless it is given.
-    fn grid(&self, field: &Fields, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
+    fn grid(&self, field: &Field, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
         let (from, to) = field.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
         let layers = if to.is_finite() { to } else { from };
         let [left, right] = solution.ends();

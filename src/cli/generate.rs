@@ -13,13 +13,13 @@ Examples:
   recede completions bash > ~/.local/share/bash-completion/completions/recede
   recede completions zsh > ~/.zfunc/_recede
   recede completions fish > ~/.config/fish/completions/recede.fish")]
-pub struct Completions {
+pub struct CompletionsArguments {
     /// The shell
     #[arg(value_enum)]
     shell: Shell,
 }
 
-impl Completions {
+impl CompletionsArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let mut text = Vec::new();
         clap_complete::generate(self.shell, &mut Arguments::command(), "recede", &mut text);
@@ -34,12 +34,12 @@ Examples:
   recede man | man -l -
   recede man sweep > recede-sweep.1
   recede man > ~/.local/share/man/man1/recede.1")]
-pub struct Man {
+pub struct ManArguments {
     /// The subcommand whose page it is to be, rather than the page of the whole
     command: Option<String>,
 }
 
-impl Man {
+impl ManArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let mut whole = Arguments::command();
         whole.build();

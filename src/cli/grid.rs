@@ -9,7 +9,7 @@ use super::Failure;
 
 /// What tells one sweep from another.
 #[derive(Debug, clap::Args)]
-pub(super) struct Grid {
+pub(super) struct GridArguments {
     /// Scene, or sweep, in RON; `-` reads standard input
     #[arg(value_name = "SCENE.ron")]
     file: PathBuf,
@@ -28,7 +28,7 @@ pub(super) struct Grid {
     tolerance: Option<f64>,
 }
 
-impl Grid {
+impl GridArguments {
     /// The sweep.
     pub(super) fn sweep(&self) -> Result<Sweep, Failure> {
         let registry = Registry::default();

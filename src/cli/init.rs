@@ -16,13 +16,13 @@ Examples:
   recede init                                writes scene.ron
   recede init plate.ron
   recede init -                              prints it")]
-pub struct Init {
+pub struct InitArguments {
     /// The new file, one that exists is left alone; `-` is standard output
     #[arg(value_name = "FILE.ron", default_value = "scene.ron")]
     file: PathBuf,
 }
 
-impl Init {
+impl InitArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         if self.file == Path::new("-") {
             return Ok(out.write_all(SCENE.as_bytes())?);

@@ -17,7 +17,7 @@ Examples:
   recede list layers
   recede list Homogeneous
   recede list --schema > scene.schema.json")]
-pub struct List {
+pub struct ListArguments {
     /// One part only: scene, punches, loads, "axisymmetric punches", "axisymmetric loads", layers, interfaces or bases; or one name,
     /// such as Homogeneous
     part: Option<String>,
@@ -26,7 +26,7 @@ pub struct List {
     schema: bool,
 }
 
-impl List {
+impl ListArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         if self.schema {
             return Ok(writeln!(out, "{:#}", scene_schema(&Registry::default()))?);

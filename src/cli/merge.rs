@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use recede::report::SweepCsv;
 
-use super::grid::Grid;
+use super::grid::GridArguments;
 use super::part_file::PartFile;
 use super::whole_file::{self, RowsKind};
 use super::{Failure, outputs};
@@ -24,9 +24,9 @@ Examples:
   recede merge scene.ron --vary force=0.001:0.004:4000 part_*.csv --out all.csv
 
 Exit status: 0 all rows are in the file, 2 bad input, and nothing is written.")]
-pub struct Merge {
+pub struct MergeArguments {
     #[command(flatten)]
-    grid: Grid,
+    grid: GridArguments,
     /// Files of the parts, in any order
     #[arg(value_name = "PART.csv", required = true)]
     parts: Vec<PathBuf>,
@@ -35,7 +35,7 @@ pub struct Merge {
     out: PathBuf,
 }
 
-impl Merge {
+impl MergeArguments {
     pub fn run(&self) -> Result<(), Failure> {
         if self.grid.file().extension().is_some_and(|ending| ending == "csv") {
             return Err(Failure::usage(

@@ -54,20 +54,20 @@ Exit status: 0 solved, 1 no admissible solution, 2 bad input.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Solve(solve::Solve),
-    Check(check::Check),
-    Show(show::Show),
-    Convert(convert::Convert),
-    Field(field::Field),
-    Profile(profile::Profile),
-    List(list::List),
-    Selftest(selftest::Selftest),
-    Sweep(sweep::Command),
-    Merge(merge::Merge),
-    Plot(plot::Plot),
-    Init(init::Init),
-    Completions(generate::Completions),
-    Man(generate::Man),
+    Solve(solve::SolveArguments),
+    Check(check::CheckArguments),
+    Show(show::ShowArguments),
+    Convert(convert::ConvertArguments),
+    Field(field::FieldArguments),
+    Profile(profile::ProfileArguments),
+    List(list::ListArguments),
+    Selftest(selftest::SelftestArguments),
+    Sweep(sweep::SweepArguments),
+    Merge(merge::MergeArguments),
+    Plot(plot::PlotArguments),
+    Init(init::InitArguments),
+    Completions(generate::CompletionsArguments),
+    Man(generate::ManArguments),
 }
 
 /// Why a command did not end well.

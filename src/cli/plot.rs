@@ -34,7 +34,7 @@ Examples:
   recede plot scene.ron --out scene.png --title='A strip on rock'
 
 Exit status: 0 drawn, 1 no admissible solution, 2 bad input.")]
-pub struct Plot {
+pub struct PlotArguments {
     #[command(flatten)]
     file: SceneFile,
     /// The picture; its ending, .svg, .pdf or .png, says of which kind it is
@@ -47,7 +47,7 @@ pub struct Plot {
     title: Title,
 }
 
-impl Plot {
+impl PlotArguments {
     pub fn run(&self) -> Result<(), Failure> {
         Kind::of(&self.out)?;
         let scene = self.file.read_for(&[&self.out])?;

@@ -19,7 +19,7 @@ layer_1_top_slope, layer_1_bottom_u, ... About an axis x is the distance r from 
 dense next to the ends of the contacts.
 
 Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
-pub struct Profile {
+pub struct ProfileArguments {
     #[command(flatten)]
     file: SceneFile,
     /// File to write, as comma-separated values; without it, they go to standard output
@@ -41,7 +41,7 @@ fn length(text: &str) -> Result<f64, String> {
     legal.ok_or_else(|| format!("found `{text}`, allowed is a length > 0"))
 }
 
-impl Profile {
+impl ProfileArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         self.out.as_deref().map_or(Ok(()), |out| outputs::fits(out, &["csv"]))?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;

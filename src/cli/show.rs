@@ -11,7 +11,7 @@ use super::{Failure, SceneFile};
 Examples:
   recede show scene.ron
   recede show scene.ron --latex > matrix.tex")]
-pub struct Show {
+pub struct ShowArguments {
     #[command(flatten)]
     file: SceneFile,
     /// Write LaTeX
@@ -19,7 +19,7 @@ pub struct Show {
     latex: bool,
 }
 
-impl Show {
+impl ShowArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let system = BlockSystem::new(&self.file.read()?.stack()?);
         if self.latex {

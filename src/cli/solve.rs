@@ -20,7 +20,7 @@ Examples:
   recede solve scene.ron --extremes
   recede solve scene.ron --stats
   recede solve - --format csv < scene.ron")]
-pub struct Solve {
+pub struct SolveArguments {
     #[command(flatten)]
     file: SceneFile,
     /// How to write the result [default: as the file of --out is called, or a table]
@@ -61,7 +61,7 @@ enum Method {
     Collocation,
 }
 
-impl Solve {
+impl SolveArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = self.format()?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;

@@ -10,7 +10,7 @@ use recede::plot::{self, Kind};
 use recede::report::SweepCsv;
 use recede::{Part, Sweep};
 
-use super::grid::Grid;
+use super::grid::GridArguments;
 use super::plot::Title;
 use super::progress::Progress;
 use super::rows_file;
@@ -34,9 +34,9 @@ Examples:
   recede sweep sweep.ron --part 17/400 --out part_17.csv
 
 A scene without solution is a row with its reason. Exit status: 0 all rows were made, 2 bad input.")]
-pub struct Command {
+pub struct SweepArguments {
     #[command(flatten)]
-    grid: Grid,
+    grid: GridArguments,
     /// Write rows to this file rather than to standard output: comma-separated values, or Parquet if it is built in
     #[arg(long, value_name = "FILE.csv|parquet")]
     out: Option<PathBuf>,
@@ -56,7 +56,7 @@ pub struct Command {
     threads: Option<NonZeroUsize>,
 }
 
-impl Command {
+impl SweepArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         if let (Some(part), Some(_)) = (self.part, &self.plot) {
             return Err(Failure::usage(

@@ -6,7 +6,7 @@ use recede_layers::{Layer, Material, State, Wave};
 use super::pressure::ContactPressure;
 use super::surface::{Components, Surface};
 use crate::stack::{Placed, Stack};
-use crate::system::{BaseChain, BlockSystem, FreeChain, Load, slowest_decay};
+use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
 
 /// The remainder of a half-plane's fields counts as zero below this.
 const NEGLIGIBLE: f64 = 1e-13;
@@ -194,8 +194,11 @@ impl LoadedBody {
         }
         let mut depths = vec![Vec::new(); self.layers];
         depths[placed.place] = distances.iter().map(|distance| depth(*distance)).collect();
-        let load =
-            if side == 0 { Load { top: -1.0, ..Load::default() } } else { Load { bottom: -1.0, ..Load::default() } };
+        let load = if side == 0 {
+            FaceLoad { top: -1.0, ..FaceLoad::default() }
+        } else {
+            FaceLoad { bottom: -1.0, ..FaceLoad::default() }
+        };
         let states = self.states(wave, &depths, &load)?;
         let differences = distances.iter().zip(&states[placed.place]).map(|(distance, state)| {
             let found = components(state, &placed.layer.material(depth(*distance), wave.plane), wave.modulus);
@@ -211,7 +214,7 @@ impl LoadedBody {
     }
 
     /// The states at depths in ascending order below the top faces of the layers.
-    pub(super) fn states(&self, wave: &Wave, depths: &[Vec<f64>], load: &Load) -> Option<Vec<Vec<State>>> {
+    pub(super) fn states(&self, wave: &Wave, depths: &[Vec<f64>], load: &FaceLoad) -> Option<Vec<Vec<State>>> {
         match &self.chain {
             Chain::Free(chain) => chain.states(wave, depths, load),
             Chain::Base(chain) => chain.states(wave, depths, load.top + load.equal),

@@ -34,7 +34,7 @@ pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 use crate::geometry::Geometry;
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
-use crate::system::Load;
+use crate::system::FaceLoad;
 pub use error::FieldError;
 
 use body::{LoadedBody, PlacedLayer};

@@ -14,7 +14,7 @@ use super::strip::Singularity;
 use super::surface::{COMPONENTS, Components};
 use super::transform::Transform;
 use super::waves::{self, CutOff, Precision, WavePanel};
-use super::{Field, Load};
+use super::{FaceLoad, Field};
 use crate::geometry::Geometry;
 use crate::system::Unresolved;
 
@@ -340,14 +340,14 @@ impl Symmetry {
 
 /// The loads on a body, from the transforms of the pressures and their variations: for long waves, the equal part of both pressures and
 /// their small difference.
-pub(super) fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> Load {
+pub(super) fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> FaceLoad {
     let [top, top_variation] = transform(body.contact);
-    let Some(bottom) = body.bottom else { return Load { top: -top, ..Load::default() } };
+    let Some(bottom) = body.bottom else { return FaceLoad { top: -top, ..FaceLoad::default() } };
     let [other, variation] = transform(body.contact + 1);
     if wavenumber * (bottom - body.top) > 1.0 {
-        Load { top: -top, bottom: -other, equal: 0.0 }
+        FaceLoad { top: -top, bottom: -other, equal: 0.0 }
     } else {
-        Load { top: 0.0, bottom: top_variation - variation, equal: -top }
+        FaceLoad { top: 0.0, bottom: top_variation - variation, equal: -top }
     }
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Bands {
 }
 
 /// A quantity on a grid: values row by row.
-pub(super) struct Values<'a> {
+pub(super) struct GridValues<'a> {
     pub(super) xs: &'a [f64],
     pub(super) ys: &'a [f64],
     pub(super) values: &'a [f64],
@@ -62,8 +62,8 @@ impl Bands {
 
     /// From the lowest band up, each over all that is higher: so no seams remain. Nothing where the value is not a number. A quantity that
     /// may have both signs is neutral where it is less than its error, and has a line where it changes its sign by more than that.
-    pub(super) fn draw(&self, picture: &mut Picture, grid: &Values, place: impl Fn((f64, f64)) -> (f64, f64)) {
-        let Values { xs, ys, values } = grid;
+    pub(super) fn draw(&self, picture: &mut Picture, grid: &GridValues, place: impl Fn((f64, f64)) -> (f64, f64)) {
+        let GridValues { xs, ys, values } = grid;
         let (low, high) = self.scale.ends();
         let clamped: Vec<f64> = values.iter().map(|value| value.clamp(low, high)).collect();
         let within = |(x, y): (f64, f64)| place((between(xs, x), between(ys, y)));
@@ -168,7 +168,7 @@ mod tests {
         let mut picture = Picture::new(2.0, 1.0);
         Bands::new(Scale::around([-1.0, 1.0]), Some(0.0)).draw(
             &mut picture,
-            &Values { xs: &xs, ys: &ys, values: &values },
+            &GridValues { xs: &xs, ys: &ys, values: &values },
             |at| at,
         );
         let lines: Vec<_> =
@@ -196,7 +196,7 @@ mod tests {
         let values: Vec<f64> = (0..5).flat_map(|j| (0..9).map(move |i| value(i, j))).collect();
         let drawn = |error: f64| {
             let mut picture = Picture::new(8.0, 4.0);
-            let grid = Values { xs: &xs, ys: &ys, values: &values };
+            let grid = GridValues { xs: &xs, ys: &ys, values: &values };
             Bands::new(Scale::around([-2.0, 2.0]), Some(error)).draw(&mut picture, &grid, |at| at);
             picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect::<Vec<_>>()
         };

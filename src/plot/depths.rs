@@ -10,14 +10,14 @@ const HALVINGS: usize = 60;
 
 /// Depths that layers have, and the heights at which they are drawn, in points downwards from the first.
 #[derive(Clone, Debug)]
-pub(super) struct Depths {
+pub(super) struct DrawnDepths {
     faces: Vec<f64>,
     heights: Vec<f64>,
     /// Points per length to scale.
     scale: f64,
 }
 
-impl Depths {
+impl DrawnDepths {
     /// For faces at these ascending depths, to scale if no layer is too thin and the height of all together is between these.
     pub(super) fn new(faces: Vec<f64>, scale: f64, [lowest, most]: [f64; 2]) -> Self {
         let thick: Vec<f64> = faces.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -78,15 +78,15 @@ mod tests {
 
     #[test]
     fn thin_layers_are_seen_and_thick_ones_fit() {
-        let depths = Depths::new(vec![0.0, 0.001, 1.0, 101.0], 100.0, [0.0, 200.0]);
+        let depths = DrawnDepths::new(vec![0.0, 0.001, 1.0, 101.0], 100.0, [0.0, 200.0]);
         assert!(depths.height() <= 200.001 && depths.heights[1] >= LEAST, "{depths:?}");
         assert!(depths.heights.is_sorted_by(|a, b| a < b), "{depths:?}");
         assert!(depths.note().is_some_and(|note| note.contains("not to scale")));
-        let to_scale = Depths::new(vec![0.0, 1.0, 1.5], 100.0, [0.0, 200.0]);
+        let to_scale = DrawnDepths::new(vec![0.0, 1.0, 1.5], 100.0, [0.0, 200.0]);
         assert_eq!((to_scale.heights.clone(), to_scale.note()), (vec![0.0, 100.0, 150.0], None));
-        let many = Depths::new((0..=1000).map(f64::from).collect(), 1.0, [0.0, 190.0]);
+        let many = DrawnDepths::new((0..=1000).map(f64::from).collect(), 1.0, [0.0, 190.0]);
         assert!((many.height() - 190.0).abs() < 1e-6);
         assert_eq!(many.note().unwrap(), "depths drawn × 0.19");
-        assert_eq!(Depths::new(vec![0.0], 1.0, [0.0, 10.0]).height(), 0.0);
+        assert_eq!(DrawnDepths::new(vec![0.0], 1.0, [0.0, 10.0]).height(), 0.0);
     }
 }

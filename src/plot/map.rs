@@ -1,7 +1,7 @@
 //! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
-use super::bands::{Bands, Values};
+use super::bands::{Bands, GridValues};
 use super::chart::{Chart, Frame, Labels, with_unit};
-use super::depths::Depths;
+use super::depths::DrawnDepths;
 use super::file::PlotError;
 use super::names::{self, Dimension, after, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke, WHITE, italic};
@@ -55,7 +55,7 @@ pub fn map(
     let on_ground = layers.last().is_some_and(|(_, [_, to])| *to <= depth.1 * (1.0 + 1e-9));
     let faces = layers.iter().map(|(_, [from, _])| *from).filter(|face| *face > depth.0 && *face < depth.1);
     let per_length = WIDTH / (x.ends().1 - x.ends().0);
-    let depths = Depths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
+    let depths = DrawnDepths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
     let error = error(field, grids, quantity);
     let value = |point: &FieldPoint| known(quantity.of_in(point, scene.geometry), error);
     let clipped =
@@ -237,7 +237,7 @@ impl Map<'_> {
         }
         let xs = grid.xs();
         let values = filled(values, xs.len());
-        bands.draw(picture, &Values { xs, ys: &ys, values: &values }, |point| self.chart.place(point));
+        bands.draw(picture, &GridValues { xs, ys: &ys, values: &values }, |point| self.chart.place(point));
     }
 
     /// Bonded ones thin; receding ones bold where there is contact, dashed where they have opened; and how far their labels reach

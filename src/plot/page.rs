@@ -3,7 +3,7 @@ use tiny_skia::{Path, PathBuilder, Transform};
 
 use super::chart::Frame;
 use super::letters::{PlacedLetter, letters, shortened};
-use super::picture::{Anchor, Picture, Shape, plain};
+use super::picture::{Anchor, DrawnShape, Picture, plain};
 use super::style::{INK, TITLE};
 use crate::scene::visible;
 
@@ -32,7 +32,7 @@ impl Frame {
     }
 }
 
-impl Shape {
+impl DrawnShape {
     /// Its path in points, which is stroked for a line and filled for an area or a text; `None` if it has no extent.
     pub(super) fn path(&self) -> Option<Path> {
         let mut path = PathBuilder::new();
@@ -85,7 +85,7 @@ fn through(path: &mut PathBuilder, points: &[(f64, f64)]) {
 impl Picture {
     /// The page cut to what is drawn on it, with a margin.
     pub fn fitted(mut self) -> Self {
-        if let Some(all) = Frame::around(self.shapes.iter().filter_map(Shape::frame)) {
+        if let Some(all) = Frame::around(self.shapes.iter().filter_map(DrawnShape::frame)) {
             let by = (MARGIN - all.left, MARGIN - all.top);
             self.shapes.iter_mut().for_each(|shape| shape.shift(by));
             self.size = (all.right + by.0 + MARGIN, all.bottom + by.1 + MARGIN);
@@ -105,7 +105,7 @@ impl Picture {
     pub fn titled(mut self, title: &str) -> Self {
         let title = plain(title);
         let title = visible(&title);
-        if let Some(all) = Frame::around(self.shapes.iter().filter_map(Shape::frame)) {
+        if let Some(all) = Frame::around(self.shapes.iter().filter_map(DrawnShape::frame)) {
             let title = shortened(title.trim(), TITLE, all.right - all.left);
             let y = all.top - BELOW_TITLE - 0.5 * TITLE;
             self.text((0.5 * (all.left + all.right), y), &title, TITLE, INK, Anchor::Centre);
@@ -120,9 +120,9 @@ impl Picture {
 
     /// All that is written on the page, and where.
     pub fn labels(&self) -> Vec<(String, Frame)> {
-        let of = |shape: &Shape| match shape {
-            Shape::Text { text, .. } => Some((plain(text), shape.frame()?)),
-            Shape::Line { .. } | Shape::Area { .. } => None,
+        let of = |shape: &DrawnShape| match shape {
+            DrawnShape::Text { text, .. } => Some((plain(text), shape.frame()?)),
+            DrawnShape::Line { .. } | DrawnShape::Area { .. } => None,
         };
         self.shapes.iter().filter_map(of).collect()
     }
@@ -135,8 +135,8 @@ impl Picture {
         }
         let labels = self.labels();
         let page = Frame { left: 0.0, top: 0.0, right: self.size.0, bottom: self.size.1 };
-        let is_area = |shape: &&Shape| matches!(shape, Shape::Area { .. });
-        let areas: Vec<Frame> = self.shapes.iter().filter(is_area).filter_map(Shape::frame).collect();
+        let is_area = |shape: &&DrawnShape| matches!(shape, DrawnShape::Area { .. });
+        let areas: Vec<Frame> = self.shapes.iter().filter(is_area).filter_map(DrawnShape::frame).collect();
         let mut faults = Vec::new();
         for (i, (text, own)) in labels.iter().enumerate() {
             if Frame::around([page, *own]) != Some(page) {

@@ -2,7 +2,7 @@
 use pdf_writer::{Content, Filter, Finish, Pdf, Rect, Ref};
 use tiny_skia::{Path, PathSegment, Point};
 
-use super::picture::{Colour, Picture, Shape};
+use super::picture::{Colour, DrawnShape, Picture};
 
 /// Effort of the compression, from 0 to 10.
 const EFFORT: u8 = 6;
@@ -33,24 +33,24 @@ impl Picture {
 }
 
 /// Draws one shape; one without extent is left out.
-fn draw(content: &mut Content, shape: &Shape) {
+fn draw(content: &mut Content, shape: &DrawnShape) {
     let Some(path) = shape.path() else { return };
     match shape {
-        Shape::Line { stroke, .. } => {
+        DrawnShape::Line { stroke, .. } => {
             let [r, g, b] = rgb(stroke.colour);
             let dash = stroke.dash.map_or(Vec::new(), |(dash, space)| vec![dash as f32, space as f32]);
             content.set_stroke_rgb(r, g, b).set_line_width(stroke.width as f32).set_dash_pattern(dash, 0.0);
         }
-        Shape::Area { colour, .. } | Shape::Text { colour, .. } => {
+        DrawnShape::Area { colour, .. } | DrawnShape::Text { colour, .. } => {
             let [r, g, b] = rgb(*colour);
             content.set_fill_rgb(r, g, b);
         }
     }
     outline(content, &path);
     match shape {
-        Shape::Line { .. } => content.stroke(),
-        Shape::Area { .. } => content.fill_even_odd(),
-        Shape::Text { .. } => content.fill_nonzero(),
+        DrawnShape::Line { .. } => content.stroke(),
+        DrawnShape::Area { .. } => content.fill_even_odd(),
+        DrawnShape::Text { .. } => content.fill_nonzero(),
     };
 }
 

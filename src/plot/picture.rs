@@ -51,12 +51,12 @@ pub enum Anchor {
 #[derive(Clone, Debug)]
 pub struct Picture {
     pub(super) size: (f64, f64),
-    pub(super) shapes: Vec<Shape>,
+    pub(super) shapes: Vec<DrawnShape>,
 }
 
 /// One thing that is drawn.
 #[derive(Clone, Debug)]
-pub(super) enum Shape {
+pub(super) enum DrawnShape {
     Line { points: Vec<(f64, f64)>, stroke: Stroke },
     Area { rings: Vec<Vec<(f64, f64)>>, colour: Colour },
     Text { at: (f64, f64), text: String, size: f64, colour: Colour, anchor: Anchor },
@@ -74,14 +74,14 @@ pub fn subscript(index: &str) -> String {
 
 /// How a piece of a text is set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Face {
+pub(super) struct TypeFace {
     pub(super) italic: bool,
     pub(super) index: bool,
 }
 
 /// The pieces of a text that are set alike, none of them empty.
-pub(super) fn pieces(text: &str) -> impl Iterator<Item = (Face, &str)> {
-    let mut face = Face::default();
+pub(super) fn pieces(text: &str) -> impl Iterator<Item = (TypeFace, &str)> {
+    let mut face = TypeFace::default();
     let pieces = text.split_inclusive([ITALIC, INDEX]).map(move |piece| {
         let own = face;
         face.italic ^= piece.ends_with(ITALIC);
@@ -104,7 +104,7 @@ impl Picture {
 
     /// A line through points.
     pub fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
-        self.shapes.push(Shape::Line { points: points.to_vec(), stroke });
+        self.shapes.push(DrawnShape::Line { points: points.to_vec(), stroke });
     }
 
     /// A filled area.
@@ -114,7 +114,7 @@ impl Picture {
 
     /// The area inside an odd number of rings.
     pub fn rings(&mut self, rings: Vec<Vec<(f64, f64)>>, colour: Colour) {
-        self.shapes.push(Shape::Area { rings, colour });
+        self.shapes.push(DrawnShape::Area { rings, colour });
     }
 
     /// A filled rectangle from one corner to the other.
@@ -131,16 +131,16 @@ impl Picture {
 
     /// A text of letters `size` points high.
     pub fn text(&mut self, at: (f64, f64), text: &str, size: f64, colour: Colour, anchor: Anchor) {
-        self.shapes.push(Shape::Text { at, text: visible(text).into_owned(), size, colour, anchor });
+        self.shapes.push(DrawnShape::Text { at, text: visible(text).into_owned(), size, colour, anchor });
     }
 
     /// Whether all coordinates are numbers.
     pub fn is_finite(&self) -> bool {
         let all = |points: &[(f64, f64)]| points.iter().all(|(x, y)| x.is_finite() && y.is_finite());
         self.shapes.iter().all(|shape| match shape {
-            Shape::Line { points, .. } => all(points),
-            Shape::Area { rings, .. } => rings.iter().all(|ring| all(ring)),
-            Shape::Text { at, .. } => all(&[*at]),
+            DrawnShape::Line { points, .. } => all(points),
+            DrawnShape::Area { rings, .. } => rings.iter().all(|ring| all(ring)),
+            DrawnShape::Text { at, .. } => all(&[*at]),
         })
     }
 }
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn a_text_falls_into_pieces_that_are_set_alike() {
         let text = format!("half-length {}{} = 1", italic("b"), subscript("12"));
-        let face = |italic, index| Face { italic, index };
+        let face = |italic, index| TypeFace { italic, index };
         let expected = [
             (face(false, false), "half-length "),
             (face(true, false), "b"),

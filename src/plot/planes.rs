@@ -11,7 +11,7 @@ pub(super) const CONTACTS: usize = 6;
 const WIDE: f64 = 8.0;
 
 /// What one plane of the picture shows.
-pub(super) struct Plane {
+pub(super) struct SweepPlane {
     /// Which contact, and how far right and down the plane is.
     pub(super) what: String,
     pub(super) place: [usize; 2],
@@ -22,7 +22,7 @@ pub(super) struct Plane {
 }
 
 /// What is drawn of each contact: how far it reaches, and its largest pressure, or that at x = 0 where the largest is infinite.
-pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
+pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<SweepPlane> {
     let scene = sweep.scene();
     let contacts: Vec<_> = sweep.contacts().collect();
     let symbols = symbols(contacts.iter().map(|(interface, _)| *interface));
@@ -43,7 +43,7 @@ pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<Plane> {
             if finite { (peak, format!("largest {pressure}")) } else { (centre, format!("{pressure}(0)")) };
         let quantities = [(right, reach, Dimension::LENGTH), (at, name, Dimension::STRESS)];
         let what = punch.map_or_else(|| of_contact(scene, *interface), |punch| format!("under punch {}", punch + 1));
-        planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| Plane {
+        planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| SweepPlane {
             what: if line == 0 { what.clone() } else { String::new() },
             place: [i, line],
             column,

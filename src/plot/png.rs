@@ -2,7 +2,7 @@
 use tiny_skia::{Color, FillRule, Paint, Pixmap, Stroke as Pen, StrokeDash, Transform};
 
 use super::file::PlotError;
-use super::picture::{Colour, Picture, Shape};
+use super::picture::{Colour, DrawnShape, Picture};
 
 /// Pixels per point: 216 to the inch.
 const PIXELS: f64 = 3.0;
@@ -30,16 +30,16 @@ impl Picture {
 }
 
 /// Draws one shape; one without extent is left out.
-fn draw(pixmap: &mut Pixmap, shape: &Shape, points: Transform) {
+fn draw(pixmap: &mut Pixmap, shape: &DrawnShape, points: Transform) {
     let Some(path) = shape.path() else { return };
     match shape {
-        Shape::Line { stroke, .. } => {
+        DrawnShape::Line { stroke, .. } => {
             let dash = stroke.dash.and_then(|(dash, space)| StrokeDash::new(vec![dash as f32, space as f32], 0.0));
             let pen = Pen { width: stroke.width as f32, dash, ..Pen::default() };
             pixmap.stroke_path(&path, &paint(stroke.colour), &pen, points, None);
         }
-        Shape::Area { colour, .. } => pixmap.fill_path(&path, &paint(*colour), FillRule::EvenOdd, points, None),
-        Shape::Text { colour, .. } => pixmap.fill_path(&path, &paint(*colour), FillRule::Winding, points, None),
+        DrawnShape::Area { colour, .. } => pixmap.fill_path(&path, &paint(*colour), FillRule::EvenOdd, points, None),
+        DrawnShape::Text { colour, .. } => pixmap.fill_path(&path, &paint(*colour), FillRule::Winding, points, None),
     }
 }
 

@@ -195,7 +195,7 @@ fn arrow(picture: &mut Picture, x: f64, tip: f64, length: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::picture::{Colour, Shape};
+    use crate::plot::picture::{Colour, DrawnShape};
 
     /// The outlines of the bodies that are drawn above a face at height 0, x = 0 at 170 and 20 points per length, and the tips of their arrows.
     fn drawn(punches: &str) -> (Vec<Vec<(f64, f64)>>, Vec<f64>) {
@@ -205,8 +205,8 @@ mod tests {
         Presses { scene: &scene, force: 1.0, contact: None, scale: 20.0, middle: 170.0 }.draw(&mut picture);
         assert!(picture.is_finite());
         let areas = |wanted: Colour| {
-            let area = move |shape: &Shape| match shape {
-                Shape::Area { rings, colour } if *colour == wanted => Some(rings.concat()),
+            let area = move |shape: &DrawnShape| match shape {
+                DrawnShape::Area { rings, colour } if *colour == wanted => Some(rings.concat()),
                 _ => None,
             };
             picture.shapes.iter().filter_map(area).collect::<Vec<_>>()

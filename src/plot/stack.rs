@@ -1,6 +1,6 @@
 //! A stack drawn with its punch and contacts, and the pressures below it.
 use super::chart::{Chart, Curve, Frame, Labels, hidden};
-use super::depths::Depths;
+use super::depths::DrawnDepths;
 use super::names::{self, Dimension, after, index, symbols, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
@@ -49,7 +49,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
         depth
     });
     let faces = [0.0].into_iter().chain(below).collect();
-    let depths = Depths::new(faces, scale, [0.0, HIGHEST]);
+    let depths = DrawnDepths::new(faces, scale, [0.0, HIGHEST]);
     let is_ground = stack.base().foundation().half_plane().is_none();
     let base = if is_ground { None } else { Some(depths.height() + BASE) };
     let drawing = Drawing {

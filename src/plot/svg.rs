@@ -4,15 +4,15 @@ use std::collections::BTreeSet;
 use tiny_skia::{Path, PathSegment};
 
 use super::letters::{Letter, PlacedLetter, letters};
-use super::picture::{Anchor, Colour, Picture, Shape, plain};
+use super::picture::{Anchor, Colour, DrawnShape, Picture, plain};
 
 impl Picture {
     /// The picture as SVG.
     pub fn svg(&self) -> String {
         let (width, height) = (rounded(self.size.0), rounded(self.size.1));
-        let of = |shape: &Shape| match shape {
-            Shape::Text { text, size, anchor, .. } => letters(text, *size, *anchor),
-            Shape::Line { .. } | Shape::Area { .. } => Vec::new(),
+        let of = |shape: &DrawnShape| match shape {
+            DrawnShape::Text { text, size, anchor, .. } => letters(text, *size, *anchor),
+            DrawnShape::Line { .. } | DrawnShape::Area { .. } => Vec::new(),
         };
         let letters: BTreeSet<Letter> = self.shapes.iter().flat_map(of).map(|placed| placed.letter).collect();
         let outline = |letter: Letter| {
@@ -31,19 +31,19 @@ impl Picture {
     }
 }
 
-fn shape(shape: &Shape) -> String {
+fn shape(shape: &DrawnShape) -> String {
     let path = || shape.path().map_or(String::new(), |path| data(&path));
     match shape {
-        Shape::Line { stroke, .. } => {
+        DrawnShape::Line { stroke, .. } => {
             let (hex, width) = (hex(stroke.colour), rounded(stroke.width));
             let dashes = |(dash, space)| format!(" stroke-dasharray=\"{} {}\"", rounded(dash), rounded(space));
             let dashes = stroke.dash.map_or(String::new(), dashes);
             format!("<path d=\"{}\" fill=\"none\" stroke=\"{hex}\" stroke-width=\"{width}\"{dashes}/>\n", path())
         }
-        Shape::Area { colour, .. } => {
+        DrawnShape::Area { colour, .. } => {
             format!("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"/>\n", path(), hex(*colour))
         }
-        Shape::Text { at, text, size, colour, anchor } => {
+        DrawnShape::Text { at, text, size, colour, anchor } => {
             let (x, y, turned) = (rounded(at.0), rounded(at.1), *anchor == Anchor::Upwards);
             let turn = if turned { " rotate(-90)" } else { "" };
             // what is written there, for those who do not see it

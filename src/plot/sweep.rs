@@ -1,10 +1,10 @@
 //! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below.
-use super::bands::{Bands, Values};
+use super::bands::{Bands, GridValues};
 use super::chart::{Chart, Curve, Frame, Labels, hidden, with_unit};
 use super::file::PlotError;
 use super::names::{of_path, unit};
 use super::picture::{Anchor, Picture, Stroke};
-use super::planes::{CONTACTS, Plane, number, planes, scale_of, step};
+use super::planes::{CONTACTS, SweepPlane, number, planes, scale_of, step};
 use super::scale::{Scale, distinct};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::axis::Axis;
@@ -125,7 +125,7 @@ impl<'a> Layout<'a> {
         (name, unit(self.sweep.scene(), dimension))
     }
 
-    fn chart(&self, plane: &Plane, y: Scale, curves: Vec<Curve>) -> Chart {
+    fn chart(&self, plane: &SweepPlane, y: Scale, curves: Vec<Curve>) -> Chart {
         let (x_label, x_unit) = self.name(self.along);
         let (y_label, y_unit) =
             self.up.map_or_else(|| (plane.label.clone(), plane.unit.clone()), |axis| self.name(axis));
@@ -134,7 +134,7 @@ impl<'a> Layout<'a> {
         Chart { frame, x, y, x_label, x_unit, y_label, y_unit, curves, labels: Labels::AtEnds }
     }
 
-    fn map(&self, picture: &mut Picture, plane: &Plane, points: &[SweepPoint]) {
+    fn map(&self, picture: &mut Picture, plane: &SweepPlane, points: &[SweepPoint]) {
         let axes = [self.along, self.up.unwrap_or(self.along)];
         let [xs, ys] = [0, 1].map(|k| {
             let axis = &self.sweep.axes()[axes[k]];
@@ -151,7 +151,7 @@ impl<'a> Layout<'a> {
         }
         let chart = self.chart(plane, scale_of(&self.sweep.axes()[axes[1]], self.most[1]), Vec::new());
         let bands = Bands::new(Scale::around(values.iter().copied()), None);
-        bands.draw(picture, &Values { xs: &xs, ys: &ys, values: &values }, |place| chart.place(place));
+        bands.draw(picture, &GridValues { xs: &xs, ys: &ys, values: &values }, |place| chart.place(place));
         chart.draw(picture);
         let Frame { right, top, bottom, .. } = chart.frame;
         let title = with_unit(&plane.label, plane.unit.as_deref(), bands.scale.power());
@@ -162,7 +162,7 @@ impl<'a> Layout<'a> {
     fn curves(
         &self,
         picture: &mut Picture,
-        plane: &Plane,
+        plane: &SweepPlane,
         points: &[SweepPoint],
         families: &[(String, Vec<usize>)],
         is_labelled: bool,

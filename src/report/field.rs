@@ -37,9 +37,9 @@ pub fn field_columns(points: &[FieldPoint], geometry: Geometry) -> Vec<(String, 
 }
 
 /// One point as an object; what is infinite or not known is `null`, as serde_json writes such numbers.
-struct Point<'a>(&'a [(String, Vec<f64>)], usize);
+struct PointRow<'a>(&'a [(String, Vec<f64>)], usize);
 
-impl Serialize for Point<'_> {
+impl Serialize for PointRow<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self(columns, k) = self;
         let value = |name: &str, value: f64| if name == LAYER { Value::from(value as usize) } else { value.into() };
@@ -74,7 +74,7 @@ pub fn write_field(
         Format::Table => writeln!(out, "{}", table(points, geometry, units)),
         Format::Json => {
             let columns = field_columns(points, geometry);
-            let points: Vec<Point> = (0..points.len()).map(|k| Point(&columns, k)).collect();
+            let points: Vec<PointRow> = (0..points.len()).map(|k| PointRow(&columns, k)).collect();
             serde_json::to_writer_pretty(&mut *out, &BTreeMap::from([("points", points)]))?;
             writeln!(out)
         }

@@ -7,16 +7,16 @@ use super::ValueError;
 
 /// A circular cylinder of an elastic material, see [`Punch::ElasticCylinder`](crate::Punch::ElasticCylinder).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Fields", into = "Fields")]
+#[serde(try_from = "ElasticCylinderFields", into = "ElasticCylinderFields")]
 pub struct ElasticCylinder {
-    fields: Fields,
+    fields: ElasticCylinderFields,
     constants: ElasticConstants,
 }
 
 /// The fields as written in a scene, before they are checked together.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "ElasticCylinder")]
-struct Fields {
+struct ElasticCylinderFields {
     /// Radius R, in length.
     radius: Positive,
     /// Shear modulus of the cylinder, in stress; or in its place `young`.
@@ -29,18 +29,18 @@ struct Fields {
     poisson: Poisson,
 }
 
-described!(ElasticCylinder by Fields);
+described!(ElasticCylinder by ElasticCylinderFields);
 
-impl TryFrom<Fields> for ElasticCylinder {
+impl TryFrom<ElasticCylinderFields> for ElasticCylinder {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
-        let Fields { shear_modulus, young, poisson, .. } = fields;
+    fn try_from(fields: ElasticCylinderFields) -> Result<Self, LayerError> {
+        let ElasticCylinderFields { shear_modulus, young, poisson, .. } = fields;
         Ok(Self { fields, constants: ElasticConstants::read(shear_modulus, young, poisson)? })
     }
 }
 
-impl From<ElasticCylinder> for Fields {
+impl From<ElasticCylinder> for ElasticCylinderFields {
     fn from(cylinder: ElasticCylinder) -> Self {
         cylinder.fields
     }
@@ -49,7 +49,7 @@ impl From<ElasticCylinder> for Fields {
 impl ElasticCylinder {
     /// A cylinder of radius R > 0 (length), shear modulus μ > 0 (stress) and Poisson's ratio −1 < ν ≤ 1/2.
     pub(super) fn new(radius: f64, shear_modulus: f64, poisson: f64) -> Result<Self, ValueError> {
-        let fields = Fields {
+        let fields = ElasticCylinderFields {
             radius: ValueError::checked("radius", radius)?,
             shear_modulus: Some(ValueError::checked("shear_modulus", shear_modulus)?),
             young: None,

@@ -40,7 +40,7 @@ impl Origin {
     pub(super) fn error(&self, at: Option<usize>, message: impl AsRef<str>) -> SceneError {
         SceneError {
             file: self.file.clone(),
-            place: at.map(|offset| Box::new(Place::new(&self.text, offset))),
+            place: at.map(|offset| Box::new(TextPlace::new(&self.text, offset))),
             message: abridged(message.as_ref()),
             hint: None,
             cause: None,
@@ -67,7 +67,7 @@ fn abridged(text: &str) -> String {
 
 /// A line and column, with the line as it reads.
 #[derive(Clone, Debug)]
-struct Place {
+struct TextPlace {
     line: usize,
     column: usize,
     excerpt: String,
@@ -75,7 +75,7 @@ struct Place {
     caret: usize,
 }
 
-impl Place {
+impl TextPlace {
     fn new(text: &str, offset: usize) -> Self {
         let (before, after) = text.split_at_checked(offset).unwrap_or((text, ""));
         let offset = before.len();
@@ -108,7 +108,7 @@ impl Place {
 #[derive(Clone, Debug)]
 pub struct SceneError {
     file: String,
-    place: Option<Box<Place>>,
+    place: Option<Box<TextPlace>>,
     message: String,
     hint: Option<String>,
     cause: Option<Cause>,
@@ -153,7 +153,7 @@ impl SceneError {
 
     /// The line in question with a caret below the column; long lines are cut.
     pub fn excerpt(&self) -> Option<String> {
-        let Place { line, excerpt, caret, .. } = self.place.as_deref()?;
+        let TextPlace { line, excerpt, caret, .. } = self.place.as_deref()?;
         let number = line.to_string();
         let margin = " ".repeat(number.len());
         Some(format!("{number} | {excerpt}\n{margin} | {}^", " ".repeat(*caret)))
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn columns_count_characters() {
         let text = "one\nµ = 7\n";
-        let place = Place::new(text, text.find('7').unwrap());
+        let place = TextPlace::new(text, text.find('7').unwrap());
         assert_eq!((place.line, place.column, place.caret), (2, 5, 4));
         assert_eq!(place.excerpt, "µ = 7");
     }
@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn long_lines_are_cut_around_the_column() {
         let text = format!("{}!{}", "a".repeat(5000), "b".repeat(5000));
-        let place = Place::new(&text, 5000);
+        let place = TextPlace::new(&text, 5000);
         assert_eq!(place.column, 5001);
         assert_eq!(place.excerpt.chars().count(), EXCERPT);
         assert_eq!(place.excerpt.chars().nth(place.caret), Some('!'));
@@ -207,8 +207,8 @@ mod tests {
 
     #[test]
     fn the_end_of_the_text_is_a_place() {
-        let place = Place::new("a\r\n", 3);
+        let place = TextPlace::new("a\r\n", 3);
         assert_eq!((place.line, place.column), (2, 1));
-        assert_eq!(Place::new("", 7).line, 1);
+        assert_eq!(TextPlace::new("", 7).line, 1);
     }
 }

@@ -7,16 +7,16 @@ use super::ValueError;
 
 /// How steep the faces of a [`Punch::Wedge`](crate::Punch::Wedge) are, by their slope or by their angle with the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Fields", into = "Fields")]
+#[serde(try_from = "WedgeFields", into = "WedgeFields")]
 pub struct Wedge {
-    fields: Fields,
+    fields: WedgeFields,
     slope: Positive,
 }
 
 /// The fields as written in a scene, before they are checked together.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Wedge")]
-struct Fields {
+struct WedgeFields {
     /// Slope s of its surface, dimensionless: the tangent of its angle with the stack; or in its place `half_angle`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     slope: Option<Positive>,
@@ -45,13 +45,13 @@ struct ConeFields {
     half_angle: Option<HalfAngle>,
 }
 
-described!(Wedge by Fields);
+described!(Wedge by WedgeFields);
 described!(Cone by ConeFields);
 
-impl TryFrom<Fields> for Wedge {
+impl TryFrom<WedgeFields> for Wedge {
     type Error = LayerError;
 
-    fn try_from(fields: Fields) -> Result<Self, LayerError> {
+    fn try_from(fields: WedgeFields) -> Result<Self, LayerError> {
         let either_or = |found, fields| LayerError::EitherOr { found, fields };
         let slope = match (fields.slope, fields.half_angle) {
             (Some(slope), None) => slope,
@@ -68,18 +68,18 @@ impl TryFrom<ConeFields> for Cone {
     type Error = LayerError;
 
     fn try_from(ConeFields { slope, half_angle }: ConeFields) -> Result<Self, LayerError> {
-        Fields { slope, half_angle, left: None }.try_into().map(Self)
+        WedgeFields { slope, half_angle, left: None }.try_into().map(Self)
     }
 }
 
-impl From<Wedge> for Fields {
+impl From<Wedge> for WedgeFields {
     fn from(wedge: Wedge) -> Self {
         wedge.fields
     }
 }
 
 impl From<Cone> for ConeFields {
-    fn from(Cone(Wedge { fields: Fields { slope, half_angle, .. }, .. }): Cone) -> Self {
+    fn from(Cone(Wedge { fields: WedgeFields { slope, half_angle, .. }, .. }): Cone) -> Self {
         Self { slope, half_angle }
     }
 }
@@ -89,13 +89,13 @@ impl Wedge {
     pub(super) fn of_slope(slope: f64, left: Option<f64>) -> Result<Self, ValueError> {
         let slope = ValueError::checked("slope", slope)?;
         let left = left.map(|left| ValueError::checked("left", left)).transpose()?;
-        Ok(Self { fields: Fields { slope: Some(slope), half_angle: None, left }, slope })
+        Ok(Self { fields: WedgeFields { slope: Some(slope), half_angle: None, left }, slope })
     }
 
     /// Of this angle with the axis, 0 < angle < π/2, in radians.
     pub(super) fn of_half_angle(angle: f64) -> Result<Self, ValueError> {
         let half_angle = Some(ValueError::checked("half_angle", angle)?);
-        Ok(Self::try_from(Fields { slope: None, half_angle, left: None })?)
+        Ok(Self::try_from(WedgeFields { slope: None, half_angle, left: None })?)
     }
 
     /// Slope of its faces, dimensionless; where they are not as steep, of the one on the right.

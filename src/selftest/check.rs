@@ -19,7 +19,7 @@ const RESULTANT: f64 = 1e-9;
 
 /// A scene that was solved and checked.
 #[derive(Clone, Debug)]
-pub struct Check {
+pub struct CheckedScene {
     /// The result.
     pub outcome: Outcome,
     /// Time for the contact problem in seconds, kernels included.
@@ -39,7 +39,7 @@ pub enum Outcome {
     Panicked(String),
 }
 
-impl Check {
+impl CheckedScene {
     /// Solves a scene with a tolerance, and does what the commands do with the answer: reports, fields, and pictures if
     /// requested. A panic is caught.
     pub fn run(scene: &Scene, options: &Options, pictures: bool) -> Self {
@@ -217,7 +217,7 @@ mod tests {
         let text = "(geometry: PlaneStrain, punch: Parabola(radius: 1), force: 1e-3,
             stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])";
         let mut scene = Scene::from_ron(text).unwrap();
-        let check = Check::run(&scene, &Options::default(), false);
+        let check = CheckedScene::run(&scene, &Options::default(), false);
         let solution = check.outcome.solution().unwrap();
         assert_eq!(wrong(&scene, solution), None);
         scene.force = Force::Given(1e-3 * (1.0 + 1e-6));

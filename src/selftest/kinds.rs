@@ -5,7 +5,7 @@ use recede_layers::{
     Winkler,
 };
 
-use super::scenario::{Ply, Scenario, Units};
+use super::scenario::{Ply, Scenario, ScenarioUnits};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
 use crate::geometry::Geometry;
@@ -43,14 +43,19 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
 /// # Errors
 /// None in practice.
 pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
-    scene_of_any_kind_in_units(ranges, seed, number, Units::default())
+    scene_of_any_kind_in_units(ranges, seed, number, ScenarioUnits::default())
 }
 
 /// The same scene in other units.
 ///
 /// # Errors
 /// [`Error::Value`] or [`Error::Layer`] if a number is no longer finite.
-pub fn scene_of_any_kind_in_units(ranges: &Ranges, seed: u64, number: u64, units: Units) -> Result<Scene, Error> {
+pub fn scene_of_any_kind_in_units(
+    ranges: &Ranges,
+    seed: u64,
+    number: u64,
+    units: ScenarioUnits,
+) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
     let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units.stress, ..kinds });
     let items = kinds.items(&scenario)?;

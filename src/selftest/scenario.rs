@@ -21,14 +21,14 @@ pub struct Ply {
 
 /// Units in terms of those that random scenes are drawn in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Units {
+pub struct ScenarioUnits {
     /// What a length 1 becomes.
     pub length: f64,
     /// What a stress 1 becomes.
     pub stress: f64,
 }
 
-impl Default for Units {
+impl Default for ScenarioUnits {
     fn default() -> Self {
         Self { length: 1.0, stress: 1.0 }
     }
@@ -106,7 +106,7 @@ impl Scenario {
 
     /// The same in other units.
     #[must_use]
-    pub fn in_units(mut self, Units { length, stress }: Units) -> Self {
+    pub fn in_units(mut self, ScenarioUnits { length, stress }: ScenarioUnits) -> Self {
         self.radius *= length;
         self.force *= length * stress;
         for layer in &mut self.layers {

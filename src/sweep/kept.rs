@@ -20,12 +20,12 @@ pub(super) const NUMBERS_OF_TOP: usize = 10_000;
 const MANY: usize = 100;
 
 /// A value that is computed once for many rows; rows that need it wait.
-type Slot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
+type KeptSlot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 
 /// The last things made, by the bits of the values that they were made for: models of stacks, or what presses on them.
 #[derive(Debug)]
 pub(super) struct Kept<T> {
-    slots: Mutex<VecDeque<(Vec<u64>, Slot<T>)>>,
+    slots: Mutex<VecDeque<(Vec<u64>, KeptSlot<T>)>>,
     numbers: fn(&T) -> usize,
 }
 
@@ -41,19 +41,19 @@ impl<T> Kept<T> {
         self.slot(key).get_or_init(|| make().map(Arc::new)).clone()
     }
 
-    fn slot(&self, key: Vec<u64>) -> Slot<T> {
+    fn slot(&self, key: Vec<u64>) -> KeptSlot<T> {
         let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, slot)) = slots.iter().rev().find(|(found, _)| *found == key) {
             return Arc::clone(slot);
         }
         let numbers =
-            |slot: &Slot<T>| slot.get().and_then(|made| made.as_ref().ok()).map_or(0, |made| (self.numbers)(made));
+            |slot: &KeptSlot<T>| slot.get().and_then(|made| made.as_ref().ok()).map_or(0, |made| (self.numbers)(made));
         let mut all: usize = slots.iter().map(|(_, slot)| numbers(slot)).sum();
         while slots.len() >= KEPT || all > MOST_NUMBERS {
             let Some((_, oldest)) = slots.pop_front() else { break };
             all -= numbers(&oldest).min(all);
         }
-        let slot = Slot::default();
+        let slot = KeptSlot::default();
         slots.push_back((key, Arc::clone(&slot)));
         slot
     }

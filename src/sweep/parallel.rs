@@ -30,13 +30,13 @@ pub struct ParallelRows {
     /// Chunks still to be given to the threads.
     waiting: Range<usize>,
     orders: Sender<Range<usize>>,
-    solved: Receiver<Solved>,
+    solved: Receiver<SolvedRow>,
     /// Rows that came before their time.
     early: BTreeMap<usize, Row>,
 }
 
 /// The number of a row and the row; none if something broke.
-type Solved = (usize, Option<Row>);
+type SolvedRow = (usize, Option<Row>);
 
 impl ParallelRows {
     pub(super) fn new(sweep: Arc<Sweep>, rows: Range<usize>, threads: NonZeroUsize) -> Self {
@@ -93,7 +93,7 @@ impl Iterator for ParallelRows {
 }
 
 /// Solves chunks until none is left, or the receiver is gone.
-fn work(sweep: &Sweep, todo: &Mutex<Receiver<Range<usize>>>, done: &Sender<Solved>) {
+fn work(sweep: &Sweep, todo: &Mutex<Receiver<Range<usize>>>, done: &Sender<SolvedRow>) {
     let next = || todo.lock().unwrap_or_else(PoisonError::into_inner).recv();
     while let Ok(rows) = next() {
         for index in rows {

@@ -22,9 +22,9 @@ mod print;
 mod symbols;
 
 pub use elimination::{BaseChain, FreeChain};
-pub(crate) use elimination::{Load, slowest_decay};
+pub(crate) use elimination::{FaceLoad, slowest_decay};
 pub use error::{Unresolved, WrongCount};
 pub use symbols::components::Component;
 pub use symbols::conditions::{Relation, Term};
 pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Condition, Row};
-pub use symbols::names::{Face, Place, Pressure, Quantity, Side};
+pub use symbols::names::{Face, InterfaceSide, Place, Pressure, Quantity};

@@ -35,7 +35,7 @@ Examples:
   recede selftest --count 1000 --verify          against a stricter tolerance
 
 Exit status: 0 unless an answer was wrong, the program panicked, or a scene was killed.")]
-pub struct Selftest {
+pub struct SelftestArguments {
     /// How many scenes to solve
     #[arg(long, default_value_t = 100)]
     count: u64,
@@ -81,7 +81,7 @@ const PICTURED: u64 = 16;
 /// One scene in this many is a changed example scene.
 const VARIED: u64 = 3;
 
-impl Selftest {
+impl SelftestArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         if self.worker {
             return self.work(out);

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use comfy_table::Table;
 use recede::report::ruled;
 
-use super::workers::{Answer, Compared, Ended};
+use super::workers::{AnswerNumbers, Compared, Ended};
 
 /// Number of scenes that are listed for a cause.
 const LISTED: usize = 12;
@@ -64,7 +64,7 @@ pub(super) fn spread(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
 pub(super) fn list(slowest: &[&Ended], out: &mut dyn Write) -> io::Result<()> {
     let mut table = table(["slowest", "seconds", "modes", "Newton steps", "status"]);
     for ended in slowest {
-        let count = |count: fn(&Answer) -> usize| {
+        let count = |count: fn(&AnswerNumbers) -> usize| {
             ended.answer.as_ref().map_or(String::new(), |answer| count(answer).to_string())
         };
         table.add_row([

@@ -6,12 +6,12 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-use recede::selftest::{Check, Comparison, Outcome, compare};
+use recede::selftest::{CheckedScene, Comparison, Outcome, compare};
 use recede::{Options, Scene};
 use serde::{Deserialize, Serialize};
 
 use super::super::Failure;
-use super::Selftest;
+use super::SelftestArguments;
 
 /// The result of one scene.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -27,14 +27,14 @@ pub(super) struct Ended {
     /// How long the contact problem took.
     pub(super) seconds: f64,
     /// Figures of the answer, if there is one.
-    pub(super) answer: Option<Answer>,
+    pub(super) answer: Option<AnswerNumbers>,
     /// `None` if not requested, or if there is no answer, or no stricter one.
     pub(super) comparisons: Option<Vec<Compared>>,
 }
 
 /// Figures of an answer.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Answer {
+pub(super) struct AnswerNumbers {
     pub(super) modes: usize,
     pub(super) wavenumbers: usize,
     pub(super) newton_steps: usize,
@@ -81,7 +81,7 @@ impl Ended {
     }
 }
 
-impl Selftest {
+impl SelftestArguments {
     /// Solves the scene whose number is the first line of standard input, and writes the result in RON, which has infinite numbers.
     pub(super) fn work(&self, out: &mut dyn Write) -> Result<(), Failure> {
         limit_memory(self.memory)?;
@@ -101,11 +101,11 @@ impl Selftest {
         let scene = self.scene(number)?;
         let thickness = scene.stack()?.total_thickness();
         let options = Options { tolerance: self.tolerance };
-        let check = Check::run(&scene, &options, number.is_multiple_of(super::PICTURED));
+        let check = CheckedScene::run(&scene, &options, number.is_multiple_of(super::PICTURED));
         Ok(self.ended(number, &scene, thickness, &check))
     }
 
-    fn ended(&self, number: u64, scene: &Scene, thickness: f64, check: &Check) -> Ended {
+    fn ended(&self, number: u64, scene: &Scene, thickness: f64, check: &CheckedScene) -> Ended {
         let outcome: &Outcome = &check.outcome;
         let solution = outcome.solution();
         let answer = solution.map(|solution| {
@@ -116,7 +116,7 @@ impl Selftest {
                     .max(contact.central_pressure_error / contact.central_pressure)
             });
             let first = contacts.first().map_or(0.0, |contact| contact.reach());
-            Answer {
+            AnswerNumbers {
                 modes: solution.modes(),
                 wavenumbers: solution.wavenumbers(),
                 newton_steps: solution.newton_steps(),
@@ -140,7 +140,7 @@ impl Selftest {
 }
 
 /// Solves one scene in a process of its own.
-pub(super) fn run(selftest: &Selftest, number: u64) -> Result<Ended, Failure> {
+pub(super) fn run(selftest: &SelftestArguments, number: u64) -> Result<Ended, Failure> {
     // with the same options
     let mut process = Command::new(std::env::current_exe()?)
         .args(std::env::args_os().skip(1))

@@ -7,10 +7,10 @@ use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 use super::cut_off::cut_off;
 use super::free::{junctions, layers};
 use super::half::{displacement, eliminate_two, stacked, stress, uniform};
-use super::junction::{Junction, Rows};
+use super::junction::{Junction, JunctionRows};
 use super::repeats::{self, Bodies, Repeat};
 use crate::solution::Stats;
-use crate::system::{BlockSystem, Component, Side};
+use crate::system::{BlockSystem, Component, InterfaceSide};
 
 /// Layers joined to each other and to a foundation, top down, with a shear-free top face: the component of the block system
 /// that nothing presses on from below.
@@ -32,7 +32,7 @@ pub(super) enum Foot {
     /// A support, a column of two amplitudes, too.
     Support(Arc<dyn Support>),
     /// Rows on the bottom face of the last layer.
-    Held(Box<Rows<2>>),
+    Held(Box<JunctionRows<2>>),
 }
 
 /// The bodies below an interface of a base, eliminated.
@@ -58,7 +58,7 @@ impl BaseChain {
             Some(Body::Support(support)) => Foot::Support(Arc::clone(support)),
             _ => match layers.pop_if(|last| last.thickness().is_none()) {
                 Some(half_plane) => Foot::HalfPlane(half_plane),
-                None => Foot::Held(Box::new(Rows::new(component.rows_at(layers.len())))),
+                None => Foot::Held(Box::new(JunctionRows::new(component.rows_at(layers.len())))),
             },
         };
         let repeats = repeats::find(&layers, &junctions);
@@ -112,7 +112,7 @@ impl BaseChain {
 
     /// The rows below this number of layers, for the states above and below; `None` if these are the same.
     pub(super) fn across(&self, layers: usize, wave: &Wave) -> Option<[Matrix4<f64>; 2]> {
-        self.junctions.get(layers.checked_sub(1)?)?.at(wave, Side::Above)
+        self.junctions.get(layers.checked_sub(1)?)?.at(wave, InterfaceSide::Above)
     }
 
     /// The layers of finite thickness, top down.

@@ -8,9 +8,9 @@ use recede_layers::{FaceStates, Flexibility, Layer, Plane, Wave};
 use super::cut_off::cut_off;
 use super::half::{FaceOf, Half, Meeting, PutBack};
 use super::junction::Junction;
-use super::repeats::{self, Bodies, Body, Repeat};
+use super::repeats::{self, Bodies, JoinedLayers, Repeat};
 use crate::solution::Stats;
-use crate::system::{BlockSystem, Component, Side};
+use crate::system::{BlockSystem, Component, InterfaceSide};
 
 /// Layers joined to each other, top down, with shear-free faces above and below: a component of the block system that only
 /// the pressures on both of its faces hold.
@@ -97,7 +97,7 @@ impl FreeChain {
         range: &Range<usize>,
         meeting: usize,
         wave: &Wave,
-        bodies: [&mut dyn Iterator<Item = Body>; 2],
+        bodies: [&mut dyn Iterator<Item = JoinedLayers>; 2],
         mut keep: impl FnMut(usize, usize, PutBack),
     ) -> Option<Meeting> {
         let junction = |interface: usize| {
@@ -106,9 +106,10 @@ impl FreeChain {
         };
         let mut halves = [Half::of_face(); 2];
         for (side, bodies) in bodies.into_iter().enumerate() {
-            for Body { layers, states } in bodies {
+            for JoinedLayers { layers, states } in bodies {
                 let [near, far] = faces(&states, side)?;
-                let (interface, near_side) = [(layers.start, Side::Above), (layers.end, Side::Below)][side];
+                let (interface, near_side) =
+                    [(layers.start, InterfaceSide::Above), (layers.end, InterfaceSide::Below)][side];
                 let across = junction(interface).and_then(|junction| junction.at(wave, near_side));
                 let (half, put_back) = halves[side].through(across, near, far)?;
                 halves[side] = half;

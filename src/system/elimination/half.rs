@@ -6,7 +6,7 @@ use nalgebra::{
 use recede_layers::{Flexibility, State, Wave, solve_equilibrated};
 
 use super::junction::Junction;
-use crate::system::Side;
+use crate::system::InterfaceSide;
 
 /// The result of the elimination so far, as functions of the displacements (U, V) at the interface, of the load and of equal loads on both
 /// faces of the chain, one column each. Under equal loads S is the stress minus the load.
@@ -117,7 +117,7 @@ pub(super) struct Meeting {
 impl Meeting {
     /// `junction` is the interface; `None` if one of the halves has no layers.
     pub(super) fn of(above: Half, below: Half, junction: Option<&Junction>, wave: &Wave) -> Option<Self> {
-        let displacements = match junction.and_then(|junction| junction.at(wave, Side::Above)) {
+        let displacements = match junction.and_then(|junction| junction.at(wave, InterfaceSide::Above)) {
             None => {
                 // stresses are continuous: K_above w + ... = K_below w + ...
                 let by = |half: &Half, column: usize| half.stress.column(column).into_owned();

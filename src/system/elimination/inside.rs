@@ -8,14 +8,14 @@ use super::base::{BaseChain, Below, under_unit_stresses, with_unit_stress};
 use super::cut_off::cut_off;
 use super::free::{FreeChain, faces};
 use super::half::{PutBack, displacement, stacked, stress, uniform};
-use super::repeats::Body;
+use super::repeats::JoinedLayers;
 
 /// Amplitudes S of loads on the shear-free faces of a chain.
 ///
 /// Nearly equal loads on both faces of a thin laminate are to be given as `equal` and the small difference: the responses to either load
 /// alone would cancel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Load {
+pub struct FaceLoad {
     /// On the top face alone.
     pub top: f64,
     /// On the bottom face alone; of no meaning for a base.
@@ -30,13 +30,13 @@ pub type Depths = [Vec<f64>];
 impl FreeChain {
     /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers, in the order of the depths; `None`
     /// if a layer's states are not finite or do not determine its fields.
-    pub fn states(&self, wave: &Wave, depths: &Depths, load: &Load) -> Option<Vec<Vec<State>>> {
+    pub fn states(&self, wave: &Wave, depths: &Depths, load: &FaceLoad) -> Option<Vec<Vec<State>>> {
         let count = self.layers.len();
         let Some([above, below]) = self.decayed(wave) else {
             return self.states_of(0..count, self.meeting, wave, depths, load);
         };
-        let from_top = Load { top: load.top + load.equal, ..Load::default() };
-        let from_bottom = Load { bottom: load.bottom + load.equal, ..Load::default() };
+        let from_top = FaceLoad { top: load.top + load.equal, ..FaceLoad::default() };
+        let from_bottom = FaceLoad { bottom: load.bottom + load.equal, ..FaceLoad::default() };
         let mut states = self.states_of(0..above, 0, wave, depths, &from_top)?;
         states.extend(depths[above..below].iter().map(|depths| vec![State::zeros(); depths.len()]));
         states.extend(self.states_of(below..count, count, wave, depths, &from_bottom)?);
@@ -50,14 +50,14 @@ impl FreeChain {
         meeting: usize,
         wave: &Wave,
         depths: &Depths,
-        load: &Load,
+        load: &FaceLoad,
     ) -> Option<Vec<Vec<State>>> {
         let states: Vec<LayerStates> = range.clone().map(|i| self.layers[i].states(wave, &depths[i])).collect();
         if let [single] = &states[..] {
             return Some(vec![single_layer(single, load)?]);
         }
         let of = |i: usize| &states[i - range.start];
-        let body = |i: usize| Body { layers: i..i + 1, states: of(i).faces };
+        let body = |i: usize| JoinedLayers { layers: i..i + 1, states: of(i).faces };
         let (mut down, mut up) = ((range.start..meeting).map(body), (meeting..range.end).rev().map(body));
         let mut eliminated: [Vec<(usize, PutBack)>; 2] = Default::default();
         let keep = |side: usize, layer, put_back| eliminated[side].push((layer, put_back));
@@ -83,7 +83,7 @@ impl FreeChain {
 }
 
 /// One layer alone: its amplitudes from the stresses on both faces.
-fn single_layer(states: &LayerStates, load: &Load) -> Option<Vec<State>> {
+fn single_layer(states: &LayerStates, load: &FaceLoad) -> Option<Vec<State>> {
     let FaceStates::Finite { top, bottom, uniform: [at_top, at_bottom] } = &states.faces else { return None };
     let rows = stacked(&stress(top), &stress(bottom));
     #[rustfmt::skip]

@@ -2,21 +2,21 @@
 use nalgebra::{Matrix4, SMatrix};
 use recede_layers::Wave;
 
-use crate::system::{Row, Side};
+use crate::system::{InterfaceSide, Row};
 
 /// Places of the stresses in a state.
 const STRESSES: [usize; 2] = [2, 3];
 
 /// N rows over the state above an interface and that below it.
 #[derive(Clone, Debug)]
-pub(super) struct Rows<const N: usize> {
+pub(super) struct JunctionRows<const N: usize> {
     /// Factors ±1.
     plain: [SMatrix<f64, N, 4>; 2],
     /// Stiffnesses, in stress per length.
     stiffness: [SMatrix<f64, N, 4>; 2],
 }
 
-impl<const N: usize> Rows<N> {
+impl<const N: usize> JunctionRows<N> {
     /// More or fewer than N rows, which no block system has, would determine nothing: all stay zero, so that the matrix of a
     /// chain with them is singular.
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
@@ -60,17 +60,21 @@ impl<const N: usize> Rows<N> {
 #[derive(Clone, Debug)]
 pub(super) struct Junction {
     /// The rows as they are used from above and from below; `None` if they say that the states on both sides are the same.
-    rows: Option<Box<[Rows<4>; 2]>>,
+    rows: Option<Box<[JunctionRows<4>; 2]>>,
 }
 
 impl Junction {
     pub(super) fn new<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
-        let rows = Rows::<4>::new(rows);
+        let rows = JunctionRows::<4>::new(rows);
         let [above, below] = &rows.plain;
         if rows.stiffness == [Matrix4::zeros(); 2] && *above == -below && above.determinant() != 0.0 {
             return Self { rows: None };
         }
-        Self { rows: Some(Box::new([Side::Above, Side::Below].map(|near| with_far_stresses(rows.clone(), near)))) }
+        Self {
+            rows: Some(Box::new(
+                [InterfaceSide::Above, InterfaceSide::Below].map(|near| with_far_stresses(rows.clone(), near)),
+            )),
+        }
     }
 
     /// Whether the states on both sides are the same.
@@ -80,7 +84,7 @@ impl Junction {
 
     /// The rows at one wavenumber for the state on the side `near`, and for that on the other side; `None` if
     /// both states are the same.
-    pub(super) fn at(&self, wave: &Wave, near: Side) -> Option<[Matrix4<f64>; 2]> {
+    pub(super) fn at(&self, wave: &Wave, near: InterfaceSide) -> Option<[Matrix4<f64>; 2]> {
         let near = index(near);
         let mut rows = self.rows.as_ref()?[near].at(wave);
         rows.swap(0, near);
@@ -88,17 +92,17 @@ impl Junction {
     }
 }
 
-fn index(side: Side) -> usize {
+fn index(side: InterfaceSide) -> usize {
     match side {
-        Side::Above => 0,
-        Side::Below => 1,
+        InterfaceSide::Above => 0,
+        InterfaceSide::Below => 1,
     }
 }
 
 /// The same rows with stresses of the near side replaced by stresses of the far side, where a row says that both are equal. The
 /// stress of springs then follows from the jump: the stress on the near side, computed from a stiffness and a load, would
 /// cancel where the springs are soft.
-fn with_far_stresses(mut rows: Rows<4>, near: Side) -> Rows<4> {
+fn with_far_stresses(mut rows: JunctionRows<4>, near: InterfaceSide) -> JunctionRows<4> {
     let (near, far) = (index(near), 1 - index(near));
     for stress in STRESSES {
         let entries = |i: usize| {

@@ -17,4 +17,4 @@ mod tests;
 pub use base::BaseChain;
 pub(crate) use cut_off::slowest_decay;
 pub use free::FreeChain;
-pub(crate) use inside::Load;
+pub(crate) use inside::FaceLoad;

@@ -36,7 +36,7 @@ pub(super) struct Repeat {
 }
 
 /// Layers that are evaluated together.
-pub(super) struct Body {
+pub(super) struct JoinedLayers {
     pub(super) layers: Range<usize>,
     pub(super) states: FaceStates,
 }
@@ -151,10 +151,10 @@ impl<'a> Bodies<'a> {
     }
 
     /// Top down, or the other way round.
-    pub(super) fn iter(&self, wave: &Wave) -> impl DoubleEndedIterator<Item = Body> {
-        let one = |i: usize| Body { layers: i..i + 1, states: self.layers[i].face_states(wave) };
+    pub(super) fn iter(&self, wave: &Wave) -> impl DoubleEndedIterator<Item = JoinedLayers> {
+        let one = |i: usize| JoinedLayers { layers: i..i + 1, states: self.layers[i].face_states(wave) };
         let pieces = self.pieces.iter().map(move |(layers, power)| match power {
-            Some(power) => Body { layers: layers.clone(), states: self.powers[*power].about_the_middle() },
+            Some(power) => JoinedLayers { layers: layers.clone(), states: self.powers[*power].about_the_middle() },
             None => one(layers.start),
         });
         pieces.chain(self.single.clone().map(one))

@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane, State, Wave};
 
-use super::{BaseChain, FreeChain, Load};
+use super::{BaseChain, FaceLoad, FreeChain};
 use crate::scene::{Item, Spring};
 use crate::stack::Stack;
 use crate::system::{Block, BlockSystem, Component, Face};
@@ -86,9 +86,9 @@ proptest! {
         let free = FreeChain::all(&system);
         for (component, chain) in components.iter().filter(|component| component.is_free()).zip(&free) {
             for load in [
-                Load { top: 1.0, bottom: 0.0, equal: 0.0 },
-                Load { top: 0.0, bottom: 1.0, equal: 0.0 },
-                Load { top: 0.2, bottom: -0.1, equal: 1.0 },
+                FaceLoad { top: 1.0, bottom: 0.0, equal: 0.0 },
+                FaceLoad { top: 0.0, bottom: 1.0, equal: 0.0 },
+                FaceLoad { top: 0.2, bottom: -0.1, equal: 1.0 },
             ] {
                 let states = chain.states(&wave, &depths(component), &load).unwrap();
                 let found = residual(component, &states, [load.top + load.equal, load.bottom + load.equal], &wave);

@@ -3,7 +3,7 @@ use std::fmt;
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use crate::system::{Block, BlockSystem, Column, Condition, Face, Place, Pressure, Quantity, Row, Side};
+use crate::system::{Block, BlockSystem, Column, Condition, Face, InterfaceSide, Place, Pressure, Quantity, Row};
 
 /// Most columns of a table.
 pub(super) const MAX_COLUMNS: usize = 12;
@@ -110,7 +110,7 @@ impl fmt::Display for Face {
     }
 }
 
-impl fmt::Display for Side {
+impl fmt::Display for InterfaceSide {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if *self == Self::Above { "above" } else { "below" })
     }

@@ -5,15 +5,15 @@
 //! its stresses. So a rigid base needs no relations of its own.
 use std::ops::Neg;
 
-use super::names::{Pressure, Quantity, Side};
+use super::names::{InterfaceSide, Pressure, Quantity};
 use crate::stack::Joint;
+use InterfaceSide::{Above, Below};
 use Quantity::{S, T, U, V};
-use Side::{Above, Below};
 
 /// A quantity on one side of an interface, with its sign and factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
-    pub(super) side: Side,
+    pub(super) side: InterfaceSide,
     pub(super) quantity: Quantity,
     pub(super) negative: bool,
     pub(super) stiffness: Option<f64>,
@@ -22,11 +22,11 @@ pub struct Term {
 /// One scalar condition at an interface: up to four terms whose sum is zero, or minus the pressure of a contact.
 ///
 /// ```
-/// use recede::{Quantity, Relation, Side};
+/// use recede::{Quantity, Relation, InterfaceSide};
 /// // fibres at the interface, held by springs: u is continuous, and they take up the difference of the shear stresses
-/// let continuous = Relation::zero([Side::Above.of(Quantity::U), -Side::Below.of(Quantity::U)]);
-/// let held = Side::Above.of(Quantity::U).times(2.0);
-/// let taken_up = Relation::zero([Side::Above.of(Quantity::T), -Side::Below.of(Quantity::T), -held]);
+/// let continuous = Relation::zero([InterfaceSide::Above.of(Quantity::U), -InterfaceSide::Below.of(Quantity::U)]);
+/// let held = InterfaceSide::Above.of(Quantity::U).times(2.0);
+/// let taken_up = Relation::zero([InterfaceSide::Above.of(Quantity::T), -InterfaceSide::Below.of(Quantity::T), -held]);
 /// assert_ne!(continuous, taken_up);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Relation {
     pub(super) pressure: Option<Pressure>,
 }
 
-impl Side {
+impl InterfaceSide {
     /// The quantity on this side.
     pub fn of(self, quantity: Quantity) -> Term {
         Term { side: self, quantity, negative: false, stiffness: None }
@@ -61,8 +61,8 @@ impl Relation {
     /// The sum of these terms is zero. More than four are no condition at an interface, and do not compile:
     ///
     /// ```compile_fail
-    /// use recede::{Quantity, Relation, Side};
-    /// let _ = Relation::zero([Side::Above.of(Quantity::U); 5]);
+    /// use recede::{Quantity, Relation, InterfaceSide};
+    /// let _ = Relation::zero([InterfaceSide::Above.of(Quantity::U); 5]);
     /// ```
     pub fn zero<const N: usize>(terms: [Term; N]) -> Self {
         const { assert!(N <= 4, "a relation has four terms at most") };
@@ -72,8 +72,9 @@ impl Relation {
 
 /// A contact, of the punch or at a receding interface: no shear, and the same pressure on both sides.
 pub(super) fn contact(contact: usize) -> [Relation; 4] {
-    let pressed = |side: Side| Relation { pressure: Some(Pressure { contact }), ..Relation::zero([side.of(S)]) };
-    let sheared = |side: Side| Relation::zero([side.of(T)]);
+    let pressed =
+        |side: InterfaceSide| Relation { pressure: Some(Pressure { contact }), ..Relation::zero([side.of(S)]) };
+    let sheared = |side: InterfaceSide| Relation::zero([side.of(T)]);
     [pressed(Above), sheared(Above), pressed(Below), sheared(Below)]
 }
 

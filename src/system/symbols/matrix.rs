@@ -4,7 +4,7 @@ use std::ops::Deref;
 use recede_layers::{Body, Plane};
 
 use super::conditions::{self, Relation, Term};
-use super::names::{Face, Place, Pressure, Quantity, Side};
+use super::names::{Face, InterfaceSide, Place, Pressure, Quantity};
 use crate::stack::{Joint, Stack};
 
 /// The kind of condition of a row, as its blocks show.
@@ -13,9 +13,9 @@ pub enum Condition {
     /// The quantity is the same on both sides.
     Continuous(Quantity),
     /// The quantity vanishes on one side.
-    Zero(Quantity, Side),
+    Zero(Quantity, InterfaceSide),
     /// S is minus the contact pressure on one side.
-    Pressed(Side),
+    Pressed(InterfaceSide),
     /// The stress that belongs to the displacement is its jump times the stiffness of springs.
     Sprung(Quantity),
 }
@@ -65,10 +65,10 @@ pub struct Block {
 
 impl Block {
     /// On which side of its interface the layer lies.
-    pub fn side(&self) -> Side {
+    pub fn side(&self) -> InterfaceSide {
         match self.face {
-            Face::Top => Side::Below,
-            Face::Bottom => Side::Above,
+            Face::Top => InterfaceSide::Below,
+            Face::Bottom => InterfaceSide::Above,
         }
     }
 }
@@ -208,8 +208,8 @@ impl BlockSystem {
         let [above, below] = columns;
         for Relation { terms, pressure } in relations {
             let there = |term: &Term| match term.side {
-                Side::Above => above.map(|column| (column, Face::Bottom)),
-                Side::Below => below.map(|column| (column, Face::Top)),
+                InterfaceSide::Above => above.map(|column| (column, Face::Bottom)),
+                InterfaceSide::Below => below.map(|column| (column, Face::Top)),
             };
             if terms.iter().flatten().any(|term| term.quantity.is_stress() && there(term).is_none()) {
                 continue;

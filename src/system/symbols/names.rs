@@ -41,7 +41,7 @@ pub enum Face {
 
 /// Side of an interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum InterfaceSide {
     /// The layer above the interface.
     Above,
     /// The layer below the interface.
