@@ -121,6 +121,5 @@ pub use sweep::ParallelRows;
 pub use sweep::{Part, PartError, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved, WrongCount};
 pub use system::{
-    Block, BlockSystem, Blocks, Column, Component, Condition, Face, InterfaceSide, Place, Pressure, Quantity, Relation,
-    Row, Term,
+    Block, BlockSystem, Blocks, Column, Component, Face, InterfaceSide, Place, Pressure, Quantity, Relation, Row, Term,
 };

@@ -264,10 +264,10 @@ pub fn solve(scene: &Scene) -> Result<Solution, Error> {
 
 #[cfg(test)]
 mod tests {
-    use recede_layers::{Graded, HalfPlane, Homogeneous, Isotropic, Layer, Material, Plane};
+    use recede_layers::{HalfPlane, Homogeneous, Plane};
 
     use super::*;
-    use crate::scene::{Item, Punch};
+    use crate::scene::Punch;
 
     #[test]
     fn a_field_is_that_of_a_solution_of_the_same_stack() {
@@ -289,39 +289,6 @@ mod tests {
             rebuilt.field(&press(&own)).unwrap().at(0.3, 0.5).unwrap(),
             own.field(&press(&own)).unwrap().at(0.3, 0.5).unwrap()
         );
-    }
-
-    /// A layer of one's own without a key.
-    #[derive(Debug)]
-    struct Plain;
-
-    impl Layer for Plain {
-        fn thickness(&self) -> Option<f64> {
-            Some(1.0)
-        }
-
-        fn material(&self, _depth: f64, plane: Plane) -> Material {
-            Isotropic { shear_modulus: 2.0, poisson: 0.3 }.material(plane)
-        }
-    }
-
-    #[test]
-    fn a_field_is_not_that_of_a_solution_for_another_function() {
-        let ground = || HalfPlane::new(1.0, 0.25).unwrap();
-        let stack = |layer: Item| Stack::builder(Plane::Strain).item(layer).receding().layer(ground()).build().unwrap();
-        let function = |shear_modulus: f64| {
-            let material = move |depth: f64| Isotropic { shear_modulus: shear_modulus + depth, poisson: 0.3 };
-            Item::layer(Graded::with(1.0, material).unwrap())
-        };
-        let press = |model: &Model| model.press(Punch::parabola(500.0).unwrap(), 2e-3).unwrap();
-        for (one, other) in [(function(1.0), function(2.0)), (Item::layer(Plain), Item::layer(Plain))] {
-            let stack_of_one = stack(one);
-            let [own, again] = [stack_of_one.clone(), stack_of_one].map(|stack| Model::new(stack).unwrap());
-            let foreign = Model::new(stack(other)).unwrap();
-            assert!(matches!(own.field(&press(&foreign)), Err(FieldError::OtherStack)));
-            assert!(matches!(foreign.field(&press(&own)), Err(FieldError::OtherStack)));
-            assert!(own.field(&press(&again)).is_ok());
-        }
     }
 
     #[test]

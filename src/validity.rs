@@ -21,8 +21,7 @@ pub(crate) fn warnings(top: &Top, kernel: &Kernel, contacts: &[Contact]) -> Vec<
         None => steep(punch, first),
     });
     let pressures = contacts.iter().enumerate().filter_map(|(i, contact)| {
-        let name = if i == 0 && top.loads().is_some() { "load".to_owned() } else { contact.interface.to_string() };
-        large(&name, contact, kernel.geometry(), kernel.contact_modulus(i))
+        large(&top.contact_name(contact.interface), contact, kernel.geometry(), kernel.contact_modulus(i))
     });
     shape.into_iter().chain(pressures).collect()
 }

@@ -26,10 +26,7 @@ impl Contact {
 
     /// As in reports: a load is no punch.
     fn name(&self) -> String {
-        match (self.inner().interface, self.solved.scene.top.loads()) {
-            (recede::Interface::Punch, Some(_)) => "load".to_owned(),
-            (interface, _) => interface.to_string(),
-        }
+        self.solved.scene.top.contact_name(self.inner().interface)
     }
 }
 

@@ -167,19 +167,3 @@ fn point(transform: f64, r: f64, depth: f64) -> Potentials {
     let integral = Complex64::new(over, r / (distance * (distance + depth)));
     [integral, zeroth * square, first * third, second * (third * over)].map(|potential| potential * transform)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn close_to_the_face_they_are_the_pressure() {
-        let disc = TabulatedStrip::new(&Strip { is_round: true, ..Strip::series(0.8, vec![1.0, -0.3, 0.2]) });
-        for r in [0.0, 0.1, 0.5, 0.75] {
-            let [face, near] = [0.0, 1e-9].map(|depth| disc.disc_potentials(r, depth));
-            for (on, below) in zip(face, near).take(2) {
-                assert!((on - below).norm() < 1e-7, "{r}: {on} {below}");
-            }
-        }
-    }
-}

@@ -15,12 +15,9 @@ pub enum FieldError {
         /// The depths of the layers.
         allowed: String,
     },
-    /// The field was requested so far away that it would take too many wavenumbers.
-    #[error("a place {x:?} from the middle is too far from the contacts for the field to be computed there")]
-    TooFar {
-        /// The farthest of the points requested, in length.
-        x: f64,
-    },
+    /// The field was requested so far away, the farthest point at this distance from the middle, that it would take too many wavenumbers.
+    #[error("a place {0:?} from the middle is too far from the contacts for the field to be computed there")]
+    TooFar(f64),
     /// The field was requested for the solution of another stack.
     #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
     OtherStack,
@@ -29,7 +26,7 @@ pub enum FieldError {
 impl FieldError {
     /// Whether the input is at fault.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::Outside { .. } | Self::TooFar { .. } | Self::OtherStack)
+        matches!(self, Self::Outside { .. } | Self::TooFar(_) | Self::OtherStack)
     }
 
     /// What to do about it, if that can be said.
@@ -39,7 +36,7 @@ impl FieldError {
             Self::OtherStack => {
                 Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned())
             }
-            Self::Outside { .. } | Self::TooFar { .. } => None,
+            Self::Outside { .. } | Self::TooFar(_) => None,
         }
     }
 }

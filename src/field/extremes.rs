@@ -1,5 +1,7 @@
 //! Stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, and the largest shear
 //! stress and tension across each interface that does not open.
+use serde::Serialize;
+
 use super::error::FieldError;
 use super::measure::{Extent, ExtremeSearch, Measure};
 use super::search::{HighestPlace, highest};
@@ -11,7 +13,7 @@ use crate::system::Unresolved;
 const NOTHING: f64 = 1e-12;
 
 /// The largest value of a stress, and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Extreme {
     /// The stress; infinite where it is at a singular point.
     pub value: f64,
@@ -26,7 +28,7 @@ pub struct Extreme {
 }
 
 /// The largest shear stress in the plane, (σ₁ − σ₂)/2, and where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct MaxShear {
     /// The stress; infinite under a line load and at the sharp corners of a punch.
     pub value: f64,
@@ -39,7 +41,7 @@ pub struct MaxShear {
 }
 
 /// The extremes of a layer.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LayerExtremes {
     /// Number of the layer, from the top as written in the scene, starting at 1.
     pub layer: usize,

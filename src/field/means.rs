@@ -122,7 +122,7 @@ impl Field {
         }
         let farthest = cut_offs.iter().fold(0.0, |farthest: f64, cut_off| farthest.max(cut_off.extent));
         let panels = waves::panels(&cut_offs, self.origin(0.0), &waves::FULL);
-        Ok((ends, panels.ok_or(FieldError::TooFar { x: farthest })?))
+        Ok((ends, panels.ok_or(FieldError::TooFar(farthest))?))
     }
 
     /// λμ₀V on the top face of a body, and on its bottom face, 0 if that is not loaded.

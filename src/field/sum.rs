@@ -143,8 +143,7 @@ impl Field {
         }
         let in_half_plane = active.iter().filter(|active| self.layers[active.row.layer].thickness.is_none());
         let deepest = in_half_plane.fold(0.0, |deepest: f64, active| deepest.max(active.row.depth));
-        let panels =
-            waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar { x: farthest })?;
+        let panels = waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar(farthest))?;
         let mut sums: Vec<WaveSums> =
             sets.iter().enumerate().map(|(set, xs)| WaveSums::new(xs, &active, set, precision.displacements)).collect();
         for panel in &panels {

@@ -7,12 +7,9 @@ use crate::files;
 /// Why a picture could not be made.
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
-    /// The file's name does not say what kind of picture it is to be.
-    #[error("{}: a picture is a file that ends in .svg, .pdf or .png", file.display())]
-    Ending {
-        /// The file.
-        file: PathBuf,
-    },
+    /// The name of this file does not say what kind of picture it is to be.
+    #[error("{}: a picture is a file that ends in .svg, .pdf or .png", .0.display())]
+    Ending(PathBuf),
     /// The file cannot be written.
     #[error("{}: {cause}", file.display())]
     File {
@@ -60,7 +57,7 @@ impl Kind {
             Some("pdf") => Ok(Self::Pdf),
             Some("png") => Ok(Self::Png),
             None if files::is_stream(file) => Ok(Self::Svg),
-            _ => Err(PlotError::Ending { file: file.to_owned() }),
+            _ => Err(PlotError::Ending(file.to_owned())),
         }
     }
 }

@@ -214,30 +214,15 @@ pub(super) fn of_path(scene: &Scene, path: &str) -> (String, Dimension) {
 mod tests {
     use super::*;
 
-    fn scene(geometry: &str, punch: &str) -> Scene {
-        let stack = "stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)]";
-        let units = "units: (length: \"mm\", force: \"N\")";
-        let force = if punch.starts_with("loads") { "" } else { "force: 0.01," };
-        Scene::from_ron(&format!("Scene(geometry: {geometry}, {punch}, {force} {stack}, {units})")).unwrap()
-    }
-
     #[test]
     fn paths_become_symbols() {
-        let plane = scene("PlaneStrain", "load: Line");
+        let text = "(geometry: PlaneStrain, load: Line, force: 1, stack: [HalfPlane(shear_modulus: 1, poisson: 0.25)])";
+        let plane = Scene::from_ron(text).unwrap();
         let of_path = |path| of_path(&plane, path);
         assert_eq!(of_path("layer[12].beta"), (format!("grading exponent {}₁₂", italic("β")), Dimension::PER_LENGTH));
         assert_eq!(of_path("force").1, Dimension::LINE_LOAD);
         assert_eq!(of_path("layer[1].own_number").0, "own number₁");
         assert_eq!(of_path("punch.heights[2]"), ("height 2".to_owned(), Dimension::LENGTH));
-    }
-
-    #[test]
-    fn punches_have_names_symbols_and_units() {
-        let name = |punch: &str| of_top(&scene("PlaneStrain", punch)).join("|");
-        assert_eq!(name("punch: Cylinder(radius: 100)"), format!("cylinder|{} = 100 mm", italic("R")));
-        let several = "loads: [(load: Line, at: 0, force: 1), (load: Uniform(half_width: 0.1), at: 1, force: 1)]";
-        assert_eq!(name(several), "2 loads");
-        assert_eq!(unit(&scene("PlaneStrain", "load: Line"), Dimension::STRESS).unwrap(), "MPa");
     }
 
     #[test]

@@ -12,17 +12,10 @@ use crate::scene::{Item, Scene};
 const PLACE: [&str; 4] = ["error", "x", "depth", "layer"];
 
 pub(super) fn json(extremes: &Extremes) -> Value {
-    let stress = |found: Option<Extreme>| {
-        found.map(|Extreme { value, error, x, depth, layer }| {
-            json!({"value": value, "error": error, "x": x, "depth": depth, "layer": layer})
-        })
-    };
-    let layer = |of: &LayerExtremes| json!({"layer": of.layer, "von_mises": stress(of.von_mises)});
-    let bond =
-        |of: &BondExtremes| json!({"interface": name(of), "shear": stress(of.shear), "tension": stress(of.tension)});
+    let bond = |of: &BondExtremes| json!({"interface": name(of), "shear": of.shear, "tension": of.tension});
     json!({
-        "tension": stress(extremes.tension),
-        "layers": extremes.layers.iter().map(layer).collect::<Vec<_>>(),
+        "tension": extremes.tension,
+        "layers": extremes.layers,
         "interfaces": extremes.bonds.iter().map(bond).collect::<Vec<_>>(),
     })
 }

@@ -27,9 +27,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         report.approach.map(approach),
         Some(json!({"min_pressure": solution.min_pressure(), "min_gap": solution.min_gap()})),
         report.collocated.map(|checked| json!({"collocation": checked})),
-        report
-            .max_shear
-            .map(|max| json!({"max_shear": {"value": max.value, "x": max.x, "depth": max.depth, "layer": max.layer}})),
+        report.max_shear.map(|max| json!({"max_shear": max})),
         report.extremes.map(|found| json!({"extremes": extremes::json(found)})),
         Some(json!({
             "modes": solution.modes(),

@@ -20,7 +20,7 @@ use crate::approach::{Approach, ApproachError};
 use crate::collocation::Collocated;
 use crate::field::{Extremes, MaxShear};
 use crate::scene::{Dimension, Scene, Units};
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Solution};
 
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
@@ -82,19 +82,11 @@ impl Report<'_> {
     fn contacts(&self) -> Vec<(String, Contact)> {
         let of = |contact: &Contact| {
             let each = contact.of_each_punch();
-            let is_one = each.len() == 1;
-            let name = |k: usize| if is_one { self.name(contact) } else { format!("{} {}", self.name(contact), k + 1) };
+            let (name, is_one) = (self.scene.top.contact_name(contact.interface), each.len() == 1);
+            let name = |k: usize| if is_one { name.clone() } else { format!("{name} {}", k + 1) };
             each.into_iter().enumerate().map(|(k, own)| (name(k), own)).collect::<Vec<_>>()
         };
         self.solution.contacts().iter().flat_map(of).collect()
-    }
-
-    /// What a contact is called: loads in place of the punch are none.
-    fn name(&self, contact: &Contact) -> String {
-        match (contact.interface, self.scene.top.loads()) {
-            (Interface::Punch, Some(_)) => "load".to_owned(),
-            (interface, _) => interface.to_string(),
-        }
     }
 
     /// The dimension of the force: a whole force in axisymmetric problems.

@@ -91,22 +91,3 @@ pub fn scene_schema(registry: &Registry) -> Value {
     without_ranges(&mut schema);
     schema
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_of_all_kinds_have_their_forms() {
-        let text = "[(load: Line, at: 0, force: 1e0), (load: Uniform(half_width: 2), at: -1.5)]";
-        let expected = json!([
-            {"load": "Line", "at": 0.0, "force": 1.0},
-            {"load": {"Uniform": {"half_width": 2.0}}, "at": -1.5},
-        ]);
-        let value = |text: &str| value(&Node::from_ron(text).unwrap());
-        assert_eq!(value(text), expected);
-        assert_eq!(value("Table([(0, 1), (0.5, 2)])"), json!({"Table": [[0.0, 1.0], [0.5, 2.0]]}));
-        assert_eq!(value("/* a */ Constant(3) // b"), json!({"Constant": 3.0}));
-        assert_eq!(value("(a: \"a \\\"b\\\"\", b: true)"), json!({"a": "a \"b\"", "b": true}));
-    }
-}

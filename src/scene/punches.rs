@@ -228,7 +228,7 @@ impl TryFrom<Vec<Pressed>> for Punches {
         numbered.iter().try_for_each(|(number, pressed)| pressed.check(*number))?;
         let elastic = numbered.iter().find(|(_, pressed)| pressed.shape.material().is_some());
         if let Some(&(number, _)) = elastic.filter(|(_, own)| numbered.len() > 1 || !own.is_upright()) {
-            return Err(ListError::Elastic { number });
+            return Err(ListError::Elastic(number));
         }
         numbered.sort_by(|(_, one), (_, other)| one.at().total_cmp(&other.at()));
         // where any two overlap, two neighbours do

@@ -8,6 +8,7 @@ use super::loads::Loads;
 use super::punch::Punch;
 use super::punches::Punches;
 use crate::geometry::Geometry;
+use crate::solution::Interface;
 
 /// Longest text of a punch in a label.
 const LONGEST: usize = 80;
@@ -106,6 +107,14 @@ impl Top {
             Self::Loads(loads) => loads.with_force(force).into(),
         };
         self.listed().map(|_| all.to_string())
+    }
+
+    /// The name of a contact of the stack below: `load` in place of `punch` under loads.
+    pub fn contact_name(&self, interface: Interface) -> String {
+        match (interface, self) {
+            (Interface::Punch, Self::Loads(_)) => "load".to_owned(),
+            _ => interface.to_string(),
+        }
     }
 
     /// As it is written in a scene of this geometry: in an axisymmetric one a cylinder is a sphere, and half-widths are radii.

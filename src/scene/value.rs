@@ -20,12 +20,9 @@ pub enum ListError {
     /// Forces so large that their sum is not finite.
     #[error("the forces of the {0} are together beyond the largest number")]
     Sum(&'static str),
-    /// An elastic punch beside others, away from x = 0, or turned.
-    #[error("punch {number} is elastic; allowed is an elastic punch alone, at x = 0 and without tilt")]
-    Elastic {
-        /// Which punch.
-        number: usize,
-    },
+    /// The punch of this number is elastic, and stands beside others, away from x = 0, or is turned.
+    #[error("punch {0} is elastic; allowed is an elastic punch alone, at x = 0 and without tilt")]
+    Elastic(usize),
     /// A flat punch that would fall over.
     #[error(
         "the eccentricity of punch {number} is {eccentricity:?}; allowed is a number smaller in size than the half-width of the flat punch, \
@@ -54,7 +51,7 @@ impl ListError {
     pub(super) fn place(&self) -> Option<(usize, &'static [&'static str])> {
         match self {
             Self::Count { .. } | Self::Sum(_) => None,
-            Self::Elastic { number } => Some((*number, &["shape"])),
+            Self::Elastic(number) => Some((*number, &["shape"])),
             Self::Eccentricity { number, .. } => Some((*number, &["tilt", "eccentricity"])),
             Self::Overlap { numbers: [_, number], .. } => Some((*number, &["at"])),
         }

@@ -84,7 +84,7 @@ fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), Stri
     let places = profile_places(solution, None, 40);
     let profile = match model.profile(&scene.top, solution, &places) {
         // next to a contact that is much shorter than another there are too many short waves
-        Err(FieldError::TooFar { .. }) => return Ok(()),
+        Err(FieldError::TooFar(_)) => return Ok(()),
         profile => step("profile", profile)?,
     };
     // what is left out of an answer, and a warning tells of, may penetrate

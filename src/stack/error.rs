@@ -61,59 +61,35 @@ pub enum StackProblem {
         /// The lower interface.
         second: &'static str,
     },
-    /// The first item is an interface.
-    #[error("the stack begins with the interface `{interface}`; allowed is a layer")]
-    BeginsWithInterface {
-        /// The interface.
-        interface: &'static str,
-    },
-    /// The last item is an interface.
-    #[error("the stack ends with the interface `{interface}`: nothing lies below it")]
-    EndsWithInterface {
-        /// The interface.
-        interface: &'static str,
-    },
-    /// The last item is neither a half-plane nor rigid.
+    /// The first item is an interface, of this name.
+    #[error("the stack begins with the interface `{0}`; allowed is a layer")]
+    BeginsWithInterface(&'static str),
+    /// The last item is an interface, of this name.
+    #[error("the stack ends with the interface `{0}`: nothing lies below it")]
+    EndsWithInterface(&'static str),
+    /// The last item is this layer, which is neither a half-plane nor rigid.
     #[error(
-        "the stack ends with {last}, which is no base; allowed are `Rigid` and layers without a thickness, such as `HalfPlane`"
+        "the stack ends with {0}, which is no base; allowed are `Rigid` and layers without a thickness, such as `HalfPlane`"
     )]
-    NoBase {
-        /// The last layer.
-        last: String,
-    },
-    /// A half-plane or a rigid body with something below it.
-    #[error("{base} is not at the bottom of the stack")]
-    BaseNotLast {
-        /// The base.
-        base: String,
-    },
-    /// A layer in an axisymmetric problem that is not as stiff along x as along z.
-    #[error("{layer} is not the same in all directions about the axis, and cannot be part of an axisymmetric stack")]
-    NotAxisymmetric {
-        /// The layer.
-        layer: String,
-    },
-    /// A layer in an axisymmetric problem that is so stiff against shear that its roots are complex.
-    #[error("{layer} has complex roots, and cannot be part of an axisymmetric stack")]
-    ComplexRoots {
-        /// The layer.
-        layer: String,
-    },
+    NoBase(String),
+    /// This base, a half-plane or a rigid body, has something below it.
+    #[error("{0} is not at the bottom of the stack")]
+    BaseNotLast(String),
+    /// This layer of an axisymmetric problem is not as stiff along x as along z.
+    #[error("{0} is not the same in all directions about the axis, and cannot be part of an axisymmetric stack")]
+    NotAxisymmetric(String),
+    /// This layer of an axisymmetric problem is so stiff against shear that its roots are complex.
+    #[error("{0} has complex roots, and cannot be part of an axisymmetric stack")]
+    ComplexRoots(String),
     /// No layer between the punch and the rigid base can deform.
     #[error("nothing can deform between the punch and the rigid base")]
     NothingElastic,
-    /// A support that is no elastic body, without a layer bonded to it.
-    #[error("nothing is bonded to {base}")]
-    NotBonded {
-        /// The support.
-        base: String,
-    },
-    /// Springs with a dropped layer on one side.
-    #[error("next to {layer}, which is not there, springs have nothing to hold")]
-    LooseSprings {
-        /// The layer of thickness 0.
-        layer: String,
-    },
+    /// No layer is bonded to this support, which is no elastic body.
+    #[error("nothing is bonded to {0}")]
+    NotBonded(String),
+    /// Springs have this layer of thickness 0, which is dropped, on one side.
+    #[error("next to {0}, which is not there, springs have nothing to hold")]
+    LooseSprings(String),
     /// A thickness that is negative or not finite, reported by a user-defined layer type.
     #[error("{layer} has thickness {found:?}; allowed is a finite number >= 0")]
     Thickness {
@@ -148,50 +124,44 @@ pub enum StackProblem {
         /// The ratio of their moduli.
         ratio: f64,
     },
-    /// More layers than can be solved in a reasonable time.
-    #[error("the stack has {found} layers; allowed are at most {MAX_LAYERS}")]
-    TooManyLayers {
-        /// How many, layers of thickness 0 left out.
-        found: usize,
-    },
-    /// More receding interfaces than can be solved in a reasonable time and memory.
-    #[error("the stack has {found} receding interfaces; allowed are at most {MAX_RECEDING}")]
-    TooManyReceding {
-        /// How many there are.
-        found: usize,
-    },
+    /// So many layers, those of thickness 0 left out, cannot be solved for in a reasonable time.
+    #[error("the stack has {0} layers; allowed are at most {MAX_LAYERS}")]
+    TooManyLayers(usize),
+    /// So many receding interfaces cannot be solved for in a reasonable time and memory.
+    #[error("the stack has {0} receding interfaces; allowed are at most {MAX_RECEDING}")]
+    TooManyReceding(usize),
 }
 
 impl StackProblem {
     fn hint(&self) -> Option<&'static str> {
         Some(match self {
-            Self::NotAxisymmetric { .. } => {
+            Self::NotAxisymmetric(_) => {
                 "here x is outwards and z around the axis: let young.x = young.z and poisson.xy/young.x = poisson.yz/young.y, or take an isotropic \
                  layer, or a plane problem: `geometry: PlaneStrain`"
             }
-            Self::ComplexRoots { .. } => {
+            Self::ComplexRoots(_) => {
                 "its shear modulus is too high beside its other moduli: take a lower one, an isotropic layer, or a plane problem: \
                  `geometry: PlaneStrain`"
             }
             Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
             Self::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
             Self::TwoInterfaces { .. } => "remove one of them, or write the layer between them",
-            Self::BeginsWithInterface { .. } => "the punch acts on the first layer without an interface",
-            Self::EndsWithInterface { .. } => "end the stack with `HalfPlane(...)` or `Rigid`",
-            Self::NoBase { .. } => "add an interface and `HalfPlane(...)` or `Rigid` below it",
-            Self::BaseNotLast { .. } => "end the stack here, or put a layer with a thickness in its place",
+            Self::BeginsWithInterface(_) => "the punch acts on the first layer without an interface",
+            Self::EndsWithInterface(_) => "end the stack with `HalfPlane(...)` or `Rigid`",
+            Self::NoBase(_) => "add an interface and `HalfPlane(...)` or `Rigid` below it",
+            Self::BaseNotLast(_) => "end the stack here, or put a layer with a thickness in its place",
             Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
-            Self::TooManyLayers { .. } => "a layer that is graded through its thickness replaces many slices",
-            Self::TooManyReceding { .. } => "bond those that do not open under the load",
+            Self::TooManyLayers(_) => "a layer that is graded through its thickness replaces many slices",
+            Self::TooManyReceding(_) => "bond those that do not open under the load",
             Self::Contrast { .. } => {
                 "what is so much stiffer than all else is rigid, and what is so much softer carries nothing: leave it out, or \
                  write `Rigid` in its place; a large `beta` times the thickness has the same effect"
             }
-            Self::NotBonded { .. } => {
+            Self::NotBonded(_) => {
                 "the pressure on springs alone would be stiffness times displacement, place by place, and not end like that \
                  on an elastic body: put a thin layer between, `Bonded` to the springs"
             }
-            Self::LooseSprings { .. } => {
+            Self::LooseSprings(_) => {
                 "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
                  face, or under the punch itself, would give way like no elastic body"
             }

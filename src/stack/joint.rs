@@ -39,17 +39,3 @@ impl fmt::Display for Joint {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn in_a_series_the_weaker_prevails() {
-        let spring = Joint { normal: 2.0, tangential: 0.0 };
-        assert_eq!(Joint::BONDED.in_series(Joint::BONDED), Joint::BONDED);
-        assert_eq!(Joint::BONDED.in_series(Joint::SLIDING), Joint::SLIDING);
-        assert_eq!(Joint::SLIDING.in_series(spring), spring);
-        assert_eq!(spring.in_series(Joint { normal: 2.0, tangential: 3.0 }), Joint { normal: 1.0, tangential: 0.0 });
-    }
-}

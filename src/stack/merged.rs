@@ -92,13 +92,4 @@ mod tests {
         }
         assert!(part(3.0, 1.0, 30.0).continues(&part(1.0, f64::exp(90.0), 30.0)).is_none(), "too steep for one layer");
     }
-
-    #[test]
-    fn numbers_are_those_of_the_upper_layer() {
-        let items = [strip(1.0, 1.0), Item::Bonded, strip(1.0, 1.0), Item::Bonded, strip(1.0, 2.0), Item::Bonded];
-        let items: Vec<Item> = items.into_iter().chain([Item::Rigid]).collect();
-        let (stack, _) = Stack::from_items(Plane::Strain, &items).unwrap().merged();
-        let numbers: Vec<usize> = stack.base().layers().iter().map(|placed| placed.number).collect();
-        assert_eq!(numbers, [1, 3]);
-    }
 }

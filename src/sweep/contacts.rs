@@ -65,7 +65,7 @@ impl Sweep {
             choices.iter().filter_map(|choice| choice.there.as_ref().or(choice.missing.as_ref())).cloned().collect();
         let Err(error) = Stack::from_items(self.scene.geometry, &items) else { return Ok(()) };
         let only = match error.problem() {
-            StackProblem::TooManyLayers { .. } | StackProblem::TooManyReceding { .. } => {
+            StackProblem::TooManyLayers(_) | StackProblem::TooManyReceding(_) => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())
             }
             StackProblem::TooThick | StackProblem::Contrast { .. } => self.stacks() == 1,

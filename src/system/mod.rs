@@ -26,5 +26,5 @@ pub(crate) use elimination::{FaceLoad, slowest_decay};
 pub use error::{Unresolved, WrongCount};
 pub use symbols::components::Component;
 pub use symbols::conditions::{Relation, Term};
-pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Condition, Row};
+pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Row};
 pub use symbols::names::{Face, InterfaceSide, Place, Pressure, Quantity};

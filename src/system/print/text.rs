@@ -3,7 +3,7 @@ use std::fmt;
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use crate::system::{Block, BlockSystem, Column, Condition, Face, InterfaceSide, Place, Pressure, Quantity, Row};
+use crate::system::{Block, BlockSystem, Column, Face, InterfaceSide, Place, Pressure, Quantity, Row};
 
 /// Most columns of a table.
 pub(super) const MAX_COLUMNS: usize = 12;
@@ -57,13 +57,16 @@ impl fmt::Display for Column {
 impl Row {
     /// Place and condition, e.g. `1|2 U continuous`.
     pub fn name(&self) -> String {
-        match (self.place, self.condition()) {
-            (place, None) => place.to_string(),
+        let Some(first) = self.blocks.first() else { return self.place.to_string() };
+        let sprung = self.blocks.iter().find(|block| block.stiffness.is_some());
+        let condition = match (sprung, self.blocks.len()) {
+            (Some(sprung), _) => format!("{} springs", sprung.quantity),
             // the top face has one side only
-            (Place::Punch, Some(Condition::Zero(quantity, _))) => format!("punch {quantity}"),
-            (Place::Punch, Some(Condition::Pressed(_))) => "punch S".into(),
-            (place, Some(condition)) => format!("{place} {condition}"),
-        }
+            (None, 1) if self.place == Place::Punch => first.quantity.to_string(),
+            (None, 1) => format!("{} {}", first.quantity, first.side()),
+            (None, _) => format!("{} continuous", first.quantity),
+        };
+        format!("{} {condition}", self.place)
     }
 
     fn right_hand_side(&self) -> String {
@@ -78,17 +81,6 @@ impl fmt::Display for Row {
             write!(f, " {}({} of {})", signed(block), block.face, block.layer)?;
         }
         write!(f, " {}", self.right_hand_side())
-    }
-}
-
-impl fmt::Display for Condition {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Continuous(quantity) => write!(f, "{quantity} continuous"),
-            Self::Zero(quantity, side) => write!(f, "{quantity} {side}"),
-            Self::Pressed(side) => write!(f, "S {side}"),
-            Self::Sprung(quantity) => write!(f, "{quantity} springs"),
-        }
     }
 }
 

@@ -7,19 +7,6 @@ use super::conditions::{self, Relation, Term};
 use super::names::{Face, InterfaceSide, Place, Pressure, Quantity};
 use crate::stack::{Joint, Stack};
 
-/// The kind of condition of a row, as its blocks show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Condition {
-    /// The quantity is the same on both sides.
-    Continuous(Quantity),
-    /// The quantity vanishes on one side.
-    Zero(Quantity, InterfaceSide),
-    /// S is minus the contact pressure on one side.
-    Pressed(InterfaceSide),
-    /// The stress that belongs to the displacement is its jump times the stiffness of springs.
-    Sprung(Quantity),
-}
-
 /// A layer or a support with its amplitudes.
 #[derive(Clone, Debug)]
 pub struct Column {
@@ -109,19 +96,6 @@ pub struct Row {
     pub blocks: Blocks,
     /// The right-hand side; `None` is zero.
     pub pressure: Option<Pressure>,
-}
-
-impl Row {
-    /// The kind of condition; `None` for a row without blocks.
-    pub fn condition(&self) -> Option<Condition> {
-        let first = self.blocks.first()?;
-        Some(match (self.blocks.iter().find(|block| block.stiffness.is_some()), self.blocks.len(), self.pressure) {
-            (Some(sprung), ..) => Condition::Sprung(sprung.quantity),
-            (None, 1, Some(_)) => Condition::Pressed(first.side()),
-            (None, 1, None) => Condition::Zero(first.quantity, first.side()),
-            (None, ..) => Condition::Continuous(first.quantity),
-        })
-    }
 }
 
 /// The block matrix of a stack. Prints as a table, rows named by condition, columns by layer.
