@@ -6,7 +6,7 @@ use crate::axis::AxisError;
 use crate::contact::{ContactError, NoSolution};
 use crate::field::FieldError;
 use crate::options::OptionsError;
-use crate::scene::{HeightsError, ListError, Owner, Scene, SceneError, ValueError};
+use crate::scene::{Owner, Scene, SceneError, ValueError};
 use crate::stack::StackError;
 use crate::system::Unresolved;
 
@@ -75,19 +75,6 @@ impl From<ApproachError> for Error {
         }
     }
 }
-
-/// Errors that are values of a scene in one of its parts.
-macro_rules! from_values {
-    ($($error:ty),*) => {
-        $(impl From<$error> for Error {
-            fn from(error: $error) -> Self {
-                Self::Value(error.into())
-            }
-        })*
-    };
-}
-
-from_values!(HeightsError, ListError);
 
 impl Error {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.

@@ -39,7 +39,7 @@ impl Destination {
         Err(io::Error::other("too many symbolic links follow each other"))
     }
 
-    /// What is not a regular file, ready to be written; `None` for one.
+    /// The pipe, device or descriptor, opened for writing; `None` for a regular file.
     fn stream(self) -> io::Result<Option<Box<dyn Write + Send>>> {
         Ok(match self {
             Self::File(_) => None,
@@ -76,7 +76,7 @@ pub fn folder(path: &Path) -> &Path {
 /// A regular file is written completely or not at all: what was there before stays until the new file is complete, which
 /// then has the same permissions. The unfinished file stands beside it under a name with the number of the process and a
 /// count, so that neither two processes nor two threads that write the same file disturb each other, and it is created,
-/// never overwritten. Anything else, such as a pipe, a device or `/dev/stdout`, stays what it is, and is written through.
+/// never overwritten. Anything else, such as a pipe, a device or `/dev/stdout`, is not replaced but written through.
 ///
 /// ```
 /// # let file = std::env::temp_dir().join(format!("recede-replace-{}", std::process::id()));
@@ -163,7 +163,7 @@ pub fn is_stream(path: &Path) -> bool {
     Destination::of(path).is_ok_and(|place| !matches!(place, Destination::File(_)))
 }
 
-/// What [`is_stream`], opened for writing; `None` for a regular file. A named pipe waits for its reader.
+/// A path that [`is_stream`], opened for writing; `None` for a regular file. A named pipe waits for its reader.
 ///
 /// # Errors
 /// Those of the file system.

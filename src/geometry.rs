@@ -1,4 +1,4 @@
-//! Whether a problem is plane or round.
+//! Plane and axisymmetric problems.
 use recede_layers::Plane;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -39,7 +39,7 @@ impl Geometry {
         }
     }
 
-    /// Whether it is round.
+    /// Whether the problem is axisymmetric.
     pub fn is_axisymmetric(self) -> bool {
         self == Self::Axisymmetric
     }
@@ -71,7 +71,7 @@ impl Geometry {
     }
 }
 
-/// What quantities are called in tables, pictures and messages. Keys of JSON and columns of CSV are the same in all geometries, but for
+/// The words for quantities in tables, pictures and messages. Keys of JSON and columns of CSV are the same in all geometries, but for
 /// [the names of fields](crate::FieldQuantity::name_in).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Words {
@@ -82,8 +82,6 @@ pub struct Words {
     pub distance: &'static str,
     /// Half of the length of a contact about the middle.
     pub half_length: &'static str,
-    /// Several of these.
-    pub half_lengths: &'static str,
     /// Half of the width of a punch or a load.
     pub half_width: &'static str,
     /// A punch whose profile is a circle.
@@ -100,7 +98,6 @@ const PLANE: Words = Words {
     along: "x",
     distance: "|x|",
     half_length: "half-length",
-    half_lengths: "half-lengths",
     half_width: "half-width",
     cylinder: "cylinder",
     wedge: "wedge",
@@ -112,7 +109,6 @@ const AXISYMMETRIC: Words = Words {
     along: "r",
     distance: "r",
     half_length: "contact radius",
-    half_lengths: "contact radii",
     half_width: "radius",
     cylinder: "sphere",
     wedge: "cone",

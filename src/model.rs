@@ -33,7 +33,7 @@ use crate::stack::Stack;
 #[derive(Clone, Debug)]
 pub struct Model {
     stack: Stack,
-    /// What tells the stack from others, by which a solution is known to belong to it.
+    /// The key of the stack, by which a solution is known to belong to it.
     key: OwnerKey,
     interfaces: Vec<Interface>,
     kernel: Kernel,
@@ -115,7 +115,7 @@ impl Model {
         }
     }
 
-    /// What is asked of the solver, but for the force.
+    /// The question for the solver, without the force.
     fn asked<'a>(&'a self, top: &'a Top, options: &Options) -> Asked<'a> {
         Asked {
             stack: &self.key,

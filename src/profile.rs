@@ -1,4 +1,4 @@
-//! What is seen along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
+//! Profiles along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
 use std::f64::consts::PI;
 
 use crate::field::{FaceSide, Field, FieldError, FieldPoint};

@@ -10,10 +10,10 @@ const LONG: f64 = 0.3;
 const STEEP: f64 = 0.3;
 /// A mean pressure above this part of the modulus of its contact is large: strains are about as large.
 const LARGE: f64 = 0.1;
-/// In how many places the slope of a punch is looked at in each interval.
+/// Places in each interval at which the slope of a punch is evaluated.
 const PLACES: usize = 32;
 
-/// What is to be said of contacts of a stack and a punch with this kernel together.
+/// The warnings for the contacts of a stack with this kernel under a punch or load.
 pub(crate) fn warnings(top: &Top, kernel: &Kernel, contacts: &[Contact]) -> Vec<Warning> {
     let Some(first) = contacts.first() else { return Vec::new() };
     let shape = top.punch().and_then(|punch| match radius(punch) {

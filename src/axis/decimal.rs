@@ -28,7 +28,7 @@ impl Decimal {
         format!("{}e{}", self.digits, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
-    /// Its digits in units of 10^exponent, less what is smaller.
+    /// The digits in units of 10^exponent, smaller ones cut off.
     fn in_units(self, exponent: i32) -> i128 {
         let power = |shift: i32| 10i128.checked_pow(shift.unsigned_abs());
         match self.exponent - exponent {

@@ -71,17 +71,14 @@ impl Range {
 
     /// Numbers of values, among which are the smallest, the largest and the one nearest to zero.
     pub(super) fn near_extremes(&self) -> impl Iterator<Item = usize> {
-        let [start, stop] = self.ends;
         let last = self.count - 1;
-        // where a straight line from end to end passes through zero, or the nearer end; ends that are the same have no such place
-        let share = (0.5 * start / (0.5 * start - 0.5 * stop)).clamp(0.0, 1.0);
-        let middle = if self.spacing == Spacing::Linear { (share * last as f64) as usize } else { 0 };
-        // to rounding, the place is between two of these
-        [0, last].into_iter().chain(middle.saturating_sub(1)..=(middle + 2).min(last))
+        // the values on both sides of a change of sign
+        let beyond = self.leading(|value| (value > 0.0) == (self.ends[0] > 0.0));
+        [0, last].into_iter().chain(beyond.saturating_sub(1)..=beyond.min(last))
     }
 }
 
-/// As it is written on a command line.
+/// The range as it is written on a command line.
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ([start, stop], count) = (self.ends, self.count);

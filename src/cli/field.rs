@@ -18,10 +18,10 @@ const LIST: [usize; 2] = [201, 101];
 const MAP: [usize; 2] = [301, 181];
 /// Most points in a table.
 const READABLE: usize = 200;
-/// It reaches this many half-lengths of the longest contact to either side, and at most this many down.
+/// Such a grid reaches this many half-lengths of the longest contact to either side, and at most this many down.
 const BESIDE: f64 = 2.0;
 const BELOW: f64 = 3.0;
-/// In a half-plane it reaches this many half-lengths down.
+/// In a half-plane such a grid reaches this many half-lengths down.
 const GROUND: f64 = 1.5;
 
 /// Stresses and displacements inside the stack: points, a grid or a map
@@ -146,7 +146,7 @@ impl FieldArguments {
         })
     }
 
-    /// What the name of the file asks for, or, to standard output, the format.
+    /// Points or a map, as the name of the file asks for; points in the format to standard output.
     fn output(&self) -> Result<Output, Failure> {
         let kinds = [
             ("csv", Output::Points(Format::Csv)),
@@ -192,7 +192,7 @@ impl FieldArguments {
     }
 }
 
-/// What is written.
+/// The kind of output: numbers at points, or a map.
 #[derive(Clone, Copy, PartialEq)]
 enum Output {
     Points(Format),

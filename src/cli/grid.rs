@@ -66,7 +66,7 @@ impl GridArguments {
         [self.file()].into_iter().chain(sweep.scene().file().map(Path::new)).collect()
     }
 
-    /// What is in the file; no more than a scene may have.
+    /// The bytes of the file, at most as many as a scene may have.
     fn text(&self) -> io::Result<Vec<u8>> {
         let mut text = Vec::new();
         let most = MAX_BYTES as u64 + 1;

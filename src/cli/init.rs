@@ -6,7 +6,7 @@ use recede::files;
 
 use super::{Failure, outputs, tell};
 
-/// What is written.
+/// The first scene, every line explained.
 const SCENE: &str = include_str!("init.ron");
 
 /// Write a scene to begin with, every line explained

@@ -108,7 +108,7 @@ fn value(out: &mut dyn Write, indent: usize, what: &Value) -> io::Result<()> {
     }
 }
 
-/// What is allowed, behind what it means.
+/// The allowed values, to stand behind the meaning of a field.
 fn range(what: Option<&Value>) -> String {
     match what {
         Some(Value::Plain(allowed)) => format!(" Allowed: {allowed}."),

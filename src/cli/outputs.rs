@@ -14,7 +14,7 @@ const ENDINGS: [&str; 7] = ["csv", "json", "ron", "parquet", "svg", "pdf", "png"
 const INPUT: &str = "/dev/stdin";
 pub(super) const OUTPUT: &str = "/dev/stdout";
 
-/// What the name of a file ends in, in small letters.
+/// The ending of the name of a file, in small letters.
 pub(super) fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
 }

@@ -78,7 +78,7 @@ fn wrong(path: &Path, line: usize) -> Failure {
     )
 }
 
-/// What an interrupted sweep has left.
+/// The state of a file that an interrupted sweep has left.
 #[derive(Default)]
 pub(super) struct Begun {
     /// Whole lines below the header.

@@ -125,7 +125,7 @@ impl SolveArguments {
     }
 }
 
-/// What is found in the fields of a solution. The contacts are solved without it, so that a failure is only told.
+/// A result of a search in the fields of a solution. The contacts are solved without it, so that a failure is only a note.
 fn searched<T>(
     what: &str,
     model: &Model,

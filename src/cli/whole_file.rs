@@ -8,7 +8,7 @@ use recede::report::SweepCsv;
 
 use super::{Failure, outputs};
 
-/// What a file of rows holds, by its ending.
+/// The kind of a file of rows, by its ending.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RowsKind {
     Csv,
@@ -16,7 +16,7 @@ pub(super) enum RowsKind {
 }
 
 impl RowsKind {
-    /// Of a file with this name; comma-separated values unless it ends with `.parquet`, which not every program can write.
+    /// The kind of a file with this name: comma-separated values unless it ends with `.parquet`, which not every program can write.
     pub(super) fn of(path: &Path) -> Result<Self, Failure> {
         outputs::fits(path, &["csv", "parquet"])?;
         if outputs::ending(path) != "parquet" {

@@ -71,7 +71,7 @@ pub(super) struct LoadedBody {
 #[derive(Clone, Debug)]
 pub(super) struct LoadedFace {
     pub(super) surface: Surface,
-    /// What the closed form leaves of the fields there.
+    /// The difference of the fields next to the face and the closed form.
     pub(super) remainder: Remainder,
 }
 

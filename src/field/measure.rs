@@ -1,4 +1,4 @@
-//! What is searched for its largest value.
+//! The stresses whose largest values are searched for.
 use super::FieldPoint;
 
 /// Whether only the surroundings of the loads are searched, where shear stresses are largest, or also what is far from them.
@@ -24,7 +24,7 @@ pub(super) enum Measure {
 }
 
 impl Measure {
-    /// Its value at a point. Where stresses are infinite under a sharp tip none is defined; along the face shear stresses come to 0 there.
+    /// The value of the stress at a point. Where stresses are infinite under a sharp tip it is not defined; along the face shear stresses come to 0 there.
     pub(super) fn of(self, point: &FieldPoint) -> f64 {
         if point.sigma_yy.is_infinite() {
             return 0.0;
@@ -49,18 +49,18 @@ impl Measure {
         if self.is_norm() { value * value } else { value }
     }
 
-    /// Its value from the value of the smooth function.
+    /// The value of the stress from the value of the smooth function.
     pub(super) fn value(self, smooth: f64) -> f64 {
         if self.is_norm() { smooth.abs().sqrt().copysign(smooth) } else { smooth }
     }
 
-    /// Whether it is one of the lower faces of layers.
+    /// Whether the stress is one on the lower faces of layers.
     pub(super) fn is_on_face(self) -> bool {
         matches!(self, Self::FaceShear | Self::FaceTension)
     }
 }
 
-/// What is searched for.
+/// A stress and the layers in which its largest value is searched for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ExtremeSearch {
     pub(super) measure: Measure,

@@ -26,7 +26,7 @@ const DEEP: f64 = 3.0;
 /// Where a pressure jumps stresses depend on the direction: they are searched to this part of the narrowest load from there.
 const CLOSE: f64 = 1e-8;
 
-/// Of x, and of the depth below the top face of a layer.
+/// Two values: one for x, and one for the depth below the top face of a layer.
 pub(super) type Pair<T> = [T; 2];
 
 /// A rectangle of a layer, or a part of its lower face.
@@ -51,7 +51,7 @@ impl LayerPiece {
         (0..2).all(|axis| !goes_on(axis, 0) && !goes_on(axis, 1))
     }
 
-    /// What is no farther from a place than this.
+    /// The piece whose points are no farther from a place than this.
     pub(super) fn about(&self, place: Pair<f64>, reach: Pair<f64>) -> Self {
         let ends = [0, 1].map(|axis| {
             let [first, last] = self.smooth[axis];
@@ -60,7 +60,7 @@ impl LayerPiece {
         Self { ends, ..*self }
     }
 
-    /// It alone, to be sampled.
+    /// The piece alone, to be sampled.
     pub(super) fn alone(&self) -> Pieces {
         let Self { layer, ends, smooth } = *self;
         Pieces { layer, intervals: [0, 1].map(|axis| vec![[ends[axis], smooth[axis]]]) }

@@ -26,7 +26,7 @@ impl fmt::Display for Point {
 }
 
 impl Point {
-    /// With the name of the coordinate in this geometry.
+    /// The point in words, with the name of the coordinate in this geometry.
     pub(super) fn written_in(&self, geometry: Geometry) -> String {
         let layer = self.layer.map_or(String::new(), |layer| format!(" in layer {layer}"));
         format!("{} = {:?}, depth = {:?}{layer}", geometry.words().along, self.x, self.depth)

@@ -48,7 +48,7 @@ impl Polynomial {
         self.height(self.start())
     }
 
-    /// Its highest place, by ever smaller steps from the highest point, and its value at another place.
+    /// The highest place of the polynomial, by ever smaller steps from the highest point, and the value of the polynomial at another place.
     pub(super) fn highest(&self, other: Pair<f64>) -> (Height, f64) {
         let weights = [0, 1].map(|axis| barycentric_weights(&self.coordinates[axis]));
         let shares = |axis: usize, s: f64| {

@@ -115,7 +115,7 @@ impl ContactPressure {
         if self.is_round() { 2.0 * resultant / (length * length) } else { resultant / (2.0 * length) }
     }
 
-    /// Whether it is about the axis of an axisymmetric problem.
+    /// Whether the pressure is about the axis of an axisymmetric problem.
     pub(super) fn is_round(&self) -> bool {
         self.strips().any(|strip| strip.is_round)
     }

@@ -13,7 +13,7 @@ use super::{Field, ROUNDING};
 
 /// The size of a smaller piece, in parts of the last one.
 const SMALLER: f64 = 0.25;
-/// The same where the highest place is on its edge.
+/// The size of the next piece, in parts of the last one, where the highest place is on its edge.
 const LARGER: f64 = 2.0;
 /// Most smaller pieces one after the other: steps towards a singular point would not end. The first ones, of low accuracy, are for places on
 /// the edge of their piece alone.
@@ -254,7 +254,7 @@ impl Field {
         body.contacts().map(mean).filter(|mean| mean.is_finite()).fold(0.0, f64::max)
     }
 
-    /// What values of the sums in a layer are not told from each other by.
+    /// A difference below which values of the sums in a layer are not told from each other.
     fn unsure(&self, layer: usize, precision: &Precision) -> f64 {
         ERRORS * precision.inside * self.mean_pressure(layer)
     }

@@ -68,7 +68,7 @@ fn second_kind(xi: f64, orders: usize) -> Vec<f64> {
     values
 }
 
-/// What the products of all orders n are multiplied by: odd ones by C_n, even ones by C_(n−1)/(2n − 1) + C_(n+1)/(2n + 3).
+/// The factors of the products of all orders n: odd ones by C_n, even ones by C_(n−1)/(2n − 1) + C_(n+1)/(2n + 3).
 pub(super) fn by_order(coefficients: &[f64]) -> Vec<f64> {
     let of = |n: usize| {
         let c = |m: Option<usize>| m.and_then(|m| coefficients.get(m)).copied().unwrap_or(0.0);
@@ -87,7 +87,7 @@ fn products(place: &Spheroidal, by_order: &[f64]) -> ([f64; 6], [f64; 2]) {
     let (mut odd, mut even) = ([0.0; 6], [0.0; 2]);
     let (mut before, mut p) = (0.0, 1.0);
     let (mut slope_before, mut slope) = (0.0, 0.0);
-    // 1/n, and 0 in its place of the order 0, of which there is no P'
+    // 1/n; 0 for n = 0, whose P' is 0
     let mut inverse = 0.0;
     for (n, (c, pair)) in by_order.iter().zip(q.windows(2)).enumerate() {
         let (k, [here, next]) = (n as f64, [pair[0], pair[1]]);

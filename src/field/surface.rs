@@ -47,7 +47,7 @@ struct RootTerm {
     root: Complex64,
     /// Coefficients of σ_xx, σ_yy, σ_xy, λμ₀U, λμ₀V, λμ₀V.
     plain: [[Complex64; COMPONENTS]; PLAIN],
-    /// The same for the variation of the material, with a factor 1/λ, if it is not part of the integrated remainder.
+    /// Coefficients for the variation of the material, with a factor 1/λ, if it is not part of the integrated remainder.
     varied: [[Complex64; COMPONENTS]; VARIED],
 }
 

@@ -156,7 +156,7 @@ impl Chart {
         }
     }
 
-    /// What the curves are called, beside their right ends, apart from each other.
+    /// Labels beside the right ends of the curves, apart from each other.
     fn labels_at_ends(&self, picture: &mut Picture) {
         let end = |curve: &Curve| curve.points.iter().rev().find(|(x, y)| x.is_finite() && y.is_finite()).copied();
         let named = self.curves.iter().filter(|curve| !curve.label.is_empty());

@@ -36,7 +36,7 @@ pub(super) fn rings(values: &[f64], columns: usize, edge: f64) -> Vec<Vec<(f64, 
     rings
 }
 
-/// Of each side between two corners that a ring crosses, the one that it crosses next. Side 2k goes from corner k to the
+/// For each side between two corners that a ring crosses, the side that the ring crosses next. Side 2k goes from corner k to the
 /// right, side 2k + 1 down.
 fn crossings(corners: &[f64], width: usize, edge: f64) -> Vec<Option<usize>> {
     let mut next = vec![None; 2 * corners.len()];

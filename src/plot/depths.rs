@@ -55,7 +55,7 @@ impl DrawnDepths {
         self.faces.iter().copied().zip(self.heights.iter().copied())
     }
 
-    /// What has to be said of the heights if they are not to scale.
+    /// A sentence on the scale of the heights; `None` if they are to scale.
     pub(super) fn note(&self) -> Option<String> {
         let pairs = self.faces.windows(2).zip(self.heights.windows(2));
         let stretched = pairs.map(|(faces, heights)| (heights[1] - heights[0]) / (self.scale * (faces[1] - faces[0])));

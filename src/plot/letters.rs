@@ -80,7 +80,7 @@ pub(super) fn shortened(text: &str, size: f64, most: f64) -> String {
 }
 
 impl Letter {
-    /// Its outline in units of the font, y upwards; `None` for a space.
+    /// The outline of the letter in units of the font, y upwards; `None` for a space.
     pub(super) fn outline(self) -> Option<Path> {
         let mut outline = Outline::default();
         FONTS.get(self.font)?.outline_glyph(GlyphId(self.glyph), &mut outline)?;

@@ -147,7 +147,7 @@ struct Largest {
     /// x, depth, and the layer's number.
     point: (f64, f64, usize),
     value: f64,
-    /// In the whole stack, or on the grid of the map only.
+    /// Whether the value is the largest of the whole stack, or on the grid of the map only.
     overall: bool,
 }
 
@@ -274,7 +274,7 @@ impl Map<'_> {
         within(self.chart.x.ends(), x) && within(self.chart.y.ends(), depth)
     }
 
-    /// What is said below the map.
+    /// Lines of text below the map.
     fn notes(&self) -> Vec<String> {
         let (_, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
         let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));

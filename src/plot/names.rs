@@ -1,4 +1,4 @@
-//! What quantities are called in pictures, and their units.
+//! Names of quantities in pictures, and their units.
 use super::picture::{italic, subscript};
 use super::scale::short;
 use crate::field::FieldQuantity;
@@ -28,7 +28,7 @@ fn distance(scene: &Scene) -> String {
     distance.replace(along, &italic(along))
 }
 
-/// What presses on the stack, in short lines: its kind, then its sizes.
+/// The punch or load in short lines: its kind, then its sizes.
 pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     let length = after(scene, Dimension::LENGTH);
     let radius = |radius: f64| format!("{} = {}{length}", italic("R"), short(radius));
@@ -67,7 +67,7 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     }
 }
 
-/// The same of loads: of one about x = 0 its kind and sizes, of several how many they are.
+/// Loads in short lines: one about x = 0 with its kind and sizes, several by their number.
 fn of_loads(scene: &Scene, loads: &Loads) -> Vec<String> {
     let length = after(scene, Dimension::LENGTH);
     let Words { half_width, line_load, .. } = scene.geometry.words();
@@ -126,7 +126,7 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     [format!("largest {value}")].into_iter().chain(aside).collect()
 }
 
-/// What a quantity inside the stack is called, and its dimension.
+/// The name of a quantity inside the stack, and its dimension.
 pub(super) fn of_quantity(quantity: FieldQuantity, geometry: Geometry) -> (String, Dimension) {
     let symbol = written(quantity.name_in(geometry));
     let name = match quantity {
@@ -171,7 +171,7 @@ pub(super) fn index(number: usize) -> String {
     number.to_string().chars().filter_map(|c| char::from_u32(u32::from('₀') + c.to_digit(10)?)).collect()
 }
 
-/// What stands at a path of a scene: a name with a symbol where there is a usual one, and its dimension.
+/// The quantity at a path of a scene: its name, with a symbol where there is a usual one, and its dimension.
 pub(super) fn of_path(scene: &Scene, path: &str) -> (String, Dimension) {
     let (owner, field) = path.rsplit_once('.').unwrap_or(("", path));
     let (field, number) = match field.split_once('[') {

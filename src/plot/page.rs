@@ -33,7 +33,7 @@ impl Frame {
 }
 
 impl DrawnShape {
-    /// Its path in points, which is stroked for a line and filled for an area or a text; `None` if it has no extent.
+    /// The path of the shape in points, which is stroked for a line and filled for an area or a text; `None` if it has no extent.
     pub(super) fn path(&self) -> Option<Path> {
         let mut path = PathBuilder::new();
         match self {
@@ -56,7 +56,7 @@ impl DrawnShape {
         path.finish()
     }
 
-    /// What it covers; `None` if that is nothing.
+    /// The rectangle that the shape covers; `None` if the shape has no extent.
     fn frame(&self) -> Option<Frame> {
         let beside = if let Self::Line { stroke, .. } = self { 0.5 * stroke.width } else { 0.0 };
         let bounds = self.path()?.bounds();
@@ -127,7 +127,7 @@ impl Picture {
         self.shapes.iter().filter_map(of).collect()
     }
 
-    /// What is wrong with the page, in sentences: a number that is none, labels that leave the page or lie over each other or over an
+    /// The faults of the page, in sentences: a coordinate that is not finite, labels that leave the page or lie over each other or over an
     /// area of colour. Empty for a picture that is fit to print.
     pub fn faults(&self) -> Vec<String> {
         if !self.is_finite() {

@@ -1,4 +1,4 @@
-//! What is drawn on: lines, areas and text, in points, y downwards.
+//! The shapes of a picture: lines, areas and text, in points, y downwards.
 use crate::scene::visible;
 
 /// Where italics begin and end.

@@ -1,4 +1,4 @@
-//! What the pictures of a sweep show, be they curves or maps.
+//! The planes of the picture of a sweep: for each contact its extent and its largest pressure, as curves or as maps.
 use super::names::{Dimension, of_contact, symbols, unit};
 use super::scale::Scale;
 use crate::axis::Axis;
@@ -10,7 +10,7 @@ pub(super) const CONTACTS: usize = 6;
 /// Values of equal ratio over at least such a range are drawn so.
 const WIDE: f64 = 8.0;
 
-/// What one plane of the picture shows.
+/// One plane of the picture: a column of numbers of one contact.
 pub(super) struct SweepPlane {
     /// Which contact, and how far right and down the plane is.
     pub(super) what: String,
@@ -21,7 +21,7 @@ pub(super) struct SweepPlane {
     pub(super) unit: Option<String>,
 }
 
-/// What is drawn of each contact: how far it reaches, and its largest pressure, or that at x = 0 where the largest is infinite.
+/// Two planes for each contact: how far it reaches, and its largest pressure, or the pressure at x = 0 where the largest is infinite.
 pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<SweepPlane> {
     let scene = sweep.scene();
     let contacts: Vec<_> = sweep.contacts().collect();

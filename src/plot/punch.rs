@@ -22,11 +22,11 @@ const BETWEEN: f64 = 4.0;
 /// Distance of the arrows of a load, in points.
 const ARROWS: f64 = 13.0;
 
-/// What presses, in a drawing.
+/// Punches or loads with their forces, and the scale of the drawing.
 pub(super) struct Presses<'a> {
     pub(super) scene: &'a Scene,
     pub(super) force: f64,
-    /// What is under it: it is pressed in as far as it touches.
+    /// The contact under the punch, which is drawn as deep as it touches.
     pub(super) contact: Option<&'a Contact>,
     /// Points per length.
     pub(super) scale: f64,
@@ -81,8 +81,8 @@ impl Presses<'_> {
         highest
     }
 
-    /// What is drawn of a punch between two places: to where it ends, or leaves the drawing above, turned if its angle is prescribed. Returns how
-    /// much higher than to scale, if it is.
+    /// A punch between two places, as far as it reaches or the drawing is high, turned if its angle is prescribed. Returns the factor by which its
+    /// heights are drawn larger than to scale, if it is not 1.
     fn body(&self, pressed: &Pressed, window: [f64; 2], picture: &mut Picture) -> Option<f64> {
         let (scale, middle, punch) = (self.scale, self.x(pressed.at()), pressed.shape());
         let [left, right] = window.map(|end| (end - middle) / scale);

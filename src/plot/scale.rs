@@ -23,7 +23,7 @@ const APART: f64 = 11.0;
 pub struct Tick {
     /// The value that is marked.
     pub value: f64,
-    /// What is written there.
+    /// The number written at the mark.
     pub label: String,
 }
 
@@ -237,7 +237,7 @@ pub fn ten_to(power: i32) -> String {
     format!("10{}", power.to_string().chars().filter_map(digit).collect::<String>())
 }
 
-/// With a minus sign that is as wide as a plus.
+/// A number with a minus sign that is as wide as a plus.
 fn minus(text: String) -> String {
     text.replace('-', "−")
 }

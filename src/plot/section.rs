@@ -1,4 +1,4 @@
-//! What pictures of a stack have in common: interfaces with their contacts, labels beside them, and the sign for what does not move.
+//! Parts of all pictures of a stack: interfaces with their contacts, labels beside them, and the hatching of the rigid ground.
 use super::chart::beside;
 use super::letters::width;
 use super::picture::{Anchor, Picture, Stroke};

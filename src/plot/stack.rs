@@ -75,7 +75,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     picture.fitted()
 }
 
-/// What is drawn: the top face lies at height 0.
+/// A stack with its places in the drawing: the top face lies at height 0.
 struct Drawing<'a> {
     scene: &'a Scene,
     stack: &'a Stack,

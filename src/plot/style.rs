@@ -3,9 +3,9 @@ use super::picture::{Colour, Stroke};
 
 /// Text, axes and outlines.
 pub const INK: Colour = Colour { r: 26, g: 26, b: 26 };
-/// What stands back: grids, help lines.
+/// Grids and help lines, fainter than curves.
 pub const FAINT: Colour = Colour { r: 170, g: 170, b: 170 };
-/// What is zero between the colours of two signs.
+/// Values of zero, between the colours of two signs.
 pub const NEUTRAL: Colour = Colour { r: 247, g: 247, b: 247 };
 /// Letters of axes and labels, in points.
 pub const TEXT: f64 = 10.0;
@@ -24,7 +24,7 @@ pub const BOLD: f64 = 1.6;
 const DARK: f64 = 0.66;
 /// Areas are no darker than this, from 0 to 1, so that dark lines are seen on them.
 const DARKEST: f64 = 0.68;
-/// The same on both sides of a zero.
+/// Areas of two signs are no darker than this, on both sides of zero.
 const DEEPEST: f64 = 0.82;
 /// Dashes and spaces, so that lines differ also where colours do not.
 const DASHES: [Option<(f64, f64)>; 4] = [None, Some((7.0, 3.0)), Some((1.6, 2.4)), Some((12.0, 3.0))];

@@ -80,7 +80,7 @@ fn data(path: &Path) -> String {
     data
 }
 
-/// What the outline of a letter is called.
+/// The name by which the outline of a letter is used.
 fn name(Letter { font, glyph }: Letter) -> String {
     format!("{}{glyph}", if font == 0 { "u" } else { "i" })
 }

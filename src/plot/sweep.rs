@@ -27,7 +27,7 @@ const FEWEST: usize = 6;
 /// Most places along each axis of a map.
 const MOST: usize = 100;
 
-/// What is drawn of a sweep, and how large.
+/// The axes of the planes of a picture, and the size of a plane.
 struct Layout<'a> {
     sweep: &'a Sweep,
     /// The axis along x: with curves that with most values.
@@ -119,7 +119,7 @@ impl<'a> Layout<'a> {
         (0..self.sweep.axes().len()).filter(is_other).collect()
     }
 
-    /// What an axis is called, and its unit.
+    /// The label of an axis, and its unit.
     fn name(&self, axis: usize) -> (String, Option<String>) {
         let (name, dimension) = of_path(self.sweep.scene(), self.sweep.axes()[axis].path());
         (name, unit(self.sweep.scene(), dimension))
@@ -216,7 +216,7 @@ impl<'a> Layout<'a> {
         families
     }
 
-    /// What is to be said of marks and of what is not drawn.
+    /// Lines of text below the planes that explain the marks, and name contacts that are not drawn.
     fn notes(&self, picture: &mut Picture, points: &[SweepPoint], jumping: bool) {
         let left_out = self.sweep.contacts().count().saturating_sub(CONTACTS);
         let mark = if self.up.is_some() { "white" } else { "cross" };

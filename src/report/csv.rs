@@ -31,7 +31,7 @@ pub(super) fn write_columns(columns: &[(String, Vec<f64>)], out: &mut dyn io::Wr
     Ok(())
 }
 
-/// With as many digits as identify the number; empty if there is none, or if it is infinite.
+/// A number with as many digits as identify it; empty for NaN and if it is infinite.
 pub(super) fn number(value: f64) -> String {
     if value.is_finite() { format!("{value:?}") } else { String::new() }
 }

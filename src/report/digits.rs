@@ -26,7 +26,7 @@ impl Digits {
         }
     }
 
-    /// The same of a value that may be infinite.
+    /// A value that may be infinite, and its absolute error.
     pub(super) fn or_infinite(self, value: f64, error: f64) -> String {
         if value.is_finite() { self.with_error(value, error) } else { "infinite".to_owned() }
     }
@@ -43,13 +43,8 @@ impl Digits {
 }
 
 /// A value to so many significant digits, without zeros at its end.
-fn to_digits(value: f64, digits: usize) -> String {
+pub(super) fn to_digits(value: f64, digits: usize) -> String {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().map_or_else(|_| plain(value), plain)
-}
-
-/// A value to `DIGITS` digits after the first; where a stress is largest is not known to many more.
-pub(super) fn shown<const DIGITS: usize>(value: f64) -> String {
-    format!("{value:.DIGITS$e}").parse().map_or_else(|_| plain(value), plain)
 }
 
 /// A value with all its digits.

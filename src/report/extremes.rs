@@ -2,7 +2,7 @@
 use comfy_table::Table;
 use serde_json::{Value, json};
 
-use super::digits::{Digits, shown};
+use super::digits::{Digits, to_digits};
 use super::ruled::ruled;
 use crate::field::{BondExtremes, Extreme, Extremes, LayerExtremes};
 use crate::scene::{Item, Scene};
@@ -30,7 +30,7 @@ pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, s
     let mut add = |what: String, found: Option<Extreme>, none: &str| {
         let row = match found {
             Some(Extreme { value, error, x, depth, .. }) => {
-                [digits.or_infinite(value, error), shown::<3>(x), shown::<3>(depth)]
+                [digits.or_infinite(value, error), to_digits(x, 4), to_digits(depth, 4)]
             }
             None => [none.to_owned(), String::new(), String::new()],
         };

@@ -46,7 +46,7 @@ pub enum Format {
     Csv,
 }
 
-/// What is reported on a solved scene.
+/// A solved scene, and the results that are reported with it.
 ///
 /// ```no_run
 /// use recede::{Scene, report::{Format, Report}};
@@ -69,7 +69,7 @@ pub struct Report<'a> {
     pub max_shear: Option<MaxShear>,
     /// Stresses by which layers and bonds break, if they were requested: see [`crate::Field::extremes`].
     pub extremes: Option<&'a Extremes>,
-    /// What collocation says of each contact, if it was requested: see [`crate::Model::collocate`].
+    /// The check of each contact by collocation, if it was requested: see [`crate::Model::collocate`].
     pub collocated: Option<&'a [Collocated]>,
     /// Significant digits of the numbers in a table, at most; `None` shows as many as their errors justify.
     pub digits: Option<usize>,

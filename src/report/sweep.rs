@@ -73,7 +73,7 @@ impl<'a> SweepCsv<'a> {
         line(numbers.chain(self.texts(row)).chain([self.fingerprint.clone()]))
     }
 
-    /// What a row has besides numbers: its status, codes of its warnings, and what there is to say, each in one line.
+    /// The texts of a row: its status, the codes of its warnings, and its messages, each in one line.
     pub fn texts(&self, row: &Row) -> [String; 3] {
         let (status, warnings, message) = match &row.result {
             Ok(solution) => {

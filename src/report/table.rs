@@ -3,7 +3,7 @@ use std::io;
 
 use comfy_table::Table;
 
-use super::digits::{Digits, shown};
+use super::digits::{Digits, to_digits};
 use super::ruled::ruled;
 use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
@@ -40,7 +40,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         sunk(approach, digits, [&length, &report.unit(of_stiffness)], out)?;
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
-        let (value, x, depth) = (shown::<4>(*value), shown::<3>(*x), shown::<3>(*depth));
+        let (value, x, depth) = (to_digits(*value, 5), to_digits(*x, 4), to_digits(*depth, 4));
         writeln!(
             out,
             "largest shear stress {value}{stress} at {} = {x}{length}, depth {depth}{length} in layer {layer}",

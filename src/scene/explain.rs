@@ -1,4 +1,4 @@
-//! What the readers say, in words of the scene: what was found, what is allowed, what to do.
+//! Errors of the readers in words of the scene: what was found, what is allowed, what to do.
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Node, ReadError, bare_token, token};
 
@@ -60,7 +60,7 @@ impl Subject<'_> {
         })
     }
 
-    /// The same, with what to do where the one number of another material was meant.
+    /// The hint to write the structure, also where the one number of another material was meant.
     fn write(&self, otherwise: &str) -> String {
         let one = self.field.and_then(|field| number_of_material(field, true));
         match self.written() {
@@ -69,7 +69,7 @@ impl Subject<'_> {
         }
     }
 
-    /// What to do about a field that there is not.
+    /// The hint for a field that does not exist.
     fn instead(&self, found: &str, expected: &[&str]) -> Option<String> {
         let Some(field) = directions(found, expected) else { return instead_of(found, expected) };
         let inner = Subject { field: Some(field), ..*self };

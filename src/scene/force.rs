@@ -62,7 +62,7 @@ impl Force {
         self.parts().1
     }
 
-    /// As it is shown beside a punch: with the word for a half-length in this geometry.
+    /// The force as it is shown beside a punch, with the word for a half-length in this geometry.
     ///
     /// ```
     /// use recede::{Force, Geometry};
@@ -73,7 +73,7 @@ impl Force {
         format!("{name} {:?}", self.number())
     }
 
-    /// The same kind with another number.
+    /// A force of the same kind with another number.
     pub(super) fn with(self, number: Positive) -> Self {
         match self {
             Self::Given(_) => Self::Given(number.get()),
@@ -82,7 +82,7 @@ impl Force {
         }
     }
 
-    /// The same, if its number is legal.
+    /// The force, if its number is legal.
     pub(crate) fn checked(self) -> Result<Self, ValueError> {
         ValueError::checked(self.field(), self.number()).map(|number| self.with(number))
     }

@@ -93,13 +93,13 @@ pub struct Heights {
     pieces: Vec<Piece>,
 }
 
-/// The same about the axis, where no distance is negative.
+/// Heights at distances from the axis, none of which is negative.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(Thickness, Finite)>", into = "Vec<(Finite, Finite)>")]
 pub(super) struct RoundHeights(pub(super) Heights);
 
 impl Heights {
-    /// What the curve is made of.
+    /// The pieces of the curve as a profile.
     pub(super) fn shape(&self) -> Shape<'_> {
         let is_even = self.pieces.first().is_none_or(|first| first.start == 0.0);
         Shape::Pieces { pieces: Cow::Borrowed(&self.pieces), is_even, end: self.rows.last().map(|(x, _)| x.get()) }

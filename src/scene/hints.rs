@@ -1,4 +1,4 @@
-//! What to write in place of words that scenes do not know.
+//! Hints for words that scenes do not know: the word to write in their place.
 //!
 //! Tables have one row for words that mean the same, with what to say about them behind an arrow.
 
@@ -75,7 +75,7 @@ Stress stress plane_stress => PlaneStress
 Round Axial Rotational Circular => Axisymmetric
 "#;
 
-/// What a scene cannot say, with what there is in its place.
+/// Words for features that are not supported, each with its alternative.
 const NOT_SUPPORTED: &str = r#"
 friction friction_coefficient coefficient_of_friction cof Friction Coulomb Stiction => friction is not supported: contacts are without it, `Bonded` does not slide at all
 Sphere Ball Hemisphere ElasticSphere => for a sphere write `geometry: Axisymmetric`; in a plane problem all that presses is as long as the stack out of the plane
@@ -100,7 +100,7 @@ Ex Ey Ez E_x E_y E_z E1 E2 E3 young_x young_y young_z => young
 nu_xy nu_xz nu_yz nuxy nuxz nuyz ν_xy ν_xz ν_yz nu12 nu13 nu23 poisson_xy poisson_xz poisson_yz => poisson
 ";
 
-/// What stands behind the arrow in the rows of a table that have this word.
+/// The texts behind the arrow in the rows of a table that have this word.
 fn rows(table: &'static str, found: &str) -> impl Iterator<Item = &'static str> {
     // of one letter, case tells: E is not e, R is not r
     let same = move |word: &str| word == found || found.chars().count() > 1 && word.eq_ignore_ascii_case(found);
@@ -113,7 +113,7 @@ pub(super) fn directions(found: &str, allowed: &[&str]) -> Option<&'static str> 
     rows(DIRECTIONS, found).find(|field| allowed.contains(field))
 }
 
-/// What to do about one number where an orthotropic material has several, or the other way round.
+/// The hint for one number where an orthotropic material has several, or the other way round.
 pub(super) fn number_of_material(field: &str, several: bool) -> Option<&'static str> {
     Some(match (field, several) {
         ("young" | "poisson", true) => "one number is enough for `Homogeneous` and `HalfPlane`",
@@ -148,7 +148,7 @@ pub(super) fn instead_of(found: &str, allowed: &[&str]) -> Option<String> {
     Some(format!("write `{}`{how}", names.join(between)))
 }
 
-/// What to write in a field that has one of a few names.
+/// The hint for a field that has one of a few names.
 pub(super) fn names_of(field: &str) -> Option<&'static str> {
     (field == "tilt").then_some("write `Fixed(angle)`, with a small angle in radians, or `Free(eccentricity: ...)`")
 }

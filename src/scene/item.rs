@@ -29,7 +29,7 @@ pub enum Item {
 }
 
 impl Item {
-    /// What was read by a registered name.
+    /// The item that was read by a registered name.
     pub(super) fn of(body: Body) -> Self {
         match body {
             Body::Layer(layer) => Self::Layer(layer),
@@ -68,12 +68,12 @@ impl Item {
         }
     }
 
-    /// Whether it joins or divides layers.
+    /// Whether the item is an interface, which joins or divides layers.
     pub fn is_interface(&self) -> bool {
         matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_) | Self::Receding)
     }
 
-    /// What is written behind the name, without its parentheses; `None` if nothing is.
+    /// The parameters behind the name, without their parentheses; `None` if there are none.
     pub(super) fn parameters(&self) -> Option<String> {
         match self {
             Self::Layer(layer) => Some(layer.notation().parameters),

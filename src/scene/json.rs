@@ -38,7 +38,7 @@ fn value(node: &Node) -> Value {
     }
 }
 
-/// The same without its name.
+/// A value without its name as JSON.
 fn inner(node: &Node) -> Value {
     match &node.kind {
         Kind::Nothing => Value::Null,

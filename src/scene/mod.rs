@@ -125,7 +125,7 @@ impl Scene {
         if self.geometry.is_axisymmetric() { Dimension::FORCE } else { Dimension::LINE_LOAD }
     }
 
-    /// What to call the scene in a report: its name, or else the name of its file without folder and ending.
+    /// The title of the scene in a report: its name, or else the name of its file without folder and ending.
     pub fn title(&self) -> &str {
         match (&self.name, &self.origin) {
             (Some(name), _) => name,
@@ -166,7 +166,7 @@ impl Scene {
     }
 }
 
-/// What an error of a scene may have been caused by.
+/// Errors that may be the cause of an error of a scene.
 pub(crate) trait Cause: std::error::Error + Clone + Send + Sync + 'static {}
 
 impl<E: std::error::Error + Clone + Send + Sync + 'static> Cause for E {}

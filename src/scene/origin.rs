@@ -115,7 +115,7 @@ pub struct SceneError {
 }
 
 impl SceneError {
-    /// The same with what to do about it.
+    /// The error with a hint.
     pub(super) fn hinted(mut self, hint: Option<impl AsRef<str>>) -> Self {
         self.hint = hint.map(|hint| abridged(hint.as_ref()));
         self

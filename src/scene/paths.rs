@@ -25,7 +25,7 @@ pub(crate) struct Slot {
     value: f64,
 }
 
-/// What a quantity belongs to.
+/// The part of a scene to which a quantity belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// The scene itself: it is the force, or the half-length in its place.
@@ -118,13 +118,13 @@ impl Scene {
         parse(Origin { file: origin.file.clone(), text, registry: origin.registry.clone(), ..Origin::default() })
     }
 
-    /// What presses, the force and the stack with other values, without name and text; nothing but what changes is read again.
+    /// A scene with other values, without name and text: only the parts of the scene that change are read again.
     pub(crate) fn varied(&self, changes: &[Change]) -> Result<Self, SceneError> {
         // where a value is not legal, once more for the place of the mistake
         self.read_again(changes).map_or_else(|| self.with_changes(changes), Ok)
     }
 
-    /// The same, if all values are legal.
+    /// The scene of [`Self::varied`], if all values are legal.
     fn read_again(&self, changes: &[Change]) -> Option<Self> {
         let origin = self.origin.as_deref()?;
         let mut scene = Self::new(self.geometry, &self.top, self.force, self.stack.clone());

@@ -122,24 +122,24 @@ impl Pressed {
         self.tilt
     }
 
-    /// Whether its tip is at x = 0, and it is not turned.
+    /// Whether the tip is at x = 0, and the punch is not turned.
     fn is_upright(&self) -> bool {
         self.at() == 0.0 && self.tilt.angle() == Some(0.0)
     }
 
-    /// What no other punch can touch, whatever the forces: from where to where its flat part is, or twice the place of its tip.
+    /// The two ends of its flat part, or twice the place of its tip: an interval that no other punch can touch, whatever the forces.
     pub(crate) fn face(&self) -> [f64; 2] {
         // the flat part of an uneven profile need not be at its tip
         let half = if self.shape.is_even() { self.shape.shape().flat() } else { 0.0 };
         [self.at() - half, self.at() + half]
     }
 
-    /// Its shape and its place, for messages.
+    /// The shape and the place of the punch, for messages.
     fn name(&self) -> String {
         format!("{} at {:?}", self.shape.label(Geometry::PlaneStrain), self.at())
     }
 
-    /// Whether it is legal as the punch of this number in the list.
+    /// Checks the punch as the one of this number in the list.
     fn check(&self, number: usize) -> Result<(), ListError> {
         match (&self.shape, self.tilt) {
             (Punch::Flat { half_width }, Tilt::Free { eccentricity }) if eccentricity.abs() >= half_width.get() => {

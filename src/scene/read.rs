@@ -22,7 +22,7 @@ use super::read_top::{TOPS, only_top, read_top};
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
 
-/// What a scene is called in messages.
+/// The name of a scene in messages.
 const THE_SCENE: &str = "the scene";
 
 /// The scene with punch and stack still unread.

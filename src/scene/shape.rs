@@ -1,4 +1,4 @@
-//! What the profile of a punch is made of: heights, slopes, curvatures, and where it is not smooth.
+//! The profile of a punch: heights, slopes, curvatures, and where it is not smooth.
 use std::borrow::Cow;
 
 /// A profile with its tip at x = 0, one of a few kinds that all punches are made of.

@@ -1,4 +1,4 @@
-//! What presses on the top face: a punch or several, or pressures that are given.
+//! Punches on the top face, or the given pressures in their place.
 use std::fmt;
 
 use recede_layers::Isotropic;
@@ -82,7 +82,7 @@ impl Top {
         }
     }
 
-    /// What one of it is called, and what several.
+    /// The words for one punch or load, and for several.
     fn names(&self) -> [&'static str; 2] {
         if self.loads().is_some() { ["load", "loads"] } else { ["punch", "punches"] }
     }
@@ -123,7 +123,7 @@ impl Top {
         load.or_else(|| Some(self.punch()?.written_in(geometry))).unwrap_or_else(|| self.to_string())
     }
 
-    /// The same, or its name alone if that is long; of several punches or loads how many they are.
+    /// The punch or load as it is written, or its name alone if that is long; of several their number.
     pub fn label(&self, geometry: Geometry) -> String {
         match self.listed() {
             Some(count) => format!("{count} {}", self.names()[usize::from(count != 1)]),

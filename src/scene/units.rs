@@ -14,7 +14,7 @@ pub struct Units {
     pub force: String,
 }
 
-/// What a quantity is measured in: powers of length, force and angle.
+/// The dimension of a quantity: powers of length, force and angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
     length: i32,
@@ -32,7 +32,7 @@ impl Dimension {
     pub(crate) const PER_LENGTH: Self = powers(-1, 0);
     pub(crate) const STRESS: Self = powers(-2, 1);
     pub(crate) const FORCE: Self = powers(0, 1);
-    /// Of a stiffness in axisymmetric problems.
+    /// The dimension of a stiffness in axisymmetric problems.
     pub(crate) const FORCE_PER_LENGTH: Self = Self::LINE_LOAD;
     pub(crate) const LINE_LOAD: Self = powers(-1, 1);
     pub(crate) const STRESS_PER_LENGTH: Self = powers(-3, 1);

@@ -85,14 +85,14 @@ impl From<Cone> for ConeFields {
 }
 
 impl Wedge {
-    /// Of this slope > 0, dimensionless, and with another slope > 0 on the left, if there is one.
+    /// A wedge of this slope > 0, dimensionless, and with another slope > 0 on the left, if there is one.
     pub(super) fn of_slope(slope: f64, left: Option<f64>) -> Result<Self, ValueError> {
         let slope = ValueError::checked("slope", slope)?;
         let left = left.map(|left| ValueError::checked("left", left)).transpose()?;
         Ok(Self { fields: WedgeFields { slope: Some(slope), half_angle: None, left }, slope })
     }
 
-    /// Of this angle with the axis, 0 < angle < π/2, in radians.
+    /// A wedge with this angle to the axis, 0 < angle < π/2, in radians.
     pub(super) fn of_half_angle(angle: f64) -> Result<Self, ValueError> {
         let half_angle = Some(ValueError::checked("half_angle", angle)?);
         Ok(Self::try_from(WedgeFields { slope: None, half_angle, left: None })?)

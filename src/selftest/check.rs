@@ -85,12 +85,12 @@ impl Outcome {
         }
     }
 
-    /// Whether it must never happen, whatever the scene.
+    /// Whether the outcome must never happen, whatever the scene.
     pub fn is_wrong(&self) -> bool {
         matches!(self, Self::Wrong(_) | Self::Panicked(_))
     }
 
-    /// In a word.
+    /// The outcome in a word.
     pub fn status(&self) -> &'static str {
         match self {
             Self::Solved(_) => "solved",
@@ -139,7 +139,7 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
 fn wrong_contact(scene: &Scene, contact: &Contact) -> Option<String> {
     let Contact { central_pressure, central_pressure_error, .. } = *contact;
     let Interval { left: opening, right, right_error: half_length_error, .. } = contact.innermost();
-    // where something is even, the right half of what there is
+    // an even contact is checked on its right half
     let (from, half_length) = if contact.is_even() { (0.0, right) } else { (opening, right - opening) };
     let is_apart = opening > 0.0 || right < 0.0;
     if contact.interface == Interface::Punch && scene.top.loads().is_some() {

@@ -1,4 +1,4 @@
-//! What the commands do with a solved scene: reports in every format, fields, pictures, and what must hold of them.
+//! The work of the commands on a solved scene: reports in every format, fields and pictures, and checks of these.
 use std::fmt::Display;
 
 use crate::approach::ApproachError;

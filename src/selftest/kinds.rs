@@ -15,7 +15,7 @@ use crate::scene::{Item, Load, Loads, Punch, Scene, Spring, Top, ValueError};
 const TABLE_ENDS: f64 = 6.0;
 const ROWS: usize = 16;
 
-/// What takes the place of a parabola, of layers, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
+/// The kinds in place of a parabola, of layers, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
 #[derive(Clone, Debug)]
 struct Kinds {
     punch: usize,

@@ -96,7 +96,7 @@ pub fn scene(ranges: &Ranges, seed: u64, number: u64) -> Scenario {
     drawn(&scenes(ranges), seed, number)
 }
 
-/// What a strategy gives for a seed and a number.
+/// The value of a strategy for a seed and a number.
 pub(super) fn drawn<S: Strategy>(strategy: &S, seed: u64, number: u64) -> S::Value {
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());

@@ -7,7 +7,7 @@ use super::{MAX_CONTRAST, Placed, Stack, StackError, StackProblem};
 const DEPTHS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// Rejects moduli whose ratio is larger than [`MAX_CONTRAST`], with the item of the layer that has the largest one.
-/// Of a half-plane the face counts: deeper down a graded one may have any modulus. A punch comes before all layers.
+/// Of a half-plane only the face counts: deeper down a graded one may have any modulus. A punch comes before all layers.
 pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), StackError> {
     let punch = punch.map(|material| (None, moduli(&material)));
     let layers = stack.groups().flat_map(|group| group.layers());

@@ -18,7 +18,7 @@ impl StackError {
         Self { item: Some(index), problem }
     }
 
-    /// Of the layer of this number: layers and interfaces alternate.
+    /// The error at the layer of this number: layers and interfaces alternate.
     pub(super) fn of_layer(number: usize, problem: StackProblem) -> Self {
         Self::at(2 * (number - 1), problem)
     }

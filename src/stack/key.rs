@@ -1,4 +1,4 @@
-//! What tells stacks apart: geometry, bodies and joints.
+//! The key of a stack, by which equal stacks are recognised: geometry, bodies and joints.
 use std::sync::Arc;
 
 use recede_layers::{Body, Key};
@@ -36,7 +36,7 @@ impl PartialEq for Numbered {
 }
 
 impl Stack {
-    /// What tells this stack from others.
+    /// The key of the stack.
     pub(crate) fn key(&self) -> StackKey {
         let bodies = |group: &Group| group.bodies().map(|(number, body)| Numbered(number, body)).collect();
         let groups = self.groups().map(|group| (bodies(&group), group.joints().to_vec())).collect();

@@ -13,12 +13,12 @@ use crate::scene::{Change, Item, Owner, Slot};
 use crate::solution::Interface;
 use crate::stack::{Stack, StackProblem};
 
-/// What an item of the stack is in the rows of a sweep.
+/// The forms that an item of the stack takes in the rows of a sweep.
 #[derive(Default)]
 struct Choice {
-    /// With a thickness that is not 0, or any item that has none.
+    /// The item with a thickness that is not 0, or any item that has none.
     there: Option<Item>,
-    /// With a thickness of 0.
+    /// The layer with a thickness of 0.
     missing: Option<Item>,
 }
 
@@ -74,7 +74,7 @@ impl Sweep {
         if only { Err(error.into()) } else { Ok(()) }
     }
 
-    /// What the item with this index is in some row.
+    /// The forms of the item with this index.
     fn choice(&self, index: usize) -> Result<Choice, Error> {
         let own = self.axes.iter().zip(&self.slots).filter(|(_, slot)| slot.owner == Owner::Item(index));
         let own: Vec<(&Axis, &Slot)> = own.collect();

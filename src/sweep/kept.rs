@@ -35,7 +35,7 @@ impl<T> Kept<T> {
         Self { slots: Mutex::default(), numbers }
     }
 
-    /// What was made for these changes; made if it is not kept.
+    /// The model, or the punches and loads, for these changes; made if they are not kept.
     fn get(&self, changes: &[Change], make: impl FnOnce() -> Result<T, Error>) -> Result<Arc<T>, Error> {
         let key = changes.iter().map(|(_, value)| value.to_bits()).collect();
         self.slot(key).get_or_init(|| make().map(Arc::new)).clone()
@@ -78,7 +78,7 @@ impl Sweep {
 
     fn solve_row(&self, values: &[f64]) -> Result<(Arc<Model>, Arc<Top>, Solution), Error> {
         let changes: Vec<Change> = self.slots.iter().zip(values.iter().copied()).collect();
-        // what is kept, or why it is none, must not depend on the row that came first
+        // a model, or the error in its place, must not depend on the row that came first
         let own =
             |of: fn(Owner) -> bool| changes.iter().copied().filter(|(slot, _)| of(slot.owner)).collect::<Vec<_>>();
         let of_stack = own(|owner| matches!(owner, Owner::Item(_)));

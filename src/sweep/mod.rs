@@ -134,7 +134,7 @@ impl Sweep {
         Ok(sweep)
     }
 
-    /// The same sweep with other demands on the solutions.
+    /// The same sweep with other options for the solutions.
     ///
     /// # Errors
     /// [`Error::Options`] if the tolerance is not legal.
@@ -143,7 +143,7 @@ impl Sweep {
         Ok(Self { options, ..self })
     }
 
-    /// What is demanded of the solutions.
+    /// The options with which rows are solved.
     pub fn options(&self) -> &Options {
         &self.options
     }

@@ -22,7 +22,7 @@ pub(super) struct Ended {
     pub(super) reason: String,
     /// The contact that the reason names.
     pub(super) interface: String,
-    /// Whether it must never happen.
+    /// Whether the result must never happen, such as a panic.
     pub(super) is_wrong: bool,
     /// How long the contact problem took.
     pub(super) seconds: f64,

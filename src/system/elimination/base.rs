@@ -71,7 +71,7 @@ impl BaseChain {
         self.counted_flexibility(wave, &mut Stats::default())
     }
 
-    /// The same, with the layers for it counted, without the foundation.
+    /// The flexibility, with the layers evaluated for it counted, without the foundation.
     pub(crate) fn counted_flexibility(&self, wave: &Wave, stats: &mut Stats) -> Option<f64> {
         let cut_off = cut_off(&self.layers, &self.junctions, 0..self.layers.len(), wave);
         stats.below_decay_depth += self.layers.len() - cut_off;

@@ -55,7 +55,7 @@ impl FreeChain {
         self.counted_flexibility(wave, &mut Stats::default())
     }
 
-    /// The same, with the layers for it counted.
+    /// The flexibility, with the layers evaluated for it counted.
     pub(crate) fn counted_flexibility(&self, wave: &Wave, stats: &mut Stats) -> Option<Flexibility> {
         let count = self.layers.len();
         let Some([above, below]) = self.decayed(wave) else {

@@ -44,7 +44,7 @@ pub struct Block {
     pub face: Face,
     /// Quantity at the face.
     pub quantity: Quantity,
-    /// Whether it enters with a minus sign.
+    /// Whether the quantity has a minus sign.
     pub negative: bool,
     /// The stiffness of springs by which a displacement is multiplied, in stress per length.
     pub stiffness: Option<f64>,
@@ -125,7 +125,7 @@ impl BlockSystem {
         Self::assembled(stack, conditions::joint)
     }
 
-    /// With given relations at each joint, however many there are.
+    /// The block system with given relations at each joint, whose number is not checked.
     pub(super) fn assembled(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;

@@ -1,4 +1,4 @@
-//! What rows and blocks are named by: quantities, faces, sides, places and pressures.
+//! The words by which rows and blocks are named: quantities, faces, sides, places and pressures.
 
 /// Where a condition holds.
 pub use crate::solution::Interface as Place;
@@ -6,14 +6,14 @@ pub use crate::solution::Interface as Place;
 /// Amplitude of a transformed field; see [`recede_layers`] for the conventions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Quantity {
-    /// Of the displacement u along the layers.
+    /// The amplitude of the displacement u along the layers.
     #[default]
     U,
-    /// Of the displacement v upwards.
+    /// The amplitude of the displacement v upwards.
     V,
-    /// Of the stress σ_yy, tension positive.
+    /// The amplitude of the stress σ_yy, tension positive.
     S,
-    /// Of the stress σ_xy.
+    /// The amplitude of the stress σ_xy.
     T,
 }
 
@@ -23,7 +23,7 @@ impl Quantity {
         self as usize
     }
 
-    /// Whether it is a stress.
+    /// Whether the quantity is a stress.
     pub fn is_stress(self) -> bool {
         matches!(self, Self::S | Self::T)
     }
