@@ -7,7 +7,7 @@ use recede::{Axis, MAX_BYTES, Options, Registry, Scene, Sweep};
 
 use super::Failure;
 
-/// What tells one sweep from another.
+/// The scene and the axes of a sweep, and its options, by which it is told from others.
 #[derive(Debug, clap::Args)]
 pub(super) struct GridArguments {
     /// Scene, or sweep, in RON; `-` reads standard input

@@ -5,7 +5,7 @@ use recede::report::SweepCsv;
 
 use super::grid::GridArguments;
 use super::part_file::PartFile;
-use super::whole_file::{self, RowsKind};
+use super::rows_file::{self, RowsKind};
 use super::{Failure, outputs};
 
 /// Gaps that are listed; the gaps of many lost parts would fill the screen.
@@ -55,7 +55,7 @@ impl MergeArguments {
         }
         parts.sort_by_key(|part| part.rows.start);
         complete(&parts, sweep.len())?;
-        whole_file::write(&self.out, &csv, parts.iter().map(|part| &part.path))
+        rows_file::copy(&self.out, &csv, parts.iter().map(|part| &part.path))
     }
 }
 

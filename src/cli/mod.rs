@@ -17,7 +17,6 @@ mod selftest;
 mod show;
 mod solve;
 mod sweep;
-mod whole_file;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -87,7 +86,7 @@ pub enum Failure {
     /// A file that could not be read or written.
     #[error("{file}: {cause}")]
     File {
-        /// Its name.
+        /// The name of the file.
         file: String,
         /// Why.
         #[source]

@@ -32,7 +32,7 @@ pub(super) fn fits(path: &Path, own: &[&str]) -> Result<(), Failure> {
     ))
 }
 
-/// What to write: as it was asked for, as the name of the file ends, or else, to standard output, to a pipe and to a device,
+/// The kind of output: as it was asked for, as the name of the file ends, or else, to standard output, to a pipe and to a device,
 /// as usual.
 pub(super) fn kind<T: Copy + PartialEq>(
     path: Option<&Path>,

@@ -13,8 +13,7 @@ use recede::{Part, Sweep};
 use super::grid::GridArguments;
 use super::plot::Title;
 use super::progress::Progress;
-use super::rows_file;
-use super::whole_file::{self, RowsKind};
+use super::rows_file::{self, RowsKind};
 use super::{Failure, outputs, tell};
 
 /// Solve a scene for many values of some of its quantities
@@ -103,7 +102,7 @@ impl SweepArguments {
         }
         bar.finish();
         if let (RowsKind::Parquet, Some(lines), Some(path)) = (kind, &lines, &self.out) {
-            whole_file::write(path, &csv, [lines])?;
+            rows_file::copy(path, &csv, [lines])?;
             fs::remove_file(lines).map_err(|cause| Failure::file(lines, cause))?;
         }
         if unsolved > 0 {

@@ -20,7 +20,7 @@ struct FieldDecay<'a> {
     remainder: Option<Remainder>,
     /// The pressure on the face.
     pressure: &'a ContactPressure,
-    /// Length over which its resultant is spread, to be compared with the truncation error.
+    /// The length over which the resultant is spread for the mean pressure, with which the truncation error is compared.
     length: f64,
 }
 

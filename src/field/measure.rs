@@ -38,7 +38,7 @@ impl Measure {
         }
     }
 
-    /// Whether its square is smooth where it is 0, rather than itself.
+    /// Whether the square of the stress is smooth where the stress is 0, and the stress itself is not.
     fn is_norm(self) -> bool {
         matches!(self, Self::MaxShear | Self::VonMises | Self::FaceShear)
     }

@@ -142,12 +142,12 @@ impl FieldQuantity {
         ["v", "u_z"],
     ];
 
-    /// Its name, as in the columns of a CSV file.
+    /// The name of the quantity, as in the columns of a CSV file.
     pub fn name(self) -> &'static str {
         Self::NAMES[self as usize][0]
     }
 
-    /// Its name in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
+    /// The name of the quantity in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
     ///
     /// ```
     /// use recede::{FieldQuantity, Geometry};
@@ -157,7 +157,7 @@ impl FieldQuantity {
         Self::NAMES[self as usize][usize::from(geometry.is_axisymmetric())]
     }
 
-    /// Its value at a point.
+    /// The value of the quantity at a point.
     ///
     /// ```
     /// # use recede::{HalfPlane, Model, Plane, Punch, FieldQuantity, Stack};
@@ -182,7 +182,7 @@ impl FieldQuantity {
         }
     }
 
-    /// Its value in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
+    /// The value of the quantity in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
     pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
         match (geometry, self) {
             // not −0

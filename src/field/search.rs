@@ -61,13 +61,13 @@ struct Candidate {
     expected: Height,
     /// The highest value that was computed.
     seen: Height,
-    /// Its error; infinite if values at an expected place were lower.
+    /// The error of the highest value; infinite if values at an expected place were lower.
     error: f64,
-    /// Whether its highest place is inside its piece.
+    /// Whether the highest place is inside the piece.
     is_inside: bool,
-    /// Whether it has all digits that are searched for.
+    /// Whether values have all digits that are searched for.
     is_exact: bool,
-    /// Whether it is as high as expected.
+    /// Whether the highest value is as high as expected.
     is_found: bool,
 }
 
@@ -80,7 +80,7 @@ impl Candidate {
         Self { measure, piece, reach, expected, seen, error, is_inside, is_exact: false, is_found: false }
     }
 
-    /// Whether its highest place is on the edge of another piece that is no lower, with smooth stresses in both.
+    /// Whether the highest place is on the edge of another piece that is no lower, with smooth stresses in both.
     fn is_of(&self, other: &Self) -> bool {
         let is_same = other.piece.layer == self.piece.layer && other.piece.smooth == self.piece.smooth;
         is_same && other.piece.holds(self.expected.0) && other.expected.1 >= self.expected.1

@@ -32,9 +32,9 @@ pub(super) struct DepthRow {
 /// A row that is being summed.
 struct Active {
     row: DepthRow,
-    /// Its index in the requested order.
+    /// The index of the row in the requested order.
     index: usize,
-    /// Its cut-off wavenumber.
+    /// The cut-off wavenumber of the row.
     end: f64,
     /// ∫ (V at the depth − V at the reference point) dλ/π, and the same of U in the odd part of the field.
     lifts: [f64; 2],

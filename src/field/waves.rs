@@ -92,7 +92,7 @@ pub(super) struct WavePanel {
     pub(super) lo: f64,
     pub(super) hi: f64,
     rule: &'static Rule,
-    /// Whether it begins at 0 with a power of λ.
+    /// Whether the panel begins at λ = 0, and the integrand there is a power of λ.
     power: bool,
     /// Whether waves at the farthest places oscillate between its points.
     far: bool,

@@ -11,8 +11,8 @@ const BANDS: usize = 10;
 pub(super) const BAR: f64 = 12.0;
 /// Values below this part of the largest are zero, however small their error is.
 const ZERO: f64 = 1e-9;
-/// A line of zeros separates both signs within this number of places of the grid: one on each side of those that it lies between, since
-/// it may pass through places where the value is 0.
+/// A line of zeros is drawn where both signs occur within this number of grid places from it, on either side of the two places between which it
+/// lies: the line may pass through places where the value is 0.
 const BESIDE: usize = 1;
 
 /// Bands of a quantity and their colours.

@@ -30,11 +30,11 @@ pub struct Frame {
 /// One curve.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Its points; the curve is interrupted where one is not finite.
+    /// The points; the curve is interrupted where one is not finite.
     pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
+    /// The line of the curve.
     pub stroke: Stroke,
-    /// Its name; empty for nothing. In a list it may have several lines.
+    /// The name of the curve; empty for none. In a list it may have several lines.
     pub label: String,
 }
 
@@ -57,11 +57,11 @@ pub struct Chart {
     pub x: Scale,
     /// Along the left side.
     pub y: Scale,
-    /// What is written below the bottom; a power of ten and `x_unit` are added.
+    /// The title below the bottom; a power of ten and `x_unit` are added.
     pub x_label: String,
     /// Unit along the bottom, or nothing.
     pub x_unit: Option<String>,
-    /// What is written along the left side.
+    /// The title along the left side.
     pub y_label: String,
     /// Unit along the left side, or nothing.
     pub y_unit: Option<String>,

@@ -26,9 +26,9 @@ pub(super) const WHITE: Colour = Colour { r: 255, g: 255, b: 255 };
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// The colour of the line.
     pub colour: Colour,
-    /// Its width, in points.
+    /// The width of the line, in points.
     pub width: f64,
     /// Length of dashes and of the space between, in points.
     pub dash: Option<(f64, f64)>,
@@ -39,11 +39,11 @@ pub struct Stroke {
 pub enum Anchor {
     /// Middle of its left end.
     Left,
-    /// Its middle.
+    /// The middle of the text.
     Centre,
     /// Middle of its right end.
     Right,
-    /// Its middle, and it runs upwards.
+    /// The middle of a text that runs upwards.
     Upwards,
 }
 

@@ -6,7 +6,6 @@ mod field;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod profile;
 mod ruled;
 mod stats;
 mod sweep;
@@ -14,7 +13,7 @@ mod table;
 
 use std::io;
 
-pub use field::{field_columns, write_field};
+pub use field::{field_columns, profile_columns, write_field, write_profile};
 
 use crate::approach::{Approach, ApproachError};
 use crate::collocation::Collocated;
@@ -24,7 +23,6 @@ use crate::solution::{Contact, Solution};
 
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
-pub use profile::{profile_columns, write_profile};
 #[doc(hidden)]
 pub use ruled::ruled;
 pub use sweep::SweepCsv;

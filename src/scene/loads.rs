@@ -30,11 +30,11 @@ pub struct Loads(Vec<PlacedLoad>);
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlacedLoad {
-    /// What presses there.
+    /// The pressure about its middle.
     load: Load,
-    /// Where its middle is on x, in length.
+    /// The place of the middle on x, in length.
     at: Finite,
-    /// Its resultant, force per unit length out of the plane.
+    /// The resultant, force per unit length out of the plane.
     force: Positive,
 }
 

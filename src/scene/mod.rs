@@ -1,5 +1,4 @@
 //! A scene: what is pressed by what, as read from a text.
-mod convert;
 mod elastic_cylinder;
 mod explain;
 mod force;
@@ -23,7 +22,6 @@ mod text;
 mod top;
 mod units;
 mod value;
-mod visible;
 mod vocabulary;
 mod wedge;
 mod write;
@@ -43,10 +41,10 @@ pub use origin::SceneError;
 pub use punch::Punch;
 pub use punches::{Pressed, Punches, Tilt};
 pub use spring::Spring;
+pub use text::visible;
 pub use top::Top;
 pub use units::Units;
 pub use value::{ListError, ValueError};
-pub use visible::visible;
 pub use vocabulary::Vocabulary;
 pub use wedge::Wedge;
 
@@ -55,8 +53,8 @@ pub(crate) use paths::{Change, Owner, Slot};
 #[cfg(feature = "files")]
 pub(crate) use read::read_document;
 pub(crate) use shape::{Piece, Shape};
+pub(crate) use text::visible_json;
 pub(crate) use units::Dimension;
-pub(crate) use visible::visible_json;
 
 use origin::Origin;
 use read_top::TOPS;

@@ -20,7 +20,7 @@ const LISTED: usize = 24;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slot {
     pub(crate) owner: Owner,
-    /// Where its number stands in the text.
+    /// The place of the number in the text.
     place: Range<usize>,
     value: f64,
 }

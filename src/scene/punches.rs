@@ -35,13 +35,13 @@ pub struct Punches(Vec<Pressed>);
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Pressed {
-    /// Its profile, x counted from its tip.
+    /// The profile, x counted from the tip.
     shape: Punch,
-    /// Where its tip is on x, in length.
+    /// The place of the tip on x, in length.
     at: Finite,
     /// The force on it, per unit length out of the plane.
     force: Positive,
-    /// Whether it turns.
+    /// Whether the punch turns.
     #[serde(default, skip_serializing_if = "Tilt::is_none")]
     tilt: Tilt,
 }
@@ -50,12 +50,12 @@ pub struct Pressed {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Tilt {
-    /// It cannot turn.
+    /// The punch cannot turn.
     #[default]
     None,
-    /// It is turned by this small angle, in radians, which is added to its slope, and cannot turn farther.
+    /// The punch is turned by this small angle, in radians, which is added to its slope, and cannot turn farther.
     Fixed(#[serde(deserialize_with = "finite")] f64),
-    /// It turns freely until the pressures under it have the moment of its force.
+    /// The punch turns freely until the pressures under it have the moment of its force.
     Free {
         /// How far to the right of its tip its force acts, in length.
         #[serde(deserialize_with = "finite")]

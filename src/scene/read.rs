@@ -14,11 +14,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
 
-use super::convert::without_units;
 use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, SceneError};
 use super::read_top::{TOPS, only_top, read_top};
+use super::units::without_units;
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
 

@@ -12,7 +12,7 @@ pub(crate) enum Shape<'a> {
         terms: Vec<(f64, f64)>,
         /// The slope t everywhere, dimensionless: 0 if the profile is even.
         tilt: f64,
-        /// Where it begins to fall for good, in length: the punch ends there.
+        /// Where the profile begins to fall for good, in length: the punch ends there.
         end: Option<f64>,
     },
     /// R − √(R² − x²) up to x = R.
@@ -33,7 +33,7 @@ pub(crate) enum Shape<'a> {
 /// The height Σ c_k (x − start)^k, k = 0, 1, 2, 3, from `start` to where the next piece starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Piece {
-    /// Where it begins, in length.
+    /// Where the piece begins, in length.
     pub(crate) start: f64,
     /// c_k, in length^(1 − k).
     pub(crate) coefficients: [f64; 4],

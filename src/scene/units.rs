@@ -1,7 +1,9 @@
 //! The units of a scene: what quantities are measured in, and numbers that are written with a unit.
+use recede_layers::tree::{Entry, Kind, Node};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::origin::{Origin, SceneError};
 use super::visible;
 
 /// Labels of the units in which the numbers of a scene are. Numbers without a unit are not converted.
@@ -209,18 +211,60 @@ impl Units {
     }
 }
 
+/// Converts the numbers with a unit in the tree of a scene.
+pub(super) fn without_units(scene: &mut Node, origin: &Origin) -> Result<(), SceneError> {
+    let units: Option<Units> = scene.field("units").and_then(|units| units.read().ok());
+    let is_round = scene.field("geometry").is_some_and(|geometry| geometry.name.as_deref() == Some("Axisymmetric"));
+    let Kind::Fields(fields) = &mut scene.kind else { return Ok(()) };
+    let of_numbers = fields.iter_mut().filter(|field| !matches!(&*field.name, "name" | "description" | "units"));
+    for Entry { name, value, .. } in of_numbers {
+        // numbers of punches that say nothing else are lengths: heights and places in tables
+        let own = if &**name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) };
+        let dimension = own.or(matches!(&**name, "punch" | "punches").then_some(Dimension::LENGTH));
+        convert(value, dimension, units.as_ref(), origin)?;
+    }
+    Ok(())
+}
+
+/// Converts the numbers with a unit within a value, which are to be measured in `dimension` unless their field says more.
+fn convert(
+    node: &mut Node,
+    dimension: Option<Dimension>,
+    units: Option<&Units>,
+    origin: &Origin,
+) -> Result<(), SceneError> {
+    let is_row = node.name.is_none() && matches!(node.kind, Kind::Row(_));
+    match &mut node.kind {
+        Kind::Text(text) if has_unit(text) => {
+            let failed =
+                |(message, hint): (String, String)| origin.error(Some(node.place.start), message).hinted(Some(hint));
+            node.kind = Kind::Number(converted(text, dimension, units).map_err(failed)?);
+        }
+        Kind::Fields(fields) => {
+            for Entry { name, value, .. } in fields {
+                convert(value, Dimension::of_field(name).or(dimension), units, origin)?;
+            }
+        }
+        Kind::List(members) | Kind::Row(members) => {
+            for (index, member) in members.iter_mut().enumerate() {
+                // of the rows of a table, the first number is a place
+                let dimension = if is_row && index == 0 { Some(Dimension::LENGTH) } else { dimension };
+                convert(member, dimension, units, origin)?;
+            }
+        }
+        Kind::Nothing | Kind::Number(_) | Kind::Text(_) => {}
+    }
+    Ok(())
+}
+
 /// Whether a text is a number with something behind it.
-pub(super) fn has_unit(text: &str) -> bool {
+fn has_unit(text: &str) -> bool {
     let (number, rest) = text.split_at(number_end(text));
     number.parse::<f64>().is_ok() && !rest.trim().is_empty()
 }
 
 /// A number with a unit, in the units of a scene; or why it is none, and what to do.
-pub(super) fn converted(
-    text: &str,
-    expected: Option<Dimension>,
-    units: Option<&Units>,
-) -> Result<f64, (String, String)> {
+fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> Result<f64, (String, String)> {
     let (allowed, example) = expected.map_or(("a number with a unit", "\"12.5 um\""), Dimension::name);
     let end = number_end(text);
     let (number, name) = (&text[..end], text[end..].trim());
@@ -337,6 +381,19 @@ mod tests {
         ] {
             let converted = converted(text, Some(dimension), Some(&metric)).unwrap();
             assert_eq!(converted, expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_converted_is_told() {
+        let metric = units("mm", "N");
+        for (text, message) in [
+            ("26 GPa", "is a stress; allowed is a length"),
+            ("26 N/", "is no number with a known unit"),
+            ("3 mm2", "is in mm2; allowed is a length"),
+        ] {
+            let (found, _) = converted(text, Some(Dimension::LENGTH), Some(&metric)).unwrap_err();
+            assert!(found.contains(message), "{text}: {found}");
         }
     }
 

@@ -12,7 +12,7 @@ pub enum ListError {
     /// Too few or too many of them.
     #[error("there are {found} {what}; allowed are 1 to {MOST_AT_ONCE}")]
     Count {
-        /// What they are, `loads` or `punches`.
+        /// The word for the members, `loads` or `punches`.
         what: &'static str,
         /// How many there are.
         found: usize,
@@ -41,7 +41,7 @@ pub enum ListError {
     Overlap {
         /// Which punches.
         numbers: [usize; 2],
-        /// What they are, and where their tips are on x.
+        /// The shapes of the punches, and the places of their tips on x.
         names: [String; 2],
     },
 }
@@ -69,7 +69,7 @@ pub enum ValueError {
     /// A number is outside its range.
     #[error("{quantity}: {reason}")]
     OutOfRange {
-        /// What the number is, as in a scene.
+        /// The name of the number, as in a scene.
         quantity: &'static str,
         /// What was found and what is allowed.
         #[source]

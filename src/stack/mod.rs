@@ -135,14 +135,14 @@ pub enum Foundation {
     HalfPlane(Placed),
     /// A support that is no elastic body, such as springs.
     Support {
-        /// Its number, counted with the layers.
+        /// The number of the support, counted with the layers.
         number: usize,
         /// The support itself.
         support: Arc<dyn Support>,
     },
     /// A rigid body.
     Rigid {
-        /// Its number, counted with the layers.
+        /// The number of the rigid body, counted with the layers.
         number: usize,
     },
 }
@@ -228,7 +228,7 @@ impl Stack {
         self.geometry
     }
 
-    /// Of which plane problem the transformed equations are.
+    /// The plane problem whose transformed equations hold.
     pub fn plane(&self) -> Plane {
         self.geometry.plane()
     }

@@ -5,16 +5,14 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use super::{Row, Sweep};
 use crate::errors::Error;
 use crate::model::Model;
-use crate::scene::{Change, Owner, Top};
+use crate::scene::{Change, Owner, Scene, Top};
 use crate::solution::Solution;
 use crate::stack::Stack;
 
-/// Models, and punches or loads, that are kept for later rows, at most.
+/// Models that are kept for later rows, at most.
 const KEPT: usize = 512;
 /// Fewer where they have more numbers than these in all, 256 MB of them: then some are made more than once.
 const MOST_NUMBERS: usize = 1 << 25;
-/// A table of heights of the most rows, and the curve through them, have about so many numbers; other punches have fewer.
-pub(super) const NUMBERS_OF_TOP: usize = 10_000;
 
 /// Rows per stack from which on a table of solutions to start from saves time.
 const MANY: usize = 100;
@@ -22,7 +20,7 @@ const MANY: usize = 100;
 /// A value that is computed once for many rows; rows that need it wait.
 type KeptSlot<T> = Arc<OnceLock<Result<Arc<T>, Error>>>;
 
-/// The last things made, by the bits of the values that they were made for: models of stacks, or what presses on them.
+/// The last things made, by the bits of the values that they were made for.
 #[derive(Debug)]
 pub(super) struct Kept<T> {
     slots: Mutex<VecDeque<(Vec<u64>, KeptSlot<T>)>>,
@@ -35,7 +33,7 @@ impl<T> Kept<T> {
         Self { slots: Mutex::default(), numbers }
     }
 
-    /// The model, or the punches and loads, for these changes; made if they are not kept.
+    /// The thing made for these changes; made now if it is not kept.
     fn get(&self, changes: &[Change], make: impl FnOnce() -> Result<T, Error>) -> Result<Arc<T>, Error> {
         let key = changes.iter().map(|(_, value)| value.to_bits()).collect();
         self.slot(key).get_or_init(|| make().map(Arc::new)).clone()
@@ -65,8 +63,8 @@ impl Sweep {
         let values = self.values(index);
         let solved = self.solve_row(&values);
         let found = solved.as_ref().ok();
-        let approach = |(model, top, solution): &(Arc<Model>, Arc<Top>, Solution)| model.approach(&**top, solution);
-        let extremes = |(model, _, solution): &(Arc<Model>, Arc<Top>, Solution)| model.field(solution)?.extremes();
+        let approach = |(model, top, solution): &(Arc<Model>, Top, Solution)| model.approach(top, solution);
+        let extremes = |(model, _, solution): &(Arc<Model>, Top, Solution)| model.field(solution)?.extremes();
         Row {
             approach: found.filter(|_| self.has_approach()).map(approach),
             extremes: found.filter(|_| self.has_extremes()).map(extremes),
@@ -76,21 +74,18 @@ impl Sweep {
         }
     }
 
-    fn solve_row(&self, values: &[f64]) -> Result<(Arc<Model>, Arc<Top>, Solution), Error> {
-        let changes: Vec<Change> = self.slots.iter().zip(values.iter().copied()).collect();
+    fn solve_row(&self, values: &[f64]) -> Result<(Arc<Model>, Top, Solution), Error> {
+        let changes = self.slots.iter().zip(values.iter().copied());
+        let (of_stack, others): (Vec<Change>, Vec<Change>) =
+            changes.partition(|(slot, _)| matches!(slot.owner, Owner::Item(_)));
         // a model, or the error in its place, must not depend on the row that came first
-        let own =
-            |of: fn(Owner) -> bool| changes.iter().copied().filter(|(slot, _)| of(slot.owner)).collect::<Vec<_>>();
-        let of_stack = own(|owner| matches!(owner, Owner::Item(_)));
         let model = self.models.get(&of_stack, || {
             let stack = Stack::from_items(self.scene.geometry, &self.scene.varied(&of_stack)?.stack)?;
             let model = Model::new(stack)?;
             Ok(if self.rows / self.stacks() >= MANY { model.for_many_loads() } else { model })
         })?;
-        let of_top = own(|owner| owner == Owner::Top);
-        let top = self.tops.get(&of_top, || Ok(self.scene.varied(&of_top)?.top))?;
-        let force = self.scene.varied(&own(|owner| !matches!(owner, Owner::Item(_))))?.force;
-        let solution = model.press_with(&*top, force, &self.options)?;
+        let Scene { top, force, .. } = self.scene.varied(&others)?;
+        let solution = model.press_with(&top, force, &self.options)?;
         Ok((model, top, solution))
     }
 }

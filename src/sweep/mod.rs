@@ -21,7 +21,7 @@ use recede_layers::tree::ReadError;
 pub use parallel::ParallelRows;
 pub use part::{Part, PartError};
 
-use kept::{Kept, NUMBERS_OF_TOP};
+use kept::Kept;
 
 use crate::approach::{Approach, ApproachError};
 use crate::axis::{Axis, AxisError};
@@ -29,7 +29,7 @@ use crate::errors::Error;
 use crate::field::{Extremes, FieldError};
 use crate::model::Model;
 use crate::options::Options;
-use crate::scene::{Item, Owner, Scene, Slot, Top};
+use crate::scene::{Item, Owner, Scene, Slot};
 use crate::solution::{Interface, Solution};
 
 /// Most rows of a sweep.
@@ -66,7 +66,6 @@ pub struct Sweep {
     rows: usize,
     interfaces: Vec<Interface>,
     models: Kept<Model>,
-    tops: Kept<Top>,
 }
 
 /// One row of a sweep.
@@ -126,10 +125,9 @@ impl Sweep {
             }
             (_, None) => 1,
         };
-        let (options, models, tops) =
-            (Options::default(), Kept::new(Model::stored_numbers), Kept::new(|_| NUMBERS_OF_TOP));
+        let (options, models) = (Options::default(), Kept::new(Model::stored_numbers));
         let (approach, extremes, interfaces) = (false, false, Vec::new());
-        let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models, tops };
+        let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }
@@ -289,7 +287,7 @@ impl Sweep {
     }
 
     /// The rows with these numbers in the order of the grid, solved by this many threads ahead of the caller.
-    /// They are the same, bit by bit, for any number of threads, and as among all rows.
+    /// Rows are the same, bit by bit, for any number of threads, and as among all rows.
     ///
     /// ```
     /// use std::{num::NonZeroUsize, sync::Arc};
