@@ -36,6 +36,12 @@ fn pairs_that_ship() {
     // those that are two say nothing
     assert!(strip(1.0).continues(&part(1.0, 2.0, 0.0)).is_none());
     assert_eq!(one_body(&strip(1.0), &part(1.0, 2.0, 0.0), Plane::Strain), Ok(()));
+    for beta in [-30.0, -1.0, 0.0, 1e-9, 0.7, 12.0] {
+        let above = part(1.0, 3.0, beta);
+        assert!(above.continues(&part(2.0, 3.0 * f64::exp(beta) * (1.0 + 1e-12), beta)).is_none());
+        assert!(above.continues(&part(2.0, 3.0 * f64::exp(beta), beta + 0.1)).is_none());
+    }
+    assert!(part(3.0, 1.0, 30.0).continues(&part(1.0, f64::exp(90.0), 30.0)).is_none(), "too steep for one layer");
 }
 
 /// An exponential layer that takes whatever lies below for its own continuation.

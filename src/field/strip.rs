@@ -304,19 +304,6 @@ mod tests {
     }
 
     #[test]
-    fn on_the_face_the_potential_is_the_pressure() {
-        for s in [0.0, 0.5, 0.99, 1.01, 30.0] {
-            for form in FORMS {
-                let strip = strip(form);
-                let x = s * strip.strip.extent;
-                let zeroth = strip.potentials(x, 0.0, false)[1];
-                let expected = strip.strip.pressure(x);
-                assert!((zeroth.re - expected).abs() < 1e-14, "{form:?} {s}: {} {expected}", zeroth.re);
-            }
-        }
-    }
-
-    #[test]
     fn series_and_closed_forms_are_one() {
         // where 64 terms are just enough
         for form in [Form::Uniform, Form::Parabolic] {

@@ -6,8 +6,6 @@ mod field;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod ruled;
-mod stats;
 mod sweep;
 mod table;
 
@@ -23,9 +21,9 @@ use crate::solution::{Contact, Solution};
 
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
-#[doc(hidden)]
-pub use ruled::ruled;
 pub use sweep::SweepCsv;
+#[doc(hidden)]
+pub use table::ruled;
 
 /// How a report, or a field, is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,17 +1,16 @@
-//! A table to be read.
-use std::io;
+//! Tables to be read, and counts of what was computed, one line for each.
+use std::{fmt, io};
 
-use comfy_table::Table;
+use comfy_table::{LineStyle, Table, TableStyle};
 
 use super::digits::{Digits, to_digits};
-use super::ruled::ruled;
 use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
 use crate::collocation::Collocated;
 use crate::field::MaxShear;
 use crate::geometry::Words;
 use crate::scene::{Dimension, visible};
-use crate::solution::Interval;
+use crate::solution::{Interval, Stats};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
@@ -147,4 +146,39 @@ fn place(digits: Digits, x: f64, error: f64) -> String {
 
 fn duration(seconds: f64) -> String {
     if seconds < 1.0 { format!("{:.1} ms", 1e3 * seconds) } else { format!("{seconds:.1} s") }
+}
+
+const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
+const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
+
+/// A table with lines between its parts, and columns of these names in these units.
+pub fn ruled<'a>(header: impl IntoIterator<Item = (&'a str, &'a str)>) -> Table {
+    let mut table = Table::new();
+    table.load_style(RULES);
+    let named = |(name, unit): (&str, &str)| if unit.is_empty() { name.to_owned() } else { format!("{name},{unit}") };
+    table.set_header(header.into_iter().map(named));
+    table
+}
+
+/// Lines with a count and what it counts.
+impl fmt::Display for Stats {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{:>8} layers dropped, of no thickness", self.dropped)?;
+        writeln!(f, "{:>8} layers merged with an equal neighbour", self.merged)?;
+        writeln!(f, "{:>8} wavenumbers evaluated", self.wavenumbers)?;
+        writeln!(f, "{:>8} layers evaluated, all wavenumbers together", self.layers)?;
+        writeln!(f, "{:>8} layers skipped, in sequences that repeat others", self.repeated)?;
+        writeln!(f, "{:>8} layers skipped below their decay depth", self.below_decay_depth)?;
+        writeln!(f, "{:>8} values of couplings that vanish", self.uncoupled)?;
+        writeln!(f, "{:>8} wavenumbers interpolated, all integrals together", self.interpolated)?;
+        writeln!(f, "{:>8} modes of each contact", list(&self.modes))?;
+        writeln!(f, "{:>8} Newton steps on each refinement level", list(&self.newton_steps))?;
+        writeln!(f, "{:>8} why each refinement level ended", list(&self.stopped))?;
+        writeln!(f, "{:>8} factorisations", self.factorisations)
+    }
+}
+
+/// Counts separated by spaces.
+fn list(counts: &[impl fmt::Display]) -> String {
+    counts.iter().map(|count| count.to_string()).collect::<Vec<_>>().join(" ")
 }

@@ -56,23 +56,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_is_read() {
-        let mut scene = Scene::from_ron(
-            "(geometry: PlaneStress, punch: Cylinder(radius: 3e2), force: 1e-300,
-              units: (length: \"mm\", force: \"N\"), stack: [
-                Exponential(thickness: 0.1, shear_modulus: 2, poisson: -0.25, beta: -1e-3), Bonded,
-                Homogeneous(thickness: 0, shear_modulus: 1e20, poisson: 0.5), Sliding,
-                Homogeneous(thickness: 1, shear_modulus: 1e20, poisson: 0.5), Spring(normal: 3),
-                Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.5), Spring(normal: 3, tangential: 1e-9),
-                Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.5), Receding, Rigid])",
-        )
-        .unwrap();
+    fn texts_are_read_as_they_were_whatever_their_characters() {
+        let text = "(geometry: PlaneStress, punch: Cylinder(radius: 3e2), force: 1e-300, stack: [\
+                    HalfPlane(shear_modulus: 1e20, poisson: 0.5)], units: (length: \"mm\", force: \"N\"))";
+        let mut scene = Scene::from_ron(text).unwrap();
         scene.name = Some("a \"name\"\\".into());
         scene.description = Some("µ\u{1}\ttwo\r\nlines\u{7f}".into());
         let again = Scene::from_ron(&scene.to_ron()).unwrap();
-        assert_eq!((&again.name, &again.description), (&scene.name, &scene.description));
-        assert_eq!((again.units, again.geometry, again.top), (scene.units, scene.geometry, scene.top));
-        assert_eq!(again.force, scene.force);
-        assert_eq!(format!("{:?}", again.stack), format!("{:?}", scene.stack));
+        assert_eq!((&again.name, &again.description, &again.units), (&scene.name, &scene.description, &scene.units));
+        assert_eq!(again.to_ron(), scene.to_ron());
     }
 }

@@ -1,9 +1,11 @@
 //! Error estimates compared with true errors: an answer against a stricter one.
+use serde::{Deserialize, Serialize};
+
 use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::Scene;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Solution};
 
 /// Relative error below which an answer to a contact problem is rounding, which no estimate has to cover.
 pub const ROUNDING: f64 = 1e-13;
@@ -11,13 +13,13 @@ pub const ROUNDING: f64 = 1e-13;
 const STRICTEST: f64 = 1e-13;
 
 /// One number of an answer: its estimated and its true error.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
-    /// The contact.
-    pub interface: Interface,
-    /// What the number is: `half-length` or `pressure`.
-    pub quantity: &'static str,
-    /// Difference from the stricter answer, relative.
+    /// The name of the contact.
+    pub contact: String,
+    /// The name of the number: `half-length`, `left end` or `pressure`.
+    pub quantity: String,
+    /// Difference from the stricter answer, relative; infinite if it is no number.
     pub error: f64,
     /// The answer's own estimate of its error, relative.
     pub estimate: f64,
@@ -65,10 +67,11 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
             if is_known || quantity == "left end" && is_even {
                 continue;
             }
+            let error = ((value - truth) / size).abs();
             comparisons.push(Comparison {
-                interface: found.interface,
-                quantity,
-                error: ((value - truth) / size).abs(),
+                contact: found.interface.to_string(),
+                quantity: quantity.to_owned(),
+                error: if error.is_nan() { f64::INFINITY } else { error },
                 estimate: estimate / size,
                 blur: blur / size,
             });

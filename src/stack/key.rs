@@ -46,10 +46,7 @@ impl Stack {
 
 #[cfg(test)]
 mod tests {
-    use recede_layers::{
-        Exponential, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Isotropic, Layer, Material, Plane, Profile,
-        Winkler,
-    };
+    use recede_layers::{Graded, HalfPlane, Homogeneous, Isotropic, Layer, Material, Plane, Winkler};
 
     use super::*;
     use crate::scene::{Item, Spring};
@@ -96,47 +93,26 @@ mod tests {
         }
     }
 
-    /// Stacks of layers, profiles, bases and joints, each of them another one, with a length that may be changed by rounding.
-    fn shipped(length: f64) -> Vec<Stack> {
-        let poisson = || Profile::linear(0.2, 0.3).unwrap();
+    /// Stacks with other joints, supports and geometries, each of them another one, with a length that may be changed by rounding.
+    fn stacks(length: f64) -> Vec<Stack> {
         let half_plane = || Item::layer(HalfPlane::new(length, 0.25).unwrap());
-        let table = |top| Profile::table(&[(0.0, top), (0.5, 2.0), (3.0, length)]).unwrap();
-        let layers = [
-            Item::layer(Homogeneous::new(length, 1.0, 0.25).unwrap()),
-            Item::layer(Exponential::new(1.0, 1.0, 0.25, length).unwrap()),
-            Item::layer(Graded::new(1.0, Profile::linear(length, 2.0).unwrap(), poisson()).unwrap()),
-            Item::layer(Graded::new(1.0, Profile::power(length, 2.0, 1.0).unwrap(), poisson()).unwrap()),
-            Item::layer(Graded::new(1.0, Profile::exponential(length, 1.0).unwrap(), poisson()).unwrap()),
-            Item::layer(Graded::new(1.0, table(1.0), poisson()).unwrap()),
-            Item::layer(Graded::new(1.0, table(3.0), poisson()).unwrap()),
-        ];
-        let grounds = [
-            Item::layer(GradedHalfPlane::new(1.0, 0.3, length).unwrap()),
-            Item::support(Winkler::new(length).unwrap()),
-            Item::support(Winkler::new(length).unwrap().sticking(1.0).unwrap()),
-        ];
-        let two = || layers.iter().take(2).cloned();
+        let strip = |modulus: f64| Item::layer(Homogeneous::new(length, modulus, 0.25).unwrap());
         let joints = [Item::Bonded, Item::Sliding, Item::Spring(Spring::new(length, None).unwrap()), Item::Receding];
         let joined = joints.map(|joint| {
-            let [upper, lower] = [layers[0].clone(), layers[1].clone()];
-            let items = [upper, joint, lower, Item::Receding, half_plane()];
+            let items = [strip(1.0), joint, strip(2.0), Item::Receding, half_plane()];
             Stack::from_items(Geometry::PlaneStrain, &items).unwrap()
         });
-        let geometries = [Geometry::PlaneStress, Geometry::Axisymmetric];
-        let stacks = layers.iter().map(|layer| on_ground([layer.clone()], half_plane()));
-        stacks
-            .chain(grounds.into_iter().map(|ground| on_ground([], ground)))
-            .chain([on_ground(two(), Item::Rigid)])
-            .chain(joined)
-            .chain(
-                geometries.map(|of| Stack::from_items(of, &[layers[0].clone(), Item::Receding, half_plane()]).unwrap()),
-            )
-            .collect()
+        let geometries = [Geometry::PlaneStrain, Geometry::PlaneStress, Geometry::Axisymmetric];
+        let loose = geometries.map(|of| Stack::from_items(of, &[strip(1.0), Item::Receding, half_plane()]).unwrap());
+        let supports = [Winkler::new(length).unwrap(), Winkler::new(length).unwrap().sticking(1.0).unwrap()];
+        let supported = supports.map(|support| on_ground([], Item::support(support)));
+        let on_rigid = on_ground([strip(1.0), strip(2.0)], Item::Rigid);
+        joined.into_iter().chain(loose).chain(supported).chain([on_rigid]).collect()
     }
 
     #[test]
-    fn equal_stacks_of_shipped_layers_have_equal_keys_and_others_have_not() {
-        let [one, again, next] = [1.5, 1.5, f64::from_bits(1.5f64.to_bits() + 1)].map(shipped);
+    fn equal_stacks_have_equal_keys_and_others_have_not() {
+        let [one, again, next] = [1.5, 1.5, f64::from_bits(1.5f64.to_bits() + 1)].map(stacks);
         for (i, stack) in one.iter().enumerate() {
             assert_eq!(stack.key(), again[i].key(), "{stack}");
             assert_ne!(stack.key(), next[i].key(), "{stack}");

@@ -4,8 +4,9 @@ use std::io::{self, Write};
 
 use comfy_table::Table;
 use recede::report::ruled;
+use recede::selftest::Comparison;
 
-use super::workers::{AnswerNumbers, Compared, Ended};
+use super::workers::{AnswerNumbers, Ended};
 
 /// Number of scenes that are listed for a cause.
 const LISTED: usize = 12;
@@ -83,32 +84,32 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
     let all = || ended.iter().flat_map(|ended| ended.comparisons.iter().flatten().map(|one| (ended.number, one)));
     let mut table = table(["errors", "least", "half", "95 %", "99 %", "most"]);
     for quantity in ["half-length", "pressure"] {
-        let of = |value: fn(&Compared) -> f64| {
+        let of = |value: fn(&Comparison) -> f64| {
             all().filter(|(_, one)| one.quantity == quantity).map(|(_, one)| value(one)).collect()
         };
         let mut add = |name: &str, values: Vec<f64>| row(&mut table, name, values, [0.0, 0.5, 0.95, 0.99, 1.0]);
         add(&format!("{quantity}: true"), of(|one| one.error));
         add(&format!("{quantity}: estimated"), of(|one| one.estimate));
-        add(&format!("{quantity}: true / estimated"), of(|one| one.excess));
-        add(&format!("{quantity}: estimated / true"), of(|one| one.caution));
+        add(&format!("{quantity}: true / estimated"), of(Comparison::excess));
+        add(&format!("{quantity}: estimated / true"), of(Comparison::caution));
     }
     writeln!(out, "{table}")?;
     let total = all().count().max(1);
-    let cautious = all().filter(|(_, one)| one.caution > CAUTION).count();
+    let cautious = all().filter(|(_, one)| one.caution() > CAUTION).count();
     let compared = ended.iter().filter(|ended| ended.comparisons.is_some()).count();
     writeln!(out, "{compared} scenes compared, {total} numbers")?;
     writeln!(out, "{cautious} estimates ({:.2} %) too large by > {CAUTION}", 100.0 * cautious as f64 / total as f64)?;
     // an answer that does not meet the tolerance may be as accurate as the stricter one
-    let unseen = all().filter(|(_, one)| one.caution > CAUTION && one.blur > UNSEEN * one.estimate).count();
+    let unseen = all().filter(|(_, one)| one.caution() > CAUTION && one.blur > UNSEEN * one.estimate).count();
     writeln!(out, "{unseen} of these where the stricter answer has no smaller estimate")?;
-    let mut bold: Vec<_> = all().filter(|(_, one)| one.excess > EXCESS).collect();
-    bold.sort_by(|(_, a), (_, b)| b.excess.total_cmp(&a.excess));
+    let mut bold: Vec<_> = all().filter(|(_, one)| one.excess() > EXCESS).collect();
+    bold.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
     writeln!(out, "{} errors more than {EXCESS} times their estimate", bold.len())?;
     for (number, one) in bold.iter().take(2 * LISTED) {
-        let Compared { interface, quantity, error, estimate, blur, .. } = one;
+        let Comparison { contact, quantity, error, estimate, blur } = one;
         writeln!(
             out,
-            "  scene {number}, {quantity} at {interface}: error {error:.1e}, estimate {estimate:.1e}, \
+            "  scene {number}, {quantity} at {contact}: error {error:.1e}, estimate {estimate:.1e}, \
              estimate of the stricter run {blur:.1e}"
         )?;
     }

@@ -29,7 +29,7 @@ pub(super) struct Ended {
     /// Figures of the answer, if there is one.
     pub(super) answer: Option<AnswerNumbers>,
     /// `None` if not requested, or if there is no answer, or no stricter one.
-    pub(super) comparisons: Option<Vec<Compared>>,
+    pub(super) comparisons: Option<Vec<Comparison>>,
 }
 
 /// Figures of an answer.
@@ -43,34 +43,6 @@ pub(super) struct AnswerNumbers {
     /// The largest of the relative error estimates.
     pub(super) worst: f64,
     pub(super) warned: bool,
-}
-
-/// A number of an answer compared with the same number of the strictest answer.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Compared {
-    pub(super) interface: String,
-    pub(super) quantity: String,
-    pub(super) error: f64,
-    pub(super) estimate: f64,
-    pub(super) blur: f64,
-    pub(super) excess: f64,
-    pub(super) caution: f64,
-}
-
-impl From<Comparison> for Compared {
-    fn from(one: Comparison) -> Self {
-        // an error that is no number counts as infinite
-        let or_infinite = |value: f64| if value.is_nan() { f64::INFINITY } else { value };
-        Self {
-            interface: one.interface.to_string(),
-            quantity: one.quantity.to_owned(),
-            error: or_infinite(one.error),
-            estimate: one.estimate,
-            blur: one.blur,
-            excess: or_infinite(one.excess()),
-            caution: one.caution(),
-        }
-    }
 }
 
 impl Ended {
@@ -134,7 +106,7 @@ impl SelftestArguments {
             is_wrong: outcome.is_wrong(),
             seconds: check.seconds,
             answer,
-            comparisons: comparisons.map(|all| all.into_iter().map(Compared::from).collect()),
+            comparisons,
         }
     }
 }
