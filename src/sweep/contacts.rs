@@ -2,9 +2,9 @@
 //!
 //! New values change nothing of the structure but which layers have a thickness of 0, and are not there. For every layer it is
 //! found whether it can be there and whether it can be missing; since axes belong to one layer each, all combinations
-//! of that occur. Two layers touch in some row if both can be there, all between can be missing, and a stack of what lies
-//! from the one to the other has a contact.
-use recede_layers::{HalfPlane, Homogeneous};
+//! of that occur. Two layers touch in some row if both can be there, all between can be missing, and one of the interfaces
+//! between them opens.
+use recede_layers::Homogeneous;
 
 use super::Sweep;
 use crate::axis::Axis;
@@ -32,7 +32,7 @@ impl Sweep {
         for (above, _) in choices.iter().enumerate().filter(|(_, choice)| is_layer(&choice.there)) {
             for below in (above + 1..choices.len()).filter(|below| !is_interface(&choices[*below])) {
                 if choices[below].there.is_some() {
-                    found.extend(self.contact_between(&choices, above, below));
+                    found.extend(contact_between(&choices, above, below));
                 }
                 if choices[below].missing.is_none() {
                     break;
@@ -40,22 +40,6 @@ impl Sweep {
             }
         }
         Ok(found)
-    }
-
-    /// The contact of two layers, if all between them are missing.
-    fn contact_between(&self, choices: &[Choice], above: usize, below: usize) -> Option<Interface> {
-        let between = choices[above + 1..below].iter().map(|choice| choice.missing.as_ref().or(choice.there.as_ref()));
-        let base = match &choices[below].there {
-            Some(Item::Layer(layer)) if layer.thickness().is_some() => &[Item::Bonded, Item::Rigid][..],
-            _ => &[],
-        };
-        let ends = [&choices[above].there, &choices[below].there];
-        let items = [ends[0].as_ref()].into_iter().chain(between).chain([ends[1].as_ref()]);
-        let items: Vec<Item> = items.flatten().chain(base).map(stand_in).collect();
-        let stack = Stack::from_items(self.scene.geometry, &items).ok()?;
-        let number = |index: usize| choices[..=index].iter().filter(|choice| !is_interface(choice)).count();
-        let contact = Interface::Between { above: number(above), below: number(below) };
-        (stack.contacts().len() > 1).then_some(contact)
     }
 
     /// Fails if no combination of values is a stack. A stack of all layers that can be there is one unless it has too many,
@@ -92,11 +76,9 @@ impl Sweep {
         let extremes: Vec<Vec<f64>> = own.iter().map(|(axis, _)| axis.extremes()).collect();
         let at = |i: usize, extreme: usize| (own[i].1, extremes[i][extreme.min(extremes[i].len() - 1)]);
         for (varied, its_extremes) in extremes.iter().enumerate() {
-            for extreme in 0..its_extremes.len() {
-                for others in 0..3 {
-                    let extreme = |i: usize| if i == varied { extreme } else { others };
-                    add(&(0..own.len()).map(|i| at(i, extreme(i))).collect::<Vec<_>>());
-                }
+            for (extreme, others) in (0..its_extremes.len()).flat_map(|one| (0..3).map(move |other| (one, other))) {
+                let extreme = |i: usize| if i == varied { extreme } else { others };
+                add(&(0..own.len()).map(|i| at(i, extreme(i))).collect::<Vec<_>>());
             }
         }
         match refused {
@@ -135,16 +117,15 @@ fn strip(thickness: f64) -> Option<Item> {
     Homogeneous::new(thickness, 1.0, 0.25).ok().map(Item::layer)
 }
 
-/// An item with which the same layers are in contact, whatever its numbers: the numbers of one row say nothing of other rows.
-fn stand_in(item: &Item) -> Item {
-    let plain = match item {
-        Item::Layer(layer) => match layer.thickness() {
-            Some(thickness) => strip(if thickness == 0.0 { 0.0 } else { 1.0 }),
-            None => HalfPlane::new(1.0, 0.25).ok().map(Item::layer),
-        },
-        _ => None,
-    };
-    plain.unwrap_or_else(|| item.clone())
+/// The contact of two layers, if all between them are missing.
+fn contact_between(choices: &[Choice], above: usize, below: usize) -> Option<Interface> {
+    let between = || choices[above + 1..below].iter().filter_map(|choice| choice.there.as_ref());
+    let is_open = between().any(|item| matches!(item, Item::Receding));
+    // springs hold nothing next to a layer that is missing, and nothing lies loose on a support: these are no stacks
+    let is_stack = !between().any(|item| matches!(item, Item::Spring(_)))
+        && !matches!(choices[below].there, Some(Item::Support(_)));
+    let number = |index: usize| choices[..=index].iter().filter(|choice| !is_interface(choice)).count();
+    (is_open && is_stack).then(|| Interface::Between { above: number(above), below: number(below) })
 }
 
 fn is_interface(choice: &Choice) -> bool {
