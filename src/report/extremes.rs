@@ -3,7 +3,7 @@ use comfy_table::Table;
 use serde_json::{Value, json};
 
 use super::digits::{Digits, to_digits};
-use super::table::ruled;
+use super::ruled::ruled;
 use crate::field::{BondExtremes, Extreme, Extremes, LayerExtremes};
 use crate::scene::{Item, Scene};
 

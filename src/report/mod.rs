@@ -6,6 +6,7 @@ mod field;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod ruled;
 mod sweep;
 mod table;
 
@@ -21,9 +22,9 @@ use crate::solution::{Contact, Solution};
 
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
-pub use sweep::SweepCsv;
 #[doc(hidden)]
-pub use table::ruled;
+pub use ruled::ruled;
+pub use sweep::SweepCsv;
 
 /// How a report, or a field, is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,9 +1,10 @@
 //! Tables to be read, and counts of what was computed, one line for each.
 use std::{fmt, io};
 
-use comfy_table::{LineStyle, Table, TableStyle};
+use comfy_table::Table;
 
 use super::digits::{Digits, to_digits};
+use super::ruled::ruled;
 use super::{Report, extremes};
 use crate::approach::{Approach, Stiffness};
 use crate::collocation::Collocated;
@@ -146,18 +147,6 @@ fn place(digits: Digits, x: f64, error: f64) -> String {
 
 fn duration(seconds: f64) -> String {
     if seconds < 1.0 { format!("{:.1} ms", 1e3 * seconds) } else { format!("{seconds:.1} s") }
-}
-
-const RULE: LineStyle = LineStyle::none().fill('─').junction('─');
-const RULES: TableStyle = TableStyle::new().top_border(RULE).header_separator(RULE).bottom_border(RULE);
-
-/// A table with lines between its parts, and columns of these names in these units.
-pub fn ruled<'a>(header: impl IntoIterator<Item = (&'a str, &'a str)>) -> Table {
-    let mut table = Table::new();
-    table.load_style(RULES);
-    let named = |(name, unit): (&str, &str)| if unit.is_empty() { name.to_owned() } else { format!("{name},{unit}") };
-    table.set_header(header.into_iter().map(named));
-    table
 }
 
 /// Lines with a count and what it counts.
