@@ -124,7 +124,7 @@ pub enum StackProblem {
         /// The ratio of their moduli.
         ratio: f64,
     },
-    /// So many layers, those of thickness 0 left out, cannot be solved for in a reasonable time.
+    /// The number of layers with a thickness above 0 is more than can be solved for in a reasonable time.
     #[error("the stack has {0} layers; allowed are at most {MAX_LAYERS}")]
     TooManyLayers(usize),
     /// So many receding interfaces cannot be solved for in a reasonable time and memory.
@@ -152,7 +152,7 @@ impl StackProblem {
             Self::BaseNotLast(_) => "end the stack here, or put a layer with a thickness in its place",
             Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
             Self::TooManyLayers(_) => "a layer that is graded through its thickness replaces many slices",
-            Self::TooManyReceding(_) => "bond those that do not open under the load",
+            Self::TooManyReceding(_) => "bond the interfaces that do not open under the load",
             Self::Contrast { .. } => {
                 "what is so much stiffer than all else is rigid, and what is so much softer carries nothing: leave it out, or \
                  write `Rigid` in its place; a large `beta` times the thickness has the same effect"
