@@ -14,6 +14,7 @@ use std::sync::Arc;
 use recede_layers::{Flexibility, Isotropic, Layer, Wave};
 
 use crate::geometry::Geometry;
+use crate::numeric::workspace::Workspace;
 use crate::solution::Stats;
 use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
@@ -48,6 +49,8 @@ pub(crate) struct Kernel {
     stats: Stats,
     /// Compliance λμ₀C of an elastic punch, which deforms like a half-plane; part of contact 0.
     punch: f64,
+    /// Storage of the tables of integrals over these kernels, shared by all kernels made of this one.
+    workspace: Arc<Workspace>,
 }
 
 /// The chains of the block system, and the units in which they are evaluated.
@@ -170,7 +173,7 @@ impl Kernel {
     fn sampled(chains: Chains) -> Result<Self, Unresolved> {
         let n = chains.contacts();
         let (panels, asymptotes, stats) = (Vec::new(), Vec::new(), Stats::default());
-        let mut kernel = Self { panels, asymptotes, stats, punch: 0.0, chains };
+        let mut kernel = Self { panels, asymptotes, stats, punch: 0.0, chains, workspace: Arc::default() };
         let mut asymptotes: Vec<Option<Asymptote>> = vec![None; n];
         let mut edge = 0.0;
         // long waves need two panels in most stacks, and an interval after one that was halved is as a rule halved too
@@ -286,6 +289,11 @@ impl Kernel {
             panel.measure(&kernel.asymptotes);
         });
         kernel
+    }
+
+    /// Storage of the tables of integrals over these kernels.
+    pub(crate) fn workspace(&self) -> &Workspace {
+        &self.workspace
     }
 
     /// Panels of the wavenumber axis, in order, without gaps from 0.

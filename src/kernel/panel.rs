@@ -1,7 +1,6 @@
 //! A panel of the wavenumber axis, on which all kernels are polynomials to rounding.
 use std::sync::LazyLock;
 
-use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
 use crate::numeric::{chebyshev, quadrature};
 use crate::solution::Stats;
@@ -244,7 +243,7 @@ impl Panel {
     /// the panel or a part of it.
     pub(crate) fn values(&self, zeta: &[f64], from: f64, to: f64) -> Values {
         let count = zeta.len();
-        let mut columns = Buffer::default();
+        let mut columns = Vec::new();
         let columns: &[f64] = if from == self.from && to == self.to {
             chebyshev::panel_matrix(count)
         } else {
@@ -255,7 +254,7 @@ impl Panel {
             &columns
         };
         let n = self.contacts;
-        let mut values = Buffer::zeros(count * (2 * n - 1));
+        let mut values = vec![0.0; count * (2 * n - 1)];
         for (component, values) in (n..3 * n - 1).zip(values.chunks_exact_mut(count)) {
             if component >= 2 * n && !self.coupled[component - 2 * n] {
                 continue;
@@ -287,7 +286,7 @@ impl Panel {
 pub(crate) struct Values {
     count: usize,
     contacts: usize,
-    values: Buffer,
+    values: Vec<f64>,
 }
 
 impl Values {

@@ -1,11 +1,11 @@
 //! Numerical analysis without mechanics: Bessel functions, quadrature, interpolation.
 
 pub mod bessel;
-pub(crate) mod buffer;
 pub mod chebyshev;
 pub mod quadrature;
 pub(crate) mod trigonometry;
 pub(crate) mod vector;
+pub(crate) mod workspace;
 
 /// Σ a_i b_i.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -22,12 +22,11 @@ use crate::contact::integrals::products::{product, symmetric_product};
 use crate::contact::integrals::tail::Weights;
 use crate::contact::problem::rows::Slopes;
 use crate::contact::problem::support::Support;
-use crate::numeric::buffer::Buffer;
 
 /// The equations of one stack, one layout and one set of half-lengths.
 pub(crate) struct Equations<'a> {
     pub(super) layout: &'a Layout,
-    pub(super) bases: &'a [Basis],
+    pub(super) bases: &'a [Basis<'a>],
     /// Modes solved for, per contact, the first included.
     modes: &'a [usize],
     /// Per laminate between contacts: whether all modes below it are counted from those above it.
@@ -50,12 +49,12 @@ pub(super) struct EdgePressure {
 }
 
 /// Transforms at the rows of one contact.
-pub(crate) type Rows = Buffer;
+pub(crate) type Rows = Vec<f64>;
 
 impl<'a> Equations<'a> {
     pub(crate) fn new(
         layout: &'a Layout,
-        bases: &'a [Basis],
+        bases: &'a [Basis<'a>],
         modes: &'a [usize],
         strong: &'a [bool],
         support: &Support,
@@ -114,7 +113,7 @@ impl<'a> Equations<'a> {
     fn difference(&self, i: usize) -> Columns {
         let (upper, lower) = (&self.bases[i], &self.bases[i + 1]);
         let rows = self.layout.coupling[i].rows();
-        let mut difference = Columns::new(rows, self.modes[i]);
+        let mut difference = Columns::zeros(rows, self.modes[i]);
         for m in 0..self.modes[i] {
             let column = difference.column_mut(m);
             if self.links(i, m) {
@@ -227,8 +226,8 @@ impl<'a> Equations<'a> {
     }
 
     /// The inverse of [`Self::modes_of`], for the modes that are solved for.
-    pub(crate) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Buffer {
-        let mut unknowns = Buffer::zeros(self.size());
+    pub(crate) fn unknowns_of(&self, modes: &[Vec<f64>]) -> Vec<f64> {
+        let mut unknowns = vec![0.0; self.size()];
         for (i, own) in modes.iter().enumerate() {
             for (m, y) in own.iter().enumerate().take(self.modes[i]) {
                 let above = if i > 0 && self.links(i - 1, m) { modes[i - 1][m] } else { 0.0 };
@@ -251,7 +250,7 @@ impl<'a> Equations<'a> {
                 derivatives.push(rows);
                 continue;
             }
-            let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
+            let mut rows: Vec<Rows> = counts.iter().map(|count| vec![0.0; *count]).collect();
             let basis = &self.bases[by];
             let count = counts[by];
             // the tests of this contact change ...
@@ -291,8 +290,8 @@ impl<'a> Equations<'a> {
     }
 
     /// Rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
-    pub(crate) fn rows_of(&self, rows: &[Rows]) -> Buffer {
-        let mut ordered = Buffer::zeros(self.size());
+    pub(crate) fn rows_of(&self, rows: &[Rows]) -> Vec<f64> {
+        let mut ordered = vec![0.0; self.size()];
         for (i, rows) in rows.iter().enumerate() {
             for (m, row) in rows.iter().enumerate().take(self.modes[i]) {
                 for k in self.chain(i, m) {
@@ -304,13 +303,13 @@ impl<'a> Equations<'a> {
     }
 
     /// Tests a response of contact i with its first `count` modes.
-    pub(crate) fn test(&self, i: usize, response: &[f64], count: usize) -> Buffer {
+    pub(crate) fn test(&self, i: usize, response: &[f64], count: usize) -> Vec<f64> {
         self.bases[i].test(response, count)
     }
 
     /// p̂_i − p̂_(i+1) at the rows of the coupling, of the modes that are solved for.
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
-        let own: Buffer = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
+        let own: Vec<f64> = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
         let count = self.modes[i].min(modes[i].len());
         let mut jump = self.differences[i].part(0..count).combine(&modes[i][..count]);
         let lower = self.bases[i + 1].combine(&own);

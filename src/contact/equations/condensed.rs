@@ -12,7 +12,6 @@ use faer::{Mat, MatMut, MatRef, Par, Spec};
 use crate::contact::equations::assemble::{Equations, Rows};
 use crate::contact::problem::modes::{Modes, order};
 use crate::contact::problem::rows::Slopes;
-use crate::numeric::buffer::Buffer;
 use crate::numeric::dot;
 
 /// The equations about a set of half-lengths, factorised.
@@ -57,7 +56,7 @@ struct Eliminated {
     /// Diagonal of the matrix.
     diagonal: Vec<f64>,
     /// What edge singularities make of the rows of the first modes.
-    edges: Buffer,
+    edges: Vec<f64>,
 }
 
 /// Solves the equations for the pressures, and Newton's method for the `free` ends; `None` if they cannot be solved in double
@@ -74,7 +73,7 @@ pub(crate) fn solve(
     // equal resultants: the first modes of the contacts below do not differ from the uppermost one
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
-    let derivatives: Vec<Buffer> =
+    let derivatives: Vec<Vec<f64>> =
         equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
     let mut moved = Mat::from_fn(equations.size() - n, n, |k, by| derivatives[by][n + k]);
     factor.down(moved.as_mut());

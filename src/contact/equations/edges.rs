@@ -1,7 +1,6 @@
 //! The edge singularity at the sharp corners of a punch: its intensity q is the unknown of a contact whose half-length is
 //! known.
 use crate::contact::equations::assemble::{Equations, Rows};
-use crate::numeric::buffer::Buffer;
 
 impl Equations<'_> {
     /// Adds the edge singularity of contact i to a pressure.
@@ -15,7 +14,7 @@ impl Equations<'_> {
     /// singularity.
     pub(super) fn edge_rows(&self, i: usize, counts: &[usize]) -> Option<Vec<Rows>> {
         let edge = self.edges[i].as_ref()?;
-        let mut rows: Vec<Rows> = counts.iter().map(|count| Buffer::zeros(*count)).collect();
+        let mut rows: Vec<Rows> = counts.iter().map(|count| vec![0.0; *count]).collect();
         let response = self.spread(i, &edge.rows, &mut rows);
         rows[i] = self.bases[i].test(&response, counts[i]);
         rows[i][0] += self.half_plane_row(i, 0, 1.0);
@@ -23,8 +22,8 @@ impl Equations<'_> {
     }
 
     /// What all edge singularities add to the first `counts` rows of each contact, in the order of the matrix.
-    pub(super) fn edge_load(&self, counts: &[usize]) -> Buffer {
-        let mut load = Buffer::zeros(self.size());
+    pub(super) fn edge_load(&self, counts: &[usize]) -> Vec<f64> {
+        let mut load = vec![0.0; self.size()];
         for (i, edge) in self.edges.iter().enumerate() {
             if let (Some(edge), Some(rows)) = (edge, self.edge_rows(i, counts)) {
                 let rows = self.rows_of(&rows);

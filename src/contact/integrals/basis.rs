@@ -13,41 +13,50 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::bessel::{self, Wanted};
-use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::vectorised;
+use crate::numeric::workspace::Workspace;
 
 /// Nodes of a tail whose Bessel functions are made together.
 pub(crate) const TOGETHER: usize = 512;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
-pub(crate) struct Basis {
+pub(crate) struct Basis<'a> {
     /// Half-length in units of L.
     pub(crate) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
-    pub(crate) transform_minus_one: Buffer,
+    pub(crate) transform_minus_one: Vec<f64>,
     /// J_n/a for n = 0, 1, 3, 5, ..., one odd order more than there are modes.
     table: Columns,
     /// z at the real wavenumbers and at the smooth nodes of the tail, twice.
-    arguments: Buffer,
+    arguments: Vec<f64>,
     /// z on the turned path.
     paths: Vec<Complex64>,
     twin: Twin,
+    /// Where the storage of the table goes afterwards.
+    workspace: &'a Workspace,
 }
 
-impl Basis {
+impl Drop for Basis<'_> {
+    fn drop(&mut self) {
+        self.workspace.keep(std::mem::take(&mut self.table.values));
+    }
+}
+
+impl<'a> Basis<'a> {
     /// The first `modes` modes of each contact of a problem.
-    pub(crate) fn all(layout: &Layout, problem: &Problem, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
+    pub(crate) fn all(layout: &Layout, problem: &Problem<'a>, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
+        let workspace = problem.kernel.workspace();
         let own = |(i, (a, modes)): (usize, (&f64, &usize))| match problem.sides[i].given() {
-            Some(given) => Self::given(layout, i, given),
-            None => Self::new(layout, i, *a, *modes),
+            Some(given) => Self::given(layout, i, given, workspace),
+            None => Self::new(layout, i, *a, *modes, workspace),
         };
         half_lengths.iter().zip(modes).enumerate().map(own).collect()
     }
 
     /// The modes of contact `i` at one half-length.
-    fn new(layout: &Layout, i: usize, half_length: f64, modes: usize) -> Self {
+    fn new(layout: &Layout, i: usize, half_length: f64, modes: usize, workspace: &'a Workspace) -> Self {
         let (tail, reach) = (layout.tail(i), layout.own[i].reach);
-        let mut arguments: Buffer = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
+        let mut arguments: Vec<f64> = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
         for _ in 0..2 {
             arguments.extend(tail.smooth.iter().map(|zeta| zeta * half_length));
         }
@@ -55,9 +64,10 @@ impl Basis {
         let twin = layout.twin;
         let (rows, orders, scale) = (reach + tail.rows(), 2 * modes + 2, twin.norm / half_length);
         let wanted = Wanted::ZERO_AND_ODD.of_kind(twin.bessel);
-        let mut table = Columns::new(rows, wanted.below(orders));
+        let mut table = Columns::new(rows, wanted.below(orders), workspace);
         bessel::scaled_orders(orders, wanted, &arguments[..reach], scale, rows, &mut table.values);
-        let mut basis = Self { half_length, transform_minus_one: Buffer::default(), table, arguments, paths, twin };
+        let transform_minus_one = Vec::new();
+        let mut basis = Self { half_length, transform_minus_one, table, arguments, paths, twin, workspace };
         if rows > reach {
             basis.tabulate_tail(tail, reach, orders);
         }
@@ -65,9 +75,10 @@ impl Basis {
             let columns = basis.table.values.chunks_exact_mut(rows.max(1)).skip(1);
             columns.zip(scales).for_each(|(column, scale)| column.iter_mut().for_each(|value| *value *= scale));
             let transform = basis.arguments[..reach].iter().map(|z| bessel::spherical_jinc_minus_one(*z));
-            return Self { transform_minus_one: transform.collect(), ..basis };
+            basis.transform_minus_one = transform.collect();
+            return basis;
         }
-        let mut transform_minus_one = Buffer::any(reach);
+        let mut transform_minus_one = vec![0.0; reach];
         vectorised(
             #[inline(always)]
             || {
@@ -78,7 +89,8 @@ impl Basis {
                 }
             },
         );
-        Self { transform_minus_one, ..basis }
+        basis.transform_minus_one = transform_minus_one;
+        basis
     }
 
     /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
@@ -90,7 +102,7 @@ impl Basis {
         let all: Vec<usize> = (0..orders).collect();
         for (start, some) in (0..).step_by(TOGETHER).zip(smooth.chunks(TOGETHER)) {
             let length = some.len();
-            let (mut j, mut y) = (Buffer::any(orders * length), Buffer::any(orders * length));
+            let (mut j, mut y) = (vec![0.0; orders * length], vec![0.0; orders * length]);
             bessel::jy_table(kind, orders, some, &mut j, &mut y);
             for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
                 for (place, values) in [(first + start, &j), (first + count + start, &y)] {
@@ -115,9 +127,9 @@ impl Basis {
 
     /// The only mode of the given pressure of contact `i`, whatever its transform. Its half-length is not varied, so that
     /// other orders do not matter.
-    fn given(layout: &Layout, i: usize, given: &Given) -> Self {
+    fn given(layout: &Layout, i: usize, given: &Given, workspace: &'a Workspace) -> Self {
         let zeta = &layout.zeta[..layout.own[i].reach];
-        let transform_minus_one: Buffer = zeta.iter().map(|zeta| given.transform_minus_one(*zeta)).collect();
+        let transform_minus_one: Vec<f64> = zeta.iter().map(|zeta| given.transform_minus_one(*zeta)).collect();
         let mut table = Columns::zeros(zeta.len(), 3);
         for ((value, zeta), transform_minus_one) in
             table.column_mut(1).iter_mut().zip(zeta).zip(transform_minus_one.iter())
@@ -126,16 +138,16 @@ impl Basis {
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
         let (half_length, paths, twin) = (given.half_length, Vec::new(), layout.twin);
-        Self { half_length, transform_minus_one, table, arguments, paths, twin }
+        Self { half_length, transform_minus_one, table, arguments, paths, twin, workspace }
     }
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit
     /// pressure of the same resultant.
-    pub(crate) fn edges(&self) -> Buffer {
+    pub(crate) fn edges(&self) -> Vec<f64> {
         let factor = -1.0 / ((2.0 + self.twin.shift) * self.twin.norm);
         let third = self.twin.scales().map_or(1.0, |scales| scales[1].recip());
         let sum = |(j1, j3): (&f64, &f64)| factor * (j1 + third * j3);
-        let mut edges: Buffer = self.value(0).iter().zip(self.value(1)).map(sum).collect();
+        let mut edges: Vec<f64> = self.value(0).iter().zip(self.value(1)).map(sum).collect();
         self.scale(&mut edges, false);
         self.scale(&mut edges, false);
         edges
@@ -162,26 +174,26 @@ impl Basis {
     }
 
     /// Σ_m y_m ψ_m in every row.
-    pub(crate) fn combine(&self, y: &[f64]) -> Buffer {
+    pub(crate) fn combine(&self, y: &[f64]) -> Vec<f64> {
         self.values(y.len()).combine(y)
     }
 
     /// Σ_m y_m ψ_m for the modes from number `first` on, in every row.
-    pub(crate) fn combine_from(&self, first: usize, y: &[f64]) -> Buffer {
+    pub(crate) fn combine_from(&self, first: usize, y: &[f64]) -> Vec<f64> {
         self.values(first + y.len()).part(first..first + y.len()).combine(y)
     }
 
     /// Σ over the rows of `s` ψ_m, for the first `count` modes.
-    pub(crate) fn test(&self, s: &[f64], count: usize) -> Buffer {
+    pub(crate) fn test(&self, s: &[f64], count: usize) -> Vec<f64> {
         self.values(count).test(s)
     }
 
     /// The derivative of [`Self::combine`] with respect to ln a.
-    pub(crate) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Buffer {
+    pub(crate) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Vec<f64> {
         // (z/2) Σ d_m J_2m, d_m = y_m − y_(m−1), and J_2m = (z/2) (J_(2m−1) + J_(2m+1))/(2m) but for the first
         let scaled = self.twin.scales().map(|_| self.twin.scaled(y));
         let y = scaled.as_deref().unwrap_or(y);
-        let mut odd = Buffer::zeros(y.len() + 1);
+        let mut odd = vec![0.0; y.len() + 1];
         for m in 1..=y.len() {
             let part = (y.get(m).unwrap_or(&0.0) - y[m - 1]) / ((2 * m) as f64 + self.twin.shift);
             odd[m - 1] += part;
@@ -198,8 +210,8 @@ impl Basis {
     }
 
     /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
-    pub(crate) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Buffer {
-        let mut scaled = Buffer::of(s);
+    pub(crate) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Vec<f64> {
+        let mut scaled = s.to_vec();
         self.scale(&mut scaled, true);
         let zeroth: f64 = self.zeroth().iter().zip(scaled.iter()).map(|(zeroth, s)| zeroth * s).sum();
         self.scale(&mut scaled, true);

@@ -3,8 +3,8 @@ use std::ops::Range;
 
 use faer::MatRef;
 
-use crate::numeric::buffer::Buffer;
 use crate::numeric::vector::{LANES, vectorised};
+use crate::numeric::workspace::Workspace;
 
 /// Columns taken together.
 const TOGETHER: usize = 4;
@@ -12,18 +12,18 @@ const TOGETHER: usize = 4;
 /// Columns, one after the other.
 pub(crate) struct Columns {
     rows: usize,
-    pub(crate) values: Buffer,
+    pub(crate) values: Vec<f64>,
 }
 
 impl Columns {
-    /// Columns to be overwritten.
-    pub(crate) fn new(rows: usize, columns: usize) -> Self {
-        Self { rows, values: Buffer::any(rows * columns) }
+    /// Columns to be overwritten, in storage of a workspace.
+    pub(crate) fn new(rows: usize, columns: usize, workspace: &Workspace) -> Self {
+        Self { rows, values: workspace.take(rows * columns) }
     }
 
     /// Columns of zeros.
     pub(crate) fn zeros(rows: usize, columns: usize) -> Self {
-        Self { rows, values: Buffer::zeros(rows * columns) }
+        Self { rows, values: vec![0.0; rows * columns] }
     }
 
     pub(crate) fn rows(&self) -> usize {
@@ -68,14 +68,15 @@ impl<'a> ColumnRange<'a> {
         Self { count: columns.len(), values, ..self }
     }
 
-    /// As a matrix of the first rows.
-    pub(crate) fn matrix(self, rows: usize) -> MatRef<'a, f64> {
-        MatRef::from_column_major_slice_with_stride(self.values, rows, self.count, self.rows)
+    /// As a matrix of some rows.
+    pub(crate) fn matrix(self, rows: Range<usize>) -> MatRef<'a, f64> {
+        MatRef::from_column_major_slice_with_stride(self.values, self.rows, self.count, self.rows)
+            .subrows(rows.start, rows.len())
     }
 
     /// Σ factor · column.
-    pub(crate) fn combine(self, factors: &[f64]) -> Buffer {
-        let mut sum = Buffer::zeros(self.rows);
+    pub(crate) fn combine(self, factors: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; self.rows];
         if self.rows == 0 {
             return sum;
         }
@@ -100,8 +101,8 @@ impl<'a> ColumnRange<'a> {
     }
 
     /// Σ over the rows of each column times `rows`, which may be fewer than the columns have.
-    pub(crate) fn test(self, rows: &[f64]) -> Buffer {
-        let mut sums = Buffer::any(self.count);
+    pub(crate) fn test(self, rows: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.count];
         vectorised(
             #[inline(always)]
             || {

@@ -6,7 +6,6 @@
 use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, MOST_WAVENUMBERS, Tail, Weights, turning};
 use crate::contact::problem::twin::Twin;
 use crate::kernel::{Kernel, Panel, Values};
-use crate::numeric::buffer::Buffer;
 use crate::numeric::quadrature::{LARGEST, rule};
 
 /// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
@@ -296,7 +295,7 @@ impl Layout {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let first = self.zeta.len();
             self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
-            let weights: Buffer = points
+            let weights: Vec<f64> = points
                 .on(at(part), at(part + 1))
                 .map(|(zeta, weight)| weight / zeta * self.twin.measure(zeta))
                 .collect();

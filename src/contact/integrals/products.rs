@@ -1,7 +1,9 @@
 //! Products of columns with weighted columns, the integrals over the wavenumber.
+use std::ops::Range;
+
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
-use faer::{Accum, MatMut, Par};
+use faer::{Accum, MatMut, MatRef, Par};
 
 use crate::contact::integrals::columns::{ColumnRange, Columns};
 use crate::contact::integrals::tail::Weights;
@@ -12,40 +14,49 @@ fn written(matrix: &mut Columns, columns: usize) -> MatMut<'_, f64> {
     MatMut::from_column_major_slice_mut(&mut matrix.values, rows, columns)
 }
 
-/// Weights times some columns, over the rows that they cover.
-fn weighted(weights: &Weights, columns: ColumnRange<'_>) -> Columns {
-    let mut weighted = Columns::new(weights.rows(), columns.count());
-    for m in 0..columns.count() {
-        weights.times(columns.column(m), weighted.column_mut(m));
-    }
-    weighted
-}
+/// Rows that are weighted together: so few that they stay in the cache of the processor.
+const TOGETHER: usize = 256;
 
 /// leftᵀ · weights · right.
 pub(crate) fn product(left: ColumnRange<'_>, weights: &Weights, right: ColumnRange<'_>) -> Columns {
-    let (count, rows) = (right.count(), left.matrix(weights.rows()).transpose());
-    let mut product = Columns::new(left.count(), count);
-    let right = weighted(weights, right);
-    let right = right.part(0..count).matrix(weights.rows());
-    matmul(written(&mut product, count), Accum::Replace, rows, right, 1.0, Par::Seq);
+    let mut product = Columns::zeros(left.count(), right.count());
+    let count = right.count();
+    for_weighted(weights, right, |rows, right| {
+        let left = left.matrix(rows.clone()).transpose();
+        matmul(written(&mut product, count), Accum::Add, left, right, 1.0, Par::Seq);
+    });
     product
 }
 
 /// columnsᵀ · weights · columns, its lower half at least.
 pub(crate) fn symmetric_product(columns: ColumnRange<'_>, weights: &Weights) -> Columns {
     let count = columns.count();
-    let mut product = Columns::new(count, count);
-    let right = weighted(weights, columns);
-    triangular::matmul(
-        written(&mut product, count),
-        BlockStructure::TriangularLower,
-        Accum::Replace,
-        columns.matrix(weights.rows()).transpose(),
-        BlockStructure::Rectangular,
-        right.part(0..count).matrix(weights.rows()),
-        BlockStructure::Rectangular,
-        1.0,
-        Par::Seq,
-    );
+    let mut product = Columns::zeros(count, count);
+    for_weighted(weights, columns, |rows, right| {
+        triangular::matmul(
+            written(&mut product, count),
+            BlockStructure::TriangularLower,
+            Accum::Add,
+            columns.matrix(rows).transpose(),
+            BlockStructure::Rectangular,
+            right,
+            BlockStructure::Rectangular,
+            1.0,
+            Par::Seq,
+        );
+    });
     product
+}
+
+/// Weights times some columns, over the rows that they cover: some rows after the other.
+fn for_weighted(weights: &Weights, columns: ColumnRange<'_>, mut add: impl FnMut(Range<usize>, MatRef<'_, f64>)) {
+    let mut weighted = vec![0.0; weights.rows().min(TOGETHER) * columns.count()];
+    for rows in weights.blocks(TOGETHER) {
+        let weighted = &mut weighted[..rows.len() * columns.count()];
+        for (m, out) in weighted.chunks_exact_mut(rows.len()).enumerate() {
+            weights.times(rows.clone(), &columns.column(m)[rows.clone()], out);
+        }
+        let matrix = MatRef::from_column_major_slice(weighted, rows.len(), columns.count());
+        add(rows, matrix);
+    }
 }

@@ -4,11 +4,12 @@
 //! J_k(ζa) J_j(ζa') = ½ Re(H_k H̄_j) + ½ Re(H_k H_j). The first part oscillates like a − a' only, the second decays in
 //! the upper half of the complex plane, where its path is turned. Contacts whose pressures are coupled far beyond
 //! R share the nodes of both.
+use std::ops::Range;
+
 use num_complex::Complex64;
 
 use crate::contact::problem::twin::Twin;
 use crate::kernel::Kernel;
-use crate::numeric::buffer::Buffer;
 use crate::numeric::chebyshev::Series;
 use crate::numeric::quadrature::{LARGEST, laguerre_rule, rule};
 use crate::numeric::vector::vectorised;
@@ -171,34 +172,45 @@ impl Weights {
                 }
             },
         );
-        self.add_turned(factor, rows, out);
+        if !self.turned.is_empty() {
+            self.add_turned(factor, &rows[self.plain.len()..], &mut out[self.plain.len()..]);
+        }
     }
 
-    /// Weights · rows over the rows that they cover.
-    pub(crate) fn times(&self, rows: &[f64], out: &mut [f64]) {
-        out[self.plain.len()..].fill(0.0);
+    /// The rows that they cover: some real ones after the other, and last the turned path.
+    pub(crate) fn blocks(&self, most: usize) -> impl Iterator<Item = Range<usize>> + use<> {
+        let (plain, rows) = (self.plain.len(), self.rows());
+        let real = (0..plain).step_by(most).map(move |first| first..plain.min(first + most));
+        real.chain((plain < rows).then_some(plain..rows))
+    }
+
+    /// Weights · rows of one of the [`Self::blocks`].
+    pub(crate) fn times(&self, block: Range<usize>, rows: &[f64], out: &mut [f64]) {
+        if block.start == self.plain.len() {
+            out.fill(0.0);
+            return self.add_turned(1.0, rows, out);
+        }
         vectorised(
             #[inline(always)]
             || {
-                for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
+                for ((out, weight), row) in out.iter_mut().zip(&self.plain[block]).zip(rows) {
                     *out = weight * row;
                 }
             },
         );
-        self.add_turned(1.0, rows, out);
     }
 
-    /// The same over `count` rows, zero where they cover nothing.
-    pub(crate) fn over(&self, count: usize, rows: &[f64]) -> Buffer {
-        let mut out = Buffer::any(count);
-        self.times(rows, &mut out);
+    /// Weights · rows over `count` rows, zero where they cover nothing.
+    pub(crate) fn over(&self, count: usize, rows: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; count];
+        self.add_times(1.0, rows, &mut out);
         out
     }
 
+    /// Adds factor · weights · rows of the turned path.
     fn add_turned(&self, factor: f64, rows: &[f64], out: &mut [f64]) {
-        let (count, turned) = (self.plain.len(), self.turned.len());
         for (k, weight) in self.turned.iter().enumerate() {
-            let (re, im) = (count + k, count + turned + k);
+            let (re, im) = (k, self.turned.len() + k);
             let value = (weight * Complex64::new(rows[re], rows[im])).conj();
             out[re] += factor * value.re;
             out[im] += factor * value.im;

@@ -16,7 +16,6 @@ use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::Level;
 use crate::contact::quality::round;
 use crate::kernel::Kernel;
-use crate::numeric::buffer::Buffer;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::{LANES, vectorised};
 use crate::solution::jacobi_sums;
@@ -292,7 +291,7 @@ struct Waves {
     /// g∞ of each contact.
     limits: Vec<f64>,
     /// Slope transforms, weights included and g∞ left out.
-    slopes: Vec<Buffer>,
+    slopes: Vec<Vec<f64>>,
 }
 
 /// Places x > a (in units of L) outside each contact, and the gap there per unit of P'.
