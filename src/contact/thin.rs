@@ -9,6 +9,7 @@
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
 //! solved without these waves, and that change is part of the error.
 use crate::contact::problem::accuracy::{ROUNDING, SAFETY, SLOW};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
@@ -21,8 +22,8 @@ use crate::numeric;
 use crate::solution::{Interface, Warning, WarningCode};
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
-struct Thin {
-    kernel: Kernel,
+struct Thin<'a> {
+    kernel: Cow<'a, Kernel>,
     /// By how much what is left out changes an answer at most, relative.
     error: f64,
     /// Thickness of the thinnest of the layers over the half-length next to it.
@@ -73,11 +74,11 @@ fn worst(answer: &Answer) -> f64 {
     numeric::largest(errors)
 }
 
-impl Thin {
+impl<'a> Thin<'a> {
     /// What is thin next to contacts of these half-lengths; `None` if modes resolve all that matters.
-    fn new(problem: &Problem, mut half_lengths: Vec<f64>) -> Result<Option<Self>, ContactError> {
+    fn new(problem: &Problem<'a>, mut half_lengths: Vec<f64>) -> Result<Option<Self>, ContactError> {
         let (contacts, joined) = (Vec::new(), Vec::new());
-        let mut thin = Self { kernel: problem.kernel.clone(), error: 0.0, thinnest: 1.0, contacts, joined };
+        let mut thin = Self { kernel: Cow::Borrowed(problem.kernel), error: 0.0, thinnest: 1.0, contacts, joined };
         if !problem.sides.iter().any(Side::is_sharp) {
             for upper in problem.unknown().collect::<Vec<_>>().into_iter().rev().skip(1) {
                 thin.join_below(upper, &mut half_lengths)?;
@@ -88,7 +89,7 @@ impl Thin {
                 continue;
             };
             thin.thinnest = thin.thinnest.min(DECAYED / (thin.kernel.asymptote(contact).from * half_length));
-            thin.kernel = thin.kernel.cut_off(contact, from);
+            thin.kernel = Cow::Owned(thin.kernel.cut_off(contact, from));
             thin.error = thin.error.max(error);
             thin.contacts.push((contact, error));
         }
@@ -131,7 +132,7 @@ impl Thin {
         }
         // a layer gives way to longer waves by the same displacement as to those as short as it is thick
         let squeezed = self.kernel.compression(upper, formulas::TYPICAL / carried) * carried / a;
-        self.kernel = self.kernel.without(upper)?;
+        self.kernel = Cow::Owned(self.kernel.without(upper)?);
         let error = SAFETY * carried / a + SAFETY * squeezed / self.kernel.compliances(formulas::TYPICAL / a)[upper];
         half_lengths.remove(upper + 1);
         self.thinnest = self.thinnest.min(carried / a);

@@ -240,8 +240,8 @@ impl Panel {
     }
 
     /// Equal-pressure responses and couplings at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
-    /// the panel or a part of it.
-    pub(crate) fn values(&self, zeta: &[f64], from: f64, to: f64) -> Values {
+    /// the panel or a part of it, to be written over others.
+    pub(crate) fn values(&self, zeta: &[f64], [from, to]: [f64; 2], all: &mut Values) {
         let count = zeta.len();
         let mut columns = Vec::new();
         let columns: &[f64] = if from == self.from && to == self.to {
@@ -254,8 +254,10 @@ impl Panel {
             &columns
         };
         let n = self.contacts;
-        let mut values = vec![0.0; count * (2 * n - 1)];
-        for (component, values) in (n..3 * n - 1).zip(values.chunks_exact_mut(count)) {
+        (all.count, all.contacts) = (count, n);
+        all.values.clear();
+        all.values.resize(count * (2 * n - 1), 0.0);
+        for (component, values) in (n..3 * n - 1).zip(all.values.chunks_exact_mut(count)) {
             if component >= 2 * n && !self.coupled[component - 2 * n] {
                 continue;
             }
@@ -278,11 +280,11 @@ impl Panel {
                 },
             );
         }
-        Values { count, contacts: n, values }
     }
 }
 
 /// Equal-pressure responses and couplings of a panel at several wavenumbers.
+#[derive(Default)]
 pub(crate) struct Values {
     count: usize,
     contacts: usize,

@@ -256,11 +256,11 @@ impl<'a> Equations<'a> {
             // the tests of this contact change ...
             let response = self.response(by, &pressures[by], &jumps);
             let tested = basis.test(&response, count);
-            add(&mut rows[by], &basis.test_slopes(&response, &tested));
+            basis.add_tested_slopes(&response, &tested, &mut rows[by]);
             // ... and so does its pressure
             let change = basis.combine_slopes(&modes[by], &pressures[by]);
             let response = self.spread(by, &change, &mut rows);
-            add(&mut rows[by], &basis.test(&response, count));
+            basis.add_tested(1.0, &response, &mut rows[by]);
             for (m, row) in rows[by].iter_mut().enumerate() {
                 *row -= 2.0 * self.layout.twin.norm * self.cauchy(by, m) * modes[by][m];
                 if let Some(slopes) = &slopes[by] {
@@ -281,25 +281,21 @@ impl<'a> Equations<'a> {
         for (laminate, other) in above.into_iter().chain(below) {
             let coupling = &self.layout.coupling[laminate];
             coupling.add_times(1.0, change, &mut response);
-            let mut there = coupling.over(self.bases[other].rows(), change);
-            there.iter_mut().for_each(|value| *value = -*value);
-            let count = rows[other].len();
-            add(&mut rows[other], &self.bases[other].test(&there, count));
+            let there = coupling.over(self.bases[other].rows(), change);
+            self.bases[other].add_tested(-1.0, &there, &mut rows[other]);
         }
         response
     }
 
-    /// Rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
-    pub(crate) fn rows_of(&self, rows: &[Rows]) -> Vec<f64> {
-        let mut ordered = vec![0.0; self.size()];
+    /// Adds factor · rows of each contact in the order of the matrix: an unknown is tested in all contacts whose modes it is part of.
+    pub(crate) fn add_rows(&self, factor: f64, rows: &[Rows], ordered: &mut [f64]) {
         for (i, rows) in rows.iter().enumerate() {
             for (m, row) in rows.iter().enumerate().take(self.modes[i]) {
                 for k in self.chain(i, m) {
-                    ordered[self.place(k, m)] += row;
+                    ordered[self.place(k, m)] += factor * row;
                 }
             }
         }
-        ordered
     }
 
     /// Tests a response of contact i with its first `count` modes.
@@ -309,11 +305,10 @@ impl<'a> Equations<'a> {
 
     /// p̂_i − p̂_(i+1) at the rows of the coupling, of the modes that are solved for.
     fn jump(&self, i: usize, unknowns: &[f64], modes: &[Vec<f64>]) -> Rows {
-        let own: Vec<f64> = (0..self.modes(i + 1)).map(|m| unknowns[self.place(i + 1, m)]).collect();
+        let own: Vec<f64> = (0..self.modes(i + 1)).map(|m| -unknowns[self.place(i + 1, m)]).collect();
         let count = self.modes[i].min(modes[i].len());
         let mut jump = self.differences[i].part(0..count).combine(&modes[i][..count]);
-        let lower = self.bases[i + 1].combine(&own);
-        jump.iter_mut().zip(lower.iter()).for_each(|(jump, lower)| *jump -= lower);
+        self.bases[i + 1].values(own.len()).add_combined(&own, &mut jump);
         self.add_edge(i, &mut jump);
         jump
     }
@@ -333,7 +328,7 @@ impl<'a> Equations<'a> {
         };
         let jumps = (0..n - 1).map(jump).collect();
         for (i, pressure) in pressures.iter_mut().enumerate() {
-            add(pressure, &self.bases[i].combine(&modes[i][..solved(i)]));
+            self.bases[i].values(solved(i)).add_combined(&modes[i][..solved(i)], pressure);
             self.add_edge(i, pressure);
         }
         Transforms { pressures, jumps }
@@ -364,8 +359,4 @@ struct Transforms {
     pressures: Vec<Rows>,
     /// p̂_i − p̂_(i+1) at the rows of the coupling.
     jumps: Vec<Rows>,
-}
-
-fn add(sum: &mut [f64], more: &[f64]) {
-    sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
 }

@@ -31,9 +31,9 @@ pub(crate) struct Influences {
     /// What rounding may change in the logarithms of the half-lengths.
     pub(crate) rounding: Vec<f64>,
     /// By how much the logarithm of each half-length changes with the logarithm of each other one, if it alone gives way to it.
-    pub(crate) lengths: Vec<Vec<f64>>,
+    pub(crate) lengths: Mat<f64>,
     /// The same for the logarithm of the pressure in the middle of each contact.
-    pub(crate) peaks: Vec<Vec<f64>>,
+    pub(crate) peaks: Mat<f64>,
 }
 
 /// Modes of all contacts, y_im with y_i0 = 1, and Newton's step in the unknowns of their ends.
@@ -73,18 +73,20 @@ pub(crate) fn solve(
     // equal resultants: the first modes of the contacts below do not differ from the uppermost one
     unknowns[0] = 1.0;
     let modes = equations.modes_of(&unknowns);
-    let derivatives: Vec<Vec<f64>> =
-        equations.derivatives(&modes, slopes).iter().map(|rows| equations.rows_of(rows)).collect();
-    let mut moved = Mat::from_fn(equations.size() - n, n, |k, by| derivatives[by][n + k]);
-    factor.down(moved.as_mut());
-    let jacobian = Mat::from_fn(n, n, |i, by| derivatives[by][i] - dot(beta.col_as_slice(i), moved.col_as_slice(by)));
+    let mut derivatives = Mat::zeros(equations.size(), n);
+    for (by, rows) in equations.derivatives(&modes, slopes).iter().enumerate() {
+        equations.add_rows(1.0, rows, derivatives.col_as_slice_mut(by));
+    }
+    factor.down(derivatives.as_mut().subrows_mut(n, equations.size() - n));
+    let moved = |by: usize| &derivatives.col_as_slice(by)[n..];
+    let jacobian = Mat::from_fn(n, n, |i, by| derivatives[(i, by)] - dot(beta.col_as_slice(i), moved(by)));
     let inverse = inverse_of(&jacobian, free)?;
     let residual = |i: usize| {
         let row = known[i] + edges[i] - slopes[i].as_ref().map_or(0.0, |slopes| slopes.load(0));
         row - dot(beta.col_as_slice(i), gamma)
     };
     let residuals: Vec<f64> = (0..n).map(residual).collect();
-    let sensitivity: Vec<Modes> = (0..n).map(|by| equations.modes_of(&factor.back(moved.col_as_slice(by)))).collect();
+    let sensitivity: Vec<Modes> = (0..n).map(|by| equations.modes_of(&factor.back(moved(by)))).collect();
     let influences = influences(equations, &eliminated, &modes, &jacobian, &inverse, &sensitivity);
     let Eliminated { factor, beta, .. } = eliminated;
     let linearised = Linearised { factor, beta, inverse, sensitivity, influences };
@@ -148,7 +150,7 @@ fn influences(
 ) -> Influences {
     let n = equations.contacts();
     let Eliminated { factor, beta, gamma, known, diagonal, .. } = eliminated;
-    let lengths = (0..n).map(|i| (0..n).map(|by| (jacobian[(i, by)] / jacobian[(i, i)]).abs()).collect()).collect();
+    let lengths = Mat::from_fn(n, n, |i, by| (jacobian[(i, by)] / jacobian[(i, i)]).abs());
     let differences = |i: usize| {
         let mut weights = factor.back(beta.col_as_slice(i));
         weights[i] = 1.0;
@@ -167,7 +169,7 @@ fn influences(
         let own = if by == i { 1.0 } else { 0.0 };
         (sum(&sensitivity[by][i]) / sum(&modes[i]) - own).abs()
     };
-    let peaks = (0..n).map(|i| (0..n).map(|by| peak(i, by)).collect()).collect();
+    let peaks = Mat::from_fn(n, n, peak);
     Influences { rounding, lengths, peaks }
 }
 
@@ -243,7 +245,7 @@ impl Linearised {
     /// By how much a step of contact i alone would change the pressures in the middle of all contacts, and by how much what is
     /// left in its row would change the half-lengths of others, relative.
     pub(crate) fn sensitivity(&self, i: usize, pressures: &Pressures) -> f64 {
-        let peaks = self.influences.peaks.iter().map(|by| by[i] * pressures.step[i].abs());
+        let peaks = self.influences.peaks.col_as_slice(i).iter().map(|peak| peak * pressures.step[i].abs());
         let others = (0..pressures.step.len()).filter(|k| *k != i);
         let lengths = others.map(|k| (self.inverse[(k, i)] * pressures.residuals[i]).abs());
         // NaN counts as infinitely sensitive
@@ -287,11 +289,12 @@ impl Linearised {
             }
             rows.push(own);
         }
-        let rows = equations.rows_of(&rows);
-        let mut column = rows[n..].to_vec();
-        self.factor.down(MatMut::from_column_major_slice_mut(&mut column, rows.len() - n, 1));
-        let residuals: Vec<f64> = (0..n).map(|i| rows[i] - dot(self.beta.col_as_slice(i), &column)).collect();
-        let lower = equations.modes_of(&self.factor.back(&column));
+        let mut left = vec![0.0; equations.size()];
+        equations.add_rows(1.0, &rows, &mut left);
+        let (first, others) = left.split_at_mut(n);
+        self.factor.down(MatMut::from_column_major_slice_mut(others, equations.size() - n, 1));
+        let residuals: Vec<f64> = (0..n).map(|i| first[i] - dot(self.beta.col_as_slice(i), others)).collect();
+        let lower = equations.modes_of(&self.factor.back(others));
         for ((modes, lower), change) in modes.iter_mut().zip(lower).zip(&mut changes) {
             for (m, (y, dy)) in modes.iter_mut().zip(lower).enumerate() {
                 *y += dy;

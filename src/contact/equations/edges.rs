@@ -26,8 +26,7 @@ impl Equations<'_> {
         let mut load = vec![0.0; self.size()];
         for (i, edge) in self.edges.iter().enumerate() {
             if let (Some(edge), Some(rows)) = (edge, self.edge_rows(i, counts)) {
-                let rows = self.rows_of(&rows);
-                load.iter_mut().zip(rows.iter()).for_each(|(sum, row)| *sum += edge.intensity * row);
+                self.add_rows(edge.intensity, &rows, &mut load);
             }
         }
         load

@@ -56,9 +56,9 @@ impl<'a> Basis<'a> {
     /// The modes of contact `i` at one half-length.
     fn new(layout: &Layout, i: usize, half_length: f64, modes: usize, workspace: &'a Workspace) -> Self {
         let (tail, reach) = (layout.tail(i), layout.own[i].reach);
-        let mut arguments: Vec<f64> = layout.zeta[..reach].iter().map(|zeta| zeta * half_length).collect();
-        for _ in 0..2 {
-            arguments.extend(tail.smooth.iter().map(|zeta| zeta * half_length));
+        let mut arguments = Vec::with_capacity(reach + 2 * tail.smooth.len());
+        for zeta in [&layout.zeta[..reach], &tail.smooth, &tail.smooth] {
+            arguments.extend(zeta.iter().map(|zeta| zeta * half_length));
         }
         let paths: Vec<Complex64> = tail.turned.iter().map(|zeta| zeta * half_length).collect();
         let twin = layout.twin;
@@ -188,6 +188,11 @@ impl<'a> Basis<'a> {
         self.values(count).test(s)
     }
 
+    /// Adds factor · [`Self::test`], with as many modes as there are rows.
+    pub(crate) fn add_tested(&self, factor: f64, s: &[f64], rows: &mut [f64]) {
+        self.values(rows.len()).add_tested(factor, s, rows);
+    }
+
     /// The derivative of [`Self::combine`] with respect to ln a.
     pub(crate) fn combine_slopes(&self, y: &[f64], combined: &[f64]) -> Vec<f64> {
         // (z/2) Σ d_m J_2m, d_m = y_m − y_(m−1), and J_2m = (z/2) (J_(2m−1) + J_(2m+1))/(2m) but for the first
@@ -209,8 +214,8 @@ impl<'a> Basis<'a> {
         slopes
     }
 
-    /// Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
-    pub(crate) fn test_slopes(&self, s: &[f64], tested: &[f64]) -> Vec<f64> {
+    /// Adds Σ over the rows of `s` times the derivative of ψ_m with respect to ln a, where `tested` is [`Self::test`].
+    pub(crate) fn add_tested_slopes(&self, s: &[f64], tested: &[f64], rows: &mut [f64]) {
         let mut scaled = s.to_vec();
         self.scale(&mut scaled, true);
         let zeroth: f64 = self.zeroth().iter().zip(scaled.iter()).map(|(zeroth, s)| zeroth * s).sum();
@@ -220,7 +225,7 @@ impl<'a> Basis<'a> {
         let (shift, norm) = (self.twin.shift, self.twin.norm);
         let even = |m: usize| if m == 0 { zeroth } else { (odd[m - 1] + odd[m]) / ((2 * m) as f64 + shift) };
         let slope = |(m, value): (usize, &f64)| self.twin.scale(m) * (even(m) - even(m + 1)) - norm * value;
-        tested.iter().enumerate().map(slope).collect()
+        rows.iter_mut().zip(tested.iter().enumerate().map(slope)).for_each(|(row, slope)| *row += slope);
     }
 
     /// Divides by the factors of the modes.

@@ -77,8 +77,14 @@ impl<'a> ColumnRange<'a> {
     /// Σ factor · column.
     pub(crate) fn combine(self, factors: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.rows];
+        self.add_combined(factors, &mut sum);
+        sum
+    }
+
+    /// Adds Σ factor · column.
+    pub(crate) fn add_combined(self, factors: &[f64], sum: &mut [f64]) {
         if self.rows == 0 {
-            return sum;
+            return;
         }
         vectorised(
             #[inline(always)]
@@ -97,12 +103,17 @@ impl<'a> ColumnRange<'a> {
                 }
             },
         );
-        sum
     }
 
     /// Σ over the rows of each column times `rows`, which may be fewer than the columns have.
     pub(crate) fn test(self, rows: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.count];
+        self.add_tested(1.0, rows, &mut sums);
+        sums
+    }
+
+    /// Adds factor · Σ over the rows of each column times `rows`.
+    pub(crate) fn add_tested(self, factor: f64, rows: &[f64], sums: &mut [f64]) {
         vectorised(
             #[inline(always)]
             || {
@@ -111,11 +122,10 @@ impl<'a> ColumnRange<'a> {
                     let column = |k: usize| self.column(block * TOGETHER + k.min(sums.len() - 1));
                     let columns = [column(0), column(1), column(2), column(3)].map(|column| &column[..rows.len()]);
                     let found = products(columns, rows);
-                    sums.iter_mut().zip(found).for_each(|(sum, found)| *sum = found);
+                    sums.iter_mut().zip(found).for_each(|(sum, found)| *sum += factor * found);
                 }
             },
         );
-        sums
     }
 }
 

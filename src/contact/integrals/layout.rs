@@ -60,6 +60,9 @@ pub(crate) struct Own {
     tail: usize,
 }
 
+/// Room for so many real wavenumbers to begin with, as most layouts have: without it vectors grow five times each. Twice as many: nothing changes.
+const USUAL: usize = 512;
+
 /// What a layout is built from.
 struct Plan<'a> {
     kernel: &'a Kernel,
@@ -74,6 +77,17 @@ struct Plan<'a> {
     span: f64,
     /// There are no tails: all wavenumbers are real.
     cut: bool,
+}
+
+/// Wavenumbers of a part of a stretch.
+#[derive(Default)]
+struct Part {
+    /// The number of the first of them.
+    first: usize,
+    /// The weights of a sum that is the integral over dζ/ζ.
+    weights: Vec<f64>,
+    /// Kernels there, in the storage of the part before.
+    values: Values,
 }
 
 /// Contacts next to each other that share a tail, or have none.
@@ -225,13 +239,17 @@ impl Layout {
     /// Without wavenumbers; `tail_of` tells which of the tails belongs to a contact.
     fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
         let n = kernel.contacts();
-        let own =
-            |i: usize| Own { unit: Weights::default(), reach: 0, limit: kernel.asymptote(i).limit, tail: tail_of(i) };
+        let own = |i: usize| Own {
+            unit: Weights::for_some(USUAL),
+            reach: 0,
+            limit: kernel.asymptote(i).limit,
+            tail: tail_of(i),
+        };
         Self {
             twin: Twin::of(kernel.geometry()),
-            zeta: Vec::new(),
+            zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
-            coupling: (1..n).map(|_| Weights::default()).collect(),
+            coupling: (1..n).map(|_| Weights::for_some(USUAL)).collect(),
             tails: Vec::new(),
         }
     }
@@ -257,6 +275,7 @@ impl Layout {
         let last = plan.coupled.iter().chain(&plan.reaches).copied().fold(0.0, f64::max);
         // fields far away take more
         let most = if plan.span > 0.0 || plan.cut { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
+        let mut part = Part::default();
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {
@@ -272,7 +291,7 @@ impl Layout {
             while from < next {
                 let ends = plan.reaches.iter().chain(&plan.coupled).copied();
                 let to = ends.filter(|&end| from < end && end < next).fold(next, f64::min);
-                self.stretch(plan, panel, from, to);
+                self.stretch(plan, panel, [from, to], &mut part);
                 from = to;
             }
             edge = next;
@@ -281,7 +300,7 @@ impl Layout {
     }
 
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
-    fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, from: f64, to: f64) {
+    fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, [from, to]: [f64; 2], part: &mut Part) {
         let Some((frequency, size)) = plan.wanted(panel, from, to) else { return };
         let digits = (size / plan.negligible).log10().clamp(1.0, f64::from(f64::DIGITS));
         let needed = points(frequency * (to - from), digits);
@@ -291,22 +310,23 @@ impl Layout {
             return;
         }
         let points = rule(needed.div_ceil(parts).clamp(8, LARGEST));
-        for part in 0..parts {
+        for number in 0..parts {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
-            let first = self.zeta.len();
-            self.zeta.extend(points.on(at(part), at(part + 1)).map(|(zeta, _)| zeta));
-            let weights: Vec<f64> = points
-                .on(at(part), at(part + 1))
-                .map(|(zeta, weight)| weight / zeta * self.twin.measure(zeta))
-                .collect();
-            let values = panel.map(|panel| panel.values(&self.zeta[first..], at(part), at(part + 1)));
-            self.weigh(plan, values.as_ref(), first, &weights, (from, to));
+            let [start, end] = [at(number), at(number + 1)];
+            part.first = self.zeta.len();
+            self.zeta.extend(points.on(start, end).map(|(zeta, _)| zeta));
+            part.weights.clear();
+            part.weights.extend(points.on(start, end).map(|(zeta, weight)| weight / zeta * self.twin.measure(zeta)));
+            if let Some(panel) = panel {
+                panel.values(&self.zeta[part.first..], [start, end], &mut part.values);
+            }
+            self.weigh(plan, panel.map(|_| &part.values), part, [from, to]);
         }
     }
 
-    /// Adds the weights of all kernels at the real wavenumbers from number `first` on, within a stretch.
-    fn weigh(&mut self, plan: &Plan, values: Option<&Values>, first: usize, weights: &[f64], (from, to): (f64, f64)) {
-        let (kernel, zeta) = (plan.kernel, &self.zeta[first..]);
+    /// Adds the weights of all kernels, the values of which are known within a panel, at the real wavenumbers of a part of a stretch.
+    fn weigh(&mut self, plan: &Plan, values: Option<&Values>, part: &Part, [from, to]: [f64; 2]) {
+        let (kernel, zeta, weights) = (plan.kernel, &self.zeta[part.first..], &part.weights);
         for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
             let (far, start) = (kernel.asymptote(i), own.unit.plain.len());
             match values {

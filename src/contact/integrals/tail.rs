@@ -157,6 +157,11 @@ pub(crate) struct Weights {
 }
 
 impl Weights {
+    /// With room for so many real rows.
+    pub(crate) fn for_some(rows: usize) -> Self {
+        Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
+    }
+
     /// Rows that they cover, the first of all.
     pub(crate) fn rows(&self) -> usize {
         self.plain.len() + 2 * self.turned.len()

@@ -280,12 +280,12 @@ impl<'a> Propagation<'a> {
 
     /// How sensitive half-length i is to half-length k.
     fn length(&self, i: usize, k: usize) -> f64 {
-        if i == k { 1.0 } else { self.found.influences.lengths[i][k].min(1.0) }
+        if i == k { 1.0 } else { self.found.influences.lengths[(i, k)].min(1.0) }
     }
 
     /// How sensitive pressure i is to half-length k: no less than its half-length, unless that is not known at all.
     fn pressure(&self, i: usize, k: usize) -> f64 {
-        let sensitivity = self.found.influences.peaks[i][k].min(1.0);
+        let sensitivity = self.found.influences.peaks[(i, k)].min(1.0);
         let is_unknown = match i == k {
             true => self.errors[k].length > UNKNOWN,
             false => self.ends[k] > UNKNOWN || self.found.support.decay(k).is_some(),
@@ -305,7 +305,7 @@ impl<'a> Propagation<'a> {
     /// What rounding does to pressure i comes by way of the half-lengths.
     fn rounding(&self, i: usize) -> f64 {
         let rounding = &self.found.influences.rounding;
-        let peaks = self.found.influences.peaks[i].iter().zip(rounding);
+        let peaks = self.found.influences.peaks.row(i).iter().zip(rounding);
         let by_lengths = peaks.map(|(sensitivity, rounding)| sensitivity.min(1.0) * rounding);
         SAFETY * by_lengths.fold(rounding[i].min(ROUNDING), f64::max)
     }
