@@ -39,6 +39,14 @@ pub(crate) struct Piece {
     pub(crate) coefficients: [f64; 4],
 }
 
+impl Piece {
+    /// The slope as a polynomial in x less a place that is so far from the start: the coefficients of 1, of x and of x².
+    pub(crate) fn slopes(&self, t: f64) -> [f64; 3] {
+        let [_, c1, c2, c3] = self.coefficients;
+        [c1 + t * (2.0 * c2 + 3.0 * c3 * t), 2.0 * c2 + 6.0 * c3 * t, 3.0 * c3]
+    }
+}
+
 impl Shape<'_> {
     /// Height above the tip, in length; infinite beyond the edge of a circle or a flat punch.
     pub(crate) fn height(&self, x: f64) -> f64 {

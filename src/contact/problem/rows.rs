@@ -2,12 +2,16 @@
 //!
 //! On x = m + w s, s = cos θ, the tests are polynomials C_k of one family with C_k(1) = 1: in the plane T_k(s) dθ, about an axis P_k(s) sin θ dθ.
 //! What is tested is the slope f', and about an axis A'(t), A(t) = t ∫ f'(r)/√(t² − r²) dr from 0 to t: with r = t sin φ it is ∫ (r f')' dφ from
-//! 0 to π/2. Powers of |x| about x = 0 have closed forms. All else is integrated by Gauss rules from one place to the next where the
-//! profile is not smooth, but for a circle in the plane, which is analytic: all at once, at places as far from each other in θ.
+//! 0 to π/2. Powers of |x| about x = 0 have closed forms, and so have polynomials in the plane about the middle of an interval. All else is
+//! integrated by Gauss rules from one place to the next where the profile is not smooth, but for a circle in the plane, which is analytic: all at
+//! once, at places as far from each other in θ.
+use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use num_complex::Complex64;
+
 use crate::contact::problem::accuracy::ROUNDING;
-use crate::contact::problem::modes::order;
+use crate::contact::problem::modes::{alternating, order};
 use crate::contact::problem::profile::{Profile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::quadrature::rule;
@@ -55,6 +59,40 @@ impl Slopes {
             *slope += power * value;
             let k = order(m);
             value *= (k - power) / (k + power + (2.0 + 2.0 * self.twin.shift));
+        }
+    }
+
+    /// Adds pieces between which the profile is not smooth to odd rows in the plane, up to x = `half_length` in the unit of the scene. At the start of
+    /// each, x = b, begins J_0 + J_1 y + J_2 y² more of the slope, y = x − b, and ∫ (cos θ − cos θ_b)^n cos kθ dθ from 0 to θ_b is a sum of
+    /// sin(jθ_b)/j with j from k − n to k + n.
+    fn add_pieces(&mut self, pieces: &[Piece], half_length: f64, force: f64) {
+        let mut before: Option<&Piece> = None;
+        let mut sines = vec![0.0; 2 * self.rows.len() + 2];
+        for piece in pieces.iter().take_while(|piece| piece.start < half_length) {
+            let old = before.replace(piece).map_or([0.0; 3], |before| before.slopes(piece.start - before.start));
+            let new = piece.slopes(0.0);
+            let [j0, j1, j2]: [f64; 3] = from_fn(|n| (new[n] - old[n]) * half_length.powi(n as i32) / force);
+            let cos = piece.start / half_length;
+            let turn = Complex64::new(cos, ((1.0 - cos) * (1.0 + cos)).sqrt());
+            sines[0] = cos.acos();
+            let mut wave = Complex64::ONE;
+            for (j, sine) in sines.iter_mut().enumerate().skip(1) {
+                wave *= turn;
+                *sine = wave.im / j as f64;
+            }
+            let mut wave = turn;
+            for (m, [row, slope]) in self.rows.iter_mut().enumerate() {
+                let k = 2 * m + 1;
+                let (own, next) = (sines[k], sines[k - 1] + sines[k + 1]);
+                let linear = 0.5 * next - cos * own;
+                let square = 0.5 * own + 0.25 * (sines[k.abs_diff(2)] + sines[k + 2]) - cos * next + cos * cos * own;
+                let sign = 2.0 * alternating(m);
+                *row += sign * (j0 * own + j1 * linear + j2 * square);
+                // x f'' of the same, and the jump of f' at b
+                let jump = j0 * cos / turn.im * wave.re;
+                *slope += sign * (jump + cos * j1 * own + (j1 + 2.0 * cos * j2) * linear + 2.0 * j2 * square);
+                wave *= turn * turn;
+            }
         }
     }
 
@@ -106,6 +144,9 @@ impl Profile<'_> {
                 let points = span.step * count + 8 + 2 * digits;
                 let place = |q: usize| self.place(span, PI * (q as f64 + 0.5) / points as f64, PI / points as f64);
                 slopes.add(span.step, count, &(0..points / span.step).map(place).collect::<Vec<_>>());
+            }
+            Shape::Pieces { pieces, .. } if span.step == 2 && self.twin == Twin::Plane => {
+                slopes.add_pieces(pieces, span.half * self.length, self.force);
             }
             shape => {
                 let phase = (span.step * count) as f64 + shape.degree();
