@@ -10,7 +10,7 @@ const LONGEST: usize = 1 << 18;
 pub(crate) struct Workspace(Mutex<Vec<Vec<f64>>>);
 
 impl Workspace {
-    /// So many numbers, to be overwritten.
+    /// A table of this length, to be overwritten.
     pub(crate) fn take(&self, length: usize) -> Vec<f64> {
         let mut numbers = self.0.lock().ok().and_then(|mut kept| kept.pop()).unwrap_or_default();
         numbers.resize(length, 0.0);

@@ -40,7 +40,7 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// The slope as a polynomial in x less a place that is so far from the start: the coefficients of 1, of x and of x².
+    /// The slope as a polynomial in y = x − start − t: the coefficients of 1, y and y².
     pub(crate) fn slopes(&self, t: f64) -> [f64; 3] {
         let [_, c1, c2, c3] = self.coefficients;
         [c1 + t * (2.0 * c2 + 3.0 * c3 * t), 2.0 * c2 + 6.0 * c3 * t, 3.0 * c3]

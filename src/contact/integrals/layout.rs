@@ -60,7 +60,7 @@ pub(crate) struct Own {
     tail: usize,
 }
 
-/// Room for so many real wavenumbers to begin with, as most layouts have: without it vectors grow five times each. Twice as many: nothing changes.
+/// Vectors begin with room for this number of real wavenumbers, enough for most layouts: else they grow five times each. No number depends on it.
 const USUAL: usize = 512;
 
 /// What a layout is built from.

@@ -157,7 +157,7 @@ pub(crate) struct Weights {
 }
 
 impl Weights {
-    /// With room for so many real rows.
+    /// None yet, with room for this number of real rows.
     pub(crate) fn for_some(rows: usize) -> Self {
         Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
     }
