@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use super::{Report, extremes};
 use crate::approach::{Approach, ApproachError, Stiffness};
 use crate::scene::{Dimension, visible_json};
-use crate::solution::{Contact, Stats, Warning};
+use crate::solution::{Contact, Warning};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, .. } = report;
@@ -34,7 +34,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
             "wavenumbers": solution.wavenumbers(),
             "newton_steps": solution.newton_steps(),
             "seconds": report.seconds,
-            "stats": stats(solution.stats()),
+            "stats": solution.stats(),
             "warnings": solution.warnings().iter().map(warning).collect::<Vec<_>>(),
         })),
     ];
@@ -82,22 +82,5 @@ fn approach(found: &Result<Approach, ApproachError>) -> Value {
         "stiffness": found.and_then(|found| found.stiffness.value()),
         "stiffness_error": found.and_then(|found| found.stiffness.error()),
         "approach_note": note,
-    })
-}
-
-fn stats(stats: &Stats) -> Value {
-    json!({
-        "layers_dropped": stats.dropped,
-        "layers_merged": stats.merged,
-        "wavenumbers": stats.wavenumbers,
-        "layers_evaluated": stats.layers,
-        "layers_repeated": stats.repeated,
-        "layers_below_decay_depth": stats.below_decay_depth,
-        "couplings_vanished": stats.uncoupled,
-        "wavenumbers_interpolated": stats.interpolated,
-        "modes": stats.modes,
-        "newton_steps": stats.newton_steps,
-        "stopped": stats.stopped.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "factorisations": stats.factorisations,
     })
 }

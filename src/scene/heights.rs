@@ -48,7 +48,7 @@ pub enum HeightsError {
 
 /// The heights h₁, h₂, ... of a polynomial Σ h_k s^(2k).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Vec<Finite>", into = "Vec<Finite>")]
+#[serde(try_from = "Vec<Finite>")]
 pub struct PolynomialHeights(Vec<Finite>);
 
 impl PolynomialHeights {
@@ -60,12 +60,6 @@ impl PolynomialHeights {
     /// The s at which the polynomial begins to fall for good, if it does.
     pub(super) fn end(&self) -> Option<f64> {
         end_of_rise(&self.terms()).filter(|end| end.is_finite())
-    }
-}
-
-impl From<PolynomialHeights> for Vec<Finite> {
-    fn from(heights: PolynomialHeights) -> Self {
-        heights.0
     }
 }
 

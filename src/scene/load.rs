@@ -81,9 +81,10 @@ impl Load {
     /// # Errors
     /// [`ValueError::OutOfRange`] if a number is not positive and finite.
     pub fn ring(radius: f64, half_width: f64) -> Result<Self, ValueError> {
-        let [radius, half_width] = [("radius", radius), ("half_width", half_width)]
-            .map(|(name, length)| ValueError::checked::<Positive>(name, length));
-        Ok(Self::Ring { radius: radius?, half_width: half_width? })
+        Ok(Self::Ring {
+            radius: ValueError::checked("radius", radius)?,
+            half_width: ValueError::checked("half_width", half_width)?,
+        })
     }
 
     /// Whether the pressure is known in a geometry: about an axis a ring that is not too narrow, in the plane all but rings.

@@ -26,6 +26,7 @@ mod vocabulary;
 mod wedge;
 mod write;
 
+use std::error::Error;
 use std::sync::Arc;
 
 use recede_layers::tree::Node;
@@ -56,6 +57,7 @@ pub(crate) use shape::{Piece, Shape};
 pub(crate) use text::visible_json;
 pub(crate) use units::Dimension;
 
+use crate::geometry::Geometry;
 use origin::Origin;
 use read_top::TOPS;
 
@@ -150,7 +152,10 @@ impl Scene {
     }
 
     /// An error about a part of the text, of an item that is no longer there about the stack; `None` if the scene was not read from a text.
-    pub(crate) fn error_at<E: Cause>(&self, part: Owner, hint: Option<String>, cause: &E) -> Option<SceneError> {
+    pub(crate) fn error_at<E>(&self, part: Owner, hint: Option<String>, cause: &E) -> Option<SceneError>
+    where
+        E: Error + Clone + Send + Sync + 'static,
+    {
         let origin = self.origin.as_deref()?;
         let stack = self.node(Owner::Stack)?;
         // items may have been added or taken away since the text was read
@@ -163,9 +168,3 @@ impl Scene {
         Some(error.hinted(hint).because(cause.clone()))
     }
 }
-
-/// Errors that may be the cause of an error of a scene.
-pub(crate) trait Cause: std::error::Error + Clone + Send + Sync + 'static {}
-
-impl<E: std::error::Error + Clone + Send + Sync + 'static> Cause for E {}
-use crate::geometry::Geometry;

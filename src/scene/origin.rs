@@ -60,9 +60,9 @@ fn abridged(text: &str) -> String {
     if length <= LONGEST {
         return text.into_owned();
     }
-    let [start, end] =
-        [LONGEST / 2, length - LONGEST / 2].map(|at| text.char_indices().nth(at).map_or(0, |(at, _)| at));
-    format!("{}...{}", &text[..start], &text[end..])
+    let start: String = text.chars().take(LONGEST / 2).collect();
+    let end: String = text.chars().skip(length - LONGEST / 2).collect();
+    format!("{start}...{end}")
 }
 
 /// A line and column, with the line as it reads.

@@ -1,17 +1,16 @@
 //! Quantities of a scene by path, such as `force` or `layer[2].beta`, and scenes in which they have other values.
 //!
-//! Values are replaced among the values of the text, and what they belong to is read again: so a new value is checked as one in a
-//! file is. Only a mistake, which has a line and a column, takes the whole text with the new values.
+//! Values are replaced among the values of the text, and the scene is read from them again: so a new value is checked as one in a file is.
 use std::ops::Range;
+use std::sync::Arc;
 
-use recede_layers::Positive;
 use recede_layers::tree::{Kind, Node};
 
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
-use super::read::{parse, read_item};
-use super::read_top::{has_forces, read_top};
-use super::{Force, Scene, quoted_list};
+use super::read::{read_force, read_item};
+use super::read_top::read_top;
+use super::{Scene, quoted_list};
 
 /// Most paths that a message lists.
 const LISTED: usize = 24;
@@ -107,43 +106,28 @@ impl Scene {
         Err(origin.error(None, message).hinted(did_you_mean(path, &names)))
     }
 
-    /// The same scene with other values.
+    /// The same scene with other values: what they belong to is read again. An error names the place of the value that the text has there.
     pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, SceneError> {
-        let Some(origin) = &self.origin else { return Ok(self.clone()) };
-        let mut text = origin.text.clone();
-        let mut changes = changes.to_vec();
-        // from the end on, so that places before it stay
-        changes.sort_by_key(|(slot, _)| std::cmp::Reverse(slot.place.start));
-        changes.iter().for_each(|(slot, value)| text.replace_range(slot.place.clone(), &format!("{value:?}")));
-        parse(Origin { file: origin.file.clone(), text, registry: origin.registry.clone(), ..Origin::default() })
-    }
-
-    /// A scene with other values, without name and text: only the parts of the scene that change are read again.
-    pub(crate) fn varied(&self, changes: &[Change]) -> Result<Self, SceneError> {
-        // where a value is not legal, once more for the place of the mistake
-        self.read_again(changes).map_or_else(|| self.with_changes(changes), Ok)
-    }
-
-    /// The scene of [`Self::varied`], if all values are legal.
-    fn read_again(&self, changes: &[Change]) -> Option<Self> {
-        let origin = self.origin.as_deref()?;
-        let mut scene = Self::new(self.geometry, &self.top, self.force, self.stack.clone());
-        for (slot, value) in changes {
+        let mut scene = self.clone();
+        let Some(origin) = scene.origin.as_mut().map(Arc::make_mut) else { return Ok(scene) };
+        set(&mut origin.tree, changes);
+        let read = scene.clone();
+        let (Some(origin), Some((name, top))) = (read.origin.as_deref(), read.node_of_top()) else { return Ok(scene) };
+        for (slot, _) in changes {
             match slot.owner {
-                Owner::Force => scene.force = self.force.with(Positive::try_from(*value).ok()?),
-                Owner::Top => {
-                    let (name, node) = self.node_of_top()?;
-                    scene.top = read_top(name, &with(node, changes), self.geometry, origin).ok()?;
-                    scene.force = if has_forces(name) { Force::Given(scene.top.force()) } else { scene.force };
-                }
                 Owner::Item(index) => {
-                    let node = self.node(slot.owner)?;
-                    *scene.stack.get_mut(index)? = read_item(&with(node, changes), 1, origin).ok()?;
+                    let number = 1 + self.stack[..index].iter().filter(|item| !item.is_interface()).count();
+                    let node = read.node(slot.owner).unwrap_or(&origin.tree);
+                    scene.stack[index] = read_item(node, number, origin)?;
+                    continue;
                 }
-                Owner::Stack => {}
+                Owner::Top => scene.top = read_top(name, top, self.geometry, origin)?,
+                Owner::Force | Owner::Stack => {}
             }
+            // punches and loads in a list have forces of their own
+            scene.force = read_force(name, &scene.top, origin)?;
         }
-        Some(scene)
+        Ok(scene)
     }
 
     /// All quantities by path.
@@ -185,13 +169,7 @@ fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot)>) {
     }
 }
 
-/// A value with other numbers.
-fn with(node: &Node, changes: &[Change]) -> Node {
-    let mut node = node.clone();
-    set(&mut node, changes);
-    node
-}
-
+/// Gives the values that change their new numbers.
 fn set(node: &mut Node, changes: &[Change]) {
     if let Some((_, value)) = changes.iter().find(|(slot, _)| slot.place == node.place) {
         node.kind = Kind::Number(*value);
@@ -202,7 +180,7 @@ fn set(node: &mut Node, changes: &[Change]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Punch, Top};
+    use crate::scene::{Force, Punch, Top};
 
     const SCENE: &str =
         "// force: 7\nScene(\n  geometry: PlaneStrain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
@@ -223,22 +201,15 @@ mod tests {
             (Force::Given(0.004), Top::from(Punch::cylinder(250.0).unwrap()))
         );
         assert_eq!(changed.paths(), paths);
-        // bit by bit is the same
-        let varied = scene.varied(&changes).unwrap();
-        assert_eq!((varied.force, varied.top), (changed.force, changed.top));
-        assert_eq!(format!("{:?}", varied.stack), format!("{:?}", changed.stack));
         assert!(format!("{:?}", changed.stack).contains("1e-7"), "{:?}", changed.stack);
     }
 
     #[test]
-    fn mistakes_have_a_place_however_they_are_found() {
+    fn mistakes_have_the_place_of_the_value_in_the_text() {
         let scene = Scene::from_ron(SCENE).unwrap();
         let said = |path: &str| {
             let slot = scene.slot(path).unwrap();
-            let changes = [(&slot, -1.0)];
-            let whole = scene.with_changes(&changes).unwrap_err().to_string();
-            assert_eq!(scene.varied(&changes).unwrap_err().to_string(), whole);
-            whole
+            scene.with_changes(&[(&slot, -1.0)]).unwrap_err().to_string()
         };
         assert_eq!(said("force"), "scene:4:10: `force` of the scene: found -1.0, allowed is a finite number > 0");
         assert_eq!(

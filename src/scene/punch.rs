@@ -214,15 +214,10 @@ impl Punch {
         match self {
             Self::Cylinder { radius } => Shape::Circle(radius.get()),
             Self::ElasticCylinder(cylinder) => Shape::Circle(cylinder.radius()),
-            Self::Parabola { radius } => {
-                Shape::Powers { length: radius.get(), terms: vec![(2.0, 0.5 * radius.get())], tilt: 0.0, end: None }
+            Self::Parabola { radius } => Shape::power(radius.get(), 2.0, 0.5 * radius.get()),
+            Self::Power { exponent, half_width, height } => {
+                Shape::power(half_width.get(), exponent.get(), height.get())
             }
-            Self::Power { exponent, half_width, height } => Shape::Powers {
-                length: half_width.get(),
-                terms: vec![(exponent.get(), height.get())],
-                tilt: 0.0,
-                end: None,
-            },
             Self::Polynomial { half_width, heights } => {
                 let end = heights.end().map(|end| half_width.get() * end);
                 Shape::Powers { length: half_width.get(), terms: heights.terms(), tilt: 0.0, end }

@@ -3,9 +3,9 @@
 //! The text, in RON or in JSON, is read once, into a tree of values that know their places. The fields of the scene, its punch
 //! and every item of its stack are then read from their parts of the tree, a layer through the [`Registry`].
 use std::io::{self, Read};
-#[cfg(feature = "files")]
-use std::path::Path;
 use std::sync::Arc;
+#[cfg(feature = "files")]
+use std::{fs::File, path::Path};
 
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Kind, Node, token};
@@ -127,9 +127,9 @@ impl Scene {
     /// As [`Scene::read`].
     #[cfg(feature = "files")]
     pub fn read_with(path: impl AsRef<Path>, registry: &Registry) -> Result<Self, SceneError> {
-        let path = path.as_ref();
-        let reader = std::fs::File::open(path).map_err(|cause| SceneError::unreadable(path, cause))?;
-        Self::from_reader(&path.display().to_string(), reader, registry)
+        let file = path.as_ref().display().to_string();
+        let reader = File::open(path).map_err(|cause| SceneError::unreadable(&file, cause))?;
+        Self::from_reader(&file, reader, registry)
     }
 
     /// Reads a scene from anything that yields bytes; `file` is its name in messages.
@@ -150,19 +150,15 @@ pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, 
     read.map_err(|error| origin.explained(tree.as_ref().unwrap_or(&origin.tree), owner, None, error))
 }
 
-#[cfg(feature = "files")]
 impl SceneError {
-    /// A file could not be opened.
-    pub(crate) fn unreadable(path: &Path, cause: io::Error) -> Self {
-        Origin { file: path.display().to_string(), ..Origin::default() }.unreadable(cause)
+    /// A file could not be opened or read.
+    pub(crate) fn unreadable(file: &str, cause: io::Error) -> Self {
+        let origin = Origin { file: file.to_owned(), ..Origin::default() };
+        origin.error(None, format!("cannot be read: {cause}")).because(cause)
     }
 }
 
 impl Origin {
-    fn unreadable(&self, cause: io::Error) -> SceneError {
-        self.error(None, format!("cannot be read: {cause}")).because(cause)
-    }
-
     /// The error where a scene has one field beside another.
     pub(super) fn both(&self, first: &str, second: &str, hint: impl AsRef<str>) -> SceneError {
         let node = self.tree.field(second).unwrap_or(&self.tree);
@@ -173,13 +169,21 @@ impl Origin {
     pub(super) fn read<T: DeserializeOwned + JsonSchema>(&self, node: &Node, owner: &str) -> Result<T, SceneError> {
         node.read().map_err(|error| self.explained(node, owner, Some(&Value::of::<T>()), error))
     }
+
+    /// The members of a list that is called `owner` in messages.
+    pub(super) fn list<'a>(&self, node: &'a Node, owner: &str) -> Result<&'a [Node], SceneError> {
+        if let Kind::List(members) = &node.kind {
+            return Ok(members);
+        }
+        Err(self.explained(node, owner, None, Fault::Expected(Form::List).at(node.place.start)))
+    }
 }
 
 /// The text of a file, without the mark that some editors put first, and nothing else of it.
 fn read_text(file: &str, reader: impl Read) -> Result<Origin, SceneError> {
     let mut bytes = Vec::new();
     let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
-    reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(|cause| origin.unreadable(cause))?;
+    reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(|cause| SceneError::unreadable(file, cause))?;
     if bytes.len() > MAX_BYTES {
         let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
         return Err(origin.error(None, message).hinted(Some("is this a scene file?")));
@@ -213,8 +217,7 @@ pub(super) fn parse(mut origin: Origin) -> Result<Scene, SceneError> {
     let mut tree = tree.map_err(|error| origin.explained(&origin.tree, THE_SCENE, None, error))?;
     without_units(&mut tree, &origin)?;
     origin.tree = tree;
-    let scene = scene(&origin)?;
-    Ok(Scene { origin: Some(Arc::new(origin)), ..scene })
+    scene(origin)
 }
 
 /// Refuses a text that is no JSON.
@@ -231,17 +234,14 @@ fn is_json(origin: &Origin) -> Result<(), SceneError> {
 }
 
 /// Reads a scene from its tree.
-fn scene(origin: &Origin) -> Result<Scene, SceneError> {
-    let tree = &origin.tree;
+fn scene(own: Origin) -> Result<Scene, SceneError> {
+    let (origin, tree) = (&own, &own.tree);
     let draft = origin.read::<Draft>(tree, THE_SCENE)?;
     let name = only_top(&draft.tops(), origin)?;
     let top = read_top(name, tree.field(name).unwrap_or(tree), draft.geometry, origin)?;
-    let force = force(&draft, name, &top, origin)?;
+    let force = force_of(&draft, name, &top, origin)?;
     let list = tree.field("stack").unwrap_or(tree);
-    let Kind::List(items) = &list.kind else {
-        let error = Fault::Expected(Form::List).at(list.place.start);
-        return Err(origin.explained(list, "the stack", None, error));
-    };
+    let items = origin.list(list, "the stack")?;
     if items.len() > MAX_ITEMS {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
         return Err(origin.error_at(list, message));
@@ -254,39 +254,39 @@ fn scene(origin: &Origin) -> Result<Scene, SceneError> {
         stack.push(item);
     }
     let Draft { name, description, units, geometry, .. } = draft;
-    Ok(Scene { name, description, units, ..Scene::new(geometry, top, force, stack) })
+    Ok(Scene { name, description, units, geometry, top, force, stack, origin: Some(Arc::new(own)) })
 }
 
-/// The force, or the half-length or depth that it is found for.
-fn force(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
-    let kinds: [fn(f64) -> Force; 3] = [Force::Given, Force::ForHalfLength, Force::ForDepth];
-    let numbers = [draft.force, draft.half_length, draft.depth];
-    let given = kinds.iter().zip(numbers).filter_map(|(kind, number)| Some(kind(number?.get())));
-    let given: Vec<Force> = given.collect();
-    let (other, name, hint): (_, _, String) = match (&given[..], field) {
+/// The force, or the half-length or depth that it is found for, beside what presses, which stands in this field.
+pub(super) fn read_force(field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
+    force_of(&origin.read::<Draft>(&origin.tree, THE_SCENE)?, field, top, origin)
+}
+
+fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
+    let numbers = [
+        draft.force.map(|number| Force::Given(number.get())),
+        draft.half_length.map(|number| Force::ForHalfLength(number.get())),
+        draft.depth.map(|number| Force::ForDepth(number.get())),
+    ];
+    let given: Vec<Force> = numbers.into_iter().flatten().collect();
+    let own = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
+    let (other, found, hint) = match (&given[..], field) {
         ([], "punches" | "loads") => return Ok(Force::Given(top.force())),
-        ([found, ..], "loads") | ([found @ Force::Given(_), ..], "punches") => {
-            let hint = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
-            (field, found.field(), hint)
-        }
-        ([found, ..], "punches") => {
-            (field, found.field(), "it is for one `punch` only: each of several punches has its `force`".into())
-        }
-        ([found], "punch") | ([found @ Force::Given(_)], _) => return Ok(*found),
-        ([found], _) => {
-            let hint = "no force changes how far a load reaches: give its resultant, `force: ...`";
-            (field, found.field(), hint.into())
-        }
         ([], _) => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
             return Err(origin.error_at(&origin.tree, "`force` is missing in the scene").hinted(Some(hint)));
         }
+        ([found], "punch") | ([found @ Force::Given(_)], "load") => return Ok(*found),
+        ([found, ..], "loads") | ([found @ Force::Given(_), ..], "punches") => (field, found, &own[..]),
+        ([found, ..], "punches") => {
+            (field, found, "it is for one `punch` only: each of several punches has its `force`")
+        }
+        ([found], _) => (field, found, "no force changes how far a load reaches: give its resultant, `force: ...`"),
         ([first, second, ..], _) => {
-            let hint = "`force` is given, or found for `half_length` or `depth`: remove one of them";
-            (first.field(), second.field(), hint.into())
+            (first.field(), second, "`force` is given, or found for `half_length` or `depth`: remove one of them")
         }
     };
-    Err(origin.both(other, name, hint))
+    Err(origin.both(other, found.field(), hint))
 }
 
 /// Reads the item that is, or would be, layer `number`.

@@ -1,5 +1,5 @@
 //! Reading what presses on top: a punch or a load, or a list of them.
-use recede_layers::tree::{Fault, Form, Kind, Node};
+use recede_layers::tree::{Fault, Form, Node};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -11,11 +11,6 @@ use crate::geometry::Geometry;
 
 /// The fields of a scene one of which says what presses on top.
 pub(super) const TOPS: [&str; 4] = ["punch", "punches", "load", "loads"];
-
-/// Whether what stands in one of these fields has forces of its own.
-pub(super) fn has_forces(name: &str) -> bool {
-    matches!(name, "punches" | "loads")
-}
 
 /// The one of these fields that is given.
 pub(super) fn only_top(given: &[&'static str], origin: &Origin) -> Result<&'static str, SceneError> {
@@ -63,10 +58,7 @@ where
     T: DeserializeOwned,
     L: TryFrom<Vec<T>, Error = ListError>,
 {
-    let Kind::List(nodes) = &list.kind else {
-        let error = Fault::Expected(Form::List).at(list.place.start);
-        return Err(origin.explained(list, &format!("the {all}"), None, error));
-    };
+    let nodes = origin.list(list, &format!("the {all}"))?;
     let read = |(i, node): (usize, &Node)| {
         let named = node.name.as_ref().map(|_| Fault::Expected(Form::Open).at(node.place.start));
         let read = named.map_or_else(|| node.read::<T>(), Err);

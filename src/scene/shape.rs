@@ -48,6 +48,11 @@ impl Piece {
 }
 
 impl Shape<'_> {
+    /// c (|x|/l)^n.
+    pub(crate) fn power(length: f64, exponent: f64, coefficient: f64) -> Self {
+        Self::Powers { length, terms: vec![(exponent, coefficient)], tilt: 0.0, end: None }
+    }
+
     /// Height above the tip, in length; infinite beyond the edge of a circle or a flat punch.
     pub(crate) fn height(&self, x: f64) -> f64 {
         match self {
@@ -158,11 +163,8 @@ impl Shape<'_> {
 
     /// Where the pieces begin of which the profile consists, from left to right, of an even one from x = 0 outwards; none if it is one piece.
     pub(crate) fn starts(&self) -> Vec<f64> {
-        if let Self::Pieces { pieces, .. } = self {
-            pieces.iter().map(|piece| piece.start).collect()
-        } else {
-            Vec::new()
-        }
+        let Self::Pieces { pieces, .. } = self else { return Vec::new() };
+        pieces.iter().map(|piece| piece.start).collect()
     }
 
     /// Half-length that any contact exceeds: the half-length of the flat part.

@@ -1,6 +1,5 @@
 //! Texts: values of a scene in one line, and texts from others as they may be shown.
 use std::borrow::Cow;
-use std::fmt::Write;
 
 use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
@@ -11,7 +10,7 @@ pub(super) fn written(value: &impl Serialize) -> String {
     let style = PrettyConfig::new()
         .compact_structs(true)
         .compact_arrays(true)
-        .extensions(Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
+        .extensions(Extensions::UNWRAP_NEWTYPES | Extensions::UNWRAP_VARIANT_NEWTYPES | Extensions::IMPLICIT_SOME);
     // a String takes whatever is written to it
     let text = ron::ser::to_string_pretty(value, style).unwrap_or_default();
     // extensions are announced in a first line
@@ -41,27 +40,19 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(char::is_control) {
         return text.into();
     }
-    let mut shown = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            c if !c.is_control() => shown.push(c),
-            c if c.is_whitespace() => shown.push(' '),
-            c => shown.extend(c.escape_unicode()),
-        }
-    }
-    shown.into()
+    let shown = |c: char| match c {
+        c if !c.is_control() => c.into(),
+        c if c.is_whitespace() => " ".to_owned(),
+        c => c.escape_unicode().to_string(),
+    };
+    text.chars().map(shown).collect::<String>().into()
 }
 
 /// A text in JSON in which the control characters that JSON itself allows are written in its way, too.
 pub(crate) fn visible_json(json: &str) -> String {
-    let mut shown = String::with_capacity(json.len());
-    for c in json.chars() {
-        if c.is_control() && c != '\n' {
-            // a String takes whatever is written to it
-            let _ = write!(shown, "\\u{:04x}", u32::from(c));
-        } else {
-            shown.push(c);
-        }
-    }
-    shown
+    let escaped = |c: char| match c {
+        c if c.is_control() && c != '\n' => format!("\\u{:04x}", u32::from(c)),
+        c => c.into(),
+    };
+    json.chars().map(escaped).collect()
 }

@@ -18,27 +18,19 @@ pub struct Units {
 
 /// The dimension of a quantity: powers of length, force and angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Dimension {
-    length: i32,
-    force: i32,
-    angle: i32,
-}
-
-const fn powers(length: i32, force: i32) -> Dimension {
-    Dimension { length, force, angle: 0 }
-}
+pub(crate) struct Dimension([i32; 3]);
 
 impl Dimension {
-    pub(crate) const NUMBER: Self = powers(0, 0);
-    pub(crate) const LENGTH: Self = powers(1, 0);
-    pub(crate) const PER_LENGTH: Self = powers(-1, 0);
-    pub(crate) const STRESS: Self = powers(-2, 1);
-    pub(crate) const FORCE: Self = powers(0, 1);
+    pub(crate) const NUMBER: Self = Self([0, 0, 0]);
+    pub(crate) const LENGTH: Self = Self([1, 0, 0]);
+    pub(crate) const PER_LENGTH: Self = Self([-1, 0, 0]);
+    pub(crate) const STRESS: Self = Self([-2, 1, 0]);
+    pub(crate) const FORCE: Self = Self([0, 1, 0]);
     /// The dimension of a stiffness in axisymmetric problems.
     pub(crate) const FORCE_PER_LENGTH: Self = Self::LINE_LOAD;
-    pub(crate) const LINE_LOAD: Self = powers(-1, 1);
-    pub(crate) const STRESS_PER_LENGTH: Self = powers(-3, 1);
-    pub(crate) const ANGLE: Self = Self { length: 0, force: 0, angle: 1 };
+    pub(crate) const LINE_LOAD: Self = Self([-1, 1, 0]);
+    pub(crate) const STRESS_PER_LENGTH: Self = Self([-3, 1, 0]);
+    pub(crate) const ANGLE: Self = Self([0, 0, 1]);
 
     /// The dimension of a field of a scene; `None` for a field that says nothing of it, such as the `top` of a profile.
     pub(crate) fn of_field(name: &str) -> Option<Self> {
@@ -113,11 +105,7 @@ impl Unit {
 
     fn times(self, other: Self, power: i32) -> Self {
         Self {
-            dimension: Dimension {
-                length: self.dimension.length + power * other.dimension.length,
-                force: self.dimension.force + power * other.dimension.force,
-                angle: self.dimension.angle + power * other.dimension.angle,
-            },
+            dimension: Dimension([0, 1, 2].map(|k| self.dimension.0[k] + power * other.dimension.0[k])),
             factor: self.factor * other.factor.powi(power),
             exponent: self.exponent + power * other.exponent,
         }
@@ -186,8 +174,9 @@ impl Units {
             return name.to_owned();
         }
         let [length, force] = [&self.length, &self.force].map(|label| visible(label));
-        let raised = ["", "", "²", "³"].get(dimension.length.unsigned_abs() as usize).unwrap_or(&"");
-        match (dimension.force, dimension.length) {
+        let Dimension([lengths, forces, _]) = dimension;
+        let raised = ["", "", "²", "³"].get(lengths.unsigned_abs() as usize).unwrap_or(&"");
+        match (forces, lengths) {
             _ if dimension == Dimension::ANGLE => "rad".to_owned(),
             (0, 0) => String::new(),
             (0, 1..) => format!("{length}{raised}"),
@@ -207,7 +196,7 @@ impl Units {
     fn unit(&self, dimension: Dimension) -> Option<Unit> {
         let length = Unit::read(&self.length).filter(|unit| unit.dimension == Dimension::LENGTH)?;
         let force = Unit::read(&self.force).filter(|unit| unit.dimension == Dimension::FORCE)?;
-        Some(Unit::ONE.times(length, dimension.length).times(force, dimension.force))
+        Some(Unit::ONE.times(length, dimension.0[0]).times(force, dimension.0[1]))
     }
 }
 
@@ -235,10 +224,12 @@ fn convert(
 ) -> Result<(), SceneError> {
     let is_row = node.name.is_none() && matches!(node.kind, Kind::Row(_));
     match &mut node.kind {
-        Kind::Text(text) if has_unit(text) => {
+        Kind::Text(text) => {
             let failed =
                 |(message, hint): (String, String)| origin.error(Some(node.place.start), message).hinted(Some(hint));
-            node.kind = Kind::Number(converted(text, dimension, units).map_err(failed)?);
+            if let Some(number) = converted(text, dimension, units).map_err(failed)? {
+                node.kind = Kind::Number(number);
+            }
         }
         Kind::Fields(fields) => {
             for Entry { name, value, .. } in fields {
@@ -252,24 +243,21 @@ fn convert(
                 convert(member, dimension, units, origin)?;
             }
         }
-        Kind::Nothing | Kind::Number(_) | Kind::Text(_) => {}
+        Kind::Nothing | Kind::Number(_) => {}
     }
     Ok(())
 }
 
-/// Whether a text is a number with something behind it.
-fn has_unit(text: &str) -> bool {
-    let (number, rest) = text.split_at(number_end(text));
-    number.parse::<f64>().is_ok() && !rest.trim().is_empty()
-}
-
-/// A number with a unit, in the units of a scene; or why it is none, and what to do.
-fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> Result<f64, (String, String)> {
+/// A number with a unit, in the units of a scene, or why it cannot be converted, and what to do; `None` for a text that is no number with
+/// something behind it.
+fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> Result<Option<f64>, (String, String)> {
+    let (number, name) = text.split_at(number_end(text));
+    let name = name.trim();
+    if number.parse::<f64>().is_err() || name.is_empty() {
+        return Ok(None);
+    }
     let (allowed, example) = expected.map_or(("a number with a unit", "\"12.5 um\""), Dimension::name);
-    let end = number_end(text);
-    let (number, name) = (&text[..end], text[end..].trim());
-    let unit = Unit::read(name).filter(|_| number.parse::<f64>().is_ok());
-    let Some(unit) = unit.filter(|_| !name.is_empty()) else {
+    let Some(unit) = Unit::read(name) else {
         let known = Unit::known().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err((
             format!("`\"{text}\"` is no number with a known unit; allowed is {allowed}, such as {example}"),
@@ -291,7 +279,7 @@ fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> 
     }
     // angles are in radians whatever lengths and forces are in
     if unit.dimension == Dimension::ANGLE {
-        return Ok(scaled(number, unit.factor, unit.exponent));
+        return Ok(Some(scaled(number, unit.factor, unit.exponent)));
     }
     let Some(units) = units else {
         let message = format!("`\"{text}\"` has a unit, and the scene does not say in which units it is");
@@ -303,7 +291,7 @@ fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> 
         return Err((message, "give `units` in known ones, such as `(length: \"mm\", force: \"N\")`".to_owned()));
     };
     let ratio = unit.times(own, -1);
-    Ok(scaled(number, ratio.factor, ratio.exponent))
+    Ok(Some(scaled(number, ratio.factor, ratio.exponent)))
 }
 
 /// A decimal number times factor · 10^exponent; exactly, if the factor is 1.
@@ -380,7 +368,7 @@ mod tests {
             ("0.5rad", Dimension::ANGLE, 0.5),
         ] {
             let converted = converted(text, Some(dimension), Some(&metric)).unwrap();
-            assert_eq!(converted, expected, "{text}");
+            assert_eq!(converted, Some(expected), "{text}");
         }
     }
 

@@ -59,39 +59,47 @@ impl Serialize for Interface {
 /// assert_eq!(stats.layers + stats.below_decay_depth, stats.wavenumbers);
 /// # Ok::<(), recede::Error>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Stats {
     /// Layers of thickness zero, which are not there.
+    #[serde(rename = "layers_dropped")]
     pub dropped: usize,
     /// Layers that are one body with the layer or half-plane to which they are bonded, and were solved for with it.
+    #[serde(rename = "layers_merged")]
     pub merged: usize,
     /// Wavenumbers at which the stack was evaluated.
     pub wavenumbers: usize,
     /// Layers evaluated, all wavenumbers together; a half-plane does not count.
+    #[serde(rename = "layers_evaluated")]
     pub layers: usize,
     /// Layers that would have been evaluated, were they not in sequences that repeat others.
+    #[serde(rename = "layers_repeated")]
     pub repeated: usize,
     /// Layers that would have been evaluated, had they not been too deep for the wave to be felt.
+    #[serde(rename = "layers_below_decay_depth")]
     pub below_decay_depth: usize,
     /// Values of couplings between neighbouring contacts that vanish and were left out, all wavenumbers together.
+    #[serde(rename = "couplings_vanished")]
     pub uncoupled: usize,
     /// Wavenumbers of the integrals of the contact equations, at which kernels were taken from values known before rather
     /// than evaluated; all layouts of integrals together.
+    #[serde(rename = "wavenumbers_interpolated")]
     pub interpolated: usize,
     /// Terms in the series of each pressure, contacts from the top down.
     pub modes: Vec<usize>,
     /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first; for each force that was tried, if
     /// it was found.
     pub newton_steps: Vec<usize>,
-    /// Systems of equations that were factorised.
-    pub factorisations: usize,
     /// Why each level of refinement ended, the coarsest first; for each force that was tried, if it was found. Empty for an
     /// answer of low accuracy, and for contacts in several intervals.
     pub stopped: Vec<Stopped>,
+    /// Systems of equations that were factorised.
+    pub factorisations: usize,
 }
 
 /// Why a level of refinement ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Stopped {
     /// What is left is below the tolerance.
     Converged,

@@ -64,7 +64,7 @@ impl Sweep {
         let own: Vec<(&Axis, &Slot)> = own.collect();
         let mut choice = Choice::default();
         let mut refused = None;
-        let mut add = |changes: &[Change]| match self.scene.varied(changes) {
+        let mut add = |changes: &[Change]| match self.scene.with_changes(changes) {
             Ok(mut scene) => choice.add(scene.stack.swap_remove(index)),
             Err(error) => drop(refused.get_or_insert(error)),
         };

@@ -80,11 +80,11 @@ impl Sweep {
             changes.partition(|(slot, _)| matches!(slot.owner, Owner::Item(_)));
         // a model, or the error in its place, must not depend on the row that came first
         let model = self.models.get(&of_stack, || {
-            let stack = Stack::from_items(self.scene.geometry, &self.scene.varied(&of_stack)?.stack)?;
+            let stack = Stack::from_items(self.scene.geometry, &self.scene.with_changes(&of_stack)?.stack)?;
             let model = Model::new(stack)?;
             Ok(if self.rows / self.stacks() >= MANY { model.for_many_loads() } else { model })
         })?;
-        let Scene { top, force, .. } = self.scene.varied(&others)?;
+        let Scene { top, force, .. } = self.scene.with_changes(&others)?;
         let solution = model.press_with(&top, force, &self.options)?;
         Ok((model, top, solution))
     }

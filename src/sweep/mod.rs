@@ -337,7 +337,7 @@ impl Sweep {
 /// Whether a value is legal for its quantity, whatever the others are.
 fn legal(scene: &Scene, axis: &Axis, slot: &Slot, value: f64) -> Result<(), Error> {
     let changes = [(slot, value)];
-    let Err(error) = scene.varied(&changes) else { return Ok(()) };
+    let Err(error) = scene.with_changes(&changes) else { return Ok(()) };
     // a mistake of one field, rather than of a layer as a whole
     let of_field =
         error.source().and_then(|cause| cause.downcast_ref::<ReadError>()).is_some_and(|e| e.field.is_some());

@@ -41,7 +41,7 @@ impl Sweep {
     /// [`Error::Scene`] with line and column if the text is no sweep, and the errors of [`Scene::read`] and [`Sweep::new`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        let reader = File::open(path).map_err(|cause| SceneError::unreadable(path, cause))?;
+        let reader = File::open(path).map_err(|cause| SceneError::unreadable(&path.display().to_string(), cause))?;
         Self::from_reader(path, reader, &Registry::default())
     }
 
