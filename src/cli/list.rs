@@ -84,40 +84,30 @@ impl ListArguments {
 fn fields(out: &mut dyn Write, indent: usize, fields: &[Field]) -> io::Result<()> {
     for Field { name, meaning, optional, value: what } in fields {
         let optional = if *optional { " Optional." } else { "" };
-        line(out, indent, name, &format!("{meaning}{optional}{}", range(Some(what))))?;
-        value(out, indent + 2, what)?;
+        entry(out, indent, name, &format!("{meaning}{optional}"), Some(what))?;
     }
     Ok(())
 }
 
 fn forms(out: &mut dyn Write, indent: usize, forms: &[Form]) -> io::Result<()> {
     for Form { name, meaning, value: what } in forms {
-        line(out, indent, name, &format!("{meaning}{}", range(what.as_ref())))?;
-        if let Some(what) = what {
-            value(out, indent + 2, what)?;
-        }
+        entry(out, indent, name, meaning, what.as_ref())?;
     }
     Ok(())
 }
 
-fn value(out: &mut dyn Write, indent: usize, what: &Value) -> io::Result<()> {
-    match what {
-        Value::Plain(_) => Ok(()),
-        Value::Fields(inner) => fields(out, indent, inner),
-        Value::OneOf(inner) => forms(out, indent, inner),
-    }
-}
-
-/// The allowed values, to stand behind the meaning of a field.
-fn range(what: Option<&Value>) -> String {
-    match what {
+/// A line with a name, its meaning and the allowed values; below it what belongs to the name.
+fn entry(out: &mut dyn Write, indent: usize, name: &str, meaning: &str, what: Option<&Value>) -> io::Result<()> {
+    let allowed = match what {
         Some(Value::Plain(allowed)) => format!(" Allowed: {allowed}."),
         Some(Value::OneOf(_)) => " One of:".to_owned(),
         Some(Value::Fields(_)) | None => String::new(),
+    };
+    let line = format!("{:indent$}{name:width$} {meaning}{allowed}", "", width = NAMES.saturating_sub(indent));
+    writeln!(out, "{}", line.trim_end())?;
+    match what {
+        Some(Value::Fields(inner)) => fields(out, indent + 2, inner),
+        Some(Value::OneOf(inner)) => forms(out, indent + 2, inner),
+        Some(Value::Plain(_)) | None => Ok(()),
     }
-}
-
-fn line(out: &mut dyn Write, indent: usize, name: &str, text: &str) -> io::Result<()> {
-    let line = format!("{:indent$}{name:width$} {text}", "", width = NAMES.saturating_sub(indent));
-    writeln!(out, "{}", line.trim_end())
 }

@@ -24,10 +24,9 @@ impl Progress {
     pub(super) fn new(what: &'static str, count: u64, done: u64) -> Self {
         let bar = ProgressBar::new(count).with_position(done);
         bar.reset_eta();
-        let bar = match ProgressStyle::with_template(BAR) {
-            Ok(style) => bar.with_style(style),
-            Err(_) => bar,
-        };
+        if let Ok(style) = ProgressStyle::with_template(BAR) {
+            bar.set_style(style);
+        }
         let told = (!io::stderr().is_terminal()).then(|| Mutex::new(Instant::now()));
         Self { bar, told, what }
     }

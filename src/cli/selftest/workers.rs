@@ -6,8 +6,8 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-use recede::selftest::{CheckedScene, Comparison, Outcome, compare};
-use recede::{Options, Scene};
+use recede::Options;
+use recede::selftest::{CheckedScene, Comparison, compare};
 use serde::{Deserialize, Serialize};
 
 use super::super::Failure;
@@ -45,14 +45,6 @@ pub(super) struct AnswerNumbers {
     pub(super) warned: bool,
 }
 
-impl Ended {
-    /// A scene whose process was ended.
-    fn killed(number: u64, reason: &str, seconds: f64) -> Self {
-        let (status, reason) = ("killed".to_owned(), reason.to_owned());
-        Self { number, status, reason, is_wrong: true, seconds, ..Self::default() }
-    }
-}
-
 impl SelftestArguments {
     /// Solves the scene whose number is the first line of standard input, and writes the result in RON, which has infinite numbers.
     pub(super) fn work(&self, out: &mut dyn Write) -> Result<(), Failure> {
@@ -73,12 +65,8 @@ impl SelftestArguments {
         let scene = self.scene(number)?;
         let thickness = scene.stack()?.total_thickness();
         let options = Options { tolerance: self.tolerance };
-        let check = CheckedScene::run(&scene, &options, number.is_multiple_of(super::PICTURED));
-        Ok(self.ended(number, &scene, thickness, &check))
-    }
-
-    fn ended(&self, number: u64, scene: &Scene, thickness: f64, check: &CheckedScene) -> Ended {
-        let outcome: &Outcome = &check.outcome;
+        let CheckedScene { outcome, seconds } =
+            CheckedScene::run(&scene, &options, number.is_multiple_of(super::PICTURED));
         let solution = outcome.solution();
         let answer = solution.map(|solution| {
             let contacts = solution.contacts();
@@ -97,17 +85,17 @@ impl SelftestArguments {
                 warned: !solution.warnings().is_empty(),
             }
         });
-        let comparisons = solution.filter(|_| self.verify).and_then(|solution| compare(scene, solution).ok());
-        Ended {
+        let comparisons = solution.filter(|_| self.verify).and_then(|solution| compare(&scene, solution).ok());
+        Ok(Ended {
             number,
             status: outcome.status().to_owned(),
             reason: outcome.reason(),
             interface: outcome.interface().map_or(String::new(), |interface| interface.to_string()),
             is_wrong: outcome.is_wrong(),
-            seconds: check.seconds,
+            seconds,
             answer,
             comparisons,
-        }
+        })
     }
 }
 
@@ -141,7 +129,8 @@ pub(super) fn run(selftest: &SelftestArguments, number: u64) -> Result<Ended, Fa
         Err(RecvTimeoutError::Timeout) => format!("longer than {} s", selftest.seconds),
         _ => format!("aborted, or more memory than {} MB", selftest.memory),
     };
-    Ok(Ended::killed(number, &reason, selftest.seconds as f64))
+    let (status, seconds) = ("killed".to_owned(), selftest.seconds as f64);
+    Ok(Ended { number, status, reason, is_wrong: true, seconds, ..Ended::default() })
 }
 
 /// Ends this process at once, whatever its other threads do.
