@@ -31,20 +31,24 @@ struct Groups {
 }
 
 impl Groups {
-    /// Adds an interface; `None` if springs are left without a layer on one side.
-    fn interface(&mut self, next: Between) -> Option<()> {
+    /// Adds the interface with this index among the items; an error if springs are left without a layer on one side.
+    fn interface(&mut self, index: usize, next: Between) -> Result<(), StackError> {
+        let loose = || {
+            let layer = self.dropped.last().map_or(String::new(), Placed::name);
+            StackError::at(index, StackProblem::LooseSprings(layer))
+        };
         // the interfaces above the first layer are dropped
         if self.open.layers.is_empty() {
-            return (!next.gives_way()).then_some(());
+            return if next.gives_way() { Err(loose()) } else { Ok(()) };
         }
         // of the interfaces around dropped layers, a receding one takes precedence; compliances of others add up
         self.below = Some(match (self.below, next) {
             (None, next) => next,
             (Some(Between::Joint(before)), Between::Joint(next)) => Between::Joint(before.in_series(next)),
-            (Some(before), next) if before.gives_way() || next.gives_way() => return None,
+            (Some(before), next) if before.gives_way() || next.gives_way() => return Err(loose()),
             _ => Between::Receding,
         });
-        Some(())
+        Ok(())
     }
 
     /// Closes the open group if the next layer is not joined to it.
@@ -66,45 +70,46 @@ impl Groups {
     }
 }
 
-pub(super) fn assemble(geometry: Geometry, items: &[Item]) -> Result<Stack, StackError> {
-    check_order(items)?;
-    let mut groups = Groups::default();
-    let mut foundation = None;
-    for (index, item) in items.iter().enumerate() {
-        let number = number(index);
-        let interface = match item {
-            Item::Bonded => Between::Joint(Joint::BONDED),
-            Item::Sliding => Between::Joint(Joint::SLIDING),
-            Item::Spring(spring) => Between::Joint(Joint { normal: spring.normal(), tangential: spring.tangential() }),
-            Item::Receding => Between::Receding,
-            Item::Rigid => {
-                foundation = Some(Foundation::Rigid { number });
-                continue;
-            }
-            Item::Support(support) => {
-                foundation = Some(Foundation::Support { number, support: Arc::clone(support) });
-                continue;
-            }
-            Item::Layer(layer) => {
-                let placed = Placed { number, layer: Arc::clone(layer) };
-                match layer.thickness() {
-                    None => foundation = Some(Foundation::HalfPlane(placed)),
-                    Some(found) if !(found >= 0.0 && found.is_finite()) => {
-                        return Err(StackError::at(index, StackProblem::Thickness { layer: placed.name(), found }));
-                    }
-                    Some(_) => groups.layer(placed),
+impl Stack {
+    /// Builds a stack from items as they are written in a scene.
+    ///
+    /// # Errors
+    /// [`StackError`] if the items do not alternate between layers and interfaces, do not end in a base, or have a
+    /// base elsewhere; if nothing in the stack can deform.
+    pub fn from_items(geometry: impl Into<Geometry>, items: &[Item]) -> Result<Self, StackError> {
+        check_order(items)?;
+        let mut groups = Groups::default();
+        let mut foundation = None;
+        for (index, item) in items.iter().enumerate() {
+            let number = number(index);
+            match item {
+                Item::Bonded => groups.interface(index, Between::Joint(Joint::BONDED))?,
+                Item::Sliding => groups.interface(index, Between::Joint(Joint::SLIDING))?,
+                Item::Spring(spring) => {
+                    let joint = Joint { normal: spring.normal(), tangential: spring.tangential() };
+                    groups.interface(index, Between::Joint(joint))?;
                 }
-                continue;
+                Item::Receding => groups.interface(index, Between::Receding)?,
+                Item::Rigid => foundation = Some(Foundation::Rigid { number }),
+                Item::Support(support) => {
+                    foundation = Some(Foundation::Support { number, support: Arc::clone(support) });
+                }
+                Item::Layer(layer) => {
+                    let placed = Placed { number, layer: Arc::clone(layer) };
+                    match layer.thickness() {
+                        None => foundation = Some(Foundation::HalfPlane(placed)),
+                        Some(found) if !(found >= 0.0 && found.is_finite()) => {
+                            return Err(StackError::at(index, StackProblem::Thickness { layer: placed.name(), found }));
+                        }
+                        Some(_) => groups.layer(placed),
+                    }
+                }
             }
-        };
-        if groups.interface(interface).is_none() {
-            let layer = groups.dropped.last().map_or(String::new(), Placed::name);
-            return Err(StackError::at(index, StackProblem::LooseSprings(layer)));
         }
+        groups.begin_next();
+        // `check_order` has found a base
+        finish(geometry.into(), groups, foundation.ok_or(StackError::whole(StackProblem::Empty))?)
     }
-    groups.begin_next();
-    // `check_order` has found a base
-    finish(geometry, groups, foundation.ok_or(StackError::whole(StackProblem::Empty))?)
 }
 
 /// The stack of these groups, within the limits.
@@ -224,7 +229,7 @@ mod tests {
 
     /// Numbers of the layers of every laminate and of the base.
     fn groups(items: &[Item]) -> (Vec<Vec<usize>>, Vec<usize>) {
-        let stack = assemble(Geometry::PlaneStrain, items).unwrap();
+        let stack = Stack::from_items(Geometry::PlaneStrain, items).unwrap();
         let numbers = |layers: &[Placed]| layers.iter().map(|layer| layer.number).collect::<Vec<_>>();
         (stack.laminates().iter().map(|laminate| numbers(laminate.layers())).collect(), numbers(stack.base().layers()))
     }

@@ -15,11 +15,14 @@ pub struct StackBuilder {
     items: Vec<Item>,
 }
 
-impl StackBuilder {
-    pub(super) fn new(geometry: Geometry) -> Self {
-        Self { geometry, items: Vec::new() }
+impl Stack {
+    /// Begins a stack, to be described from the top down.
+    pub fn builder(geometry: impl Into<Geometry>) -> StackBuilder {
+        StackBuilder { geometry: geometry.into(), items: Vec::new() }
     }
+}
 
+impl StackBuilder {
     /// Adds an item as it would be written in a scene.
     pub fn item(mut self, item: Item) -> Self {
         self.items.push(item);

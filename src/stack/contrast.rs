@@ -12,27 +12,19 @@ pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), StackE
     let punch = punch.map(|material| (None, moduli(&material)));
     let layers = stack.groups().flat_map(|group| group.layers());
     let layers = layers.map(|placed| (Some(placed), range(placed, stack.plane())));
-    let mut bodies = punch.into_iter().chain(layers);
-    let Some((first, moduli)) = bodies.next() else { return Ok(()) };
-    let [mut softest, mut stiffest] = moduli.map(|modulus| (first, modulus));
-    for (body, [least, most]) in bodies {
-        if least < softest.1 {
-            softest = (body, least);
-        }
-        if most > stiffest.1 {
-            stiffest = (body, most);
-        }
-    }
-    let ratio = stiffest.1 / softest.1;
+    let bodies: Vec<(Option<&Placed>, [f64; 2])> = punch.into_iter().chain(layers).collect();
+    let softest = bodies.iter().reduce(|first, other| if other.1[0] < first.1[0] { other } else { first });
+    let stiffest = bodies.iter().reduce(|first, other| if other.1[1] > first.1[1] { other } else { first });
+    let (Some((soft, [least, _])), Some((stiff, [_, most]))) = (softest, stiffest) else { return Ok(()) };
+    let ratio = most / least;
     if ratio <= MAX_CONTRAST || ratio.is_nan() {
         return Ok(());
     }
     // the punch has no number
-    let [soft, stiff] = [softest, stiffest].map(|(body, _)| body.map(|placed| placed.number));
-    let name = |body: Option<&Placed>| body.map_or("the punch".to_owned(), Placed::name);
-    let elsewhere = || "elsewhere in the same layer".to_owned();
-    let soft = if soft == stiff { elsewhere() } else { name(softest.0) };
-    Err(StackError::of_layer(stiff.unwrap_or(1), StackProblem::Contrast { stiff: name(stiffest.0), soft, ratio }))
+    let [soft_number, stiff_number] = [soft, stiff].map(|body| body.map(|placed| placed.number));
+    let name = |body: &Option<&Placed>| body.map_or("the punch".to_owned(), Placed::name);
+    let soft = if soft_number == stiff_number { "elsewhere in the same layer".to_owned() } else { name(soft) };
+    Err(StackError::of_layer(stiff_number.unwrap_or(1), StackProblem::Contrast { stiff: name(stiff), soft, ratio }))
 }
 
 /// The smallest and the largest modulus of a layer.

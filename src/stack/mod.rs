@@ -18,7 +18,6 @@ pub use error::{StackError, StackProblem};
 pub use joint::Joint;
 
 use crate::geometry::Geometry;
-use crate::scene::Item;
 use crate::solution::Interface;
 
 /// Largest number of layers in a stack, the half-plane and layers of thickness zero left out.
@@ -203,20 +202,6 @@ impl Foundation {
 }
 
 impl Stack {
-    /// Begins a stack, to be described from the top down.
-    pub fn builder(geometry: impl Into<Geometry>) -> StackBuilder {
-        StackBuilder::new(geometry.into())
-    }
-
-    /// Builds a stack from items as they are written in a scene.
-    ///
-    /// # Errors
-    /// [`StackError`] if the items do not alternate between layers and interfaces, do not end in a base, or have a
-    /// base elsewhere; if nothing in the stack can deform.
-    pub fn from_items(geometry: impl Into<Geometry>, items: &[Item]) -> Result<Self, StackError> {
-        assemble::assemble(geometry.into(), items)
-    }
-
     /// Checks that an elastic punch is neither stiffer nor softer than the layers by more than [`MAX_CONTRAST`].
     pub(crate) fn check_punch(&self, material: &Isotropic) -> Result<(), StackError> {
         let material = material.material(self.plane());
