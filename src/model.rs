@@ -151,15 +151,13 @@ impl Model {
         solution: &Solution,
         options: &Options,
     ) -> Result<Vec<Collocated>, Error> {
-        if !self.is_of(solution) {
-            return Err(FieldError::OtherStack.into());
-        }
+        self.check_owns(solution)?;
         Ok(collocation::check(&self.asked(&top.into(), options), solution)?)
     }
 
-    /// Whether a solution belongs to the stack.
-    fn is_of(&self, solution: &Solution) -> bool {
-        solution.stack.as_ref() == Some(&self.key)
+    /// Refuses a solution of another stack.
+    fn check_owns(&self, solution: &Solution) -> Result<(), FieldError> {
+        if solution.stack.as_ref() == Some(&self.key) { Ok(()) } else { Err(FieldError::OtherStack) }
     }
 
     /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.
@@ -167,9 +165,7 @@ impl Model {
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack.
     pub fn field(&self, solution: &Solution) -> Result<Field, FieldError> {
-        if !self.is_of(solution) {
-            return Err(FieldError::OtherStack);
-        }
+        self.check_owns(solution)?;
         Ok(Field::new(&self.stack, solution))
     }
 
@@ -194,9 +190,7 @@ impl Model {
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
     pub fn profile(&self, top: impl Into<Top>, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
-        if !self.is_of(solution) {
-            return Err(FieldError::OtherStack);
-        }
+        self.check_owns(solution)?;
         profile::profile(&top.into(), &self.stack, solution, x)
     }
 
@@ -222,9 +216,7 @@ impl Model {
     /// several punches;
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
-        if !self.is_of(solution) {
-            return Err(FieldError::OtherStack.into());
-        }
+        self.check_owns(solution)?;
         approach::approach(&top.into(), &self.stack, &self.kernel, solution)
     }
 }
