@@ -53,7 +53,7 @@ impl Spectrum {
         let response = |zeta: f64| {
             kernel.flexibilities(zeta).map_or(f64::NAN, |(laminates, base)| {
                 let below = laminates.get(i).map_or(base, |laminate| laminate.equal_top);
-                below - i.checked_sub(1).map_or(-kernel.punch(), |above| laminates[above].equal_bottom)
+                below - i.checked_sub(1).map_or(-kernel.punch, |above| laminates[above].equal_bottom)
             })
         };
         let mut spectrum = Self { panels: Vec::new() };

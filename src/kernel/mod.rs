@@ -42,15 +42,16 @@ const MOST_WAVENUMBERS: usize = 5000;
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
     chains: Chains,
-    panels: Vec<Panel>,
+    /// Panels of the wavenumber axis, in order, without gaps from 0.
+    pub(crate) panels: Vec<Panel>,
     /// The diagonals for large wavenumbers, one for each contact.
     asymptotes: Vec<Asymptote>,
     /// Counts of what was evaluated for the stack.
     stats: Stats,
-    /// Compliance λμ₀C of an elastic punch, which deforms like a half-plane; part of contact 0.
-    punch: f64,
+    /// Compliance λμ₀C of an elastic punch, which deforms like a half-plane, 0 of a rigid one; part of contact 0.
+    pub(crate) punch: f64,
     /// Storage of the tables of integrals over these kernels, shared by all kernels made of this one.
-    workspace: Arc<Workspace>,
+    pub(crate) workspace: Arc<Workspace>,
 }
 
 /// The chains of the block system, and the units in which they are evaluated.
@@ -211,12 +212,8 @@ impl Kernel {
 
     /// The same with a half-plane of another material on contact 0: its compliance is the same for all wavenumbers.
     pub(crate) fn under_half_plane(&self, material: &Isotropic) -> Self {
-        self.clone().under_punch(self.half_plane(material))
-    }
-
-    /// λμ₀C of a half-plane of another material.
-    fn half_plane(&self, material: &Isotropic) -> f64 {
-        0.25 * (material.kappa(self.chains.geometry.plane()) + 1.0) * self.chains.modulus / material.shear_modulus
+        let kappa = material.kappa(self.chains.geometry.plane());
+        self.clone().under_punch(0.25 * (kappa + 1.0) * self.chains.modulus / material.shear_modulus)
     }
 
     /// The modulus E* of the two faces at a contact, in the unit of the scene, 1/E* = Σ (1 − ν²)/E in plane strain.
@@ -242,11 +239,6 @@ impl Kernel {
     pub(crate) fn measured_in(&self, length: f64) -> Self {
         let chains = Chains { length, ..self.chains.clone() };
         Self { chains, ..self.clone() }
-    }
-
-    /// λμ₀C of the punch, 0 of a rigid one.
-    pub(crate) fn punch(&self) -> f64 {
-        self.punch
     }
 
     /// Plane, and in which way, or axisymmetric.
@@ -289,16 +281,6 @@ impl Kernel {
             panel.measure(&kernel.asymptotes);
         });
         kernel
-    }
-
-    /// Storage of the tables of integrals over these kernels.
-    pub(crate) fn workspace(&self) -> &Workspace {
-        &self.workspace
-    }
-
-    /// Panels of the wavenumber axis, in order, without gaps from 0.
-    pub(crate) fn panels(&self) -> &[Panel] {
-        &self.panels
     }
 
     /// The short-wave asymptote of the diagonal of contact i.
@@ -391,12 +373,10 @@ impl Kernel {
         }
     }
 
-    /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber.
-    pub(crate) fn flexibilities(&self, zeta: f64) -> Result<(Vec<Flexibility>, f64), Unresolved> {
+    /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber; `None` if one cannot be told.
+    pub(crate) fn flexibilities(&self, zeta: f64) -> Option<(Vec<Flexibility>, f64)> {
         let wave = self.chains.wave(zeta);
-        let failed = || Unresolved { wavenumber: wave.wavenumber };
-        let laminates: Option<Vec<Flexibility>> =
-            self.chains.laminates.iter().map(|laminate| laminate.flexibility(&wave)).collect();
-        Ok((laminates.ok_or_else(failed)?, self.chains.base.flexibility(&wave).ok_or_else(failed)?))
+        let laminates = self.chains.laminates.iter().map(|laminate| laminate.flexibility(&wave));
+        Some((laminates.collect::<Option<_>>()?, self.chains.base.flexibility(&wave)?))
     }
 }

@@ -45,7 +45,7 @@ impl Drop for Basis<'_> {
 impl<'a> Basis<'a> {
     /// The first `modes` modes of each contact of a problem.
     pub(crate) fn all(layout: &Layout, problem: &Problem<'a>, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
-        let workspace = problem.kernel.workspace();
+        let workspace = &problem.kernel.workspace;
         let own = |(i, (a, modes)): (usize, (&f64, &usize))| match problem.sides[i].given() {
             Some(given) => Self::given(layout, i, given, workspace),
             None => Self::new(layout, i, *a, *modes, workspace),

@@ -284,7 +284,7 @@ impl Layout {
             if self.zeta.len() > most {
                 return None;
             }
-            let panel = plan.kernel.panels().get(panel);
+            let panel = plan.kernel.panels.get(panel);
             let next = panel.map_or(2.0 * edge, |panel| panel.to);
             // ends within the panel, in order
             let mut from = edge;

@@ -81,7 +81,7 @@ impl Tail {
         let twin = Twin::of(kernel.geometry());
         let mut tail = Self { from, ..Self::default() };
         let mut reached = from;
-        for panel in kernel.panels().iter().filter(|panel| panel.to > from && panel.from < to) {
+        for panel in kernel.panels.iter().filter(|panel| panel.to > from && panel.from < to) {
             let apart = if reached < coupled { longest - shortest } else { 0.0 };
             let phase = apart * (panel.to - reached);
             let points = smooth_points(orders, from / reached) + (0.25 * phase + 3.0 * (0.5 * phase).cbrt()) as usize;
