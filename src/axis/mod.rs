@@ -82,7 +82,7 @@ impl Axis {
         if count == 1 && start != stop {
             return Err(AxisError::new(path, format!("found 1 value for {start:?} to {stop:?}")));
         }
-        Self::of(path, Values::Range(Range::new([start, stop], count, spacing)))
+        Self::of(path, Values::Range(Range { ends: [start, stop], count, spacing }))
     }
 
     fn of(path: &str, values: Values) -> Result<Self, AxisError> {
@@ -190,14 +190,9 @@ impl FromStr for Axis {
                 [_, _, _, _] => return Err(expected("START:STOP:COUNT or START:STOP:COUNT:log")),
                 _ => return Err(expected("START:STOP:COUNT")),
             };
-            let (start, stop) = (number(start)?, number(stop)?);
-            let whole = count.trim().parse();
-            make(
-                path,
-                start,
-                stop,
-                whole.map_err(|_| failed(format!("COUNT is a whole number, found `{}`", count.trim())))?,
-            )
+            let (start, stop, count) = (number(start)?, number(stop)?, count.trim());
+            let whole = count.parse().map_err(|_| failed(format!("COUNT is a whole number, found `{count}`")))?;
+            make(path, start, stop, whole)
         };
         axis.map_err(|error| failed(error.reason))
     }

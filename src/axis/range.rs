@@ -18,17 +18,13 @@ const ROUNDING: f64 = 1e-12;
 /// Values between two finite ends, both included.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Range {
-    ends: [f64; 2],
+    pub(super) ends: [f64; 2],
     /// Number of values, 1 or more; 2 or more if the ends differ.
     pub(super) count: usize,
-    spacing: Spacing,
+    pub(super) spacing: Spacing,
 }
 
 impl Range {
-    pub(super) fn new(ends: [f64; 2], count: usize, spacing: Spacing) -> Self {
-        Self { ends, count, spacing }
-    }
-
     /// The value with a number below the count; both ends are met exactly.
     pub(super) fn at(&self, index: usize) -> f64 {
         let [start, stop] = self.ends;
