@@ -48,17 +48,17 @@ impl CheckedScene {
 
     /// Solves the contact problem of a scene and checks its answer, without what commands do with it.
     pub fn of_contacts(scene: &Scene, options: &Options) -> Self {
-        Self::with(scene, options, |_, _| None)
+        Self::with(scene, options, |_, _| Ok(()))
     }
 
-    fn with(scene: &Scene, options: &Options, more: impl Fn(&Model, &Solution) -> Option<String>) -> Self {
+    fn with(scene: &Scene, options: &Options, more: impl Fn(&Model, &Solution) -> Result<(), String>) -> Self {
         let start = Instant::now();
         let mut seconds = None;
         let solved = catch_unwind(AssertUnwindSafe(|| -> Result<_, Error> {
             let model = Model::new(scene.stack()?)?;
             let solution = model.press_with(&scene.top, scene.force, options)?;
             seconds = Some(start.elapsed().as_secs_f64());
-            let what = wrong(scene, &solution).or_else(|| more(&model, &solution));
+            let what = wrong(scene, &solution).or_else(|| more(&model, &solution).err());
             Ok((solution, what))
         }));
         let seconds = seconds.unwrap_or_else(|| start.elapsed().as_secs_f64());

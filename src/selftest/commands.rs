@@ -22,16 +22,13 @@ const PENETRATION: f64 = 1e-2;
 /// The stress on the loaded face is the pressure to this part of the mean pressure.
 const PRESSED: f64 = 1e-5;
 
-/// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; returns what is wrong, if anything.
-pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Option<String> {
-    let all = || -> Result<(), String> {
-        let field = step("field", model.field(solution))?;
-        reports(scene, model, solution, &field)?;
-        fields(scene, solution, &field)?;
-        profile(scene, model, solution)?;
-        if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
-    };
-    all().err()
+/// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; the error is what is wrong.
+pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Result<(), String> {
+    let field = step("field", model.field(solution))?;
+    reports(scene, model, solution, &field)?;
+    fields(scene, solution, &field)?;
+    profile(scene, model, solution)?;
+    if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
 }
 
 /// The result of a step, whose name stands before its error.

@@ -24,8 +24,6 @@ struct Kinds {
     base: usize,
     /// A number from 0 to 1 that every kind makes something else of.
     share: f64,
-    /// The unit of stress.
-    stress: f64,
 }
 
 fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
@@ -34,7 +32,7 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
     let joints = prop::collection::vec(joint, *ranges.layers.end());
     let layers = prop::collection::vec((0..12usize, -1.0..1.0f64), *ranges.layers.end());
     let all = (0..16usize, joints, 0..10usize, 0.0..=1.0f64, layers);
-    all.prop_map(|(punch, joints, base, share, layers)| Kinds { punch, layers, joints, base, share, stress: 1.0 })
+    all.prop_map(|(punch, joints, base, share, layers)| Kinds { punch, layers, joints, base, share })
 }
 
 /// One of the [`scenes`] with punches, loads, interfaces and bases of all kinds: the same seed and number give the same
@@ -57,8 +55,8 @@ pub fn scene_of_any_kind_in_units(
     units: ScenarioUnits,
 ) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
-    let (scenario, kinds) = (scenario.in_units(units), Kinds { stress: units.stress, ..kinds });
-    let items = kinds.items(&scenario)?;
+    let scenario = scenario.in_units(units);
+    let items = kinds.items(&scenario, units.stress)?;
     Ok(Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items))
 }
 
@@ -132,7 +130,8 @@ impl Kinds {
         Loads::new(&loads)
     }
 
-    fn items(&self, scenario: &Scenario) -> Result<Vec<Item>, Error> {
+    /// The items of the stack, with this unit of stress.
+    fn items(&self, scenario: &Scenario, stress: f64) -> Result<Vec<Item>, Error> {
         let mut items = scenario.items()?;
         let plies = scenario.layers.iter().zip(&self.layers);
         for (item, (ply, (kind, power))) in items.iter_mut().step_by(2).zip(plies) {
@@ -144,7 +143,7 @@ impl Kinds {
         }
         for (item, (kind, normal, tangential)) in items.iter_mut().skip(1).step_by(2).zip(&self.joints) {
             // per thickness and modulus of the whole
-            let stiffness = |power: &f64| self.stress * 10f64.powf(*power) / scenario.thickness();
+            let stiffness = |power: &f64| stress * 10f64.powf(*power) / scenario.thickness();
             *item = match (&item, kind) {
                 (Item::Bonded, 0) => Item::Sliding,
                 (Item::Bonded, 1) => Item::Spring(Spring::new(stiffness(normal), None)?),
