@@ -3,7 +3,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use recede::{Axis, MAX_BYTES, Options, Registry, Scene, Sweep};
+use recede::{Axis, Error, MAX_BYTES, Options, Registry, Scene, Sweep};
 
 use super::Failure;
 
@@ -12,7 +12,7 @@ use super::Failure;
 pub(super) struct GridArguments {
     /// Scene, or sweep, in RON; `-` reads standard input
     #[arg(value_name = "SCENE.ron")]
-    file: PathBuf,
+    pub(super) file: PathBuf,
     /// What varies: PATH=START:STOP:COUNT, PATH=START:STOP:COUNT:log or PATH=[v,v,...]
     #[arg(long, value_name = "PATH=VALUES")]
     vary: Vec<Axis>,
@@ -38,7 +38,7 @@ impl GridArguments {
             let sweep = Sweep::from_reader(name, &text[..], &registry)?;
             if self.vary.is_empty() { sweep } else { sweep.and_vary(self.vary.clone())? }
         } else {
-            let scene = Scene::from_reader(&name.display().to_string(), &text[..], &registry)?;
+            let scene = Scene::from_reader(&name.display().to_string(), &text[..], &registry).map_err(Error::from)?;
             if self.vary.is_empty() {
                 let paths = scene.paths().join(", ");
                 return Err(Failure::usage(
@@ -56,14 +56,9 @@ impl GridArguments {
         Ok(if self.extremes { sweep.with_extremes() } else { sweep })
     }
 
-    /// The file as it was named.
-    pub(super) fn file(&self) -> &Path {
-        &self.file
-    }
-
     /// The files that are read: the one that was named, and the scene of a sweep in a file of its own.
     pub(super) fn files<'a>(&'a self, sweep: &'a Sweep) -> Vec<&'a Path> {
-        [self.file()].into_iter().chain(sweep.scene().file().map(Path::new)).collect()
+        [&*self.file].into_iter().chain(sweep.scene().file().map(Path::new)).collect()
     }
 
     /// The bytes of the file, at most as many as a scene may have.

@@ -37,9 +37,9 @@ pub struct MergeArguments {
 
 impl MergeArguments {
     pub fn run(&self) -> Result<(), Failure> {
-        if self.grid.file().extension().is_some_and(|ending| ending == "csv") {
+        if self.grid.file.extension().is_some_and(|ending| ending == "csv") {
             return Err(Failure::usage(
-                format!("{} is no sweep", self.grid.file().display()),
+                format!("{} is no sweep", self.grid.file.display()),
                 "the sweep comes first, as for `recede sweep`, then the files of its parts",
             ));
         }

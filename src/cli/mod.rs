@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use recede::plot::PlotError;
-use recede::{Error, FieldError, Model, Options, Registry, Scene, SceneError, Solution, visible};
+use recede::{Error, FieldError, Model, Options, Registry, Scene, Solution, visible};
 
 /// Receding and advancing contact of layered elastic stacks.
 #[derive(Debug, Parser)]
@@ -103,12 +103,6 @@ pub enum Failure {
     Wrong(usize),
 }
 
-impl From<SceneError> for Failure {
-    fn from(error: SceneError) -> Self {
-        Self::Scene(error.into())
-    }
-}
-
 impl From<FieldError> for Failure {
     fn from(error: FieldError) -> Self {
         Self::Scene(error.into())
@@ -179,12 +173,12 @@ impl SceneFile {
         Ok(self.read()?)
     }
 
-    fn read(&self) -> Result<Scene, SceneError> {
-        if self.scene == Path::new("-") {
-            Scene::from_reader("stdin", io::stdin().lock(), &Registry::default())
+    fn read(&self) -> Result<Scene, Error> {
+        Ok(if self.scene == Path::new("-") {
+            Scene::from_reader("stdin", io::stdin().lock(), &Registry::default())?
         } else {
-            Scene::read(&self.scene)
-        }
+            Scene::read(&self.scene)?
+        })
     }
 }
 

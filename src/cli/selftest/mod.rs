@@ -3,6 +3,7 @@ mod tables;
 mod workers;
 
 use std::io::{self, Write};
+use std::iter;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -117,15 +118,8 @@ impl SelftestArguments {
         let (next, end) = (AtomicU64::new(self.first), self.first.saturating_add(self.count));
         let bar = Progress::new("scenes", self.count, 0);
         let one_by_one = || -> Result<Vec<Ended>, Failure> {
-            let mut ended = Vec::new();
-            loop {
-                let number = next.fetch_add(1, Ordering::Relaxed);
-                if number >= end {
-                    return Ok(ended);
-                }
-                ended.push(run(self, number)?);
-                bar.step();
-            }
+            let numbers = iter::from_fn(|| Some(next.fetch_add(1, Ordering::Relaxed)).filter(|number| *number < end));
+            numbers.map(|number| run(self, number).inspect(|_| bar.step())).collect()
         };
         let all = thread::scope(|scope| {
             let threads: Vec<_> = (0..threads).map(|_| scope.spawn(one_by_one)).collect();
