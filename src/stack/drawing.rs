@@ -3,7 +3,7 @@ use std::fmt;
 
 use recede_layers::Body;
 
-use super::{Joint, Placed, Stack};
+use super::{Placed, Stack};
 
 /// Columns between the borders, at least.
 const NARROWEST: usize = 50;
@@ -35,7 +35,6 @@ impl Stack {
     /// │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
     /// ```
     pub fn drawing(&self, punch: Option<&str>, columns: Option<usize>) -> String {
-        let joints: Vec<&[Joint]> = self.groups().map(|group| group.joints()).collect();
         let label = |(number, body): (usize, Option<Body>)| match body.map(|body| body.notation()) {
             Some(notation) => format!(" {number} {}({}) ", notation.kind, notation.parameters),
             None => format!(" {number} Rigid"),
@@ -53,7 +52,7 @@ impl Stack {
             lines.push(centred(&format!("╰{}╯", "─".repeat(text.chars().count() + 6)), width));
         }
         let contacts = self.contacts();
-        for (i, texts) in groups.iter().enumerate() {
+        for (i, (texts, group)) in groups.iter().zip(self.groups()).enumerate() {
             if i > 0 {
                 lines.push(format!("└{}┘", "─".repeat(width)));
                 lines.push(centred(&format!("receding {}", contacts[i]), width));
@@ -61,7 +60,8 @@ impl Stack {
             lines.push(format!("┌{}┐", "─".repeat(width)));
             for (j, text) in texts.iter().enumerate() {
                 if j > 0 {
-                    lines.push(joined(joints[i].get(j - 1), width));
+                    let joint = format!(" {} ", group.joints()[j - 1]);
+                    lines.push(format!("├{joint:─^width$}┤"));
                 }
                 lines.extend(folded(text, width).iter().map(|line| format!("│{line:width$}│")));
             }
@@ -78,11 +78,6 @@ impl Stack {
         let more = self.dropped.len().checked_sub(SHOWN + 1).map_or(String::new(), |n| format!(" and {} more", n + 1));
         (!names.is_empty()).then(|| format!("not there, because of thickness 0: {}{more}", names.join(", ")))
     }
-}
-
-fn joined(joint: Option<&Joint>, width: usize) -> String {
-    let text = joint.map_or(String::new(), |joint| format!(" {joint} "));
-    format!("├{text:─^width$}┤")
 }
 
 fn centred(text: &str, width: usize) -> String {
