@@ -63,11 +63,9 @@ impl Sweep {
         let values = self.values(index);
         let solved = self.solve_row(&values);
         let found = solved.as_ref().ok();
-        let approach = |(model, top, solution): &(Arc<Model>, Top, Solution)| model.approach(top, solution);
-        let extremes = |(model, _, solution): &(Arc<Model>, Top, Solution)| model.field(solution)?.extremes();
         Row {
-            approach: found.filter(|_| self.has_approach()).map(approach),
-            extremes: found.filter(|_| self.has_extremes()).map(extremes),
+            approach: found.filter(|_| self.approach).map(|(model, top, solution)| model.approach(top, solution)),
+            extremes: found.filter(|_| self.extremes).map(|(model, _, solution)| model.field(solution)?.extremes()),
             result: solved.map(|(.., solution)| solution),
             index,
             values,

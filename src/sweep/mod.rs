@@ -114,16 +114,9 @@ impl Sweep {
             slots.push(slot);
         }
         let product = axes.iter().try_fold(1usize, |rows, axis| rows.checked_mul(axis.count()));
-        let rows = match (product, axes.last()) {
-            (Some(rows), _) if rows <= MOST_ROWS => rows,
-            (_, Some(axis)) => {
-                return Err(AxisError::new(
-                    axis.path(),
-                    format!("the grid has more than {MOST_ROWS} points with this axis"),
-                )
-                .into());
-            }
-            (_, None) => 1,
+        let Some(rows) = product.filter(|rows| *rows <= MOST_ROWS) else {
+            let reason = format!("the grid has more than {MOST_ROWS} points with this axis");
+            return Err(AxisError::new(axes.last().map_or("", Axis::path), reason).into());
         };
         let (options, models) = (Options::default(), Kept::new(Model::stored_numbers));
         let (approach, extremes, interfaces) = (false, false, Vec::new());
