@@ -1,7 +1,7 @@
 //! Files of rows of a sweep: one that grows by whole lines, so that a sweep can be interrupted at any time, and one that is made of such files:
 //! comma-separated values, or Parquet.
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +9,9 @@ use recede::files;
 use recede::report::SweepCsv;
 
 use super::{Failure, outputs};
+
+/// No line of a sweep has more bytes.
+const LONGEST: u64 = 1 << 20;
 
 /// Begins a file, or what is written in its place, with a header. Each line is handed over to it in one piece.
 pub(super) fn create(path: &Path, csv: &SweepCsv) -> Result<Box<dyn Write>, Failure> {
@@ -40,7 +43,7 @@ pub(super) fn resume(
         return Err(Failure::usage(message, "leave out --resume, or name a file"));
     }
     let mut file = open(path)?;
-    let begun = begun(&file, csv, &rows, see).map_err(failed)?;
+    let begun = begun(path, &file, csv, |_| Ok(rows.clone()), see)?;
     if let Some(line) = begun.wrong {
         return Err(wrong(path, line));
     }
@@ -49,7 +52,7 @@ pub(super) fn resume(
     if begun.bytes == 0 {
         file.write_all(csv.header()?.as_bytes()).map_err(failed)?;
     }
-    Ok((Box::new(file), begun.rows))
+    Ok((Box::new(file), begun.rows.len()))
 }
 
 /// Opens a file of lines, there or not, for one sweep at a time: lines of two would be mixed.
@@ -79,44 +82,56 @@ fn wrong(path: &Path, line: usize) -> Failure {
     )
 }
 
-/// The state of a file that an interrupted sweep has left.
+/// The state of a file of lines, which may have been interrupted.
 #[derive(Default)]
 pub(super) struct Begun {
-    /// Whole lines below the header.
-    pub(super) rows: usize,
-    /// Bytes of all whole lines.
-    bytes: u64,
+    /// The rows of the whole lines below the header.
+    pub(super) rows: Range<usize>,
+    /// Bytes of all whole lines, the header included.
+    pub(super) bytes: u64,
     /// The first line, from 1, that is not the line of the row that is to stand there.
     pub(super) wrong: Option<usize>,
     /// Whether the last line has no end.
     pub(super) is_cut: bool,
 }
 
-/// Compares a file with the header and the lines of these rows, and shows each of them to `see` with its number.
+/// Compares a file with the header and the lines of rows, and shows each of them to `see` with its number. Which rows may stand there
+/// is told by `rows` of the first line below the header.
 pub(super) fn begun(
+    path: &Path,
     file: &File,
     csv: &SweepCsv,
-    rows: &Range<usize>,
+    rows: impl Fn(&str) -> Result<Range<usize>, Failure>,
     mut see: impl FnMut(usize, &str),
-) -> io::Result<Begun> {
+) -> Result<Begun, Failure> {
     let header = csv.header()?;
     let mut reader = BufReader::new(file);
     let mut line = Vec::new();
     let mut begun = Begun::default();
-    while reader.read_until(b'\n', &mut line)? > 0 {
-        let row = rows.start + begun.rows;
+    let mut allowed = 0..0;
+    let mut read = |line: &mut Vec<u8>| {
+        line.clear();
+        reader.by_ref().take(LONGEST).read_until(b'\n', line).map_err(|cause| Failure::file(path, cause))
+    };
+    while read(&mut line)? > 0 {
+        // what is no text is replaced, and then is no line of a sweep
         let text = String::from_utf8_lossy(&line);
         let is_header = begun.bytes == 0;
         let is_cut = !line.ends_with(b"\n");
+        if !is_header && begun.rows.is_empty() {
+            allowed = rows(&text)?;
+            begun.rows = allowed.start..allowed.start;
+        }
+        let row = begun.rows.end;
         let expected = match (is_header, is_cut) {
             (true, true) => header.starts_with(&*text),
             (true, false) => text == header,
             // the beginning of a row of this sweep, and of no other text
-            (false, true) => rows.contains(&row) && csv.is_begun(&text, row),
-            (false, false) => rows.contains(&row) && csv.is_line_of(&text, row),
+            (false, true) => allowed.contains(&row) && csv.is_begun(&text, row),
+            (false, false) => allowed.contains(&row) && csv.is_line_of(&text, row),
         };
         if !expected {
-            begun.wrong = Some(if is_header { 1 } else { begun.rows + 2 });
+            begun.wrong = Some(if is_header { 1 } else { begun.rows.len() + 2 });
         }
         begun.is_cut = is_cut;
         if is_cut || !expected {
@@ -124,10 +139,9 @@ pub(super) fn begun(
         }
         if !is_header {
             see(row, &text);
-            begun.rows += 1;
+            begun.rows.end += 1;
         }
         begun.bytes += line.len() as u64;
-        line.clear();
     }
     Ok(begun)
 }
