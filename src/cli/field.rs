@@ -2,7 +2,6 @@
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use clap::builder::PossibleValuesParser;
 use recede::plot;
@@ -45,11 +44,11 @@ pub struct FieldArguments {
     #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = point, allow_hyphen_values = true)]
     at: Vec<Point>,
     /// Places of a grid along x, or r; without it, two half-lengths (radii) of the longest contact to either side
-    #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
+    #[arg(long, value_name = "START:STOP:COUNT", value_parser = steps, conflicts_with = "at", allow_hyphen_values = true)]
     x: Option<Steps>,
     /// Depths of a grid; without it, all layers and one and a half half-lengths (radii) of the longest contact in a half-plane,
     /// at most three in all
-    #[arg(long, value_name = "START:STOP:COUNT", conflicts_with = "at", allow_hyphen_values = true)]
+    #[arg(long, value_name = "START:STOP:COUNT", value_parser = steps, conflicts_with = "at", allow_hyphen_values = true)]
     depth: Option<Steps>,
     /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, a short table on standard output
     #[arg(long, value_name = "FILE")]
@@ -82,22 +81,15 @@ impl Steps {
     }
 }
 
-impl FromStr for Steps {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("found `{text}`, expected START:STOP:COUNT as in 0:2:200");
-        let [start, stop, count] = text.split(':').collect::<Vec<_>>()[..] else { return Err(wrong()) };
-        let steps = Self {
-            start: start.parse().map_err(|_| wrong())?,
-            stop: stop.parse().map_err(|_| wrong())?,
-            count: count.parse().map_err(|_| wrong())?,
-        };
-        let legal = steps.start.is_finite() && steps.stop.is_finite() && (1..=10_000).contains(&steps.count);
-        legal
-            .then_some(steps)
-            .ok_or_else(|| format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000"))
-    }
+/// START:STOP:COUNT.
+fn steps(text: &str) -> Result<Steps, String> {
+    let wrong = || format!("found `{text}`, expected START:STOP:COUNT as in 0:2:200");
+    let [start, stop, count] = text.split(':').collect::<Vec<_>>()[..] else { return Err(wrong()) };
+    let number = |text: &str| text.parse().map_err(|_| wrong());
+    let steps = Steps { start: number(start)?, stop: number(stop)?, count: count.parse().map_err(|_| wrong())? };
+    let legal = steps.start.is_finite() && steps.stop.is_finite() && (1..=10_000).contains(&steps.count);
+    let refused = || format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000");
+    legal.then_some(steps).ok_or_else(refused)
 }
 
 /// X,DEPTH or X,DEPTH@LAYER.
