@@ -35,13 +35,8 @@ pub(super) enum Foot {
     Held(Box<JunctionRows<2>>),
 }
 
-/// The bodies below an interface of a base, eliminated.
-pub(super) enum Below {
-    /// Two states of which all states at the upper face of these bodies are combinations.
-    Allows(Matrix4x2<f64>),
-    /// Two rows on the states at the bottom face of the layer above.
-    Holds(Matrix2x4<f64>),
-}
+/// The bodies below an interface of a base, eliminated: two states of which all states at the upper face of these bodies are combinations.
+pub(super) type Below = Matrix4x2<f64>;
 
 impl BaseChain {
     /// The base of a block system; it has no layers if all layers are above a receding interface on a rigid base.
@@ -86,12 +81,11 @@ impl BaseChain {
             let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
             let across = self.across(body.layers.end, wave);
             let (amplitudes, _) = under_unit_stresses(&below, across, &top, &bottom)?;
-            below = Below::Allows(with_unit_stress(&(displacement(&top) * amplitudes)));
+            below = with_unit_stress(&(displacement(&top) * amplitudes));
         }
-        let Below::Allows(allowed) = below else { return Some(0.0) };
-        let stress: Matrix2<f64> = allowed.fixed_rows::<2>(2).into_owned();
+        let stress: Matrix2<f64> = below.fixed_rows::<2>(2).into_owned();
         let shares = solve_equilibrated(stress, uniform())?;
-        Some((allowed.row(1) * shares)[0])
+        Some((below.row(1) * shares)[0])
     }
 
     /// The bodies below the layers above the cut-off; `states` gives the states at the face of a half-plane.
@@ -101,13 +95,15 @@ impl BaseChain {
         wave: &Wave,
         states: impl FnOnce(&dyn Layer) -> Option<Matrix4x2<f64>>,
     ) -> Option<Below> {
-        Some(match &self.foot {
+        let rigid = with_unit_stress(&Matrix2::zeros());
+        match &self.foot {
             // fields have decayed: the layers below the cut-off count as rigid
-            _ if cut_off < self.layers.len() => Below::Allows(with_unit_stress(&Matrix2::zeros())),
-            Foot::HalfPlane(layer) => Below::Allows(states(&**layer)?),
-            Foot::Support(support) => Below::Allows(support.face_states(wave)),
-            Foot::Held(rows) => Below::Holds(rows.at(wave)[0]),
-        })
+            _ if cut_off < self.layers.len() => Some(rigid),
+            Foot::HalfPlane(layer) => states(&**layer),
+            Foot::Support(support) => Some(support.face_states(wave)),
+            Foot::Held(_) if self.layers.is_empty() => Some(rigid),
+            Foot::Held(rows) => Some(allowed(&rows.at(wave)[0])),
+        }
     }
 
     /// The rows below this number of layers, for the states above and below; `None` if these are the same.
@@ -129,19 +125,18 @@ impl BaseChain {
     }
 }
 
-/// The amplitudes of a layer with these states at its faces under unit stresses S and T on its top face, and the shares of the states that
-/// [`Below::Allows`]; `across` are the rows below the layer, `None` if states are the same on both sides, and then there are no shares.
+/// The amplitudes of a layer with these states at its faces under unit stresses S and T on its top face, and the shares of the states in
+/// [`Below`]; `across` are the rows below the layer, `None` if states are the same on both sides, and then there are no shares.
 pub(super) fn under_unit_stresses(
     below: &Below,
     across: Option<[Matrix4<f64>; 2]>,
     top: &Matrix4<f64>,
     bottom: &Matrix4<f64>,
 ) -> Option<(Matrix4x2<f64>, Option<Matrix2<f64>>)> {
-    let (condition, shares) = match (below, across) {
-        (Below::Holds(rows), _) => (*rows, None),
-        (Below::Allows(allowed), None) => (reciprocal(allowed), None),
-        (Below::Allows(allowed), Some([above, below])) => {
-            let [left, solved] = eliminate_two(below * allowed, above)?;
+    let (condition, shares) = match across {
+        None => (reciprocal(below), None),
+        Some([above, rows]) => {
+            let [left, solved] = eliminate_two(rows * below, above)?;
             (left, Some(solved))
         }
     };
@@ -164,4 +159,9 @@ pub(super) fn with_unit_stress(flexibility: &Matrix2<f64>) -> Matrix4x2<f64> {
 /// U₁T₂ − T₁U₂ + V₁S₂ − S₁V₂ = 0. Unlike a flexibility they exist for any base, be it rigid or free to slide.
 pub(super) fn reciprocal(allowed: &Matrix4x2<f64>) -> Matrix2x4<f64> {
     Matrix2x4::from_fn(|i, j| if j < 2 { -allowed[(3 - j, i)] } else { allowed[(3 - j, i)] })
+}
+
+/// Two states that fulfil two rows: the inverse of [`reciprocal`].
+fn allowed(rows: &Matrix2x4<f64>) -> Below {
+    Matrix4x2::from_fn(|i, j| if i < 2 { rows[(j, 3 - i)] } else { -rows[(j, 3 - i)] })
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 use nalgebra::{Matrix2, Vector2, Vector3, Vector4};
 use recede_layers::{FaceStates, InnerStates, LayerStates, State, Wave, solve_equilibrated};
 
-use super::base::{BaseChain, Below, under_unit_stresses, with_unit_stress};
+use super::base::{BaseChain, under_unit_stresses, with_unit_stress};
 use super::cut_off::cut_off;
 use super::free::{FreeChain, faces};
 use super::half::{PutBack, displacement, stacked, stress, uniform};
@@ -124,7 +124,7 @@ impl BaseChain {
             let states = self.layers[i].states(wave, &depths[i]);
             let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
             let (amplitudes, shares) = under_unit_stresses(&below, self.across(i + 1, wave), top, bottom)?;
-            below = Below::Allows(with_unit_stress(&(displacement(top) * amplitudes)));
+            below = with_unit_stress(&(displacement(top) * amplitudes));
             let at_bottom = shares.unwrap_or(stress(bottom) * amplitudes);
             eliminated.push((states.inside, amplitudes, at_bottom));
         }
