@@ -1,5 +1,5 @@
 //! The symbolic block matrix: rows are named conditions, columns are layers, a block is a signed face quantity.
-use std::ops::Deref;
+use std::ops::{Deref, RangeInclusive};
 
 use recede_layers::{Body, Plane};
 
@@ -12,8 +12,7 @@ use crate::stack::{Joint, Stack};
 pub struct Column {
     number: usize,
     body: Body,
-    first: usize,
-    count: usize,
+    amplitudes: RangeInclusive<usize>,
 }
 
 impl Column {
@@ -28,8 +27,8 @@ impl Column {
     }
 
     /// The layer's amplitudes among all, numbered from 1 as in C1, C2, ...
-    pub fn amplitudes(&self) -> std::ops::RangeInclusive<usize> {
-        self.first..=self.first + self.count - 1
+    pub fn amplitudes(&self) -> RangeInclusive<usize> {
+        self.amplitudes.clone()
     }
 }
 
@@ -170,9 +169,9 @@ impl BlockSystem {
 
     /// A column for a layer or a support: its index.
     fn column(&mut self, number: usize, body: Body) -> usize {
-        let first = self.unknowns() + 1;
+        let before = self.unknowns();
         let count = if body.layer().is_some_and(|layer| layer.thickness().is_some()) { 4 } else { 2 };
-        self.columns.push(Column { number, body, first, count });
+        self.columns.push(Column { number, body, amplitudes: before + 1..=before + count });
         self.columns.len() - 1
     }
 
