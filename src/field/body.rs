@@ -1,9 +1,11 @@
 //! The bodies of a stack, free laminates and base, with the contacts that press on them.
+use std::ops::Range;
 use std::sync::Arc;
 
 use recede_layers::{Layer, Material, State, Wave};
 
 use super::pressure::ContactPressure;
+use super::sum::DepthRow;
 use super::surface::{Components, Surface};
 use crate::stack::{Placed, Stack};
 use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
@@ -53,8 +55,8 @@ enum Chain {
 #[derive(Clone, Debug)]
 pub(super) struct LoadedBody {
     chain: Chain,
-    /// Number of its layers.
-    pub(super) layers: usize,
+    /// Its layers among all.
+    pub(super) layers: Range<usize>,
     /// Depth of its top face.
     pub(super) top: f64,
     /// Depth of its bottom face, if that is loaded.
@@ -63,8 +65,8 @@ pub(super) struct LoadedBody {
     pub(super) contact: usize,
     /// The faces, top first, whose slowly converging part is known in closed form.
     pub(super) faces: [Option<LoadedFace>; 2],
-    /// Place and depth of the point at x = 0 from which v is counted.
-    pub(super) reference: Option<(usize, f64)>,
+    /// The depth from whose point at x = 0 v is counted.
+    pub(super) reference: Option<DepthRow>,
 }
 
 /// A loaded face.
@@ -117,19 +119,21 @@ impl LoadedBody {
         let laminates = FreeChain::all(&system).into_iter().map(Chain::Free);
         let chains = laminates.chain([Chain::Base(BaseChain::of(&system))]);
         let bodies = chains.enumerate().filter_map(|(i, chain)| {
-            let layers: Vec<&PlacedLayer> = layers.iter().filter(|placed| placed.body == i).collect();
-            let (first, last) = (*layers.first()?, *layers.last()?);
+            let from = layers.partition_point(|placed| placed.body < i);
+            let own = from..layers.partition_point(|placed| placed.body <= i);
+            let (first, last) = (layers[own.clone()].first()?, layers[own.clone()].last()?);
             let free = matches!(chain, Chain::Free(_));
-            let reference = match last.thickness {
+            let depth = match last.thickness {
                 // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
-                Some(thickness) => free.then_some((layers.len() - 1, thickness)),
+                Some(thickness) => free.then_some(thickness),
                 // displacements vanish far away if forces do not act on whole lines
                 None if stack.geometry().is_axisymmetric() => None,
-                None => Some((layers.len() - 1, 0.0)),
+                None => Some(0.0),
             };
+            let reference = depth.map(|depth| DepthRow { layer: own.end - 1, depth, set: 0 });
             let mut body = Self {
                 chain,
-                layers: layers.len(),
+                layers: own,
                 top: first.top,
                 bottom: free.then(|| last.bottom()),
                 contact: i,
@@ -162,7 +166,7 @@ impl LoadedBody {
         let length = placed.thickness.unwrap_or_else(|| depth_of_change(&material, pressure.half_length));
         let mut surface = Surface::new(&material, length, modulus)?;
         (surface.is_round, surface.up) = (pressure.is_round(), if side == 1 { -1.0 } else { 1.0 });
-        if self.layers == 1 && placed.thickness.is_none() {
+        if self.layers.len() == 1 && placed.thickness.is_none() {
             // a homogeneous half-plane has no remainder at any wavenumber
             let shift = std::mem::replace(&mut surface.shift, f64::INFINITY);
             let same = |l: f64| Some(self.remainder(&surface, side, placed, &wave(l / length))? < NEGLIGIBLE);
@@ -192,7 +196,7 @@ impl LoadedBody {
         if side == 1 {
             distances.reverse();
         }
-        let mut depths = vec![Vec::new(); self.layers];
+        let mut depths = vec![Vec::new(); self.layers.len()];
         depths[placed.place] = distances.iter().map(|distance| depth(*distance)).collect();
         let load = if side == 0 {
             FaceLoad { top: -1.0, ..FaceLoad::default() }
@@ -209,7 +213,7 @@ impl LoadedBody {
     }
 
     /// The contacts on its loaded faces, the face on top first.
-    pub(super) fn contacts(&self) -> std::ops::Range<usize> {
+    pub(super) fn contacts(&self) -> Range<usize> {
         self.contact..self.contact + 1 + usize::from(self.bottom.is_some())
     }
 

@@ -90,7 +90,7 @@ impl Field {
         let (body, depth) = (&self.bodies[placed.body], row.depth);
         body.contacts().enumerate().map(move |(side, contact)| {
             let above = side == 0;
-            let is_outermost = if above { placed.place == 0 } else { placed.place + 1 == body.layers };
+            let is_outermost = if above { placed.place == 0 } else { placed.place + 1 == body.layers.len() };
             let face = body.faces[side].as_ref().filter(|_| is_outermost);
             if face.is_some_and(|face| face.surface.shift.is_infinite()) {
                 return (contact, None);
@@ -144,20 +144,28 @@ impl Field {
     /// The distance of the loaded face above or below a depth, in lengths over which fields decay by e at λ = 1.
     pub(super) fn distance(&self, placed: &PlacedLayer, depth: f64, above: bool) -> f64 {
         let within = if above { depth } else { (placed.thickness.unwrap_or(f64::INFINITY) - depth).max(0.0) };
-        let between = self.layers.iter().filter(|other| {
-            other.body == placed.body && if above { other.place < placed.place } else { other.place > placed.place }
-        });
-        let between = between.map(|other| other.slowest * other.thickness.unwrap_or(f64::INFINITY));
+        let layers = &self.layers[self.bodies[placed.body].layers.clone()];
+        let between = if above { &layers[..placed.place] } else { &layers[placed.place + 1..] };
+        let between = between.iter().map(|other| other.slowest * other.thickness.unwrap_or(f64::INFINITY));
         between.sum::<f64>() + placed.slowest * within
     }
 
     /// Half-length of a contact. A line load has none: in its place the half-length of the longest contact or, under line loads alone, the thickness of
     /// what lies on the base; 0 on a half-plane, where no length occurs.
     pub(super) fn length(&self, contact: usize) -> f64 {
-        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
-        let thickness = self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h);
-        let lengths = [self.pressures[contact].half_length, longest, thickness];
+        let lengths = [self.pressures[contact].half_length, self.longest(), self.thickness()];
         lengths.into_iter().find(|length| *length > 0.0).unwrap_or(0.0)
+    }
+
+    /// Half-length of the longest contact; 0 under line loads alone.
+    pub(super) fn longest(&self) -> f64 {
+        self.pressures.iter().fold(0.0, |a, pressure| a.max(pressure.half_length))
+    }
+
+    /// Thickness of all layers together, without a half-plane.
+    pub(super) fn thickness(&self) -> f64 {
+        // an empty sum would be -0
+        self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h)
     }
 
     /// Half-length of the narrowest strip of a contact that is one.

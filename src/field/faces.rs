@@ -27,9 +27,8 @@ impl Field {
         let faces: Vec<(usize, usize, FaceSide, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
         let rows: Vec<DepthRow> =
             faces.iter().map(|(layer, _, _, depth)| DepthRow { layer: *layer, depth: *depth, set: 0 }).collect();
-        let points = self.in_rows(xs, &rows)?;
-        let lines = faces.iter().zip(points.chunks(xs.len().max(1)));
-        Ok(lines.map(|((_, number, side, _), points)| (*number, *side, points.to_vec())).collect())
+        let lines = faces.iter().zip(self.in_rows(xs, &rows)?);
+        Ok(lines.map(|((_, number, side, _), points)| (*number, *side, points)).collect())
     }
 
     /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure of a contact: it is

@@ -33,12 +33,12 @@ impl Field {
             rows.len() - 1 - first
         };
         let of = |(contact, [from, to]): (usize, &[f64; 2])| {
-            let last = self.layers.iter().rposition(|placed| placed.body + 1 == contact);
-            let next = self.layers.iter().position(|placed| placed.body == contact);
+            let last = self.bodies[contact - 1].layers.end - 1;
+            let next = self.bodies.get(contact).map(|body| body.layers.start);
             let mut joint = |x: f64| {
-                let above = last.filter(|_| x != 0.0 || from != to);
-                let depth = |layer: usize| self.layers[layer].thickness.unwrap_or(0.0);
-                [above.map(|layer| add(layer, depth(layer), x)), next.map(|layer| add(layer, 0.0, x))]
+                let depth = self.layers[last].thickness.unwrap_or(0.0);
+                let above = (x != 0.0 || from != to).then(|| add(last, depth, x));
+                [above, next.map(|layer| add(layer, 0.0, x))]
             };
             let first = joint(*from);
             [first, if from == to { first } else { joint(*to) }]

@@ -112,8 +112,8 @@ impl Field {
         let mut cut_offs = ends.clone();
         for body in self.bodies.iter().filter(|body| body.bottom.is_some()) {
             let (i, k) = (body.contact, body.contact + 1);
-            let last = self.layers.iter().rfind(|placed| placed.body == i);
-            let through = last.map_or(0.0, |last| self.distance(last, last.thickness.unwrap_or(0.0), true));
+            let last = &self.layers[body.layers.end - 1];
+            let through = self.distance(last, last.thickness.unwrap_or(0.0), true);
             for (pressed, seen) in [(i, k), (k, i)] {
                 let end = own(seen).min(waves::FULL.exponent / through);
                 ends[pressed].end = ends[pressed].end.max(end);
@@ -133,11 +133,10 @@ impl Field {
         transform: impl Fn(usize) -> [f64; 2],
     ) -> Result<[f64; 2], FieldError> {
         let wave = Wave { wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
-        let mut depths = vec![Vec::new(); body.layers];
+        let mut depths = vec![Vec::new(); body.layers.len()];
         depths[0].push(0.0);
         if let Some(last) = depths.last_mut().filter(|_| body.bottom.is_some()) {
-            let mut layers = self.layers.iter().filter(|placed| placed.body == body.contact);
-            last.extend(layers.next_back().and_then(|placed| placed.thickness));
+            last.extend(self.layers[body.layers.end - 1].thickness);
         }
         let states =
             body.states(&wave, &depths, &load(body, wavenumber, transform)).ok_or(Unresolved { wavenumber })?;

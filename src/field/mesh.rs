@@ -103,11 +103,7 @@ impl PieceSample {
             ranges.push((rows.len(), along, down));
             rows.extend(depths.into_iter().map(|depth| DepthRow { layer: *layer, depth, set }));
         }
-        let sums = field.sum(&rows, &sets, precision)?;
-        let of_row = |(row, sums): (&DepthRow, Vec<_>)| -> Vec<FieldPoint> {
-            sets[row.set].iter().zip(sums).map(|(x, sums)| field.point(*x, row, sums)).collect()
-        };
-        let rows: Vec<Vec<FieldPoint>> = rows.iter().zip(sums).map(of_row).collect();
+        let rows = field.at_places(&rows, &sets, precision)?;
         let samples = |(Pieces { layer, intervals }, (first, along, down)): (&Pieces, (usize, Ranges, Ranges))| {
             let mut samples = Vec::with_capacity(along.len() * down.len());
             for ([down_ends, down_smooth], in_rows) in intervals[1].iter().zip(down) {
@@ -141,10 +137,11 @@ impl Pieces {
     fn of_layer(field: &Field, layer: usize, extent: Extent) -> Self {
         let placed = &field.layers[layer];
         let body = &field.bodies[placed.body];
-        let longest = field.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        let longest = field.longest();
         // next to the end of a load that is longer than its body is thick stresses change over that thickness
-        let of_body = field.layers.iter().filter(|other| other.body == placed.body);
-        let thick = of_body.filter_map(|other| other.thickness).reduce(|sum, h| sum + h).unwrap_or(f64::INFINITY);
+        let of_body = &field.layers[body.layers.clone()];
+        let thick =
+            of_body.iter().filter_map(|other| other.thickness).reduce(|sum, h| sum + h).unwrap_or(f64::INFINITY);
         // cuts; and the ends of loads, and the loaded faces, with a length
         let (mut cuts, mut features, mut faces) = (Vec::new(), Vec::new(), Vec::new());
         for (side, face) in [Some(body.top), body.bottom].into_iter().flatten().enumerate() {
@@ -162,8 +159,7 @@ impl Pieces {
             }
             faces.push((face - placed.top, shortest));
         }
-        let finite = field.layers.iter().filter_map(|placed| placed.thickness);
-        let bending = finite.fold(0.0, |sum, h| sum + h) * field.contrast.max(field.over_support).cbrt();
+        let bending = field.thickness() * field.contrast.max(field.over_support).cbrt();
         let mut reach = features.iter().fold(0.0, |reach: f64, (x, length)| reach.max(x.abs() + BESIDE * length));
         if extent == Extent::Everywhere {
             reach = reach.max(longest + BEYOND * bending);

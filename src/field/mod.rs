@@ -40,7 +40,7 @@ pub use error::FieldError;
 use body::{LoadedBody, PlacedLayer};
 use pressure::ContactPressure;
 use sum::DepthRow;
-use waves::LongWaves;
+use waves::{LongWaves, Precision};
 
 /// Rounding of stresses, in parts of the mean pressure.
 const ROUNDING: f64 = 1e-12;
@@ -186,17 +186,10 @@ impl Field {
     /// # Errors
     /// As [`Self::at`] and [`Self::at_layer`].
     pub fn points(&self, requested: &[Point]) -> Result<Vec<FieldPoint>, FieldError> {
-        let mut rows = Vec::with_capacity(requested.len());
-        let mut sets = Vec::with_capacity(requested.len());
-        for point in requested {
-            rows.push(self.row(point, sets.len())?);
-            sets.push(vec![self.place(point.x)]);
-        }
-        let values = self.sum(&rows, &sets, &waves::FULL)?;
-        let of = |((point, row), values): ((&Point, &DepthRow), Vec<_>)| {
-            values.into_iter().map(|value| self.point(point.x, row, value)).collect::<Vec<_>>()
-        };
-        Ok(requested.iter().zip(&rows).zip(values).flat_map(of).collect())
+        let row = |(set, point): (usize, &Point)| self.row(point, set);
+        let rows: Vec<DepthRow> = requested.iter().enumerate().map(row).collect::<Result<_, _>>()?;
+        let sets: Vec<Vec<f64>> = requested.iter().map(|point| vec![point.x]).collect();
+        Ok(self.at_places(&rows, &sets, &waves::FULL)?.concat())
     }
 
     /// Stresses and displacements on a grid, row by row from the first depth on.
@@ -217,7 +210,7 @@ impl Field {
         let point =
             |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
         let rows: Vec<DepthRow> = depths.iter().map(point).collect::<Result<_, _>>()?;
-        Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows)?))
+        Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows)?.concat()))
     }
 
     /// Stresses and displacements layer by layer, on grids that reach the layers' faces, since stresses along the layers
@@ -254,29 +247,39 @@ impl Field {
                 counts.push(rows.len() - before);
             }
         }
-        let points = self.in_rows(xs, &rows)?;
-        let mut remaining = &points[..];
-        let grids = counts.into_iter().map(|count| {
-            let (of_layer, others) = remaining.split_at((count * xs.len()).min(remaining.len()));
-            remaining = others;
-            Grid::new(xs.to_vec(), of_layer.to_vec())
-        });
-        Ok(grids.collect())
+        let mut points = self.in_rows(xs, &rows)?.into_iter();
+        let grid = |count: usize| Grid::new(xs.to_vec(), points.by_ref().take(count).flatten().collect());
+        Ok(counts.into_iter().map(grid).collect())
     }
 
     /// Points in rows at the same places along x.
-    fn in_rows(&self, xs: &[f64], rows: &[DepthRow]) -> Result<Vec<FieldPoint>, FieldError> {
-        if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
-            return Err(self.outside(&Point { x: *x, depth: 0.0, layer: None }));
+    fn in_rows(&self, xs: &[f64], rows: &[DepthRow]) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+        match xs.iter().find(|x| !x.is_finite()) {
+            Some(x) => Err(self.outside(&Point { x: *x, depth: 0.0, layer: None })),
+            None => self.at_places(rows, &[xs.to_vec()], &waves::FULL),
         }
+    }
+
+    /// Points in rows, each at a set of places along x.
+    fn at_places(
+        &self,
+        rows: &[DepthRow],
+        sets: &[Vec<f64>],
+        precision: &Precision,
+    ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
         // in an even field positive and negative places share their tables
-        let mut places: Vec<f64> = xs.iter().map(|x| self.place(*x)).collect();
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < self.place(*x))).collect();
-        let values = self.sum(rows, &[places], &waves::FULL)?;
-        let points = rows.iter().zip(&values).flat_map(|(row, values)| {
-            xs.iter().zip(&of).filter_map(|(x, k)| Some(self.point(*x, row, *values.get(*k)?)))
+        let distinct = |xs: &Vec<f64>| {
+            let mut places: Vec<f64> = xs.iter().map(|x| self.place(*x)).collect();
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+            let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < self.place(*x))).collect();
+            (places, of)
+        };
+        let (places, of): (Vec<_>, Vec<_>) = sets.iter().map(distinct).unzip();
+        let values = self.sum(rows, &places, precision)?;
+        let points = rows.iter().zip(&values).map(|(row, values)| {
+            let places = sets[row.set].iter().zip(&of[row.set]);
+            places.map(|(x, k)| self.point(*x, row, values[*k])).collect()
         });
         Ok(points.collect())
     }
@@ -320,9 +323,7 @@ impl Field {
     /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; fields of a graded
     /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs but the depth down to which it is asked for.
     fn origin(&self, deepest: f64) -> LongWaves {
-        // an empty sum would be -0
-        let thickness = self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h);
-        let longest = self.pressures.iter().fold(0.0, |a: f64, pressure| a.max(pressure.half_length));
+        let [longest, thickness] = [self.longest(), self.thickness()];
         let smooth = (LONG / (self.contrast * thickness)).min(DEEP / deepest);
         let power = self.layers.last().is_some_and(|base| {
             let at = |depth: f64| base.layer.material(depth, self.geometry.plane());

@@ -57,7 +57,8 @@ fn faces<'a>(
     depth: f64,
 ) -> impl Iterator<Item = (&'a LoadedFace, usize, f64)> + use<'a> {
     let top = (placed.place == 0).then_some(depth);
-    let bottom = (placed.place + 1 == body.layers).then(|| placed.thickness.map(|h| (h - depth).max(0.0))).flatten();
+    let bottom =
+        (placed.place + 1 == body.layers.len()).then(|| placed.thickness.map(|h| (h - depth).max(0.0))).flatten();
     [top, bottom]
         .into_iter()
         .enumerate()
@@ -113,10 +114,8 @@ impl Field {
             }
             sum
         };
-        let origin = body.reference.filter(|_| displacements).map_or([0.0; 2], |(place, depth)| {
-            let mut layers = self.layers.iter();
-            let placed = layers.find(|other| other.body == placed.body && other.place == place);
-            let [.., u, v, _] = placed.map_or(Components::default(), |placed| at(placed, depth, 0.0));
+        let origin = body.reference.filter(|_| displacements).map_or([0.0; 2], |DepthRow { layer, depth, .. }| {
+            let [.., u, v, _] = at(&self.layers[layer], depth, 0.0);
             [u, v]
         });
         let mut values: Vec<Components> = set.iter().map(|x| at(placed, row.depth, *x)).collect();
@@ -191,16 +190,10 @@ impl Field {
             .filter(|active| active.end > 0.0)
             .collect();
         active.sort_by(|a, b| a.row.set.cmp(&b.row.set).then(b.end.total_cmp(&a.end)));
-        let mut origin = |body: &LoadedBody| self.origin_of(body, precision).map_or(0.0, |row| end_of(&row));
+        let reference = |body: &LoadedBody| body.reference.filter(|_| precision.displacements);
+        let mut origin = |body: &LoadedBody| reference(body).map_or(0.0, |row| end_of(&row));
         let origins = if active.is_empty() { Vec::new() } else { self.bodies.iter().map(&mut origin).collect() };
         CutOffs { pressures, origins, active }
-    }
-
-    /// The reference point of a body, if displacements are wanted.
-    fn origin_of(&self, body: &LoadedBody, precision: &Precision) -> Option<DepthRow> {
-        let (place, depth) = body.reference.filter(|_| precision.displacements)?;
-        let layer = self.layers.iter().position(|placed| placed.body == body.contact && placed.place == place)?;
-        Some(DepthRow { layer, depth, set: 0 })
     }
 
     /// The wavenumbers of a panel, with the transforms of the pressures there.
@@ -230,7 +223,7 @@ impl Field {
         let (body, (counted, _)) = (&self.bodies[index], block.parity.counted());
         let n = waves.count();
         // (depth, row or `None` for the reference point), layer by layer
-        let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers];
+        let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers.len()];
         for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > waves.from) {
             let placed = &self.layers[active.row.layer];
             if placed.body == index {
@@ -240,13 +233,13 @@ impl Field {
         if wanted.iter().all(Vec::is_empty) && origin <= waves.from {
             return Ok(());
         }
-        if let Some((place, depth)) = body.reference.filter(|_| origin > 0.0) {
-            wanted[place].push((depth, None));
+        if let Some(DepthRow { layer, depth, .. }) = body.reference.filter(|_| origin > 0.0) {
+            wanted[self.layers[layer].place].push((depth, None));
         }
         wanted.iter_mut().for_each(|wanted| wanted.sort_by(|a, b| a.0.total_cmp(&b.0)));
         let depths: Vec<Vec<f64>> =
             wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
-        let layers: Vec<&PlacedLayer> = self.layers.iter().filter(|placed| placed.body == index).collect();
+        let layers = &self.layers[body.layers.clone()];
         let mut lifted = vec![0.0; active.len()];
         for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
             let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
