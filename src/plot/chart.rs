@@ -224,12 +224,9 @@ pub(super) fn hidden(index: usize, count: usize, most: usize) -> bool {
     count > most && index > 0 && index + 1 < count
 }
 
-/// A label beside a drawing: the height of what it names, the height at which it stands, and what it says.
-pub(super) type Beside = (f64, f64, String);
-
 /// Labels between two heights, below each other: of more than there is room for the first and the last ones, and between them how
-/// many more there are of what `more` calls them.
-pub(super) fn beside(mut labels: Vec<(f64, String)>, top: f64, bottom: f64, more: &str) -> Vec<Beside> {
+/// many more there are of what `more` calls them. Each with the height of what it names and the height at which it stands.
+pub(super) fn beside(mut labels: Vec<(f64, String)>, top: f64, bottom: f64, more: &str) -> Vec<(f64, f64, String)> {
     labels.sort_by(|a, b| a.0.total_cmp(&b.0));
     let room = (((bottom - top) / APART) as usize + 1).max(3);
     if labels.len() > room {

@@ -12,7 +12,7 @@ const HALVINGS: usize = 60;
 #[derive(Clone, Debug)]
 pub(super) struct DrawnDepths {
     faces: Vec<f64>,
-    heights: Vec<f64>,
+    pub(super) heights: Vec<f64>,
     /// Points per length to scale.
     scale: f64,
 }
@@ -43,11 +43,6 @@ impl DrawnDepths {
     /// Height of all layers together.
     pub(super) fn height(&self) -> f64 {
         self.heights.last().copied().unwrap_or(0.0)
-    }
-
-    /// Heights of the faces.
-    pub(super) fn heights(&self) -> &[f64] {
-        &self.heights
     }
 
     /// Depths of the faces and their heights.

@@ -55,13 +55,14 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let drawing = Drawing {
         scene,
         stack,
+        is_ground,
         layers,
         contacts: solution.contacts(),
         symbols: symbols(solution.contacts().iter().map(|contact| contact.interface)),
         middle,
         scale,
         bottom: base.unwrap_or(depths.height() + GROUND),
-        heights: depths.heights().iter().copied().chain(base).collect(),
+        heights: depths.heights.iter().copied().chain(base).collect(),
     };
     let mut picture = Picture::new(WIDTH, HIGHEST);
     drawing.layers(&mut picture);
@@ -79,6 +80,8 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
 struct Drawing<'a> {
     scene: &'a Scene,
     stack: &'a Stack,
+    /// Whether what does not move is below the layers.
+    is_ground: bool,
     /// From the top down, a half-plane included.
     layers: Vec<&'a Placed>,
     contacts: &'a [Contact],
@@ -127,10 +130,10 @@ impl Drawing<'_> {
             }
             labels.push((top + 0.5 * height, self.name(placed)));
         }
-        let (foundation, lowest) = (self.stack.base().foundation(), self.heights[self.heights.len() - 1]);
-        if foundation.half_plane().is_none() {
+        if self.is_ground {
+            let lowest = self.heights[self.heights.len() - 1];
             hatching(picture, lowest);
-            let support = foundation.support().map(|(_, support)| support.notation());
+            let support = self.stack.base().foundation().support().map(|(_, support)| support.notation());
             let name = support.map(|notation| format!("{}, {}", notation.kind, notation.parameters));
             labels.push((lowest + 0.5 * GROUND, name.unwrap_or("rigid".to_owned())));
         }
@@ -161,12 +164,11 @@ impl Drawing<'_> {
     fn interfaces(&self, picture: &mut Picture) {
         let numbers: Vec<usize> = self.layers.iter().map(|placed| placed.number).collect();
         let mut labels = Vec::new();
-        let is_ground = self.stack.base().foundation().half_plane().is_none();
         let faces = contacts_at(self.contacts, &numbers).into_iter().zip(&self.heights).enumerate();
-        for (face, (found, y)) in faces.take(self.layers.len() + usize::from(is_ground)) {
+        for (face, (found, y)) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
             let contact = found.map(|i| &self.contacts[i]);
             let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), self.contacts.len()) };
-            if is_ground && face == self.layers.len() {
+            if self.is_ground && face == self.layers.len() {
                 interface(picture, None, *y, |x| self.x(x), touching);
             }
             interface(picture, contact, *y, |x| self.x(x), touching);
