@@ -94,14 +94,13 @@ fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Ta
         .chain(hoop)
         .chain([FieldQuantity::MaxShear, FieldQuantity::VonMises])
         .collect();
-    let displacements = [FieldQuantity::U, FieldQuantity::V];
     let [length, stress] = [Dimension::LENGTH, Dimension::STRESS].map(|dimension| Units::after(units, dimension));
     let place = [(geometry.words().along, &length[..]), ("depth", &length), (LAYER, "")].into_iter();
     let stresses_in = stresses.iter().map(|quantity| (quantity.name_in(geometry), &stress[..]));
-    let displacements_in = displacements.iter().map(|quantity| (quantity.name_in(geometry), &length[..]));
+    let displacements_in = DISPLACEMENTS.iter().map(|quantity| (quantity.name_in(geometry), &length[..]));
     let mut table = ruled(place.chain(stresses_in).chain(displacements_in));
     for point in points {
-        let numbers = stresses.iter().chain(&displacements).map(|quantity| quantity.of_in(point, geometry));
+        let numbers = stresses.iter().chain(&DISPLACEMENTS).map(|quantity| quantity.of_in(point, geometry));
         let place = [SHOWN.exact(point.x), SHOWN.exact(point.depth), point.layer.to_string()];
         let unknown = |number: f64| if number.is_nan() { "not known".to_owned() } else { SHOWN.exact(number) };
         table.add_row(place.into_iter().chain(numbers.map(unknown)));

@@ -12,7 +12,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let Report { scene, solution, .. } = report;
     let units = scene.units.as_ref().map(|units| {
         let [length, force, stress] =
-            [Dimension::LENGTH, report.force(), Dimension::STRESS].map(|dimension| units.symbol(dimension));
+            [Dimension::LENGTH, scene.force_dimension(), Dimension::STRESS].map(|dimension| units.symbol(dimension));
         json!({"length": length, "force": force, "stress": stress})
     });
     let contacts: Vec<Value> = report.contacts().iter().map(|(name, own)| contact(name, own)).collect();

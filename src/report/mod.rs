@@ -86,11 +86,6 @@ impl Report<'_> {
         self.solution.contacts().iter().flat_map(of).collect()
     }
 
-    /// The dimension of the force: a whole force in axisymmetric problems.
-    fn force(&self) -> Dimension {
-        self.scene.force_dimension()
-    }
-
     /// The unit behind a number, with a space; empty if the scene does not name its units.
     fn unit(&self, dimension: Dimension) -> String {
         Units::after(self.scene.units.as_ref(), dimension)

@@ -3,7 +3,6 @@ use std::io;
 
 use super::csv::number;
 use super::extremes;
-use crate::errors::Error;
 use crate::scene::{Force, visible};
 use crate::solution::{Contact, Interface, Solution};
 use crate::sweep::{Row, Sweep, SweepPoint};
@@ -83,7 +82,7 @@ impl<'a> SweepCsv<'a> {
                 let messages = warnings.iter().map(|warning| &warning.message[..]).chain(not_found.as_deref());
                 (SOLVED, joined(warnings.iter().map(|warning| warning.code.as_str()), " "), joined(messages, "; "))
             }
-            Err(error) => (status(error), String::new(), error.to_string()),
+            Err(error) => (UNSOLVED[usize::from(!error.is_input())], String::new(), error.to_string()),
         };
         [status.to_owned(), warnings, visible(&message).into_owned()]
     }
@@ -211,10 +210,6 @@ pub(super) fn owner(interface: &Interface) -> String {
 
 fn joined<'a>(texts: impl Iterator<Item = &'a str>, between: &str) -> String {
     texts.collect::<Vec<_>>().join(between)
-}
-
-fn status(error: &Error) -> &'static str {
-    UNSOLVED[usize::from(!error.is_input())]
 }
 
 /// The fields of one line with its end; `None` for anything else.

@@ -15,21 +15,19 @@ use crate::solution::{Interval, Stats};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
-    let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
+    let units = [Dimension::LENGTH, Dimension::STRESS, scene.force_dimension()].map(|of| report.unit(of));
+    let [length, stress, line_load] = units.each_ref().map(|unit| &unit[..]);
 
     writeln!(out, "{}", visible(scene.title()))?;
     if let Some(description) = &scene.description {
         writeln!(out, "{}", visible(description))?;
     }
     let digits = Digits(*digits);
-    let force = match solution.force_error() {
-        0.0 => digits.exact(solution.force()),
-        error => digits.with_error(solution.force(), error),
-    };
+    let force = digits.with_error(solution.force(), solution.force_error());
     writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?;
 
-    writeln!(out, "{}", contacts(report, [&length, &stress, &line_load]))?;
-    notes(report, out)?;
+    writeln!(out, "{}", contacts(report, [length, stress, line_load]))?;
+    notes(report, [length, stress, line_load], out)?;
     for Collocated { interface, residual, pressure_difference, nodes } in report.collocated.unwrap_or_default() {
         let [residual, off] = [residual.abs(), *pressure_difference].map(|number| format!("{number:.0e}"));
         writeln!(out, "{interface} by collocation with {nodes} nodes: residual {residual}, pressures differ by {off}")?;
@@ -37,7 +35,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     if let Some(Ok(approach)) = approach {
         let of_stiffness =
             if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
-        sunk(approach, digits, [&length, &report.unit(of_stiffness)], out)?;
+        sunk(approach, digits, [length, &report.unit(of_stiffness)], out)?;
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (to_digits(*value, 5), to_digits(*x, 4), to_digits(*depth, 4));
@@ -50,7 +48,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     if let Some(extremes) = report.extremes {
         let Words { along, distance, .. } = scene.geometry.words();
         let place = if solution.is_even() { distance } else { along };
-        writeln!(out, "{}", extremes::table(extremes, place, digits, [&length, &stress]))?;
+        writeln!(out, "{}", extremes::table(extremes, place, digits, [length, stress]))?;
     }
     writeln!(
         out,
@@ -92,17 +90,16 @@ fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &
 }
 
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
-fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
+fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn io::Write) -> io::Result<()> {
     let (solution, digits) = (report.solution, Digits(report.digits));
     let Words { along, distance, line_load: concentrated, .. } = report.scene.geometry.words();
-    let [length, stress, line_load] = [Dimension::LENGTH, Dimension::STRESS, report.force()].map(|of| report.unit(of));
     for (name, contact) in report.contacts() {
         if contact.half_length().is_none() {
             let is_even = contact.is_even();
             // of an even contact x ≥ 0 only: the rest is the mirror image, or the other half of a ring
             for &Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
-                let share = digits.rounded(force) + &line_load;
-                let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + &length);
+                let share = digits.rounded(force) + line_load;
+                let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + length);
                 match left + right {
                     0.0 if right > 0.0 => writeln!(out, "{name}: {distance} < {to} carries {share}")?,
                     0.0 => writeln!(out, "{name}: {along} = 0 carries {share}")?,
@@ -110,7 +107,7 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
                     _ if !is_even => writeln!(out, "{name}: {along} from {from} to {to} carries {share}")?,
                     middle if middle < 0.0 => {}
                     _ if report.scene.geometry.is_axisymmetric() => {
-                        let ring = digits.rounded(2.0 * force) + &line_load;
+                        let ring = digits.rounded(2.0 * force) + line_load;
                         writeln!(out, "{name}: {along} from {from} to {to} carries {ring}")?;
                     }
                     _ if left == right => {
@@ -125,8 +122,8 @@ fn notes(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
         let peak = contact.peak();
         if peak.x.abs() > peak.x_error {
             let place = if contact.is_even() { distance } else { along };
-            let x = digits.with_error(peak.x, peak.x_error) + &length;
-            let unit = if peak.pressure.is_finite() { &stress[..] } else { "" };
+            let x = digits.with_error(peak.x, peak.x_error) + length;
+            let unit = if peak.pressure.is_finite() { stress } else { "" };
             let pressure = digits.or_infinite(peak.pressure, peak.error) + unit;
             writeln!(out, "{name}: largest pressure {pressure} at {place} = {x}")?;
         }
