@@ -205,6 +205,7 @@ impl Contact {
     /// The same with the force and the centroid of each interval: a pressure belongs to the interval that it lies in; in low-accuracy
     /// answers it may lie next to it.
     pub(crate) fn with_forces(mut self) -> Self {
+        let is_even = self.is_even();
         let intervals = &mut self.intervals;
         if self.strips.iter().any(|strip| strip.is_round) {
             // one disc, or a ring whose halves are the intervals
@@ -223,7 +224,7 @@ impl Contact {
             }
         }
         for Interval { left, right, force, centroid, .. } in intervals {
-            let is_in_the_middle = *left == -*right || *force == 0.0;
+            let is_in_the_middle = is_even && *left == -*right || *force == 0.0;
             *centroid =
                 if is_in_the_middle { 0.5 * (*left + *right) } else { (*centroid / *force).clamp(*left, *right) };
         }
