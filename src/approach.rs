@@ -151,7 +151,7 @@ fn stiffness(
     // an end that moves by da changes the compliance by 2πa q²/E* da, with the singular pressure q/√(1 − x²/a²): the energy release
     // rate of a crack that closes
     let ends = contacts.map(|(i, (contact, tangent))| {
-        let corners: f64 = tangent.strips.iter().map(|strip| strip.corners).sum();
+        let corners: f64 = tangent.strips.iter().map(|strip| strip.corners[1]).sum();
         let (a, error) = (contact.half_length().unwrap_or(0.0), contact.half_length_error().unwrap_or(0.0));
         let around = if stack.geometry().is_axisymmetric() { std::f64::consts::PI * a } else { 1.0 };
         2.0 * std::f64::consts::PI * around * a * corners * corners / kernel.contact_modulus(i) * error

@@ -116,9 +116,13 @@ fn heights(top: &Top, field: &Field, faces: &[FaceProfile], interface: Interface
                 return None;
             }
             let flattened = punch.material().map(|material| field.flattening(0, &material, x));
-            // nothing is above the stack beyond the edge of a punch
+            // nothing is above the stack beyond the edge of a punch, but for rounding where a contact ends at a corner
             let [left, right] = punch.shape().ends();
-            let profile = |x: f64| if left <= x && x <= right { punch.profile(x) } else { f64::INFINITY };
+            let profile = |x: f64| {
+                let inside = x.clamp(left, right);
+                let is_there = (x - inside).abs() <= 4.0 * f64::EPSILON * (pressed.at().abs() + inside.abs());
+                if is_there { punch.profile(inside) } else { f64::INFINITY }
+            };
             let height = |k: usize| profile(x[k] - pressed.at()) + flattened.as_ref().map_or(0.0, |all| all[k]);
             (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
         }

@@ -16,6 +16,7 @@ mod boundary_layers;
 mod cli;
 mod collocation;
 mod convergence;
+mod corners;
 mod determinism;
 mod docs;
 mod estimates;

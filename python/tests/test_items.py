@@ -344,8 +344,10 @@ def test_several_punches_have_places_forces_and_tilts():
         scene = Scene(stack, punches=punches)
         assert scene.punches == pressed and scene.punch is scene.loads is scene.force is None
         assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
-        with pytest.raises(recede.InputError, match="a punch with a sharp tip"):
-            scene.solve()
+        # the force on the block acts to the right of its middle
+        assert scene.solve().contacts[0].intervals[1].centroid == pytest.approx(3.1, rel=1e-12)
+    with pytest.raises(recede.InputError, match="a punch with a sharp tip"):
+        Scene(stack, punches=[*pressed[:1], (recede.Wedge(slope=0.1), 3.0, 0.001)]).solve()
     (turned,) = Scene(stack, punches=[(block, 0.0, 0.001, fixed)]).punches
     assert turned.tilt == fixed and repr(fixed) == "Fixed(value=0.01)" and isinstance(fixed, recede.Tilt)
     # one at x = 0 that is not turned is the punch

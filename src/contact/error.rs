@@ -25,9 +25,9 @@ pub enum ContactError {
     /// A half-length or a depth of a punch that is not symmetric, or of several.
     #[error("the punch is not symmetric about x = 0, or is one of several: only forces can be prescribed")]
     UnevenPunch,
-    /// Sharp tips or corners of punches whose contacts are not symmetric.
+    /// Sharp tips of punches whose contacts are not symmetric.
     #[error(
-        "a punch with a sharp tip or sharp corners is solved for by itself only, if it is symmetric about its tip and not turned: elsewhere \
+        "a punch with a sharp tip is solved for by itself only, if it is symmetric about its tip and not turned: elsewhere \
          the infinite pressures of two sides would differ"
     )]
     SharpPunches,
@@ -70,7 +70,7 @@ impl ContactError {
             ),
             Self::UnevenPunch => Some("prescribe `force`".to_owned()),
             Self::SharpPunches => {
-                Some("round it a little: `RoundedFlat(...)` in place of `Flat`, a `Table` in place of a wedge".to_owned())
+                Some("round it a little: write a `Table` in place of a wedge".to_owned())
             }
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),

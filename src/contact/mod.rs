@@ -64,12 +64,12 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
 }
 
 impl Asked<'_> {
-    /// Whether punches have no sharp tips or corners but one even punch by itself, or the pressures of loads are known.
+    /// Whether punches have no sharp tips but one even punch by itself, or the pressures of loads are known.
     pub(crate) fn is_solvable(&self) -> Result<(), ContactError> {
         let geometry = self.kernel.geometry();
         match self.top {
             Top::Punches(_) if self.top.even_punch().is_some() => Ok(()),
-            Top::Punches(punches) if punches.parts().any(|(pressed, _)| pressed.shape().is_singular()) => {
+            Top::Punches(punches) if punches.parts().any(|(pressed, _)| pressed.shape().is_sharp()) => {
                 Err(ContactError::SharpPunches)
             }
             Top::Loads(loads) if !loads.are_known_in(geometry) => {

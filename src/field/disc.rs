@@ -54,8 +54,9 @@ impl Strip {
             let sum: f64 = of_orders.map(|(m, c)| c * table[(m + 1) * count + i]).sum();
             // (1 − cos z)/z² − ½ = ½ (sinc²(z/2) − 1)
             let half = bessel::sinc_minus_one(0.5 * z);
-            let (corners, tip) = (self.corners * bessel::sinc_minus_one(*z), 0.5 * self.tip * half * (half + 2.0));
-            square * (first + if *z > 0.0 { sum / z } else { 0.0 } + corners + tip)
+            let edge = self.even_and_odd_corners()[0] * bessel::sinc_minus_one(*z);
+            let tip = 0.5 * self.tip * half * (half + 2.0);
+            square * (first + if *z > 0.0 { sum / z } else { 0.0 } + edge + tip)
         };
         arguments.iter().enumerate().map(of).collect()
     }
@@ -81,7 +82,7 @@ impl Strip {
 impl TabulatedStrip {
     /// The potentials at a distance r from the axis and a depth; potentials of J₁ are odd in r, and n > 0 is not asked for on the face.
     pub(super) fn disc_potentials(&self, r: f64, depth: f64) -> Potentials {
-        let Strip { extent: a, corners, tip, form, .. } = self.strip;
+        let Strip { extent: a, tip, form, .. } = self.strip;
         if form == Form::Line {
             return point(self.strip.long_waves(), r, depth);
         }
@@ -94,8 +95,9 @@ impl TabulatedStrip {
                 add(a * weight * self.strip.source(theta), sources(a * theta.sin(), r, depth));
             }
         }
-        if corners != 0.0 {
-            add(a * corners, sources(a, r, depth));
+        let [edge, _] = self.strip.even_and_odd_corners();
+        if edge != 0.0 {
+            add(a * edge, sources(a, r, depth));
         }
         if form == Form::Series {
             add(1.0, spheroid::potentials(&self.by_order, a, r, depth));

@@ -33,7 +33,7 @@ impl TabulatedStrip {
         let (series, skew) = (&mut strip.coefficients, &mut strip.skew);
         if strip.form == Form::Series {
             // the resultant remains
-            let largest = series.iter().fold(strip.corners.abs(), |a, c| a.max(c.abs()));
+            let largest = series.iter().chain(&strip.corners).fold(0.0, |a: f64, c| a.max(c.abs()));
             let term = |m: usize| series[m].abs() + skew.get(m).map_or(0.0, |c| c.abs());
             let mut left_out = 0.0;
             let is_negligible = |m: &usize| {
@@ -70,7 +70,7 @@ impl TabulatedStrip {
 impl Strip {
     /// Whether the pressure does not vanish at its ends.
     pub(super) fn is_abrupt(&self) -> bool {
-        self.form == Form::Uniform || self.corners != 0.0
+        self.form == Form::Uniform || self.corners != [0.0; 2]
     }
 
     /// w = √(z² + 1) − z with z = (d − ix)/a, and the root: ∫ J_j(λa) e^(−λaz) dλ/λ = wʲ/j.
@@ -91,7 +91,7 @@ impl Strip {
     }
 
     fn plane_potentials(&self, x: f64, depth: f64, integral: bool) -> Potentials {
-        let Self { extent: a, corners, tip, .. } = *self;
+        let Self { extent: a, tip, .. } = *self;
         if self.form == Form::Line {
             // the transform is P: powers of 1/(d − ix)
             let place = Complex64::new(depth, -x);
@@ -125,12 +125,13 @@ impl Strip {
         let over = root.inv();
         let mut potentials =
             [Complex64::ZERO, zeroth, first * over / a, (second + z * first * over) * over * over / (a * a)];
-        if corners != 0.0 {
-            // 1/root and its derivatives
-            let third = over * over * over;
-            potentials[1] += corners * over;
-            potentials[2] += corners * z * third / a;
-            potentials[3] += corners * (2.0 * z * z - 1.0) * third * over * over / (a * a);
+        if self.corners != [0.0; 2] {
+            // 1/root and w/root, and their derivatives
+            let [even, odd] = self.even_and_odd_corners();
+            let (third, odd) = (over * over * over, -Complex64::I * odd);
+            potentials[1] += even * over + odd * w * over;
+            potentials[2] += (even * z + odd) * third / a;
+            potentials[3] += (even * (2.0 * z * z - 1.0) + odd * 3.0 * z) * third * over * over / (a * a);
         }
         if tip != 0.0 {
             // 2 artanh w and its derivatives
@@ -149,7 +150,8 @@ impl Strip {
     /// corners of a flat punch, and a sharp tip.
     pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
         let line = (self.form == Form::Line).then_some((self.at, Singularity::Line));
-        let corners = self.ends().map(|end| (end, Singularity::Corner)).into_iter().filter(|_| self.corners != 0.0);
+        let corners = zip(self.ends(), self.corners).filter(|(_, corner)| *corner != 0.0);
+        let corners = corners.map(|(end, _)| (end, Singularity::Corner));
         let tip = (self.tip != 0.0).then_some((self.at, Singularity::Tip));
         line.into_iter().chain(corners).chain(tip)
     }
@@ -162,13 +164,14 @@ impl Strip {
             let next = self.coefficients.get(m + 1).copied().unwrap_or(0.0);
             sum = sum * square + (self.coefficients[m] - next) / (2 * m + 2) as f64;
         }
-        let mut sum = sum * (w * w) + (self.first() + 2.0 * self.corners) * w.ln();
+        let [even, slant] = self.even_and_odd_corners();
+        let mut sum = sum * (w * w) + (self.first() + 2.0 * even) * w.ln();
         let mut odd = Complex64::ZERO;
         for m in (0..=terms.min(self.skew.len())).rev() {
             let c = |m: Option<usize>| m.and_then(|m| self.skew.get(m)).copied().unwrap_or(0.0);
             odd = odd * square + (c(Some(m)) - c(m.checked_sub(1))) / (2 * m + 1) as f64;
         }
-        sum -= Complex64::I * w * odd;
+        sum -= Complex64::I * w * (odd + 2.0 * slant);
         let plain = 0.5 * self.extent * sum;
         if self.tip == 0.0 || z == Complex64::ZERO {
             return plain + self.tip * self.extent;
@@ -249,7 +252,7 @@ mod tests {
             Form::Uniform => (0..64).map(|m| 1.3 / order(m)).collect(),
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
-        let (corners, tip) = if form == Form::Series { (0.8, tip) } else { (0.0, 0.0) };
+        let (corners, tip) = if form == Form::Series { ([0.5, 1.1], tip) } else { ([0.0; 2], 0.0) };
         TabulatedStrip::new(&Strip { at, extent, coefficients, skew: Vec::new(), corners, tip, form, is_round: false })
     }
 
@@ -267,7 +270,7 @@ mod tests {
                 bessel::table(2, &[l * x], &mut bessel);
                 let plane = Complex64::cis(l * x) / PI;
                 let wave = if strip.is_round { l * Complex64::new(bessel[0], bessel[1]) } else { plane };
-                let size = transform.value.re * (-l * depth).exp() * weight;
+                let size = transform.value.conj() * (-l * depth).exp() * weight;
                 zip(&mut sums, -1..).for_each(|(sum, power)| *sum += size * l.powi(power) * wave);
             }
         }
@@ -281,7 +284,7 @@ mod tests {
         let discs = [
             round(series.clone()),
             round(Strip::series(0.8, (0..80).map(|m| 1.0 / f64::from(m * m + 1)).collect())),
-            round(Strip { tip: 0.4, corners: 0.3, ..series.clone() }),
+            round(Strip { tip: 0.4, corners: [0.3; 2], ..series.clone() }),
             round(Strip { form: Form::Uniform, ..Strip::series(0.8, vec![1.0]) }),
             round(Strip { form: Form::Parabolic, ..Strip::series(0.8, vec![1.0]) }),
             round(Strip { form: Form::Line, ..Strip::series(0.0, vec![1.0]) }),

@@ -66,7 +66,8 @@ impl Strip {
     pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.extent).collect();
         let even = if self.is_round { self.disc_variations(&arguments) } else { self.even_variations(&arguments) };
-        let odd = if self.skew.is_empty() { vec![[0.0; 2]; even.len()] } else { self.sines(&arguments) };
+        let is_even = self.skew.is_empty() && self.corners[0] == self.corners[1];
+        let odd = if is_even { vec![[0.0; 2]; even.len()] } else { self.sines(&arguments) };
         let of = |(even, [odd, variation]): (f64, [f64; 2])| Transform {
             value: Complex64::new(self.long_waves() + even, odd),
             variation: Complex64::new(even, variation),
@@ -99,7 +100,7 @@ impl Strip {
         let sum: f64 = terms.map(|(j, c)| j as f64 * c * bessel(j)).sum();
         // J_0 − 1 = (2 J_1/z − 1) − J_2
         let jinc_minus_one = bessel::jinc_minus_one_from(z, bessel(1));
-        let corners = self.corners * (jinc_minus_one - bessel(2));
+        let corners = self.even_and_odd_corners()[0] * (jinc_minus_one - bessel(2));
         // ∫ J_0 from 0 to z is 2 Σ J_j over all odd j
         let tip = match self.tip {
             0.0 => 0.0,
@@ -112,13 +113,17 @@ impl Strip {
     /// ∫ of the odd part of the pressure times sin λx dx at some λa, and its difference from λ times the moment: O(λ³). The difference of values
     /// would lose digits for short waves, their sum for long ones.
     fn sines(&self, arguments: &[f64]) -> Vec<[f64; 2]> {
+        let [_, corners] = self.even_and_odd_corners();
         let (orders, bessel) = table(arguments, 2 * self.skew.len() + 1, false);
         let of = |(i, z): (usize, &f64)| {
             let term = |(j, c): (usize, f64)| j as f64 * c * bessel[j * arguments.len() + i];
             let terms = zip((2..orders).step_by(2), alternating(&self.skew)).map(term);
             let sum = |from: usize| PI * self.extent / z * terms.clone().skip(from).sum::<f64>();
-            let first = z / self.extent * self.moment() * bessel::of_order_minus_one(4, *z);
-            [sum(0), first + sum(1)]
+            let first =
+                0.25 * PI * self.extent * z * self.skew.first().unwrap_or(&0.0) * bessel::of_order_minus_one(4, *z);
+            let (linear, at) = (PI * self.extent * corners, bessel[arguments.len() + i]);
+            let of_corners = linear * 0.5 * z * bessel::jinc_minus_one_from(*z, at);
+            [sum(0) + linear * at, first + sum(1) + of_corners]
         };
         arguments.iter().enumerate().map(of).collect()
     }

@@ -79,6 +79,9 @@ impl Contact {
         let is_even = self.is_even();
         let infinite = self.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
         if let Some(x) = infinite.filter(|x| !is_even || *x >= 0.0).reduce(f64::min) {
+            // a corner is where the contact ends, but for rounding
+            let mut ends = self.intervals.iter().flat_map(|interval| [interval.left, interval.right]);
+            let x = ends.find(|end| (end - x).abs() <= 4.0 * f64::EPSILON * self.reach()).unwrap_or(x);
             return Peak { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
         }
         let pressure = |x: f64| self.pressure(x);

@@ -16,12 +16,13 @@ pub(crate) struct Strip {
     pub(crate) at: f64,
     /// Half-length a of the strip, 0 of a line load.
     pub(crate) extent: f64,
-    /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + corners/sin φ + tip arcosh(1/|cos φ|) with x − at = a cos φ.
+    /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + [left (1 − cos φ) + right (1 + cos φ)]/(2 sin φ)
+    /// + tip arcosh(1/|cos φ|) with x − at = a cos φ, left and right being the corners.
     pub(crate) coefficients: Vec<f64>,
     /// Coefficients of sin((2m + 2) φ), of what is odd about the middle.
     pub(crate) skew: Vec<f64>,
-    /// How strong it is next to the sharp corners of a punch; 0 if there are none.
-    pub(crate) corners: f64,
+    /// How strong it is next to the sharp corners of a punch, at its left and its right end; 0 where there is none.
+    pub(crate) corners: [f64; 2],
     /// How strong its logarithm is under a sharp tip; 0 if there is none.
     pub(crate) tip: f64,
     /// What else is known of it.
@@ -51,7 +52,7 @@ impl Strip {
             extent,
             coefficients,
             skew: Vec::new(),
-            corners: 0.0,
+            corners: [0.0; 2],
             tip: 0.0,
             form: Form::Series,
             is_round: false,
@@ -68,13 +69,19 @@ impl Strip {
         };
         self.coefficients.iter_mut().chain(&mut self.skew).for_each(|c| *c *= unit);
         (self.at, self.extent) = (self.at * length, self.extent * length);
-        (self.corners, self.tip) = (self.corners * pressure, self.tip * pressure);
+        (self.corners, self.tip) = (self.corners.map(|corner| corner * pressure), self.tip * pressure);
         self
     }
 
     /// The first coefficient of the series.
     pub(crate) fn first(&self) -> f64 {
         self.coefficients.first().copied().unwrap_or(0.0)
+    }
+
+    /// The strength of 1/sin φ and of cos φ/sin φ, which corners make together.
+    pub(crate) fn even_and_odd_corners(&self) -> [f64; 2] {
+        let [left, right] = self.corners;
+        [0.5 * (right + left), 0.5 * (right - left)]
     }
 
     /// Where it begins and ends.
@@ -87,10 +94,11 @@ impl Strip {
         if self.form == Form::Line {
             return self.coefficients.iter().sum();
         }
+        let [corners, _] = self.even_and_odd_corners();
         if self.is_round {
-            return 2.0 * PI / 3.0 * self.extent.powi(2) * (self.first() + 3.0 * self.corners + 1.5 * self.tip);
+            return 2.0 * PI / 3.0 * self.extent.powi(2) * (self.first() + 3.0 * corners + 1.5 * self.tip);
         }
-        0.5 * PI * self.extent * (self.first() + 2.0 * (self.corners + self.tip))
+        0.5 * PI * self.extent * (self.first() + 2.0 * (corners + self.tip))
     }
 
     /// p̂(0): the resultant; of a disc ∫ p r dr.
@@ -121,11 +129,16 @@ impl Strip {
             Form::Parabolic => of_middle * mean * (1.0 - s * s),
             Form::Series | Form::Line => {
                 let phi = s.acos();
-                let corners = match self.corners {
+                let half = 0.5 * phi;
+                let corner = |strength: f64, (falls, rises): (f64, f64)| match strength {
                     0.0 => 0.0,
-                    corners if s.abs() == 1.0 => corners * f64::INFINITY,
-                    corners => corners / phi.sin(),
+                    _ if rises == 0.0 => strength * f64::INFINITY,
+                    // (1 ± cos φ)/(2 sin φ)
+                    _ => 0.5 * strength * falls / rises,
                 };
+                let (sin, cos) = if s == -1.0 { (1.0, 0.0) } else { half.sin_cos() };
+                let [left, right] = self.corners;
+                let corners = corner(left, (sin, cos)) + corner(right, (cos, sin));
                 let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
                 if self.is_round {
                     let [series] = jacobi_sums(&self.coefficients, [s.abs()]);
@@ -138,13 +151,16 @@ impl Strip {
 
     /// Its moment about the middle, ∫ (x − at) p dx.
     pub(crate) fn moment(&self) -> f64 {
-        // ∫ x sin 2φ dx with x = a cos φ
-        0.25 * PI * self.extent.powi(2) * self.skew.first().copied().unwrap_or(0.0)
+        // ∫ x sin 2φ dx and ∫ x cos φ/sin φ dx with x = a cos φ
+        let [_, corners] = self.even_and_odd_corners();
+        0.25 * PI * self.extent.powi(2) * (self.skew.first().copied().unwrap_or(0.0) + 2.0 * corners)
     }
 
     /// Its mirror image about x = 0.
     pub(crate) fn mirrored(&self) -> Self {
-        Self { at: -self.at, skew: self.skew.iter().map(|c| -c).collect(), ..self.clone() }
+        let [left, right] = self.corners;
+        let skew = self.skew.iter().map(|c| -c).collect();
+        Self { at: -self.at, skew, corners: [right, left], ..self.clone() }
     }
 
     /// Whether it is the mirror image of another one.
@@ -157,7 +173,8 @@ impl Strip {
         match self.form {
             Form::Line => Some(0.0),
             _ if self.tip != 0.0 => Some(0.0),
-            _ if self.corners != 0.0 => Some(self.extent),
+            _ if self.corners[1] != 0.0 => Some(self.extent),
+            _ if self.corners[0] != 0.0 => Some(-self.extent),
             _ => None,
         }
     }

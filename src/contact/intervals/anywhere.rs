@@ -29,7 +29,11 @@ pub(crate) struct Expected {
 /// found without tension and penetration.
 pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
     let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    let of = |Expected { contact, punch, ends }: &Expected| ContactInterval::anywhere(*contact, *punch, *ends);
+    let of = |Expected { contact, punch, ends }: &Expected| {
+        let corner = |side: f64| problem.placed(*contact, *punch).and_then(|punch| punch.corner(side));
+        let corners = [corner(-1.0) == Some(ends[0]), corner(1.0) == Some(ends[1])];
+        ContactInterval::anywhere(*contact, *punch, *ends).with_corners(corners)
+    };
     let start = Intervals(expected.iter().map(of).collect());
     let mut failure = None;
     // few terms take the least; where they lead nowhere, twice as many may not
@@ -93,7 +97,7 @@ fn negative(level: &Approximation) -> Option<Intervals> {
     for (number, (interval, pressure)) in level.support.0.iter().zip(&level.pressures).enumerate() {
         let places = 2 * PER_MODE * pressure.terms.len();
         let phi = |k: usize| PI * k as f64 / places as f64;
-        let regular = pressure.regular();
+        let regular = pressure.regular(interval);
         let all: Vec<f64> = (1..places).map(|k| regular.at(interval, phi(k))).collect();
         let largest = all.iter().copied().fold(0.0, f64::max);
         let is_negative = |k: &usize| all[*k] < -COARSE * largest;
@@ -102,7 +106,11 @@ fn negative(level: &Approximation) -> Option<Intervals> {
         let place = |k: usize| interval.middle + interval.half * phi(k + 1).cos();
         let mut parts = level.support.0.clone();
         let ends = [[interval.from(), place(last)], [place(first), interval.to()]];
-        let parts_of = ends.map(|ends| ContactInterval::anywhere(interval.contact, interval.punch, ends));
+        let [left, right] = interval.corners;
+        let corners = [[left, false], [false, right]];
+        let part =
+            |k: usize| ContactInterval::anywhere(interval.contact, interval.punch, ends[k]).with_corners(corners[k]);
+        let parts_of = [0, 1].map(part);
         parts.splice(number..=number, parts_of.into_iter().filter(|part| part.half > 0.0));
         return Some(Intervals(parts));
     }
@@ -129,7 +137,8 @@ fn changed(failure: Failure) -> Result<Intervals, Intervals> {
         Failure::Meet(Intervals(mut all), number) => {
             let next = all.remove(number + 1);
             let own = &mut all[number];
-            *own = ContactInterval::anywhere(own.contact, own.punch, [own.from(), next.to()]);
+            let corners = [own.corners[0], next.corners[1]];
+            *own = ContactInterval::anywhere(own.contact, own.punch, [own.from(), next.to()]).with_corners(corners);
             Ok(Intervals(all))
         }
         Failure::Stuck(last) => Err(last),

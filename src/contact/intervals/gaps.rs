@@ -42,8 +42,7 @@ pub(super) fn check(
     let mut tensions = vec![0.0f64; count];
     let mut leasts = Vec::new();
     for (interval, pressure) in level.support.0.iter().zip(&level.pressures) {
-        let is_flat = problem.sides[interval.contact].is_flat();
-        let pressure = if is_flat { pressure.clone() } else { pressure.regular() };
+        let pressure = pressure.regular(interval);
         let places = 2 * PER_MODE * pressure.terms.len();
         let (mut least, mut most) = (0.0f64, 0.0f64);
         for k in 1..places {
@@ -110,7 +109,10 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
         let inwards = if first.parity == Parity::None { before.max(left) } else { 0.0 };
         let between = group.windows(2).map(|pair| [pair[0].to(), pair[1].from()]);
         let outside = [[first.from(), inwards], [last.to(), after.min(right)]];
-        let outside = outside.into_iter().filter(|[from, to]| from != to);
+        // there is no punch beyond a corner
+        let corners = [first.corners[0], last.corners[1]];
+        let outside = outside.into_iter().zip(corners).filter(|([from, to], is_corner)| from != to && !is_corner);
+        let outside = outside.map(|(ends, _)| ends);
         all.extend(between.chain(outside).map(|ends| (first.punch, ends)));
     }
     all

@@ -148,7 +148,8 @@ fn starting_intervals(
         if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
             return None;
         }
-        intervals.extend(parts.iter().map(|part| ContactInterval::even(contact, *part)));
+        let corners = [problem.sides[contact].is_flat(); 2];
+        intervals.extend(parts.iter().map(|part| ContactInterval::even(contact, *part).with_corners(corners)));
     }
     Some(Intervals(intervals))
 }
@@ -276,26 +277,31 @@ fn tilts(problem: &Problem, level: &Approximation) -> Vec<f64> {
 fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found> {
     let mut peaks = errors.peaks.iter();
     let of = |contact: usize| {
-        let is_flat = problem.sides[contact].is_flat();
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
             let (interval, pressure) = (&level.support.0[number], &level.pressures[number]);
             let terms = pressure.terms.iter().enumerate();
             let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
+            let singular = match pressure.regular(interval).singular[..] {
+                [q] => [q, q],
+                [left, right] => [left, right],
+                _ => [0.0; 2],
+            };
+            let corners = singular.map(|q| interval.unit() * q);
             if interval.is_even() {
-                let corners = if is_flat { interval.unit() * pressure.singular[0] } else { 0.0 };
                 return Strip { corners, ..Strip::series(interval.half, all) };
             }
             let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
-            Strip { at: interval.middle, skew: every_other(1), ..Strip::series(interval.half, every_other(0)) }
+            let series = Strip::series(interval.half, every_other(0));
+            Strip { at: interval.middle, skew: every_other(1), corners, ..series }
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
         let known = peaks.next().unwrap_or(&0.0);
         let ends = numbers.map(|number| {
             let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());
-            let [from_error, to_error] = [0, 1].map(|k| errors.ends[number][k] * sizes[k]);
-            let to_error = if is_flat { 0.0 } else { to_error };
+            let error = |k: usize| if interval.corners[k] { 0.0 } else { errors.ends[number][k] * sizes[k] };
+            let [from_error, to_error] = [0, 1].map(error);
             solution::Interval::new([interval.from(), from_error], [interval.to(), to_error])
         });
         let intervals: Vec<solution::Interval> = ends.collect();

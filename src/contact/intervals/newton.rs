@@ -97,7 +97,7 @@ pub(super) fn converge(
         if let Some(failure) = changes(&support, &pressures) {
             return Err(failure);
         }
-        let looks = looks(problem, &support, &pressures);
+        let looks = looks(&support, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         let longest =
             looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(0.0, f64::max);
@@ -162,29 +162,41 @@ impl Limits {
     }
 }
 
-/// Takes steps, none longer than allowed; `None` if intervals vanish.
+/// Takes steps, none longer than allowed; `None` if intervals vanish. An end that reaches the corner of a flat punch stays there, one that leaves it
+/// does not.
 fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Option<Intervals> {
-    let limited = support.ends().into_iter().zip(steps).map(|(end, step)| {
+    let mut corners: Vec<[bool; 2]> = support.0.iter().map(|interval| interval.corners).collect();
+    let mut limited = Vec::with_capacity(steps.len());
+    for (end, step) in support.ends().into_iter().zip(steps) {
+        if *step == 0.0 {
+            limited.push(0.0);
+            continue;
+        }
         let interval = &support.0[end.interval];
         let outwards = (step * interval.half).min(MOST_OUT * support.gap(end));
         let place = support.place(end);
         let side = &problem.sides[interval.contact];
         let after = place + end.side * outwards;
-        match problem.placed(interval.contact, interval.punch) {
-            Some(punch) => end.side * (punch.within(place, after) - place),
+        let at_corner = &mut corners[end.interval][usize::from(end.side > 0.0)];
+        limited.push(match problem.placed(interval.contact, interval.punch) {
+            Some(punch) => {
+                let corner = punch.corner(end.side).filter(|corner| end.side * (after - corner) >= 0.0);
+                *at_corner = corner.is_some();
+                end.side * (corner.unwrap_or_else(|| punch.within(place, after)) - place)
+            }
             None if end.side > 0.0 => side.within(place, after) - place,
             None => outwards,
-        }
-    });
-    let moved = support.moved(&limited.collect::<Vec<_>>());
+        });
+    }
+    let mut moved = support.moved(&limited);
+    moved.0.iter_mut().zip(corners).for_each(|(interval, corners)| interval.corners = corners);
     moved.0.iter().all(|interval| interval.half > 0.0 && interval.half.is_finite()).then_some(moved)
 }
 
-/// What pressures say of all ends; the corners of a flat punch are where they are.
-fn looks(problem: &Problem, support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
+/// What pressures say of all ends; those at corners are where they are unless bodies pull there, where nothing is even.
+fn looks(support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
     let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
-        let corner = problem.sides[interval.contact].is_flat();
-        let of = |(side, q): (&f64, &f64)| match corner {
+        let of = |(side, q): (&f64, &f64)| match interval.is_corner(*side) && (*q >= 0.0 || interval.is_even()) {
             true => Look { q: 0.0, step: 0.0 },
             false => Look { q: *q, step: pressure.step(interval, *side, *q) },
         };

@@ -41,8 +41,9 @@ impl Pressure {
     }
 
     /// The same with no singularity at an end that is found: what is left of it is rounding.
-    pub(super) fn regular(&self) -> Self {
-        Self { singular: vec![0.0; self.singular.len()], ..self.clone() }
+    pub(super) fn regular(&self, interval: &ContactInterval) -> Self {
+        let at_corner = |(side, q): (&f64, &f64)| if interval.is_corner(*side) { *q } else { 0.0 };
+        Self { singular: interval.sides().iter().zip(&self.singular).map(at_corner).collect(), ..self.clone() }
     }
 
     /// The step of an end outwards, in half-lengths: the sign of the intensity q says which way, and next to the end the pressure is unit (κφ + q/φ), as of an end
@@ -51,7 +52,13 @@ impl Pressure {
         let sign = |m: usize| if side > 0.0 || interval.order(m) % 2 == 1 { 1.0 } else { -1.0 };
         // the last terms, which truncation changes most, do not count
         let smooth = |m: usize| (-12.0 * (m as f64 / self.terms.len() as f64).powi(4)).exp();
-        let kappa: f64 = self.terms.iter().enumerate().map(|(m, y)| smooth(m) * sign(m) * y).sum();
+        let regular: f64 = self.terms.iter().enumerate().map(|(m, y)| smooth(m) * sign(m) * y).sum();
+        // (1 − cos φ)/(2 sin φ) of the other end is φ/4 here
+        let kappa = regular
+            + match self.singular[..] {
+                [left, right] => 0.25 * if side > 0.0 { left } else { right },
+                _ => 0.0,
+            };
         if q > 0.0 {
             return if kappa > 0.0 { ((1.0 + 2.0 * q / kappa).sqrt() - 1.0).min(FARTHEST) } else { FARTHEST };
         }

@@ -21,6 +21,8 @@ pub(super) struct ContactInterval {
     pub(super) middle: f64,
     pub(super) half: f64,
     pub(super) parity: Parity,
+    /// Whether the left and the right end are at the corners of a flat punch: they stay there, and the pressure may be singular.
+    pub(super) corners: [bool; 2],
 }
 
 /// One end of an interval.
@@ -36,12 +38,23 @@ impl ContactInterval {
     /// From one place to another on x ≥ 0 where all is even; about x = 0 if it begins there.
     pub(super) fn even(contact: usize, [from, to]: [f64; 2]) -> Self {
         let (middle, parity) = if from > 0.0 { (0.5 * (from + to), Parity::Pair) } else { (0.0, Parity::Even) };
-        Self { contact, punch: 0, middle, half: to - middle, parity }
+        Self { contact, punch: 0, middle, half: to - middle, parity, corners: [false; 2] }
     }
 
     /// From one place to another where nothing is even.
     pub(super) fn anywhere(contact: usize, punch: usize, [left, right]: [f64; 2]) -> Self {
-        Self { contact, punch, middle: 0.5 * (left + right), half: 0.5 * (right - left), parity: Parity::None }
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+        Self { contact, punch, middle, half, parity: Parity::None, corners: [false; 2] }
+    }
+
+    /// The same interval with ends at corners, or not.
+    pub(super) fn with_corners(self, corners: [bool; 2]) -> Self {
+        Self { corners, ..self }
+    }
+
+    /// Whether an end is at a corner, by its side.
+    pub(super) fn is_corner(&self, side: f64) -> bool {
+        self.corners[usize::from(side > 0.0)]
     }
 
     /// Whether it is its own mirror image.

@@ -42,8 +42,10 @@ fn one_interval_is_what_another_solver_finds() {
             for factor in [0.7, 1.4] {
                 let half = |contact: &Contact| contact.half_length().unwrap() / kernel.length();
                 let start = |contact: usize| {
-                    let factor = if problem.sides[contact].is_flat() { 1.0 } else { factor };
-                    ContactInterval::even(contact, [0.0, factor * half(&expected.contacts[contact])])
+                    let is_flat = problem.sides[contact].is_flat();
+                    let factor = if is_flat { 1.0 } else { factor };
+                    let ends = [0.0, factor * half(&expected.contacts[contact])];
+                    ContactInterval::even(contact, ends).with_corners([is_flat; 2])
                 };
                 let support = Intervals(problem.unknown().map(start).collect());
                 let counts = vec![20; support.0.len()];

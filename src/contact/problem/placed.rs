@@ -38,11 +38,16 @@ impl<'a> Placed<'a> {
 
     /// What the intervals under it carry.
     pub(crate) fn group(&self) -> Group {
-        let moment = match self.tilt {
-            Tilt::Free { eccentricity } => Some(self.share * (self.at + eccentricity / self.length)),
-            Tilt::None | Tilt::Fixed(_) => None,
-        };
+        let moment = self.line_of_action().map(|line| self.share * line);
         Group { share: self.share, moment, turns: moment.is_some() }
+    }
+
+    /// Where its force acts on x, if it may turn.
+    pub(crate) fn line_of_action(&self) -> Option<f64> {
+        match self.tilt {
+            Tilt::Free { eccentricity } => Some(self.at + eccentricity / self.length),
+            Tilt::None | Tilt::Fixed(_) => None,
+        }
     }
 
     /// The angle by which it is turned, per unit of P', if that is prescribed.
@@ -52,7 +57,10 @@ impl<'a> Placed<'a> {
 
     /// Height above the tip at x, per unit of P'.
     pub(crate) fn height(&self, x: f64) -> f64 {
-        self.profile.height(x - self.at) + self.angle().unwrap_or(0.0) * (x - self.at)
+        // rounding does not lead beyond its edge
+        let [left, right] = self.ends;
+        let from_tip = (x - self.at).clamp(left, right);
+        self.profile.height(from_tip) + self.angle().unwrap_or(0.0) * from_tip
     }
 
     /// ∫ f' cos kφ dφ of its slope f' over x = m + w cos φ, for k from 0 on.
@@ -70,6 +78,11 @@ impl<'a> Placed<'a> {
         self.ends.map(|end| self.at + end)
     }
 
+    /// Where the corner on a side is, 1 for the right one and −1 for the left one, if the punch is flat.
+    pub(crate) fn corner(&self, side: f64) -> Option<f64> {
+        self.profile.flat().map(|half| self.at + side * half)
+    }
+
     /// Where its tip is.
     pub(crate) fn at(&self) -> f64 {
         self.at
@@ -82,6 +95,9 @@ impl<'a> Placed<'a> {
 
     /// The error that the punch is too small for a contact that ends at x.
     pub(crate) fn too_small(&self, x: f64) -> Option<ContactError> {
+        if self.profile.flat().is_some() {
+            return None;
+        }
         let [left, right] = self.ends;
         let (from_tip, edge) = if x < self.at { (self.at - x, -left) } else { (x - self.at, right) };
         let punch = self.punch.label(Geometry::PlaneStrain);

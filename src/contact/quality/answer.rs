@@ -52,7 +52,8 @@ fn found(twin: Twin, level: &Level, i: usize) -> Found {
     let (error, peak, size) = (level.errors[i], level.peaks[i] * unit, level.sizes[i] * unit);
     let to_error = error.length * half_length;
     let peak_error = if peak.is_finite() { error.pressure * size } else { f64::INFINITY };
-    let strip = Strip { corners, tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) };
+    let strip =
+        Strip { corners: [corners; 2], tip, is_round: twin == Twin::Round, ..Strip::series(half_length, coefficients) };
     Found::even(&[Interval::new([0.0; 2], [half_length, to_error])], [peak, peak_error], &[strip])
 }
 

@@ -99,15 +99,19 @@ pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
     all
 }
 
-/// From where to where the contact under a punch anywhere is expected.
+/// From where to where the contact under a punch anywhere is expected: about the line of action of a force that may turn it. A flat punch is touched
+/// over its whole width, or, as on a half-plane, from a corner to three times as far beyond a force in the outer quarter of it.
 fn under(kernel: &Kernel, punch: &Placed) -> [f64; 2] {
-    let ends = punch.ends();
+    let (middle, ends) = (punch.line_of_action().unwrap_or(punch.at()), punch.ends());
+    if punch.corner(1.0).is_some() {
+        let [from_left, from_right] = ends.map(|end| 4.0 * (middle - end));
+        return [ends[0].max(ends[1] + from_right), ends[1].min(ends[0] + from_left)];
+    }
     let half = under_punch(kernel, &punch.alone(), Kernel::closed);
-    let [left, right] = [punch.at() - half, punch.at() + half];
     // next to the edges of a punch
     let inside =
         |x: f64, end: f64| if (x - punch.at()).abs() < (end - punch.at()).abs() { x } else { 0.5 * (end + punch.at()) };
-    [inside(left, ends[0]), inside(right, ends[1])]
+    [inside(middle - half, ends[0]), inside(middle + half, ends[1])]
 }
 
 /// Half-length of the contact below a laminate (in units of L) that a line load presses.
