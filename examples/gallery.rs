@@ -14,11 +14,13 @@ pub use case::{Case, Found};
 use recede::plot;
 
 /// The scenes in the order of the page.
-pub const SCENES: [&str; 13] = [
+pub const SCENES: [&str; 15] = [
     "rubber_covered_roller",
     "elastic_roller",
+    "two_rollers",
     "sheets_on_felt",
     "seal",
+    "eccentric_seal",
     "rail_pad",
     "slab_on_soil",
     "laminated_glass",

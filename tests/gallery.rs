@@ -37,7 +37,7 @@ pub fn page_as_in_the_documents() -> Result<(), Box<dyn Error>> {
 #[test]
 fn every_scene_has_a_section_and_a_picture() {
     let listed: BTreeSet<String> = program::SCENES.map(str::to_owned).into();
-    assert_eq!(listed.len(), 13);
+    assert_eq!(listed.len(), 15);
     assert_eq!(listed, names("examples/gallery", "ron"));
     assert_eq!(listed, names("docs/pictures/gallery", "svg"));
     let page = fs::read_to_string(root().join("docs/gallery.md")).unwrap();
@@ -119,6 +119,30 @@ fn a_seal_leaks_below_first() {
     let ratio = number("seal", 0, "1|2: largest pressure") / number("seal", 0, PRESSURE);
     assert!((0.45..0.55).contains(&ratio), "{ratio}");
     assert!(place("seal", 0, PRESSURE) > 0.5 && place("seal", 0, "1|2: largest pressure") == 0.0);
+}
+
+#[test]
+fn rollers_apart_press_the_belt_on_the_bed_one_by_one() {
+    let [drawn, near, together] = [0, 1, 2].map(|column| {
+        let left = |k: usize| number("two_rollers", column, &format!("1|2: left end of interval {k}"));
+        let width = |k: usize| number("two_rollers", column, &format!("1|2: width of interval {k}"));
+        if column < 2 { [left(1), left(1) + width(1), left(2)] } else { [left(1), left(1) + width(1), f64::INFINITY] }
+    });
+    assert!(drawn[1] + 15.0 < drawn[2] && near[1] < near[2] && together[1] > 8.0, "{drawn:?} {near:?} {together:?}");
+    for interval in ["punch: width of interval 1", "punch: width of interval 2"] {
+        let [drawn, near, together] = [0, 1, 2].map(|column| number("two_rollers", column, interval));
+        assert!((near / drawn - 1.0).abs() < 0.01 && (together / drawn - 1.0).abs() < 0.01, "{interval}");
+    }
+}
+
+#[test]
+fn a_ring_pressed_beside_its_middle_lifts_off() {
+    let width = [1, 0, 2].map(|column| number("eccentric_seal", column, "punch: width of interval 1"));
+    assert!(width[0] == 3.0 && width[1] == 3.0 && width[2] < 1.7, "{width:?}");
+    let pressure = [1, 0, 2].map(|column| number("eccentric_seal", column, "1|2: largest pressure"));
+    assert!(pressure.is_sorted() && pressure[2] < 1.35 * pressure[0], "{pressure:?}");
+    let [drawn, lifted] = [0, 2].map(|column| number("eccentric_seal", column, "tilt of punch 1"));
+    assert!(lifted < 2.0 * drawn && drawn < 0.0, "{drawn} {lifted}");
 }
 
 #[test]

@@ -57,6 +57,8 @@ pub struct Value {
     pub number: f64,
     /// The place, 0 in the middle.
     pub at: f64,
+    /// Whether the number is the same at the place on the other side of the middle.
+    pub is_mirrored: bool,
 }
 
 /// A result, or what is wrong with a case.
@@ -118,16 +120,27 @@ impl Case {
         };
         // a maximum in the middle is found there up to a small part of the contact
         let middle = 1e-3 * solution.contacts()[0].reach();
-        let largest = |number: f64, x: f64| Value { number, at: if x.abs() > middle { x } else { 0.0 } };
+        let is_mirrored = solution.punches().is_empty();
+        let largest = |number: f64, x: f64| Value { number, at: if x.abs() > middle { x } else { 0.0 }, is_mirrored };
         let mut numbers = Vec::new();
         if scene.force.given().is_none() {
             numbers.push((format!("force, {force}"), Value::of(solution.force())));
         }
         for contact in solution.contacts().iter().skip(usize::from(scene.top.loads().is_some())) {
             let peak = contact.peak();
-            numbers.push((format!("{}: width, {length}", contact.interface), Value::of(width(contact))));
+            if is_mirrored {
+                numbers.push((format!("{}: width, {length}", contact.interface), Value::of(width(contact))));
+            }
+            for (k, interval) in contact.intervals().iter().enumerate().filter(|_| !is_mirrored) {
+                let name = |what: &str| format!("{}: {what} of interval {}, {length}", contact.interface, k + 1);
+                numbers.push((name("left end"), Value::of(interval.left)));
+                numbers.push((name("width"), Value::of(interval.right - interval.left)));
+            }
             let pressure = largest(peak.pressure, peak.x);
             numbers.push((format!("{}: largest pressure, {stress}", contact.interface), pressure));
+        }
+        for (k, punch) in solution.punches().iter().enumerate().filter(|(_, punch)| punch.tilt.abs() > 1e-12) {
+            numbers.push((format!("tilt of punch {}, rad", k + 1), Value::of(punch.tilt)));
         }
         let shear = field.max_shear()?;
         numbers.push((format!("largest shear stress, {stress}"), largest(shear.value, shear.x)));
@@ -176,7 +189,7 @@ impl Change {
 
 impl Value {
     fn of(number: f64) -> Self {
-        Self { number, at: 0.0 }
+        Self { number, at: 0.0, is_mirrored: true }
     }
 }
 
@@ -204,7 +217,7 @@ impl Spot {
     }
 }
 
-/// From the left end of the first interval to the right end of the last.
+/// From the left end of the first interval to the right end of the last, of a contact about the middle.
 fn width(contact: &Contact) -> f64 {
     2.0 * contact.reach()
 }

@@ -78,10 +78,11 @@ fn escaped(text: &str) -> String {
 /// Four digits, and where it is if that is not the middle.
 fn written(value: Value, geometry: Geometry) -> String {
     let digits = |x: f64| format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string();
-    let number = digits(value.number);
+    let number = if value.number.is_finite() { digits(value.number) } else { "infinite".to_owned() };
     let place = match geometry {
         Geometry::Axisymmetric => format!("r = {}", digits(value.at)),
-        _ => format!("x = ±{}", digits(value.at)),
+        _ if value.is_mirrored => format!("x = ±{}", digits(value.at)),
+        _ => format!("x = {}", digits(value.at)),
     };
     if value.at != 0.0 { format!("{number}, at {place}") } else { number }
 }
