@@ -1,7 +1,7 @@
 //! Flat punches with sharp corners that are pressed beside their middle, turned, or not alone.
 //!
 //! Goal: on a half-plane pressures and tilts are the known closed forms, also where one side of a punch lifts off; on stacks contacts move and
-//! are mirrored with the punches, carry the force on its line of action, and are those of the solver for even contacts where all is even; all that
+//! are mirrored with the punches, carry the force on its line of action, and where all is even are the contacts that the solver for even contacts finds; all that
 //! commands do with such scenes goes through.
 //!
 //! Source of the closed forms: N. I. Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, 1953, sections 116 and 117; K. L. Johnson,

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use recede_layers::{Layer, Material, State, Wave};
 
 use super::pressure::ContactPressure;
-use super::sum::DepthRow;
 use super::surface::{Components, Surface};
 use crate::stack::{Placed, Stack};
 use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
@@ -49,6 +48,17 @@ impl PlacedLayer {
 enum Chain {
     Free(FreeChain),
     Base(BaseChain),
+}
+
+/// Points at one depth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DepthRow {
+    /// Index of the layer.
+    pub(super) layer: usize,
+    /// Depth below its top face.
+    pub(super) depth: f64,
+    /// Index of the list of places.
+    pub(super) set: usize,
 }
 
 /// A body between shear-free faces.

@@ -2,9 +2,8 @@
 use std::f64::consts::PI;
 
 use super::Field;
-use super::body::{PlacedLayer, Remainder};
+use super::body::{DepthRow, PlacedLayer, Remainder};
 use super::pressure::ContactPressure;
-use super::sum::DepthRow;
 use super::waves::{self, Precision};
 
 /// Bisections of the logarithm of a cut-off: 14 take the whole range of doubles to five per cent, more gain nothing.

@@ -1,9 +1,9 @@
 //! The faces of the layers, and of an elastic punch, along x.
 use recede_layers::Isotropic;
 
+use super::body::DepthRow;
 use super::error::FieldError;
 use super::point::FieldPoint;
-use super::sum::DepthRow;
 use super::surface::Surface;
 use super::{Field, PlacedLayer};
 

@@ -1,6 +1,6 @@
 //! Where the bodies of a stack touch, so that their displacements are counted from one base.
 use super::Field;
-use super::sum::DepthRow;
+use super::body::DepthRow;
 use super::surface::Components;
 
 /// The numbers of the rows of the faces that touch at a place, the face of the body above first, if there are any.

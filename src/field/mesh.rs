@@ -1,9 +1,9 @@
 //! Pieces of the layers, and the stresses at the Chebyshev points of each.
+use super::body::DepthRow;
 use super::error::FieldError;
 use super::joints::set_of;
 use super::measure::Extent;
 use super::pressure::ContactPressure;
-use super::sum::DepthRow;
 use super::waves::Precision;
 use super::{Field, FieldPoint};
 use crate::numeric::chebyshev;

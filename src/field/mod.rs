@@ -37,9 +37,8 @@ use crate::stack::Stack;
 use crate::system::FaceLoad;
 pub use error::FieldError;
 
-use body::{LoadedBody, PlacedLayer};
+use body::{DepthRow, LoadedBody, PlacedLayer};
 use pressure::ContactPressure;
-use sum::DepthRow;
 use waves::{LongWaves, Precision};
 
 /// Rounding of stresses, in parts of the mean pressure.

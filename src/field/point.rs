@@ -4,7 +4,7 @@ use std::fmt;
 use recede_layers::Material;
 
 use super::Field;
-use super::sum::DepthRow;
+use super::body::DepthRow;
 use super::surface::Components;
 use crate::geometry::Geometry;
 

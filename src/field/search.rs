@@ -3,11 +3,11 @@
 //! at once, since the sums over wavenumbers are shared.
 use std::f64::consts::PI;
 
+use super::body::DepthRow;
 use super::error::FieldError;
 use super::measure::{Extent, ExtremeSearch, Measure};
 use super::mesh::{LayerPiece, Pair, PieceSample, Pieces};
 use super::polynomial::{Height, Polynomial};
-use super::sum::DepthRow;
 use super::waves::{self, Precision};
 use super::{Field, ROUNDING};
 

@@ -7,7 +7,7 @@ use faer::{Accum, MatMut, MatRef, Par};
 use num_complex::Complex64;
 use recede_layers::{State, Wave};
 
-use super::body::{LoadedBody, LoadedFace, PlacedLayer, components};
+use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, components};
 use super::error::FieldError;
 use super::pressure::ContactPressure;
 use super::strip::Singularity;
@@ -17,17 +17,6 @@ use super::waves::{self, CutOff, Precision, WavePanel};
 use super::{FaceLoad, Field};
 use crate::geometry::Geometry;
 use crate::system::Unresolved;
-
-/// Points at one depth.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct DepthRow {
-    /// Index of the layer.
-    pub(super) layer: usize,
-    /// Depth below its top face.
-    pub(super) depth: f64,
-    /// Index of the list of places.
-    pub(super) set: usize,
-}
 
 /// A row that is being summed.
 struct Active {
