@@ -40,7 +40,6 @@ fn half_plane() -> (Model, f64) {
 fn stacks() -> Vec<Model> {
     let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
     let ground = || HalfPlane::new(0.6, 0.3).unwrap();
-    // next to graded faces fewer digits are found
     let graded = Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
     let stack = || Stack::builder(Plane::Strain);
     [
@@ -184,9 +183,26 @@ fn where_all_is_even_contacts_are_those_of_a_punch_by_itself() {
         for (even, moved) in even.contacts().iter().zip(moved.contacts()) {
             near(moved.intervals()[0].right - 1.5, even.intervals()[0].right, 1e-9);
             for x in [-0.49, -0.2, 0.0, 0.3] {
-                near(moved.pressure(1.5 + x), even.pressure(x), 1e-8 * even.pressure(x));
+                near(moved.pressure(1.5 + x), even.pressure(x), 1e-9 * even.pressure(x));
             }
         }
+    }
+}
+
+/// Next to a graded face the terms of a singular pressure fall slowly; what is claimed holds.
+#[test]
+fn a_flat_punch_on_a_graded_face_is_even_without_symmetry() {
+    let graded = Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
+    let stack = Stack::builder(Plane::Strain).layer(graded).receding().layer(HalfPlane::new(0.6, 0.3).unwrap());
+    let model = Model::new(stack.build().unwrap()).unwrap();
+    let even = model.press(Punch::flat(HALF_WIDTH).unwrap(), 0.01).unwrap();
+    let punches = Punches::new(&[flat(0.0, 0.01, free(1e-12))]).unwrap();
+    let uneven = model.press(punches, 0.01).unwrap();
+    for (even, uneven) in even.contacts().iter().zip(uneven.contacts()) {
+        let claimed = even.central_pressure_error + uneven.central_pressure_error;
+        near(uneven.central_pressure, even.central_pressure, claimed);
+        assert!(claimed < 1e-8 * even.central_pressure, "{claimed:e}");
+        near(uneven.intervals()[0].right, even.intervals()[0].right, 1e-10);
     }
 }
 

@@ -1,14 +1,22 @@
 //! Large wavenumbers: the short-wave asymptote of a kernel and the terms due to the grading at its own faces.
 use crate::numeric::chebyshev::{self, Series};
+use crate::numeric::quadrature::rule;
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::{Chains, Sample};
+use super::{Chains, DECAYED, Sample, short_wave_allowance};
 
 /// Points of the fit.
 const POINTS: usize = 17;
 /// The fit is good if its last coefficients are below this part of the kernel.
 const RESOLVED: f64 = 3e-15;
+/// Powers of 1/ζ that are taken as sums of exponentials; the series is asymptotic, and more of them are worse.
+const POWERS: usize = 4;
+/// Steps, upwards from the wavenumber of the fit, in which a sum of exponentials is compared with a remainder, to some hundred times that.
+const STEP: f64 = 1.25;
+const MOST_STEPS: usize = 24;
+/// Exponentials of one sum.
+const EXPONENTIALS: usize = 48;
 
 /// The diagonal of one contact for ζ ≥ `from`: a polynomial in from/ζ, constant next to homogeneous material,
 /// 1 + O(β/ζ) next to a graded face.
@@ -85,4 +93,47 @@ impl Asymptote {
     pub(crate) fn remainder(&self, zeta: f64) -> f64 {
         self.remainder.as_ref().map_or(0.0, |series| series.eval(self.from / zeta))
     }
+
+    /// The first powers of 1/ζ in the remainder as a sum of c exp(−ζb), in pairs of b and c: 1/ζⁿ = ∫ bⁿ⁻¹/(n − 1)! exp(−ζb) db, up to a depth b
+    /// that no wave beyond `from` reaches. A half-plane feels exp(−ζb) at x as a load feels the place x + ib.
+    pub(crate) fn exponentials(&self) -> Vec<[f64; 2]> {
+        let Some(remainder) = &self.remainder else { return Vec::new() };
+        let powers: [f64; POWERS] = remainder.powers();
+        let depth = 2.0 * DECAYED;
+        // dense next to b = 0, in units of 1/from
+        let of = |(t, weight): (f64, f64)| {
+            let b = depth * t * t * t;
+            let (mut sum, mut term) = (0.0, 1.0);
+            for (n, power) in (1u32..).zip(powers) {
+                sum += power * term;
+                term *= b / f64::from(n);
+            }
+            [b / self.from, 3.0 * depth * t * t * weight * sum]
+        };
+        rule(EXPONENTIALS).on(0.0, 1.0).map(of).collect()
+    }
+
+    /// The wavenumber beyond which nothing of the remainder is left but these exponentials: less than `little` of the limit, weighted as for a contact of
+    /// this half-length.
+    pub(crate) fn exponentials_suffice(&self, half_length: f64, little: f64) -> f64 {
+        let exponentials = self.exponentials();
+        let is_left = |zeta: f64| {
+            let left = self.remainder(zeta) - sum_of(&exponentials, zeta);
+            left.abs() > little * self.limit * short_wave_allowance(half_length, zeta)
+        };
+        let mut zeta = self.from;
+        // the difference may change its sign at one wavenumber
+        for _ in 0..MOST_STEPS {
+            if !is_left(zeta) && !is_left(STEP * zeta) {
+                return zeta;
+            }
+            zeta *= STEP;
+        }
+        f64::INFINITY
+    }
+}
+
+/// Σ c exp(−ζb).
+pub(crate) fn sum_of(exponentials: &[[f64; 2]], zeta: f64) -> f64 {
+    exponentials.iter().map(|[b, c]| c * (-zeta * b).exp()).sum()
 }

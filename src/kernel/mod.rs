@@ -19,7 +19,7 @@ use crate::solution::Stats;
 use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
 
-pub(crate) use asymptote::Asymptote;
+pub(crate) use asymptote::{Asymptote, sum_of};
 use panel::At;
 pub(crate) use panel::{Panel, Values};
 
@@ -338,6 +338,12 @@ impl Kernel {
             if at.panel.from < from { at.equal_pressure(i) } else { limit }
         };
         -at.coupling(i) / (compression(i) + compression(i + 1)).abs()
+    }
+
+    /// The wavenumber beyond which the equal-pressure response of contact i is a polynomial in 1/ζ, to rounding.
+    pub(crate) fn is_smooth_from(&self, contact: usize) -> f64 {
+        let couplings = contact.saturating_sub(1)..(contact + 1).min(self.contacts() - 1);
+        self.last_panel(|panel| panel.coupled[couplings.clone()].contains(&true)).max(self.asymptotes[contact].from)
     }
 
     /// The upper end of the last panel with a property.

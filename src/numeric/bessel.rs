@@ -111,6 +111,11 @@ impl Wanted {
         Self { kind, ..self }
     }
 
+    /// Of which kind they are.
+    pub fn kind(self) -> Kind {
+        self.kind
+    }
+
     /// How many of them are below `orders`.
     pub fn below(self, orders: usize) -> usize {
         orders.min(1) + orders.saturating_sub(1).div_ceil(self.step)

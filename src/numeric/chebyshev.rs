@@ -179,6 +179,24 @@ impl Series {
         clenshaw(&self.coefficients, ((z - self.lo) + (z - self.hi)) / (self.hi - self.lo), Complex64::ZERO)
     }
 
+    /// The factors of the powers t, t², ... of the way t from lo to hi, which is 1 at hi.
+    pub fn powers<const N: usize>(&self) -> [f64; N] {
+        // T_k(2t − 1) as a polynomial
+        let (mut before, mut here) = (vec![0.0; N + 1], vec![0.0; N + 1]);
+        (before[0], here[0], here[1]) = (1.0, -1.0, 2.0);
+        let mut sum = [0.0; N];
+        for coefficient in self.coefficients.iter().skip(1) {
+            sum.iter_mut().zip(&here[1..]).for_each(|(sum, power)| *sum += coefficient * power);
+            let next = |n: usize| {
+                let raised = n.checked_sub(1).map_or(0.0, |n| here[n]);
+                4.0 * raised - 2.0 * here[n] - before[n]
+            };
+            let next: Vec<f64> = (0..=N).map(next).collect();
+            before = std::mem::replace(&mut here, next);
+        }
+        sum
+    }
+
     /// The size of the last coefficients relative to the largest: an estimate of the relative error.
     pub fn tail(&self) -> f64 {
         tail(&self.coefficients)
@@ -237,6 +255,15 @@ mod tests {
                 close(value, x.powi(degree), 2e-15);
             }
         }
+    }
+
+    #[test]
+    fn a_series_tells_its_first_powers() {
+        let polynomial = |x: f64| 3.0 - (x - 2.0) + 0.5 * (x - 2.0).powi(2) - 0.25 * (x - 2.0).powi(5);
+        let [first, second, third] = Series::of(2.0, 4.0, 8, polynomial).powers();
+        close(first, -2.0, 1e-13);
+        close(second, 2.0, 1e-12);
+        close(third, 0.0, 1e-11);
     }
 
     #[test]

@@ -8,16 +8,12 @@ use num_complex::Complex64;
 
 use crate::contact::integrals::columns::{ColumnRange, Columns};
 use crate::contact::integrals::layout::Layout;
-use crate::contact::integrals::tail::Tail;
 use crate::contact::problem::Problem;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::vector::vectorised;
 use crate::numeric::workspace::Workspace;
-
-/// Nodes of a tail whose Bessel functions are made together.
-pub(crate) const TOGETHER: usize = 512;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
 pub(crate) struct Basis<'a> {
@@ -69,7 +65,7 @@ impl<'a> Basis<'a> {
         let transform_minus_one = Vec::new();
         let mut basis = Self { half_length, transform_minus_one, table, arguments, paths, twin, workspace };
         if rows > reach {
-            basis.tabulate_tail(tail, reach, orders);
+            tail.tabulate((half_length, scale), (wanted, orders), (reach, rows), &mut basis.table.values);
         }
         if let Some(scales) = twin.scales() {
             let columns = basis.table.values.chunks_exact_mut(rows.max(1)).skip(1);
@@ -91,38 +87,6 @@ impl<'a> Basis<'a> {
         );
         basis.transform_minus_one = transform_minus_one;
         basis
-    }
-
-    /// J/a, Y/a and both parts of H/a in the rows of the tail, from row number `first` on.
-    fn tabulate_tail(&mut self, tail: &Tail, first: usize, orders: usize) {
-        let (rows, scale) = (self.rows(), self.twin.norm / self.half_length);
-        let kind = self.twin.bessel;
-        let (count, turned) = ((self.arguments.len() - first) / 2, self.paths.len());
-        let smooth = &self.arguments[first..first + count];
-        let all: Vec<usize> = (0..orders).collect();
-        for (start, some) in (0..).step_by(TOGETHER).zip(smooth.chunks(TOGETHER)) {
-            let length = some.len();
-            let (mut j, mut y) = (vec![0.0; orders * length], vec![0.0; orders * length]);
-            bessel::jy_table(kind, orders, some, &mut j, &mut y);
-            for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
-                for (place, values) in [(first + start, &j), (first + count + start, &y)] {
-                    let values = &values[n * length..(n + 1) * length];
-                    column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
-                }
-            }
-        }
-        // what exp(−iz) H_n is multiplied by
-        let factors = self.paths.iter().zip(&tail.lift).map(|(z, lift)| (Complex64::I * z + lift).exp() * scale);
-        let factors: Vec<Complex64> = factors.collect();
-        let mut h = vec![Complex64::ZERO; orders * turned];
-        bessel::hankel_table(kind, orders, &self.paths, &mut h);
-        for (&n, column) in Wanted::ZERO_AND_ODD.of(&all).zip(self.table.values.chunks_exact_mut(rows)) {
-            let (re, im) = column[first + 2 * count..].split_at_mut(turned);
-            for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
-                let value = h * factor;
-                (re[i], im[i]) = (value.re, value.im);
-            }
-        }
     }
 
     /// The only mode of the given pressure of contact `i`, whatever its transform. Its half-length is not varied, so that

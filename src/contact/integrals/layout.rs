@@ -5,7 +5,7 @@
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
 use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, MOST_WAVENUMBERS, Tail, Weights, turning};
 use crate::contact::problem::twin::Twin;
-use crate::kernel::{Kernel, Panel, Values};
+use crate::kernel::{Kernel, Panel, Values, sum_of};
 use crate::numeric::quadrature::{LARGEST, rule};
 
 /// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
@@ -46,6 +46,20 @@ pub(crate) struct Layout {
     pub(crate) coupling: Vec<Weights>,
     /// What lies beyond, for contacts that share it.
     tails: Vec<Tail>,
+    /// Of intervals: beyond its wavenumbers each contact has tails of its intervals, from here on; infinite where it has none.
+    pub(crate) tails_from: Vec<f64>,
+}
+
+/// What a layout of intervals is laid for, of each contact.
+pub(crate) struct Lengths {
+    /// As far as it reaches from x = 0.
+    pub(crate) ends: Vec<f64>,
+    /// Half of its shortest interval.
+    pub(crate) shortest: Vec<f64>,
+    /// The wavenumber beyond which intervals have tails of their own; infinite without tails.
+    pub(crate) turned: Vec<f64>,
+    /// What is taken out of its kernel, as a sum of c exp(−ζb), in pairs of b and c.
+    pub(crate) exponentials: Vec<Vec<[f64; 2]>>,
 }
 
 /// What belongs to one contact alone.
@@ -56,6 +70,8 @@ pub(crate) struct Own {
     pub(crate) reach: usize,
     /// g∞.
     pub(crate) limit: f64,
+    /// What was taken out of `unit`: a sum of c exp(−ζb), in pairs of b and c, and weights dζ/ζ times it.
+    pub(crate) exponentials: (Vec<[f64; 2]>, Vec<f64>),
     /// Which of the tails is this contact's.
     tail: usize,
 }
@@ -181,7 +197,9 @@ impl Layout {
             } else {
                 let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
                 let reaches = group.ends(kernel, &ends, &coupled);
-                Tail::new(kernel, &group.contacts, half_lengths, orders, reaches)?
+                let own = group.contacts.iter().map(|i| half_lengths[*i]);
+                let lengths = own.fold([f64::INFINITY, 0.0_f64], |[least, most], a| [least.min(a), most.max(a)]);
+                Tail::new(kernel, &group.contacts, lengths, orders, reaches)?
             };
             layout.extend(kernel, group, reach, tail);
         }
@@ -201,16 +219,10 @@ impl Layout {
         self.tails.push(tail);
     }
 
-    /// Real wavenumbers only, for contacts that end at `ends`, the shortest parts of which have these half-lengths, able to
-    /// resolve fields out to `span` besides. Kernels that never vanish are cut off where that would take too many; `None` if
-    /// there are too many all the same.
-    pub(crate) fn without_tails(
-        kernel: &Kernel,
-        ends: &[f64],
-        shortest: &[f64],
-        negligible: f64,
-        span: f64,
-    ) -> Option<Self> {
+    /// Real wavenumbers for intervals, and where tails of their own begin, able to resolve fields out to `span` besides. Kernels that never vanish are
+    /// cut off where they would take too many wavenumbers; `None` if there are too many all the same.
+    pub(crate) fn of_intervals(kernel: &Kernel, lengths: &Lengths, negligible: f64, span: f64) -> Option<Self> {
+        let Lengths { ends, shortest, turned, exponentials } = lengths;
         let n = kernel.contacts();
         // two wavenumbers per wavelength
         let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
@@ -220,10 +232,13 @@ impl Layout {
             let shortest = shortest[i].min(shortest[i + 1]);
             kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
         };
+        let reach = |i: usize| kernel.vanishes(i, shortest[i], negligible).min(cut(ends[i]));
+        layout.own.iter_mut().zip(exponentials).for_each(|(own, taken)| own.exponentials.0.clone_from(taken));
+        layout.tails_from = (0..n).map(|i| if turned[i] < reach(i) { turned[i] } else { f64::INFINITY }).collect();
         let plan = Plan {
             kernel,
             half_lengths: ends,
-            reaches: (0..n).map(|i| kernel.vanishes(i, shortest[i], negligible).min(cut(ends[i]))).collect(),
+            reaches: (0..n).map(|i| reach(i).min(turned[i])).collect(),
             coupled: (0..n - 1).map(coupled).collect(),
             negligible,
             span,
@@ -243,6 +258,7 @@ impl Layout {
             unit: Weights::for_some(USUAL),
             reach: 0,
             limit: kernel.asymptote(i).limit,
+            exponentials: Default::default(),
             tail: tail_of(i),
         };
         Self {
@@ -251,6 +267,7 @@ impl Layout {
             own: (0..n).map(own).collect(),
             coupling: (1..n).map(|_| Weights::for_some(USUAL)).collect(),
             tails: Vec::new(),
+            tails_from: Vec::new(),
         }
     }
 
@@ -344,6 +361,12 @@ impl Layout {
                         excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
                     }
                 }
+            }
+            let (taken, taken_weights) = &mut own.exponentials;
+            if !taken.is_empty() {
+                taken_weights.extend(weights.iter().zip(zeta).map(|(weight, zeta)| weight * sum_of(taken, *zeta)));
+                let excess = own.unit.plain[start..].iter_mut().zip(&taken_weights[start..]);
+                excess.for_each(|(excess, taken)| *excess -= taken);
             }
         }
         for (i, pair) in self.coupling.iter_mut().enumerate().filter(|(i, _)| to <= plan.coupled[*i]) {

@@ -10,10 +10,13 @@ use num_complex::Complex64;
 
 use crate::contact::problem::twin::Twin;
 use crate::kernel::Kernel;
+use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::chebyshev::Series;
 use crate::numeric::quadrature::{LARGEST, laguerre_rule, rule};
 use crate::numeric::vector::vectorised;
 
+/// Nodes whose Bessel functions are made together.
+pub(crate) const TOGETHER: usize = 512;
 /// Points on the path into the complex plane.
 const TURNED_POINTS: usize = 32;
 /// The turned path is laid for a contact this much longer than the shortest of those that share it: the points are those
@@ -67,17 +70,15 @@ pub(crate) struct Ends {
 }
 
 impl Tail {
-    /// For contacts of the given half-lengths and up to the given order.
+    /// For contacts, or intervals of them, that have half-lengths between the `shortest` and the `longest`, and up to the given order.
     pub(crate) fn new(
         kernel: &Kernel,
         contacts: &[usize],
-        half_lengths: &[f64],
+        [shortest, longest]: [f64; 2],
         orders: usize,
         ends: Ends,
     ) -> Option<Self> {
         let Ends { from, coupled, to } = ends;
-        let own = || contacts.iter().map(|i| half_lengths[*i]);
-        let (shortest, longest) = own().fold((f64::INFINITY, 0.0_f64), |(s, l), a| (s.min(a), l.max(a)));
         let twin = Twin::of(kernel.geometry());
         let mut tail = Self { from, ..Self::default() };
         let mut reached = from;
@@ -143,6 +144,55 @@ impl Tail {
     /// Rows of the tail.
     pub(crate) fn rows(&self) -> usize {
         2 * (self.smooth.len() + self.turned.len())
+    }
+
+    /// J, Y and both parts of H in its rows, from row number `first` of `rows` on, for an interval of one half-length: `scale` times the `wanted` orders
+    /// below `orders`, one column after the other.
+    pub(crate) fn tabulate(
+        &self,
+        (half_length, scale): (f64, f64),
+        (wanted, orders): (Wanted, usize),
+        (first, rows): (usize, usize),
+        values: &mut [f64],
+    ) {
+        let (count, turned) = (self.smooth.len(), self.turned.len());
+        let all: Vec<usize> = (0..orders).collect();
+        for (start, some) in (0..).step_by(TOGETHER).zip(self.smooth.chunks(TOGETHER)) {
+            let some: Vec<f64> = some.iter().map(|zeta| zeta * half_length).collect();
+            let length = some.len();
+            let (mut j, mut y) = (vec![0.0; orders * length], vec![0.0; orders * length]);
+            bessel::jy_table(wanted.kind(), orders, &some, &mut j, &mut y);
+            for (&n, column) in wanted.of(&all).zip(values.chunks_exact_mut(rows)) {
+                for (place, values) in [(first + start, &j), (first + count + start, &y)] {
+                    let values = &values[n * length..(n + 1) * length];
+                    column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
+                }
+            }
+        }
+        let paths: Vec<Complex64> = self.turned.iter().map(|zeta| zeta * half_length).collect();
+        // what exp(−iz) H_n is multiplied by
+        let factors = paths.iter().zip(&self.lift).map(|(z, lift)| (Complex64::I * z + lift).exp() * scale);
+        let factors: Vec<Complex64> = factors.collect();
+        let mut h = vec![Complex64::ZERO; orders * turned];
+        bessel::hankel_table(wanted.kind(), orders, &paths, &mut h);
+        for (&n, column) in wanted.of(&all).zip(values.chunks_exact_mut(rows)) {
+            let (re, im) = column[first + 2 * count..].split_at_mut(turned);
+            for (i, (h, factor)) in h[n * turned..(n + 1) * turned].iter().zip(&factors).enumerate() {
+                let value = h * factor;
+                (re[i], im[i]) = (value.re, value.im);
+            }
+        }
+    }
+
+    /// Multiplies values in its rows by the wavenumbers.
+    pub(crate) fn times_wavenumbers(&self, values: &mut [f64]) {
+        let (plain, turned) = values.split_at_mut(2 * self.smooth.len());
+        plain.iter_mut().zip(self.smooth.iter().chain(&self.smooth)).for_each(|(value, zeta)| *value *= zeta);
+        let (real, imaginary) = turned.split_at_mut(self.turned.len());
+        for ((re, im), zeta) in real.iter_mut().zip(imaginary).zip(&self.turned) {
+            let product = Complex64::new(*re, *im) * zeta;
+            (*re, *im) = (product.re, product.im);
+        }
     }
 }
 

@@ -10,8 +10,8 @@ use std::ops::Range;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef, Side};
 
-use crate::contact::integrals::basis::TOGETHER;
 use crate::contact::integrals::layout::Layout;
+use crate::contact::integrals::tail::TOGETHER;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::space::InSpace;
@@ -141,7 +141,7 @@ impl<'a> Equations<'a> {
     /// The pressures of all intervals, and rotations; `None` if there are none in double precision.
     pub(super) fn solve(&self) -> Option<Solved> {
         let places = self.places();
-        let System { a, e, b, d, f, left } = self.system(&places);
+        let System { a, e, b, d, f, left } = self.system(&places)?;
         let (size, border) = (a.nrows(), e.ncols());
         let llt = a.llt(Side::Lower).ok()?;
         let right =
@@ -196,7 +196,7 @@ impl<'a> Equations<'a> {
     }
 
     /// All rows: waves block by block of wavenumbers, then half-planes.
-    fn system(&self, places: &[Places]) -> System {
+    fn system(&self, places: &[Places]) -> Option<System> {
         let size = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
         let border = places.last().map_or(0, |last| last.left.1 + last.left.0.len());
         let mut system = System {
@@ -217,7 +217,7 @@ impl<'a> Equations<'a> {
             }
         }
         for contact in self.problem.unknown() {
-            self.add_in_space(places, &mut system, contact);
+            self.add_in_space(places, &mut system, contact)?;
         }
         let angles = border - self.turning.len();
         for contact in self.problem.unknown() {
@@ -230,7 +230,7 @@ impl<'a> Equations<'a> {
                 }
             }
         }
-        system
+        Some(system)
     }
 
     fn zeta(&self, contact: usize, nodes: Range<usize>) -> &[f64] {
@@ -330,13 +330,21 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// Adds what half-planes do, and the slope of the punch.
-    fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) {
-        let InSpace { matrix, load } = self.columns[contact].in_space(&self.problem.sides[contact]);
+    /// Adds what half-planes and short waves do, and the slope of the punch.
+    fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) -> Option<()> {
+        let columns = &self.columns[contact];
+        let own = &self.layout.own[contact];
+        let per_limit = own.exponentials.0.iter().map(|[b, c]| [*b, c / own.limit]);
+        let exponentials: Vec<[f64; 2]> = per_limit.collect();
+        let mut space = columns.in_space(&self.problem.sides[contact], &exponentials);
+        columns.add_short_waves(&mut space.matrix, self.problem.kernel, self.layout, contact)?;
+        columns.subtract(&mut space);
+        let InSpace { matrix, load } = space;
         self.add(places, system, (contact, contact), &matrix, self.layout.own[contact].limit);
         let Places { terms, left, .. } = &places[contact];
         terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
         left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
+        Some(())
     }
 
     /// Slopes of waves outside contacts, weights included, what half-planes do left out: of both parts of exp(iζx), one after the other.

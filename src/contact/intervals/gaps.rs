@@ -1,14 +1,17 @@
 //! No pressure may be tension, and no gap penetrated, between the intervals of a contact and beyond them.
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::contact::integrals::layout::{FIELDS, Layout, negligible};
-use crate::contact::intervals::Lengths;
+use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use crate::numeric::quadrature::rule;
+
+/// Gaps are found from waves up to so many times the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
+/// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
+const FARTHER: f64 = 2.0;
 
 /// What the check found, per unit of P'.
 pub(super) struct Signs {
@@ -69,10 +72,12 @@ pub(super) fn check(
     // less than an answer is wrong by counts as zero
     let zero = COARSE.max(error);
     let mut min_gap = 0.0f64;
-    let Lengths { ends, shortest } = Lengths::of(problem, &level.support);
-    let span = problem.span(&ends);
-    let layout =
-        Layout::without_tails(problem.kernel, &ends, &shortest, negligible(FIELDS), span).ok_or(Fault::Unknown)?;
+    let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
+    lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
+    lengths.exponentials.iter_mut().for_each(Vec::clear);
+    let span = problem.span(&lengths.ends);
+    let layout = Layout::of_intervals(problem.kernel, &lengths, negligible(FIELDS), span);
+    let layout = layout.ok_or(Fault::Unknown)?;
     for contact in problem.unknown() {
         let places = |level: &Approximation| beside(problem, level.support.of(contact), contact, span);
         let gaps = gaps(problem, level, &layout, contact, &places(level));

@@ -6,6 +6,7 @@ mod equations;
 mod gaps;
 mod newton;
 mod pressure;
+mod short_waves;
 mod space;
 mod support;
 #[cfg(test)]
@@ -16,7 +17,8 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
-use crate::contact::integrals::layout::Layout;
+use crate::contact::integrals::layout::{Layout, Lengths};
+use crate::contact::integrals::tail::turning;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
 use crate::contact::problem::placed::Placed;
@@ -30,6 +32,7 @@ use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 pub(super) use anywhere::{Expected, solve as anywhere};
 use gaps::Signs;
 use newton::{Approximation, converge};
+use pressure::Pressure;
 use support::{ContactInterval, Intervals, Parity};
 
 /// Terms on each interval: the first number of them, doubled until the tolerance is met, and the last.
@@ -38,6 +41,7 @@ const FINEST: usize = 256;
 /// Changes from level to level are said to fall at least this fast, and at most.
 const MOST_FALL: f64 = 0.5;
 const LEAST_FALL: f64 = 0.01;
+const LEAST_FALL_GRADED: f64 = 0.1;
 
 /// Presses a punch on a stack some contacts of which have several intervals, about where `active` says; `None` if no admissible answer was
 /// found, or the pressure under the punch is of another kind.
@@ -118,7 +122,9 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     }
     let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst()).ok()?;
     // pressures in tension are wrong by that
-    errors.peaks.iter_mut().zip(&tensions).for_each(|(error, tension)| *error = error.max(SAFETY * tension));
+    for (interval, error) in level.support.0.iter().zip(&mut errors.pressures) {
+        *error = error.max(SAFETY * tensions[interval.contact]);
+    }
     let terms = |contact| {
         (0..level.counts.len()).filter(|k| level.support.0[*k].contact == contact).map(|k| level.counts[k]).max()
     };
@@ -154,28 +160,37 @@ fn starting_intervals(
     Some(Intervals(intervals))
 }
 
-/// Lengths of the contacts; a prescribed traction has the lengths of the contact below.
-struct Lengths {
-    /// As far as each contact reaches from x = 0.
-    ends: Vec<f64>,
-    /// Half of the shortest interval of each.
-    shortest: Vec<f64>,
-}
-
 impl Lengths {
-    fn of(problem: &Problem, support: &Intervals) -> Self {
-        let contacts = 0..problem.contacts();
-        let reach = |interval: &ContactInterval| interval.to().max(-interval.from());
-        let ends = contacts.clone().map(|i| support.of(i).iter().map(reach).fold(0.0, f64::max));
-        let half = |interval: &ContactInterval| interval.half;
-        let shortest = contacts.map(|i| support.of(i).iter().map(half).fold(f64::INFINITY, f64::min));
-        let (mut ends, mut shortest): (Vec<f64>, Vec<f64>) = (ends.collect(), shortest.collect());
+    /// Of contacts with these numbers of terms; a prescribed traction has the lengths of the contact below.
+    fn of(problem: &Problem, support: &Intervals, counts: &[usize], negligible: f64) -> Self {
+        let (mut ends, mut shortest) = (Vec::new(), Vec::new());
+        let (mut turned, mut exponentials) = (Vec::new(), Vec::new());
+        let mut counts = counts.iter();
+        for contact in 0..problem.contacts() {
+            let intervals = support.of(contact);
+            let reach = |interval: &ContactInterval| interval.to().max(-interval.from());
+            ends.push(largest(intervals.iter().map(reach)));
+            let least = intervals.iter().fold(f64::INFINITY, |least, interval| least.min(interval.half));
+            let past =
+                |(interval, count): (&ContactInterval, &usize)| turning(interval.order(count - 1) + 1) / interval.half;
+            let past = largest(intervals.iter().zip(counts.by_ref()).map(past));
+            // products of different intervals, or of one with its mirror image, oscillate as these are apart
+            let is_one = intervals.len() < 2 && intervals.iter().all(|interval| interval.parity != Parity::Pair);
+            let asymptote = problem.kernel.asymptote(contact);
+            turned.push(match is_one {
+                true => past,
+                false if asymptote.is_constant() => f64::INFINITY,
+                false => past.max(asymptote.exponentials_suffice(least, negligible)),
+            });
+            exponentials.push(if is_one { Vec::new() } else { asymptote.exponentials() });
+            shortest.push(least);
+        }
         for (i, side) in problem.sides.iter().enumerate() {
             if let Some(given) = side.given() {
                 (ends[i], shortest[i]) = (given.half_length.max(ends[i + 1]), shortest[i + 1]);
             }
         }
-        Self { ends, shortest }
+        Self { ends, shortest, turned, exponentials }
     }
 
     /// Whether a layout that was made for contacts with these ends serves them.
@@ -187,7 +202,7 @@ impl Lengths {
 /// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.
 fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligible: f64) -> f64 {
     let end = layout.zeta[..layout.own[i].reach].last().copied().unwrap_or(0.0);
-    if kernel.vanishes(i, shortest, negligible) <= end {
+    if layout.tails_from[i].is_finite() || kernel.vanishes(i, shortest, negligible) <= end {
         return 0.0;
     }
     (kernel.remainder(i, end) / kernel.asymptote(i).limit).abs() / end
@@ -197,8 +212,8 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
 struct Errors {
     /// Of the ends of each interval, relative.
     ends: Vec<[f64; 2]>,
-    /// Of p(0) of each contact, relative.
-    peaks: Vec<f64>,
+    /// Of the pressure in the middle of each interval, relative to the largest of these of the contact.
+    pressures: Vec<f64>,
     /// The most that is due to something else than the number of terms.
     floor: f64,
 }
@@ -211,57 +226,54 @@ impl Errors {
             let moved = [new.from() - old.from(), new.to() - old.to()];
             [0, 1].map(|k| if moved[k] == 0.0 { 0.0 } else { (moved[k] / sizes[k]).abs() })
         };
-        let ends: Vec<[f64; 2]> = level.support.0.iter().zip(&before.support.0).map(apart).collect();
-        let by_contact = level.support.0.chunk_by(|a, b| a.contact == b.contact);
-        let widest: Vec<usize> = by_contact.map(|intervals| level.widest(intervals[0].contact)).collect();
-        let differ = |number: &usize| {
-            // none where the bodies are apart
-            let [new, old] = [level, before].map(|level| level.middle_pressure(*number));
-            if new == old { 0.0 } else { (new / old - 1.0).abs() }
+        let all = &level.support.0;
+        let ends: Vec<[f64; 2]> = all.iter().zip(&before.support.0).map(apart).collect();
+        let [new, old] = [level, before].map(|level| level.middle_pressures());
+        let size = |number: usize| {
+            let same = (0..all.len()).filter(|other| all[*other].contact == all[number].contact);
+            largest(same.map(|other| new[other].abs()))
         };
-        let peaks: Vec<f64> = widest.iter().map(differ).collect();
+        let differ = |number: usize| {
+            if new[number] == old[number] { 0.0 } else { (new[number] - old[number]).abs() / size(number) }
+        };
+        let pressures: Vec<f64> = (0..all.len()).map(differ).collect();
+        // next to graded faces changes fall like a power
+        let least = if level.graded.contains(&true) { LEAST_FALL_GRADED } else { LEAST_FALL };
         let mut left = |kind: usize, change: f64| {
             let fall = change / std::mem::replace(&mut largest_changes[kind], change);
-            let fall = if fall > 0.0 { fall.clamp(LEAST_FALL, MOST_FALL) } else { MOST_FALL };
+            let fall = if fall > 0.0 { fall.clamp(least, MOST_FALL) } else { MOST_FALL };
             SAFETY * fall / (1.0 - fall)
         };
-        let (of_ends, of_peaks) =
-            (left(0, largest(ends.iter().flatten().copied())), left(1, largest(peaks.iter().copied())));
+        let (of_ends, of_pressures) =
+            (left(0, largest(ends.iter().flatten().copied())), left(1, largest(pressures.iter().copied())));
         let last = largest(level.steps.iter().map(|step| step.abs()));
         // short waves are felt where an interval is short
         let rest =
             |interval: &ContactInterval| last + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
-        let rests: Vec<f64> = level.support.0.iter().map(rest).collect();
-        let peak = |(number, change): (usize, f64)| {
-            if level.middle_pressure(number) == 0.0 { 0.0 } else { of_peaks * change + rests[number] }
-        };
+        let rests: Vec<f64> = all.iter().map(rest).collect();
         Self {
             ends: ends.iter().zip(&rests).map(|(own, rest)| own.map(|change| of_ends * change + rest)).collect(),
-            peaks: widest.into_iter().zip(peaks).map(peak).collect(),
+            pressures: pressures.iter().zip(&rests).map(|(change, rest)| of_pressures * change + rest).collect(),
             floor: largest(rests),
         }
     }
 
     fn worst(&self) -> f64 {
-        largest(self.ends.iter().flatten().chain(&self.peaks).copied())
+        largest(self.ends.iter().flatten().chain(&self.pressures).copied())
     }
 }
 
 impl Approximation {
-    /// The number of the interval of a contact whose pressure in the middle tells how well pressures are known: where something is even the first
-    /// one, else the one with the largest force.
-    fn widest(&self, contact: usize) -> usize {
-        let first = self.support.0.partition_point(|interval| interval.contact < contact);
-        let numbers = first..first + self.support.of(contact).len();
-        let force = |number: usize| self.pressures[number].force();
-        let others = numbers.filter(|number| self.support.0[*number].parity == Parity::None);
-        others.max_by(|a, b| force(*a).total_cmp(&force(*b))).unwrap_or(first)
+    /// The pressures in the middle of all intervals, per unit of P'.
+    fn middle_pressures(&self) -> Vec<f64> {
+        let all = self.support.0.iter().enumerate();
+        all.map(|(number, interval)| self.smooth(number).at(interval, 0.5 * PI)).collect()
     }
 
-    /// The pressure in the middle of an interval, per unit of P'; 0 of one beside x = 0 where all is even.
-    fn middle_pressure(&self, number: usize) -> f64 {
-        let interval = &self.support.0[number];
-        if interval.parity == Parity::Pair { 0.0 } else { self.pressures[number].at(interval, 0.5 * PI) }
+    /// The pressure of an interval as it is given to the user.
+    fn smooth(&self, number: usize) -> Pressure {
+        let (interval, pressure) = (&self.support.0[number], &self.pressures[number]);
+        if self.graded[interval.contact] { pressure.averaged(interval) } else { pressure.clone() }
     }
 }
 
@@ -275,12 +287,12 @@ fn tilts(problem: &Problem, level: &Approximation) -> Vec<f64> {
 
 /// What was found of each contact.
 fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found> {
-    let mut peaks = errors.peaks.iter();
+    let pressures = level.middle_pressures();
     let of = |contact: usize| {
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
-            let (interval, pressure) = (&level.support.0[number], &level.pressures[number]);
+            let (interval, pressure) = (&level.support.0[number], level.smooth(number));
             let terms = pressure.terms.iter().enumerate();
             let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
             let singular = match pressure.regular(interval).singular[..] {
@@ -297,8 +309,9 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
             Strip { at: interval.middle, skew: every_other(1), corners, ..series }
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
-        let known = peaks.next().unwrap_or(&0.0);
-        let ends = numbers.map(|number| {
+        let size = largest(numbers.clone().map(|number| pressures[number].abs()));
+        let peak_error = size * largest(numbers.clone().map(|number| errors.pressures[number]));
+        let ends = numbers.clone().map(|number| {
             let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());
             let error = |k: usize| if interval.corners[k] { 0.0 } else { errors.ends[number][k] * sizes[k] };
             let [from_error, to_error] = [0, 1].map(error);
@@ -306,11 +319,13 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         });
         let intervals: Vec<solution::Interval> = ends.collect();
         if level.support.of(contact).iter().all(|interval| interval.parity != Parity::None) {
-            let peak = level.middle_pressure(first);
-            return Found::even(&intervals, [peak, known * peak.abs()], &strips);
+            // the bodies may be apart about x = 0
+            let peak = if level.support.0[first].is_even() { [pressures[first], peak_error] } else { [0.0; 2] };
+            return Found::even(&intervals, peak, &strips);
         }
-        let peak = level.middle_pressure(level.widest(contact));
-        let peak_error = known * peak.abs();
+        let force = |number: &usize| level.pressures[*number].force();
+        let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));
+        let peak = widest.map_or(0.0, |widest| pressures[widest]);
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();
         Found { intervals, peak, peak_error, strips, punches: numbers }
     };

@@ -1,8 +1,7 @@
 //! The ends of all intervals at which no pressure is singular.
 use crate::contact::ends::broyden::Secants;
 use crate::contact::ends::newton::Work;
-use crate::contact::integrals::layout::{Layout, negligible};
-use crate::contact::intervals::Lengths;
+use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::equations::{Equations, Solved};
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
@@ -34,6 +33,8 @@ pub(super) struct Approximation {
     pub(super) steps: Vec<f64>,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
     pub(super) left_out: Vec<f64>,
+    /// Whether each contact is next to a graded face.
+    pub(super) graded: Vec<bool>,
 }
 
 /// Why ends do not converge.
@@ -77,13 +78,12 @@ pub(super) fn converge(
     let mut limits = Limits::default();
     work.steps.push(0);
     loop {
-        let lengths = Lengths::of(problem, &support);
+        let lengths = Lengths::of(problem, &support, counts, negligible);
         let (layout, about) = match kept.take().filter(|(_, about)| lengths.are_near(about)) {
             Some(kept) => kept,
             None => {
-                let Lengths { ends, shortest } = &lengths;
-                let layout = Layout::without_tails(problem.kernel, ends, shortest, negligible, 0.0);
-                (layout.ok_or_else(|| Failure::Stuck(support.clone()))?, ends.clone())
+                let layout = Layout::of_intervals(problem.kernel, &lengths, negligible, 0.0);
+                (layout.ok_or_else(|| Failure::Stuck(support.clone()))?, lengths.ends.clone())
             }
         };
         let terms = counts.iter().sum::<usize>() as f64;
@@ -101,10 +101,14 @@ pub(super) fn converge(
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         let longest =
             looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(0.0, f64::max);
-        if longest < enough || progress.is_rounding(longest, 1e-7) {
+        // intervals that overlap, as they may to begin with, are moved apart
+        let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
+        if are_apart && (longest < enough || progress.is_rounding(longest, 1e-7)) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
-            return Ok(Approximation { support, counts: counts.to_vec(), pressures, rotations, steps, left_out });
+            let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
+            let counts = counts.to_vec();
+            return Ok(Approximation { support, counts, pressures, rotations, steps, left_out, graded });
         }
         if !progress.goes_on(longest) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));

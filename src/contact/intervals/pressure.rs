@@ -3,6 +3,7 @@ use std::f64::consts::PI;
 
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::PER_MODE;
+use crate::contact::quality::estimates::AVERAGED;
 
 /// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
 const TENSION: f64 = 0.13;
@@ -44,6 +45,17 @@ impl Pressure {
     pub(super) fn regular(&self, interval: &ContactInterval) -> Self {
         let at_corner = |(side, q): (&f64, &f64)| if interval.is_corner(*side) { *q } else { 0.0 };
         Self { singular: interval.sides().iter().zip(&self.singular).map(at_corner).collect(), ..self.clone() }
+    }
+
+    /// Next to a graded face the pressure has a logarithm at its ends, and terms fall like a power: as far as they alternate about the middle, what is
+    /// even as well as what is odd, the last partial sums are averaged, which leaves little of what is missing.
+    pub(super) fn averaged(&self, interval: &ContactInterval) -> Self {
+        let mut averaged = self.clone();
+        let kinds = if interval.is_even() { 1 } else { 2 };
+        for (k, y) in averaged.terms.iter_mut().rev().enumerate() {
+            *y *= AVERAGED.iter().rev().nth(k / kinds).unwrap_or(&1.0);
+        }
+        averaged
     }
 
     /// The step of an end outwards, in half-lengths: the sign of the intensity q says which way, and next to the end the pressure is unit (κφ + q/φ), as of an end

@@ -2,6 +2,7 @@
 use std::f64::consts::PI;
 
 use faer::Mat;
+use num_complex::Complex64;
 
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
@@ -15,6 +16,9 @@ use crate::numeric::quadrature::rule;
 /// Quadrature points on an interval, besides the points that each term takes.
 const POINTS: usize = 48;
 
+/// Powers below this are less than rounding of what the first terms do.
+const UNFELT: f64 = 1e-18;
+
 /// What columns do on a half-plane with λμ₀C = 1, and what they do to a gap with a slope of its own.
 pub(super) struct InSpace {
     /// Rows: tests as the terms are ordered, then the others; columns: terms, then ends.
@@ -23,8 +27,9 @@ pub(super) struct InSpace {
 }
 
 impl Columns<'_> {
-    /// What the columns do on a half-plane with λμ₀C = 1, and the tests of the profile of a punch, if one presses.
-    pub(super) fn in_space(&self, side: &Side) -> InSpace {
+    /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests, and the
+    /// tests of the profile of a punch, if one presses.
+    pub(super) fn in_space(&self, side: &Side, exponentials: &[[f64; 2]]) -> InSpace {
         let (terms, ends, others) = (self.terms(), self.ends(), self.others());
         let rows = terms + ends + others.len();
         let mut matrix = Mat::zeros(rows, terms + ends);
@@ -40,7 +45,7 @@ impl Columns<'_> {
             let all: Vec<(usize, usize)> =
                 (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
             let tests = Mat::from_fn(all.len(), points, |m, q| factor * (all[m].1 as f64 * angles[q]).cos());
-            let tested = &tests * self.slopes_at(&places, Some(number));
+            let tested = &tests * self.slopes_at(&places, Some(number), exponentials);
             for (m, (row, _)) in all.iter().enumerate() {
                 (0..terms + ends).for_each(|column| matrix[(*row, column)] = tested[(m, column)]);
             }
@@ -68,64 +73,75 @@ impl Columns<'_> {
             let nodes: Vec<(f64, f64)> = rule(POINTS + self.counts.iter().max().unwrap_or(&0)).on(0.0, PI).collect();
             let places: Vec<f64> = nodes.iter().map(|(theta, _)| middle + half * theta.cos()).collect();
             let tests = Mat::from_fn(1, nodes.len(), |_, q| factor * nodes[q].1 * nodes[q].0.sin());
-            let tested = &tests * self.slopes_at(&places, None);
+            let tested = &tests * self.slopes_at(&places, None, exponentials);
             (0..terms + ends).for_each(|column| matrix[(row, column)] = tested[(0, column)]);
             let height = |x: f64| side.height_under(self.intervals[number].punch, x);
             load[row] = factor / half * (height(to) - height(from));
         }
+        InSpace { matrix, load }
+    }
+
+    /// Subtracts from the columns and tests as they are what only the first ones of a group keep.
+    pub(super) fn subtract(&self, InSpace { matrix, load }: &mut InSpace) {
+        let (terms, ends) = (self.terms(), self.ends());
         let subtracted = self.subtracted();
         for Subtracted { into, from, part } in subtracted.iter().filter(|one| one.into < terms + ends) {
-            (0..rows).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);
+            (0..load.len()).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);
         }
         let tests = |one: &&Subtracted| !(terms..terms + ends).contains(&one.into);
         for Subtracted { into, from, part } in subtracted.iter().filter(tests) {
             (0..terms + ends).for_each(|column| matrix[(*into, column)] -= part * matrix[(*from, column)]);
             load[*into] -= part * load[*from];
         }
-        InSpace { matrix, load }
     }
 
-    /// [`Self::slopes`] at some places, one row for each.
-    fn slopes_at(&self, places: &[f64], within: Option<usize>) -> Mat<f64> {
+    /// [`Self::add_slopes`] at some places, one row for each: on a half-plane besides some exponentials.
+    fn slopes_at(&self, places: &[f64], within: Option<usize>, exponentials: &[[f64; 2]]) -> Mat<f64> {
         let columns = self.terms() + self.ends();
         let mut slopes = vec![0.0; columns];
         let mut all = Mat::zeros(places.len(), columns);
         for (row, x) in places.iter().enumerate() {
-            self.slopes(*x, within, &mut slopes);
+            slopes.fill(0.0);
+            for [b, c] in std::iter::once(&[0.0, 1.0]).chain(exponentials) {
+                self.add_slopes(Complex64::new(*x, *b), *c, within, &mut slopes);
+            }
             slopes.iter().enumerate().for_each(|(column, slope)| all[(row, column)] = *slope);
         }
         all
     }
 
-    /// The slopes that terms and singular pressures make at x on a half-plane with λμ₀C = 1, but for the pressures right there on interval
-    /// `within`.
-    fn slopes(&self, x: f64, within: Option<usize>, out: &mut [f64]) {
-        out.fill(0.0);
+    /// Adds `factor` times the slopes that terms and singular pressures make at x on a half-plane with λμ₀C = 1, or at x + ib if that is exp(−ζb), but for
+    /// the pressures right there on interval `within`.
+    fn add_slopes(&self, x: Complex64, factor: f64, within: Option<usize>, out: &mut [f64]) {
         let mut end = self.terms();
         for (number, interval) in self.intervals.iter().enumerate() {
-            let unit = interval.unit();
+            let unit = factor * interval.unit();
             let first = self.first(number);
-            let mut add = |x: f64, sign: f64| {
+            let mut add = |x: Complex64, sign: f64| {
                 let s = (x - interval.middle) / interval.half;
-                let root = (s * s - 1.0).max(f64::MIN_POSITIVE).sqrt() * s.signum();
-                // s − √(s² − 1) with the sign of s
-                let inside = (s + root).recip();
-                let square = inside * inside;
-                let (mut power, by) = if interval.is_even() { (inside, square) } else { (inside, inside) };
+                // s less √(s² − 1)
+                let root = root(s);
+                let inside = (s + root).inv();
+                let (mut power, by) = if interval.is_even() { (inside, inside * inside) } else { (inside, inside) };
                 for (m, out) in out[first..first + self.counts[number]].iter_mut().enumerate() {
-                    *out += sign * unit * power / interval.order(m) as f64;
+                    *out += sign * unit * power.re / interval.order(m) as f64;
                     power *= by;
+                    // far from an interval its higher terms are not felt
+                    if power.norm_sqr() < UNFELT * UNFELT {
+                        break;
+                    }
                 }
                 for (place, side) in interval.sides().iter().enumerate() {
-                    let at_end = if interval.is_even() { 1.0 } else { 0.5 * (1.0 + side * inside) };
-                    out[end + place] += sign * unit * at_end / root;
+                    let at_end = if interval.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside) };
+                    out[end + place] += sign * unit * (at_end / root).re;
                 }
             };
             if within != Some(number) {
                 add(x, 1.0);
             }
             if interval.parity == Parity::Pair {
-                add(-x, -1.0);
+                // the mirror image of the place, at the same depth
+                add(Complex64::new(-x.re, x.im), -1.0);
             }
             end += interval.sides().len();
         }
@@ -134,9 +150,22 @@ impl Columns<'_> {
     /// The slope at x outside the contact that pressures make on a half-plane with λμ₀C = 1.
     pub(super) fn slope(&self, x: f64, amplitudes: &[f64]) -> f64 {
         let mut slopes = vec![0.0; self.terms() + self.ends()];
-        self.slopes(x, None, &mut slopes);
+        self.add_slopes(x.into(), 1.0, None, &mut slopes);
         dot(&slopes, amplitudes)
     }
+}
+
+/// √(s² − 1) on the side of s, not quite 0 at s = ±1.
+fn root(s: Complex64) -> Complex64 {
+    let square = (s - 1.0) * (s + 1.0);
+    let larger = (0.5 * (square.norm_sqr().sqrt() + square.re.abs())).max(f64::MIN_POSITIVE).sqrt();
+    let smaller = 0.5 * square.im / larger;
+    let root = if square.re < 0.0 {
+        Complex64::new(smaller.abs(), larger.copysign(square.im))
+    } else {
+        Complex64::new(larger, smaller)
+    };
+    if root.re * s.re + root.im * s.im < 0.0 { -root } else { root }
 }
 
 /// ∫ f' cos kφ dφ of the slope f' of a punch over an interval, for the k of its terms, and first for k = 0 beside x = 0; none between layers.

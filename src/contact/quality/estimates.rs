@@ -28,7 +28,7 @@ pub(crate) const ENDLESS: f64 = 1.0;
 const LEAST_LENGTH: f64 = 1e-3;
 
 /// What the last terms of an alternating sum count if its partial sums are averaged six times, term by term.
-const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
+pub(crate) const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
 
 /// Half-lengths and pressures at one refinement level.
 pub(crate) struct Level {
