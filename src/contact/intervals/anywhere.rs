@@ -83,7 +83,7 @@ fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactE
 
 /// The answer, or a list that is nearer to it, if there is one.
 fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<Intervals>> {
-    match gaps::check(problem, level, level, COARSE) {
+    match gaps::check(problem, level, None, COARSE) {
         Ok(_) => refine(problem, level.clone(), work).ok_or(None),
         Err(Fault::Penetration { contact, punch, at, over }) => {
             Err(Some(with_interval(&level.support, (contact, punch), at, over)))
@@ -97,13 +97,13 @@ fn negative(level: &Approximation) -> Option<Intervals> {
     for (number, (interval, pressure)) in level.support.0.iter().zip(&level.pressures).enumerate() {
         let places = 2 * PER_MODE * pressure.terms.len();
         let phi = |k: usize| PI * k as f64 / places as f64;
-        let regular = pressure.regular(interval);
-        let all: Vec<f64> = (1..places).map(|k| regular.at(interval, phi(k))).collect();
+        let strip = pressure.regular(interval).strip(interval);
+        let all: Vec<f64> = (1..places).map(|k| strip.pressure(interval.place(phi(k)))).collect();
         let largest = all.iter().copied().fold(0.0, f64::max);
         let is_negative = |k: &usize| all[*k] < -COARSE * largest;
         let Some(first) = (0..all.len()).find(is_negative) else { continue };
         let last = (first..all.len()).take_while(|k| all[*k] < 0.0).last().unwrap_or(first);
-        let place = |k: usize| interval.middle + interval.half * phi(k + 1).cos();
+        let place = |k: usize| interval.place(phi(k + 1));
         let mut parts = level.support.0.clone();
         let ends = [[interval.from(), place(last)], [place(first), interval.to()]];
         let [left, right] = interval.corners;

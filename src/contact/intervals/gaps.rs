@@ -32,11 +32,11 @@ pub(super) enum Fault {
     Unknown,
 }
 
-/// Checks the Signorini conditions. `coarse` has fewer terms, and tells how far gaps are known.
+/// Checks the Signorini conditions. `coarse` has fewer terms, if it is given, and tells how far gaps are known.
 pub(super) fn check(
     problem: &Problem,
     level: &Approximation,
-    coarse: &Approximation,
+    coarse: Option<&Approximation>,
     error: f64,
 ) -> Result<Signs, Fault> {
     let count = problem.contacts();
@@ -45,11 +45,11 @@ pub(super) fn check(
     let mut tensions = vec![0.0f64; count];
     let mut leasts = Vec::new();
     for (interval, pressure) in level.support.0.iter().zip(&level.pressures) {
-        let pressure = pressure.regular(interval);
+        let strip = pressure.regular(interval).strip(interval);
         let places = 2 * PER_MODE * pressure.terms.len();
         let (mut least, mut most) = (0.0f64, 0.0f64);
         for k in 1..places {
-            let pressure = pressure.at(interval, PI * k as f64 / places as f64);
+            let pressure = strip.pressure(interval.place(PI * k as f64 / places as f64));
             (least, most) = (least.min(pressure), most.max(pressure));
         }
         let contact = interval.contact;
@@ -81,9 +81,10 @@ pub(super) fn check(
     for contact in problem.unknown() {
         let places = |level: &Approximation| beside(problem, level.support.of(contact), contact, span);
         let gaps = gaps(problem, level, &layout, contact, &places(level));
-        let before = self::gaps(problem, coarse, &layout, contact, &places(coarse));
-        for ((gaps, before), (punch, _)) in gaps.iter().zip(&before).zip(places(level)) {
+        let before = coarse.map(|coarse| self::gaps(problem, coarse, &layout, contact, &places(coarse)));
+        for ((number, gaps), (punch, _)) in gaps.iter().enumerate().zip(places(level)) {
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+            let before = before.iter().flat_map(|before| &before[number]);
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
             let penetrates = |gap: f64| gap < -(zero * widest + SAFETY * known);
             let least = gaps.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();

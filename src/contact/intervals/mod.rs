@@ -13,8 +13,6 @@ mod support;
 mod tests;
 mod waves;
 
-use std::f64::consts::PI;
-
 use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
 use crate::contact::integrals::layout::{Layout, Lengths};
@@ -120,7 +118,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         );
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
-    let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, &coarse, errors.worst()).ok()?;
+    let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, Some(&coarse), errors.worst()).ok()?;
     // pressures in tension are wrong by that
     for (interval, error) in level.support.0.iter().zip(&mut errors.pressures) {
         *error = error.max(SAFETY * tensions[interval.contact]);
@@ -267,7 +265,7 @@ impl Approximation {
     /// The pressures in the middle of all intervals, per unit of P'.
     fn middle_pressures(&self) -> Vec<f64> {
         let all = self.support.0.iter().enumerate();
-        all.map(|(number, interval)| self.smooth(number).at(interval, 0.5 * PI)).collect()
+        all.map(|(number, interval)| self.smooth(number).strip(interval).pressure(interval.middle)).collect()
     }
 
     /// The pressure of an interval as it is given to the user.
@@ -292,21 +290,8 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
-            let (interval, pressure) = (&level.support.0[number], level.smooth(number));
-            let terms = pressure.terms.iter().enumerate();
-            let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
-            let singular = match pressure.regular(interval).singular[..] {
-                [q] => [q, q],
-                [left, right] => [left, right],
-                _ => [0.0; 2],
-            };
-            let corners = singular.map(|q| interval.unit() * q);
-            if interval.is_even() {
-                return Strip { corners, ..Strip::series(interval.half, all) };
-            }
-            let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
-            let series = Strip::series(interval.half, every_other(0));
-            Strip { at: interval.middle, skew: every_other(1), corners, ..series }
+            let interval = &level.support.0[number];
+            level.smooth(number).regular(interval).strip(interval)
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
         let size = largest(numbers.clone().map(|number| pressures[number].abs()));

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::quality::estimates::AVERAGED;
+use crate::solution::Strip;
 
 /// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
 const TENSION: f64 = 0.13;
@@ -19,20 +20,22 @@ pub(super) struct Pressure {
 }
 
 impl Pressure {
-    /// At x = middle + half cos φ.
-    pub(super) fn at(&self, interval: &ContactInterval, phi: f64) -> f64 {
-        let regular = |(m, y): (usize, &f64)| {
-            let order = interval.order(m) as f64;
-            y / order * (order * phi).sin()
+    /// The same as a pressure of a solution, per unit of P', without the mirror image.
+    pub(super) fn strip(&self, interval: &ContactInterval) -> Strip {
+        let terms = self.terms.iter().enumerate();
+        let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
+        let singular = match self.singular[..] {
+            [q] => [q, q],
+            [left, right] => [left, right],
+            _ => [0.0; 2],
         };
-        let (sin, cos) = phi.sin_cos();
-        let at_ends = match self.singular[..] {
-            [q] => q,
-            [left, right] => 0.5 * (left * (1.0 - cos) + right * (1.0 + cos)),
-            _ => 0.0,
-        };
-        let singular = if at_ends == 0.0 { 0.0 } else { at_ends / sin };
-        interval.unit() * (self.terms.iter().enumerate().map(regular).sum::<f64>() + singular)
+        let corners = singular.map(|q| interval.unit() * q);
+        if interval.is_even() {
+            return Strip { corners, ..Strip::series(interval.half, all) };
+        }
+        let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
+        let series = Strip::series(interval.half, every_other(0));
+        Strip { at: interval.middle, skew: every_other(1), corners, ..series }
     }
 
     /// The resultant on the interval and its mirror image.
@@ -88,7 +91,8 @@ impl Pressure {
         let angle = |k: f64| PI * (k + 0.5) / places as f64;
         let phi = |k: f64| if side > 0.0 { angle(k) } else { PI - angle(k) };
         let last = if interval.is_even() { places / 2 } else { places - 1 };
-        let all: Vec<f64> = (0..=last).map(|k| self.at(interval, phi(k as f64))).collect();
+        let strip = self.strip(interval);
+        let all: Vec<f64> = (0..=last).map(|k| strip.pressure(interval.place(phi(k as f64)))).collect();
         let largest = (0..=last).max_by(|a, b| all[*a].total_cmp(&all[*b]))?;
         let zero = all[..largest].iter().rposition(|p| *p < 0.0)?;
         let part = all[zero] / (all[zero] - all[zero + 1]);

@@ -1,5 +1,5 @@
 //! What columns do on a half-plane, and what punches do to their tests.
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use faer::Mat;
 use num_complex::Complex64;
@@ -36,18 +36,22 @@ impl Columns<'_> {
         let mut load = vec![0.0; rows];
         for (number, interval) in self.intervals.iter().enumerate() {
             let (row, count) = (self.first(number), self.counts[number]);
-            let points = POINTS + PER_MODE * interval.order(count - 1);
-            let angles: Vec<f64> = (0..points).map(|q| PI * (q as f64 + 0.5) / points as f64).collect();
-            let places: Vec<f64> = angles.iter().map(|theta| interval.middle + interval.half * theta.cos()).collect();
-            let factor = 2.0 / (interval.half * points as f64);
             let mean = self.place(Other::Mean(number));
             // the test with k = 0 last
             let all: Vec<(usize, usize)> =
                 (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
-            let tests = Mat::from_fn(all.len(), points, |m, q| factor * (all[m].1 as f64 * angles[q]).cos());
-            let tested = &tests * self.slopes_at(&places, Some(number), exponentials);
-            for (m, (row, _)) in all.iter().enumerate() {
-                (0..terms + ends).for_each(|column| matrix[(*row, column)] = tested[(m, column)]);
+            if self.intervals.len() > 1 || interval.parity == Parity::Pair {
+                let points = POINTS + PER_MODE * interval.order(count - 1);
+                // cos nπ/2 points
+                let cosines: Vec<f64> = (0..4 * points).map(|n| (FRAC_PI_2 * n as f64 / points as f64).cos()).collect();
+                let at = |q: usize, k: usize| cosines[k * (2 * q + 1) % cosines.len()];
+                let places: Vec<f64> = (0..points).map(|q| interval.middle + interval.half * at(q, 1)).collect();
+                let factor = 2.0 / (interval.half * points as f64);
+                let tests = Mat::from_fn(all.len(), points, |m, q| factor * at(q, all[m].1));
+                let tested = &tests * self.slopes_at(&places, Some(number), exponentials);
+                for (m, (row, _)) in all.iter().enumerate() {
+                    (0..terms + ends).for_each(|column| matrix[(*row, column)] = tested[(m, column)]);
+                }
             }
             let factor = 2.0 / (PI * interval.half);
             let mut tests = self::tests(side, interval, count).into_iter().map(|test| factor * test);

@@ -71,6 +71,11 @@ impl ContactInterval {
         self.middle + self.half
     }
 
+    /// x = middle + half cos φ.
+    pub(super) fn place(&self, phi: f64) -> f64 {
+        self.middle + self.half * phi.cos()
+    }
+
     /// Itself, and its mirror image if that is another interval.
     pub(super) fn images(&self) -> f64 {
         if self.parity == Parity::Pair { 2.0 } else { 1.0 }

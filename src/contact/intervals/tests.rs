@@ -97,10 +97,11 @@ fn columns_are_transforms_of_pressures() {
         let transform = |zeta: f64, wave: fn(f64) -> f64| -> f64 {
             let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
                 let points = 400;
+                let strip = pressure.strip(interval);
                 let term = |k: usize| {
                     let phi = PI * (f64::from(k as u32) + 0.5) / points as f64;
-                    let x = interval.middle + interval.half * phi.cos();
-                    pressure.at(interval, phi) * interval.half * phi.sin() * wave(zeta * x)
+                    let x = interval.place(phi);
+                    strip.pressure(x) * interval.half * phi.sin() * wave(zeta * x)
                 };
                 interval.images() * (0..points).map(term).sum::<f64>() * PI / points as f64
             };
