@@ -15,12 +15,14 @@ use crate::field::{FLAT, Field, FieldError, MeanWindow};
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
 use crate::numeric::quadrature;
-use crate::scene::{Punch, Top};
+use crate::scene::{Pressed, Punch, Punches, Top};
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 
 /// Gauss points for the mean of a piece of a profile.
 const NODES: usize = 48;
+/// Displacements are looked at so far from the middle of a contact under one of several punches, in half-lengths.
+const PLACE: f64 = 0.3;
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
 /// Relative error of a sum over wavenumbers.
@@ -79,8 +81,10 @@ pub enum ApproachError {
     /// There is no punch.
     #[error("a prescribed traction has no approach")]
     Load,
-    /// There are several punches, or one away from x = 0 or turned.
-    #[error("the approach is computed for one punch that is symmetric about x = 0 only")]
+    /// There are several punches, each with an approach of its own, or one that is not symmetric about x = 0.
+    #[error(
+        "the approach is prescribed or asked for of one punch that is symmetric about x = 0; several have one each"
+    )]
     Punches,
     /// The displacement of the top face cannot be computed.
     #[error(transparent)]
@@ -98,18 +102,62 @@ impl ApproachError {
     }
 }
 
-/// The punch, if an approach is defined for it on a stack.
-pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, ApproachError> {
-    let missing = if top.loads().is_some() { ApproachError::Load } else { ApproachError::Punches };
-    let punch = top.punch().filter(|punch| punch.is_even()).ok_or(missing)?;
+/// The punches, if approaches are defined on a stack.
+fn punches<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punches, ApproachError> {
+    let punches = top.punches().ok_or(ApproachError::Load)?;
     // displacements vanish far from a force that does not act on a whole line
     if stack.geometry().is_axisymmetric() {
-        return Ok(punch);
+        return Ok(punches);
     }
     if stack.base().foundation().half_plane().is_some() {
         return Err(ApproachError::HalfPlane);
     }
-    if punch.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(punch) }
+    if top.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(punches) }
+}
+
+/// The punch about x = 0, if there is no other one, and an approach is defined for it on a stack.
+pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, ApproachError> {
+    punches(top, stack)?.alone().filter(|punch| punch.is_even()).ok_or(ApproachError::Punches)
+}
+
+/// The approach of each punch, from left to right; one entry that says why where there are none.
+pub(crate) fn of_each(
+    top: &Top,
+    stack: &Stack,
+    kernel: &Kernel,
+    solution: &Solution,
+) -> Vec<Result<Approach, ApproachError>> {
+    let one = approach(top, stack, kernel, solution);
+    let contacts = solution.contacts().first().map(Contact::of_each_punch).unwrap_or_default();
+    match punches(top, stack) {
+        Ok(punches) if one == Err(ApproachError::Punches) => {
+            let field = Field::new(stack, solution);
+            let relative = ROUNDING + relative_error(solution, true);
+            let of = |(k, ((pressed, _), contact)): (usize, ((&Pressed, f64), &Contact))| {
+                let tilt = solution.punches().get(k).map_or(0.0, |carried| carried.tilt);
+                let [value, error] = tip(pressed, tilt, contact, &field)?;
+                let error = SAFETY * (error + relative * value.abs());
+                Ok(Approach { value, error, stiffness: Stiffness::NotComputed })
+            };
+            punches.parts().zip(&contacts).enumerate().map(of).collect()
+        }
+        _ => vec![one],
+    }
+}
+
+/// How far the tip of a punch has moved down since the punch, not turned, touched the top face with its lowest point, from two places at which it touches
+/// the face, and by how much these differ.
+fn tip(pressed: &Pressed, tilt: f64, contact: &Contact, field: &Field) -> Result<[f64; 2], FieldError> {
+    let shape = pressed.shape().shape();
+    let widest = contact.intervals().iter().max_by(|a, b| a.force.total_cmp(&b.force)).copied().unwrap_or_default();
+    let sunk = |part: f64| {
+        let x = 0.5 * ((1.0 - part) * widest.left + (1.0 + part) * widest.right);
+        let from_tip = x - pressed.at();
+        let height = pressed.shape().profile(from_tip) - shape.lowest() + tilt * from_tip;
+        Ok::<_, FieldError>(height - field.at(x, 0.0)?.v)
+    };
+    let [left, right] = [sunk(-PLACE)?, sunk(PLACE)?];
+    Ok([0.5 * (left + right), (left - right).abs()])
 }
 
 /// The approach alone, with its error.

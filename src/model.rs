@@ -219,6 +219,29 @@ impl Model {
         self.check_owns(solution)?;
         approach::approach(&top.into(), &self.stack, &self.kernel, solution)
     }
+
+    /// The approach of each punch, from left to right, also of punches that are several, turned or not at x = 0: how far its tip has moved down since the
+    /// punch, not turned, touched the top face with its lowest point. The stiffness is computed for one punch that is symmetric about x = 0 only.
+    /// Where there is none for all punches, one entry says why.
+    ///
+    /// ```
+    /// use recede::{Model, Scene};
+    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, punches: [
+    ///     (shape: Parabola(radius: 100), at: -1, force: 0.001), (shape: Parabola(radius: 100), at: 1, force: 0.001)],
+    ///     stack: [Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Bonded, Rigid])")?;
+    /// let model = Model::new(scene.stack()?)?;
+    /// let solution = model.press(&scene.top, scene.force)?;
+    /// let [left, right] = &model.approaches(&scene.top, &solution)[..] else { unreachable!() };
+    /// let [left, right] = [left.clone()?.value, right.clone()?.value];
+    /// assert!(left > 0.0 && (left / right - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn approaches(&self, top: impl Into<Top>, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
+        match self.check_owns(solution) {
+            Ok(()) => approach::of_each(&top.into(), &self.stack, &self.kernel, solution),
+            Err(error) => vec![Err(error.into())],
+        }
+    }
 }
 
 /// The half-length of the contact under a punch, or the end of its innermost interval.

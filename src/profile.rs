@@ -30,7 +30,7 @@ pub struct ContactProfile {
     pub interface: Interface,
     /// The pressure (compression positive), in stress; infinite at a sharp corner, or under the tip of a wedge.
     pub pressure: Vec<f64>,
-    /// How far the bodies are apart, in length: 0 where they touch; infinite beyond the edge of a punch. None under a given pressure, and under several punches.
+    /// How far the bodies are apart, in length: 0 where they touch; infinite beyond the edge of a punch, to the nearest of several punches. None under a given pressure.
     pub gap: Option<Vec<f64>>,
 }
 
@@ -83,19 +83,30 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
 /// The profile of a solution at places along x.
 pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
     let field = Field::new(stack, solution);
-    // two places more in each contact, between which its gap is none: bodies may have turned against each other
+    // two places more in each contact, under each punch, between which its gap is none: bodies may have turned against each other
+    let each: Vec<Vec<Contact>> = solution.contacts().iter().map(Contact::of_each_punch).collect();
     let mut places = x.to_vec();
-    places.extend(solution.contacts().iter().flat_map(Contact::touching));
+    places.extend(each.iter().flatten().flat_map(Contact::touching));
     let mut faces: Vec<FaceProfile> =
         field.faces(&places)?.into_iter().map(|(layer, side, points)| FaceProfile { layer, side, points }).collect();
-    let contacts = solution.contacts().iter().enumerate().map(|(i, contact)| {
-        let gap = heights(top, &field, &faces, contact.interface, &places).map(|apart| {
-            let [(from, first), (to, last)] = [0, 1].map(|k| x.len() + 2 * i + k).map(|k| (places[k], apart[k]));
-            let turn = if from < to { (last - first) / (to - from) } else { 0.0 };
-            let touches = |x: f64| contact.intervals().iter().any(|one| one.left <= x && x <= one.right);
-            let gap = |(x, apart): (&f64, &f64)| if touches(*x) { 0.0 } else { apart - (first + turn * (x - from)) };
-            x.iter().zip(&apart).map(gap).collect()
-        });
+    let mut touching = x.len();
+    let contacts = solution.contacts().iter().zip(&each).map(|(contact, each)| {
+        let first = touching;
+        touching += 2 * each.len();
+        let is_known =
+            contact.interface != Interface::Punch || top.punches().is_some_and(|all| all.parts().count() == each.len());
+        let gap_of = |(k, body): (usize, &Contact)| -> Option<Vec<f64>> {
+            let apart = heights(top, &field, &faces, contact.interface, k, &places)?;
+            let [(from, begin), (to, end)] = [0, 1].map(|side| first + 2 * k + side).map(|q| (places[q], apart[q]));
+            let turn = if from < to { (end - begin) / (to - from) } else { 0.0 };
+            let touches = |x: f64| body.intervals().iter().any(|one| one.left <= x && x <= one.right);
+            let gap = |(x, apart): (&f64, &f64)| if touches(*x) { 0.0 } else { apart - (begin + turn * (x - from)) };
+            Some(x.iter().zip(&apart).map(gap).collect())
+        };
+        // to the nearest of several punches
+        let gaps = each.iter().enumerate().filter(|_| is_known).map(gap_of).collect::<Option<Vec<_>>>();
+        let nearest = |one: Vec<f64>, other: Vec<f64>| one.iter().zip(&other).map(|(a, b)| a.min(*b)).collect();
+        let gap = gaps.and_then(|gaps| gaps.into_iter().reduce(nearest));
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
         ContactProfile { interface: contact.interface, pressure, gap }
     });
@@ -104,17 +115,22 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
 }
 
-/// How much higher the upper body of a contact is than the lower one at places along x; `None` under a given pressure, and under several punches.
-fn heights(top: &Top, field: &Field, faces: &[FaceProfile], interface: Interface, x: &[f64]) -> Option<Vec<f64>> {
+/// How much higher the upper body of a contact, under it a punch of this number from the left, is than the lower one at places along x; `None` under a
+/// given pressure.
+fn heights(
+    top: &Top,
+    field: &Field,
+    faces: &[FaceProfile],
+    interface: Interface,
+    number: usize,
+    x: &[f64],
+) -> Option<Vec<f64>> {
     let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
     let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
     Some(match interface {
         Interface::Punch => {
-            let mut parts = top.punches()?.parts();
-            let (pressed, punch) = parts.next().map(|(pressed, _)| (pressed, pressed.shape()))?;
-            if parts.next().is_some() {
-                return None;
-            }
+            let (pressed, _) = top.punches()?.parts().nth(number)?;
+            let punch = pressed.shape();
             let flattened = punch.material().map(|material| field.flattening(0, &material, x));
             // nothing is above the stack beyond the edge of a punch, but for rounding where a contact ends at a corner
             let [left, right] = punch.shape().ends();

@@ -45,6 +45,7 @@ mod loads;
 mod many_loads;
 mod merge;
 mod moved_loads;
+mod neighbours;
 #[cfg(unix)]
 mod outputs;
 mod paper;

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Fields
 from ._items import Item, Load, Punch, Tilt
-from ._solutions import Contacts, Interval, Solutions
+from ._solutions import Carried, Contacts, Interval, Solutions
 from ._table import Columns
 from ._text import Stack
 from ._values import PlacedLoad, Pressed, Units
@@ -259,6 +259,14 @@ class Solution:
     @property
     def stiffness_error(self) -> float | None:
         """Estimate of its absolute error."""
+
+    @property
+    def carried(self) -> list[Carried]:
+        """What each punch carries, from left to right; none for loads, and for one punch at x = 0 that is not turned."""
+
+    @property
+    def rotations(self) -> list[float]:
+        """The angles by which the layers above each receding interface are turned: the means of their slopes far to the left and far to the right."""
 
     @property
     def min_pressure(self) -> float:

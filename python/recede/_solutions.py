@@ -23,6 +23,18 @@ class Interval(NamedTuple):
     centroid: float
 
 
+class Carried(NamedTuple):
+    """What one of several punches, or one that is turned or not at x = 0, carries: force and moment about its tip per unit length out of the plane, the
+    angle by which it is turned, and how far its tip has moved down, None where that is not defined.
+    """
+
+    force: float
+    tilt: float
+    moment: float
+    approach: float | None
+    approach_error: float | None
+
+
 class Contacts(tuple[Contact, ...]):
     """Contacts from the top down, by number from 0, or by name: `contacts["punch"]`, `contacts["2|3"]`."""
 

@@ -28,17 +28,18 @@ impl Solution {
         py.import("recede._errors")?.call_method1("warn", (all,)).map(drop)
     }
 
-    fn approach_of(&self, py: Python<'_>) -> Result<Approach, ApproachError> {
-        let Solved { solver, scene, solution, approach, .. } = &*self.0;
-        py.detach(|| approach.get_or_init(|| solver.model.approach(&scene.top, solution)).clone())
+    /// The approach of each punch, computed once.
+    fn approaches(&self, py: Python<'_>) -> &[Result<Approach, ApproachError>] {
+        let Solved { solver, scene, solution, approaches, .. } = &*self.0;
+        py.detach(|| approaches.get_or_init(|| solver.model.approaches(&scene.top, solution)))
     }
 
     /// A number of the approach, if there is one.
     fn approach_number(&self, py: Python<'_>, of: impl Fn(&Approach) -> Option<f64>) -> PyResult<Option<f64>> {
-        match self.approach_of(py) {
-            Ok(approach) => Ok(of(&approach)),
-            Err(ApproachError::Field(error)) => Err(raised(py, error)),
-            Err(_) => Ok(None),
+        match self.approaches(py) {
+            [Ok(approach)] => Ok(of(approach)),
+            [Err(ApproachError::Field(error))] => Err(raised(py, error.clone())),
+            _ => Ok(None),
         }
     }
 
@@ -49,7 +50,6 @@ impl Solution {
 
     fn written(&self, py: Python<'_>, format: Format, max_shear: bool, extremes: bool) -> PyResult<String> {
         let Solved { solver, scene, solution, seconds, .. } = &*self.0;
-        let approach = self.approach_of(py);
         let failed = |error: FieldError| solver.failed(py, &error.into());
         let field = || solver.model.field(solution);
         let max_shear = max_shear.then(|| py.detach(|| field()?.max_shear())).transpose().map_err(failed)?;
@@ -57,7 +57,7 @@ impl Solution {
         let report = Report {
             scene,
             solution,
-            approach: Some(&approach),
+            approaches: self.approaches(py),
             max_shear,
             extremes: extremes.as_ref(),
             collocated: None,
@@ -124,6 +124,25 @@ impl Solution {
     #[getter]
     fn stiffness_error(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         self.approach_number(py, |approach| approach.stiffness.error())
+    }
+
+    /// What each punch carries, from left to right; none for loads, and for one punch at x = 0 that is not turned.
+    #[getter]
+    fn carried<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (module, all) = (py.import("recede._solutions")?, self.0.solution.punches());
+        let approaches = if all.is_empty() { &[] } else { self.approaches(py) };
+        let of = |(k, carried): (usize, &recede::Carried)| {
+            let found = approaches.get(k).and_then(|found| found.as_ref().ok());
+            let [approach, error] = [found.map(|found| found.value), found.map(|found| found.error)];
+            module.call_method1("Carried", (carried.force, carried.tilt, carried.moment, approach, error))
+        };
+        all.iter().enumerate().map(of).collect()
+    }
+
+    /// The angles by which the layers above each receding interface are turned: the means of their slopes far to the left and far to the right.
+    #[getter]
+    fn rotations(&self) -> Vec<f64> {
+        self.0.solution.rotations().to_vec()
     }
 
     /// Smallest pressure found inside the contacts, in stress.

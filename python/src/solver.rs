@@ -56,10 +56,10 @@ impl Solver {
         let options = Options { tolerance };
         let begun = Instant::now();
         let solution = py.detach(|| self.model.press_with(top, force, &options))?;
-        let (seconds, approach) = (begun.elapsed().as_secs_f64(), OnceLock::new());
+        let (seconds, approaches) = (begun.elapsed().as_secs_f64(), OnceLock::new());
         let mut scene = self.scene.clone();
         (scene.top, scene.force) = (top.clone(), force);
-        Ok(Arc::new(Solved { solver: Arc::clone(self), scene, solution, tolerance, seconds, approach }))
+        Ok(Arc::new(Solved { solver: Arc::clone(self), scene, solution, tolerance, seconds, approaches }))
     }
 
     /// The same for the punch and the force of the scene, whose text has a place for an error.
@@ -81,7 +81,7 @@ pub struct Solved {
     pub solution: recede::Solution,
     pub tolerance: f64,
     pub seconds: f64,
-    pub approach: OnceLock<Result<Approach, ApproachError>>,
+    pub approaches: OnceLock<Vec<Result<Approach, ApproachError>>>,
 }
 
 impl Solved {

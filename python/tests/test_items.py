@@ -345,7 +345,12 @@ def test_several_punches_have_places_forces_and_tilts():
         assert scene.punches == pressed and scene.punch is scene.loads is scene.force is None
         assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
         # the force on the block acts to the right of its middle
-        assert scene.solve().contacts[0].intervals[1].centroid == pytest.approx(3.1, rel=1e-12)
+        solution = scene.solve()
+        assert solution.contacts[0].intervals[1].centroid == pytest.approx(3.1, rel=1e-12)
+        wheel, turned = solution.carried
+        assert wheel.tilt == 0.0 and turned.tilt != 0.0 and turned.moment == pytest.approx(0.1 * 0.001, rel=1e-10)
+        # over a half-plane no approach is defined, and nothing is loose
+        assert wheel.approach is turned.approach_error is None and solution.rotations == []
     with pytest.raises(recede.InputError, match="a punch with a sharp tip"):
         Scene(stack, punches=[*pressed[:1], (recede.Wedge(slope=0.1), 3.0, 0.001)]).solve()
     (turned,) = Scene(stack, punches=[(block, 0.0, 0.001, fixed)]).punches

@@ -70,7 +70,8 @@ impl SolveArguments {
         let (model, solution) = solved(&scene, &options)?;
         let seconds = start.elapsed().as_secs_f64();
         // of the scene as a whole, and CSV has a line for each contact
-        let approach = (format != Format::Csv).then(|| model.approach(&scene.top, &solution));
+        let is_told = format != Format::Csv;
+        let approaches = if is_told { model.approaches(&scene.top, &solution) } else { Vec::new() };
         let what = "the contacts are solved, the largest shear stress was not found:";
         let is_wanted = self.searches(format);
         let max_shear = is_wanted.then(|| searched(what, &model, &solution, Field::max_shear)).flatten();
@@ -90,7 +91,7 @@ impl SolveArguments {
         let report = Report {
             scene: &scene,
             solution: &solution,
-            approach: approach.as_ref(),
+            approaches: &approaches,
             // infinite under a line load, and next to sharp corners
             max_shear: max_shear.filter(|found| found.value.is_finite()),
             extremes: extremes.as_ref(),

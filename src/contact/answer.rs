@@ -26,8 +26,8 @@ pub(crate) struct Answer {
     /// Smallest pressure inside and smallest gap outside the contacts, the latter per unit of P'.
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
-    /// The angles of punches, per unit of P', if they are not one that is even and not turned.
-    pub(crate) tilts: Vec<f64>,
+    /// By how much the slope of the gap of each contact grows since bodies turn, per unit of P', under each punch; none where all is even.
+    pub(crate) rotations: Vec<Vec<f64>>,
     /// What it took.
     pub(crate) stats: Stats,
     pub(crate) warnings: Vec<Warning>,
@@ -37,7 +37,8 @@ impl Answer {
     /// Where all pressures are given.
     pub(crate) fn known(problem: &Problem) -> Self {
         let stats = Stats { modes: vec![1; problem.contacts()], ..problem.kernel.stats() };
-        Self { contacts: Vec::new(), min_pressure: 0.0, min_gap: 0.0, tilts: Vec::new(), stats, warnings: Vec::new() }
+        let (contacts, rotations, warnings) = (Vec::new(), Vec::new(), Vec::new());
+        Self { contacts, min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings }
     }
 
     /// The solution in the units of the scene, under a force in these units, for a stack.
@@ -49,28 +50,32 @@ impl Answer {
             None => found.next().map(|found| found.into_contact(*interface, problem.origin * length, length, unit)),
         };
         let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();
+        // what lies above a contact turns with all that turns below
+        let below = |contact: usize| self.rotations.iter().skip(contact).flatten().sum::<f64>();
         let punches = match problem.sides.first() {
             Some(Side::Punches(all)) => {
                 let on = contacts[0].of_each_punch();
-                let of = |((punch, contact), tilt): ((&Placed, &Contact), &f64)| {
+                let of = |((punch, contact), rotation): ((&Placed, &Contact), &f64)| {
                     let at = (problem.origin + punch.at()) * length;
                     let moment = |interval: &Interval| interval.force * (interval.centroid - at);
                     Carried {
                         force: contact.resultant,
-                        tilt: tilt * problem.force,
+                        tilt: punch.angle().unwrap_or(rotation + below(1)) * problem.force,
                         moment: contact.intervals.iter().map(moment).sum(),
                     }
                 };
-                all.iter().zip(&on).zip(&self.tilts).map(of).collect()
+                all.iter().zip(&on).zip(self.rotations.iter().flatten()).map(of).collect()
             }
             Some(Side::Profile(_)) if problem.origin != 0.0 => vec![Carried { force, tilt: 0.0, moment: 0.0 }],
             _ => Vec::new(),
         };
+        let rotations = (1..contacts.len()).map(|contact| below(contact) * problem.force).collect();
         let mut warnings = self.warnings;
         warnings.extend(validity::warnings(problem.top, problem.kernel, &contacts));
         Solution {
             contacts,
             punches,
+            rotations,
             stack: stack.cloned(),
             force,
             force_error: 0.0,

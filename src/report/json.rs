@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use super::{Report, extremes};
 use crate::approach::{Approach, ApproachError, Stiffness};
 use crate::scene::{Dimension, visible_json};
-use crate::solution::{Contact, Warning};
+use crate::solution::{Carried, Contact, Warning};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, .. } = report;
@@ -16,15 +16,26 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         json!({"length": length, "force": force, "stress": stress})
     });
     let contacts: Vec<Value> = report.contacts().iter().map(|(name, own)| contact(name, own)).collect();
-    // the approach of each punch is not computed yet
-    let punches: Vec<Value> =
-        solution.punches().iter().map(|carried| joined([json!({"approach": null}), json!(carried)])).collect();
+    let of_each = |k: usize| report.approaches.get(k).and_then(|found| found.as_ref().ok());
+    let punch = |(k, carried): (usize, &Carried)| {
+        let approach = json!({
+            "approach": of_each(k).map(|found| found.value),
+            "approach_error": of_each(k).map(|found| found.error),
+        });
+        joined([approach, json!(carried)])
+    };
+    let punches: Vec<Value> = solution.punches().iter().enumerate().map(punch).collect();
     let warning = |warning: &Warning| json!({"code": warning.code.as_str(), "message": warning.message});
     let parts = [
         Some(json!({"scene": scene.title(), "units": units, "contacts": contacts})),
         (!punches.is_empty()).then(|| json!({"punches": punches})),
+        (!solution.is_even()).then(|| json!({"rotations": solution.rotations()})),
         Some(json!({"force": solution.force(), "force_error": solution.force_error()})),
-        report.approach.map(approach),
+        match report.approaches {
+            [] => None,
+            [one] => Some(approach(one)),
+            _ => Some(approach(&Err(ApproachError::Punches))),
+        },
         Some(json!({"min_pressure": solution.min_pressure(), "min_gap": solution.min_gap()})),
         report.collocated.map(|checked| json!({"collocation": checked})),
         report.max_shear.map(|max| json!({"max_shear": max})),

@@ -49,7 +49,7 @@ pub enum Format {
 /// use recede::{Scene, report::{Format, Report}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
-/// let report = Report { scene: &scene, solution: &solution, approach: None, max_shear: None, extremes: None,
+/// let report = Report { scene: &scene, solution: &solution, approaches: &[], max_shear: None, extremes: None,
 ///     collocated: None, digits: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -60,8 +60,8 @@ pub struct Report<'a> {
     pub scene: &'a Scene,
     /// Its solution.
     pub solution: &'a Solution,
-    /// The approach of the punch and the stiffness, if they were requested: see [`crate::Model::approach`].
-    pub approach: Option<&'a Result<Approach, ApproachError>>,
+    /// The approach of each punch and the stiffness, none if they were not requested: see [`crate::Model::approaches`].
+    pub approaches: &'a [Result<Approach, ApproachError>],
     /// The largest shear stress, if it was requested: see [`crate::Field::max_shear`].
     pub max_shear: Option<MaxShear>,
     /// Stresses by which layers and bonds break, if they were requested: see [`crate::Field::extremes`].

@@ -11,10 +11,10 @@ use crate::collocation::Collocated;
 use crate::field::MaxShear;
 use crate::geometry::Words;
 use crate::scene::{Dimension, visible};
-use crate::solution::{Interval, Stats};
+use crate::solution::{Carried, Interval, Stats};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
-    let Report { scene, solution, approach, max_shear, digits, seconds, .. } = report;
+    let Report { scene, solution, approaches, max_shear, digits, seconds, .. } = report;
     let units = [Dimension::LENGTH, Dimension::STRESS, scene.force_dimension()].map(|of| report.unit(of));
     let [length, stress, line_load] = units.each_ref().map(|unit| &unit[..]);
 
@@ -32,10 +32,24 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         let [residual, off] = [residual.abs(), *pressure_difference].map(|number| format!("{number:.0e}"));
         writeln!(out, "{interface} by collocation with {nodes} nodes: residual {residual}, pressures differ by {off}")?;
     }
-    if let Some(Ok(approach)) = approach {
-        let of_stiffness =
-            if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
-        sunk(approach, digits, [length, &report.unit(of_stiffness)], out)?;
+    let of_stiffness = if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
+    let approach = |k: usize| approaches.get(k).and_then(|found| found.as_ref().ok());
+    match (solution.punches(), approach(0)) {
+        ([], Some(approach)) => sunk(approach, digits, [length, &report.unit(of_stiffness)], out)?,
+        (punches, _) => {
+            for (k, Carried { tilt, moment, .. }) in punches.iter().enumerate() {
+                let name = if punches.len() == 1 { "punch".to_owned() } else { format!("punch {}", k + 1) };
+                let sunk = approach(k).map_or_else(String::new, |approach| {
+                    format!("approach {}{length}, ", digits.with_error(approach.value, approach.error))
+                });
+                let [tilt, moment] = [tilt, moment].map(|number| to_digits(*number, 6));
+                writeln!(
+                    out,
+                    "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{}",
+                    report.unit(Dimension::FORCE)
+                )?;
+            }
+        }
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (to_digits(*value, 5), to_digits(*x, 4), to_digits(*depth, 4));

@@ -38,20 +38,22 @@ fn step<T>(name: &str, result: Result<T, impl Display>) -> Result<T, String> {
 
 /// Writes the solution in every format; numbers are numbers there.
 fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> Result<(), String> {
-    let approach = model.approach(&scene.top, solution);
-    match &approach {
-        Err(ApproachError::Field(error)) => return Err(format!("approach: {error}")),
-        Ok(found) if !found.value.is_finite() || found.value + found.error <= 0.0 => {
-            return Err(format!("the approach is {} ± {}", found.value, found.error));
+    let approaches = model.approaches(&scene.top, solution);
+    for approach in &approaches {
+        match approach {
+            Err(ApproachError::Field(error)) => return Err(format!("approach: {error}")),
+            Ok(found) if !found.value.is_finite() || found.value + found.error <= 0.0 => {
+                return Err(format!("the approach is {} ± {}", found.value, found.error));
+            }
+            _ => {}
         }
-        _ => {}
     }
     let max_shear = step("largest shear stress", field.max_shear())?;
     let extremes = step("extremes", field.extremes())?;
     let report = Report {
         scene,
         solution,
-        approach: Some(&approach),
+        approaches: &approaches,
         // it is infinite under a line load, at corners, and under some tips
         max_shear: Some(max_shear).filter(|found| found.value.is_finite()),
         extremes: Some(&extremes),

@@ -158,6 +158,8 @@ pub struct Solution {
     pub(crate) force_error: f64,
     /// What each punch carries, if they are not one at x = 0 that is not turned.
     pub(crate) punches: Vec<Carried>,
+    /// By how much the bodies above each contact but the first are turned.
+    pub(crate) rotations: Vec<f64>,
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
     pub(crate) stats: Stats,
@@ -191,6 +193,24 @@ impl Solution {
     /// ```
     pub fn punches(&self) -> &[Carried] {
         &self.punches
+    }
+
+    /// The angles, in radians, by which the layers above each receding interface are turned against the base: the means of their slopes far to the left
+    /// and far to the right of the contacts, > 0 if they rise to the right. All are 0 where all is even.
+    ///
+    /// ```
+    /// use recede::Scene;
+    /// let turned = |left: f64, right: f64| {
+    ///     let scene = format!("Scene(geometry: PlaneStrain, stack: [Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25),
+    ///         Receding, HalfPlane(shear_modulus: 1.0, poisson: 0.25)],
+    ///         loads: [(load: Line, at: -0.5, force: {left}), (load: Line, at: 0.5, force: {right})])");
+    ///     Ok::<_, recede::Error>(recede::solve(&Scene::from_ron(&scene)?)?.rotations()[0])
+    /// };
+    /// assert!(turned(3e-3, 1e-3)? < 0.0 && (turned(3e-3, 1e-3)? + turned(1e-3, 3e-3)?).abs() < 1e-12);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn rotations(&self) -> &[f64] {
+        &self.rotations
     }
 
     /// The contacts from the top down: the punch first.

@@ -19,7 +19,6 @@ use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::integrals::tail::turning;
 use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
-use crate::contact::problem::placed::Placed;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::contact::programme::ActiveIntervals;
@@ -132,7 +131,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         ..problem.kernel.stats()
     };
     let contacts = found(problem, &level, &errors);
-    Some(Answer { contacts, min_pressure, min_gap, tilts: tilts(problem, &level), stats, warnings })
+    Some(Answer { contacts, min_pressure, min_gap, rotations: level.rotations, stats, warnings })
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
@@ -273,14 +272,6 @@ impl Approximation {
         let (interval, pressure) = (&self.support.0[number], &self.pressures[number]);
         if self.graded[interval.contact] { pressure.averaged(interval) } else { pressure.clone() }
     }
-}
-
-/// The angles of punches that are not one at x = 0 and upright: against the layer below, and with all layers.
-fn tilts(problem: &Problem, level: &Approximation) -> Vec<f64> {
-    let Some(Side::Punches(punches)) = problem.sides.first() else { return Vec::new() };
-    let below: f64 = level.rotations[1..].iter().flatten().sum();
-    let of = |(punch, rotation): (&Placed, &f64)| punch.angle().unwrap_or(rotation + below);
-    punches.iter().zip(&level.rotations[0]).map(of).collect()
 }
 
 /// What was found of each contact.

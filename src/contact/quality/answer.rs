@@ -22,7 +22,7 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
         contacts,
         min_pressure: check.min_pressure,
         min_gap: check.min_gap,
-        tilts: Vec::new(),
+        rotations: Vec::new(),
         stats: Stats {
             modes: level.counts,
             newton_steps: work.steps,
