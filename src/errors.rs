@@ -128,7 +128,9 @@ impl Scene {
                 self.error_at(Owner::Force, cause.hint(), cause)
             }
             Error::Contact(
-                cause @ (ContactError::UnevenPunch | ContactError::SharpPunches | ContactError::LoadsUnknown { .. }),
+                cause @ (ContactError::UnevenPunch
+                | ContactError::PunchFalls { .. }
+                | ContactError::LoadsUnknown { .. }),
             ) => self.error_at(Owner::Top, Some(cause.hint().unwrap_or_default()), cause),
             Error::Approach(cause) => self.error_at(Owner::Force, Some(cause.hint()), cause),
             _ => None,

@@ -70,6 +70,7 @@ mod system;
 mod thin_layers;
 mod validity;
 mod visible;
+mod wedges;
 mod workers;
 
 #[test]

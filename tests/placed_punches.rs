@@ -7,8 +7,7 @@ use crate::support::recede;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use recede::{
-    ApproachError, ContactError, Error, Force, Model, NoSolution, Options, Pressed, Punch, Punches, Scene, Sweep, Tilt,
-    Top,
+    ApproachError, Error, Force, Model, NoSolution, Options, Pressed, Punch, Punches, Scene, Sweep, Tilt, Top,
 };
 
 const ROLLER: &str = "(shape: Cylinder(radius: 100), at: 0, force: 0.002)";
@@ -203,16 +202,8 @@ fn numbers_that_are_none_make_no_punch() {
 
 #[test]
 fn what_solves_for_one_punch_refuses_several() {
-    let scene = read(&format!("{ROLLER}, (shape: Wedge(slope: 0.01), at: 3, force: 0.001)"));
-    let model = Model::new(scene.stack().unwrap()).unwrap();
-    let refused = model.press_with(&scene.top, scene.force, &Options::default()).unwrap_err();
-    assert!(matches!(refused, Error::Contact(ContactError::SharpPunches)) && refused.is_input(), "{refused}");
-    let error = scene.locate(refused);
-    assert!(
-        error.to_string().starts_with("scene:1:74: a punch with a sharp tip ") && error.hint().is_some(),
-        "{error}"
-    );
     let smooth = read(&format!("{ROLLER}, (shape: Parabola(radius: 70), at: 3.0, force: 0.002)"));
+    let model = Model::new(smooth.stack().unwrap()).unwrap();
     for force in [Force::ForDepth(0.1), Force::ForHalfLength(0.1)] {
         let refused = model.press_with(&smooth.top, force, &Options::default()).unwrap_err();
         assert!(refused.is_input(), "{refused}");
@@ -220,8 +211,8 @@ fn what_solves_for_one_punch_refuses_several() {
     let one = Punch::parabola(50.0).unwrap();
     let solution = model.press(&one, 0.02).unwrap();
     assert!(model.approach(&one, &solution).is_ok());
-    assert_eq!(model.approach(&scene.top, &solution), Err(ApproachError::Punches));
-    assert!(model.profile(&scene.top, &solution, &[0.0]).unwrap().contacts[0].gap.is_none());
+    assert_eq!(model.approach(&smooth.top, &solution), Err(ApproachError::Punches));
+    assert!(model.profile(&smooth.top, &solution, &[0.0]).unwrap().contacts[0].gap.is_none());
     let top: Top = Punches::from(one).into();
     assert_eq!(top.written_in(recede::Geometry::Axisymmetric), "Parabola(radius: 50.0)");
 }

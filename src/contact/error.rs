@@ -25,12 +25,16 @@ pub enum ContactError {
     /// A half-length or a depth of a punch that is not symmetric, or of several.
     #[error("the punch is not symmetric about x = 0, or is one of several: only forces can be prescribed")]
     UnevenPunch,
-    /// Sharp tips of punches whose contacts are not symmetric.
+    /// A punch that is turned so far that one of its sides falls from the tip on, without end.
     #[error(
-        "a punch with a sharp tip is solved for by itself only, if it is symmetric about its tip and not turned: elsewhere \
-         the infinite pressures of two sides would differ"
+        "{punch} is turned by {angle}, so that one of its sides falls away from its tip without end; allowed are angles less than its slopes"
     )]
-    SharpPunches,
+    PunchFalls {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// The angle by which it is turned, in radians.
+        angle: f64,
+    },
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -47,7 +51,7 @@ impl ContactError {
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
             | Self::UnevenPunch
-            | Self::SharpPunches => true,
+            | Self::PunchFalls { .. } => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
         }
@@ -69,9 +73,7 @@ impl ContactError {
                 .to_owned(),
             ),
             Self::UnevenPunch => Some("prescribe `force`".to_owned()),
-            Self::SharpPunches => {
-                Some("round it a little: write a `Table` in place of a wedge".to_owned())
-            }
+            Self::PunchFalls { .. } => Some("turn it less, or let it turn by its force: `Free(eccentricity: ...)`".to_owned()),
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
         }

@@ -64,14 +64,17 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
 }
 
 impl Asked<'_> {
-    /// Whether punches have no sharp tips but one even punch by itself, or the pressures of loads are known.
+    /// Whether the pressures of loads are known, and punches rise on both sides.
     pub(crate) fn is_solvable(&self) -> Result<(), ContactError> {
         let geometry = self.kernel.geometry();
         match self.top {
-            Top::Punches(_) if self.top.even_punch().is_some() => Ok(()),
-            Top::Punches(punches) if punches.parts().any(|(pressed, _)| pressed.shape().is_sharp()) => {
-                Err(ContactError::SharpPunches)
-            }
+            Top::Punches(punches) => match punches.parts().find(|(pressed, _)| pressed.falls()) {
+                Some((pressed, _)) => {
+                    let (punch, angle) = (pressed.shape().label(geometry), pressed.tilt().angle().unwrap_or_default());
+                    Err(ContactError::PunchFalls { punch, angle })
+                }
+                None => Ok(()),
+            },
             Top::Loads(loads) if !loads.are_known_in(geometry) => {
                 Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry })
             }

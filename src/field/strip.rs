@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::spheroid;
 use super::transform::{Potentials, envelope};
-use crate::solution::{Form, Strip};
+use crate::solution::{Form, Strip, tip_coefficient};
 
 /// Terms of the potentials below this part of the largest one are left out.
 const NEGLIGIBLE: f64 = 1e-18;
@@ -134,11 +134,12 @@ impl Strip {
             potentials[3] += (even * (2.0 * z * z - 1.0) + odd * 3.0 * z) * third * over * over / (a * a);
         }
         if tip != 0.0 {
-            // 2 artanh w and its derivatives
-            let first = over / z;
-            potentials[1] += tip * artanh_twice(z, w);
-            potentials[2] += tip * first / a;
-            potentials[3] += tip * (2.0 * z * z + 1.0) * first * first * over / (a * a);
+            // T of the tip, and its derivatives with respect to −z
+            let (from_tip, sine) = self.beside_tip(z);
+            potentials[1] += tip * self.logarithm_of_tip(z, w);
+            potentials[2] += tip * sine * over / from_tip / a;
+            let both = z * from_tip + root * root;
+            potentials[3] += tip * sine * both * over * over * over / (from_tip * from_tip) / (a * a);
         }
         if integral {
             potentials[0] = self.integral(z, w, terms);
@@ -152,7 +153,7 @@ impl Strip {
         let line = (self.form == Form::Line).then_some((self.at, Singularity::Line));
         let corners = zip(self.ends(), self.corners).filter(|(_, corner)| *corner != 0.0);
         let corners = corners.map(|(end, _)| (end, Singularity::Corner));
-        let tip = (self.tip != 0.0).then_some((self.at, Singularity::Tip));
+        let tip = (self.tip != 0.0).then_some((self.tip_place(), Singularity::Tip));
         line.into_iter().chain(corners).chain(tip)
     }
 
@@ -173,10 +174,33 @@ impl Strip {
         }
         sum -= Complex64::I * w * (odd + 2.0 * slant);
         let plain = 0.5 * self.extent * sum;
-        if self.tip == 0.0 || z == Complex64::ZERO {
-            return plain + self.tip * self.extent;
+        if self.tip == 0.0 {
+            return plain;
         }
-        plain + self.tip * self.extent * (1.0 - z * artanh_twice(z, w) + w.ln())
+        let (from_tip, sine) = self.beside_tip(z);
+        // at the tip itself the product vanishes
+        let product = if from_tip == Complex64::ZERO { from_tip } else { from_tip * self.logarithm_of_tip(z, w) };
+        plain + self.tip * self.extent * (sine * (1.0 + w.ln()) - product)
+    }
+
+    /// z from where the tip is, t, z + it, and sin θ with t = cos θ.
+    fn beside_tip(&self, z: Complex64) -> (Complex64, f64) {
+        let t = self.tip_at;
+        (z + Complex64::new(0.0, t), (1.0 - t * t).sqrt())
+    }
+
+    /// T = Σ 2 sin kθ (−iw)ᵏ/(ik) = ln[(1 − ve^(−iθ))/(1 − ve^(iθ))] of a tip at cos θ, v = −iw: 2 artanh w about the middle.
+    fn logarithm_of_tip(&self, z: Complex64, w: Complex64) -> Complex64 {
+        let v = Complex64::new(w.im, -w.re);
+        let (from_tip, sine) = self.beside_tip(z);
+        let conjugate = Complex64::new(self.tip_at, -sine);
+        if w.norm_sqr() < SMALL {
+            let terms = (1..8).rev().fold(Complex64::ZERO, |sum, k| v * (sum + tip_coefficient(self.tip_at, k)));
+            return Complex64::I * terms;
+        }
+        // (1 − ve^(iθ)) (1 − ve^(−iθ)) = 2iv (z + it) keeps its digits next to the tip
+        let numerator = 1.0 - v * conjugate;
+        (numerator * numerator / (2.0 * Complex64::I * v * from_tip)).ln()
     }
 
     /// Remainder of the series close to the ends of strips where the pressure ends abruptly, or with a kink: below
@@ -218,16 +242,6 @@ pub(super) enum Singularity {
     Tip,
 }
 
-/// 2 artanh w, w = √(z² + 1) − z.
-fn artanh_twice(z: Complex64, w: Complex64) -> Complex64 {
-    if w.norm_sqr() < SMALL {
-        let square = w * w;
-        return 2.0 * w * (1.0 + square / 3.0 + square * square / 5.0);
-    }
-    // 1 − w² = 2zw keeps its digits next to the tip
-    ((1.0 + w) * (1.0 + w) / (2.0 * z * w)).ln()
-}
-
 /// ln z, finite at 0.
 fn logarithm(z: Complex64) -> Complex64 {
     if z == Complex64::ZERO { Complex64::new(f64::MIN_POSITIVE.ln(), 0.0) } else { z.ln() }
@@ -253,7 +267,7 @@ mod tests {
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
         let (corners, tip) = if form == Form::Series { ([0.5, 1.1], tip) } else { ([0.0; 2], 0.0) };
-        TabulatedStrip::new(&Strip { at, extent, coefficients, skew: Vec::new(), corners, tip, form, is_round: false })
+        TabulatedStrip::new(&Strip { at, corners, tip, form, ..Strip::series(extent, coefficients) })
     }
 
     const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
@@ -329,27 +343,37 @@ mod tests {
     #[test]
     fn a_tip_is_the_sum_of_its_series() {
         let tip = 0.6;
-        let sharp = with_tip(Form::Series, tip);
-        let mut series = strip(Form::Series).strip;
-        series.coefficients.resize(4000, 0.0);
-        let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let term = |m: usize| 2.0 * tip * sign(m) / (2 * m + 1) as f64;
-        series.coefficients.iter_mut().enumerate().for_each(|(m, c)| *c += term(m));
-        for wavenumber in [1e-3, 0.7, 30.0, 57.0, 58.0, 4e3] {
-            let [found, expected] =
-                [&sharp.strip, &series].map(|strip| strip.transforms(&[wavenumber])[0].variation.re);
-            assert!((found - expected).abs() < 1e-13 * series.resultant(), "{wavenumber}: {found} {expected}");
-        }
-        for (x, depth) in [(0.0, 0.02), (0.3, 0.05), (0.69, 0.2), (0.1, 3.0), (40.0, 0.0), (0.0, 1e4), (1e-3, 0.01)] {
-            let (found, expected) = (sharp.potentials(x, depth, true), series.plane_potentials(x, depth, true));
-            for (found, expected) in zip(found, expected) {
-                assert!((found - expected).norm() < 1e-11 * expected.norm(), "{x} {depth}: {found} {expected}");
+        for tip_at in [0.0f64, 0.3, -0.8] {
+            let mut sharp = with_tip(Form::Series, tip);
+            sharp.strip.tip_at = tip_at;
+            let mut series = strip(Form::Series).strip;
+            series.coefficients.resize(4000, 0.0);
+            series.skew.resize(4000, 0.0);
+            let term = |k: usize| 2.0 * tip / k as f64 * (k as f64 * tip_at.acos()).sin();
+            series.coefficients.iter_mut().enumerate().for_each(|(m, c)| *c += term(2 * m + 1));
+            series.skew.iter_mut().enumerate().for_each(|(m, c)| *c += term(2 * m + 2));
+            for wavenumber in [1e-3, 0.7, 30.0, 57.0, 58.0, 4e3] {
+                let [found, expected] =
+                    [&sharp.strip, &series].map(|strip| strip.transforms(&[wavenumber])[0].variation);
+                let off = (found - expected).norm();
+                assert!(off < 1e-13 * series.resultant(), "{tip_at} {wavenumber}: {found} {expected}");
             }
+            let places = [(0.0, 0.02), (0.3, 0.05), (0.69, 0.2), (0.1, 3.0), (40.0, 0.0), (0.0, 1e4), (1e-3, 0.01)];
+            for (x, depth) in places {
+                let (found, expected) = (sharp.potentials(x, depth, true), series.plane_potentials(x, depth, true));
+                for (found, expected) in zip(found, expected) {
+                    let off = (found - expected).norm() / expected.norm();
+                    assert!(off < 1e-11, "{tip_at} {x} {depth}: {found} {expected}");
+                }
+            }
+            assert!((sharp.strip.resultant() / series.resultant() - 1.0).abs() < 1e-15);
+            assert!((sharp.strip.moment() - series.moment()).abs() < 1e-15);
+            let s = 0.01 / 0.7;
+            let pressure = tip * ((1.0 - s * tip_at) / (s - tip_at).abs()).acosh();
+            let plain = strip(Form::Series).potentials(0.01, 0.0, false)[1].re;
+            assert!((sharp.potentials(0.01, 0.0, false)[1].re - plain - pressure).abs() < 1e-12);
+            assert!((sharp.strip.pressure(0.01) - strip(Form::Series).strip.pressure(0.01) - pressure).abs() < 1e-12);
+            assert!(sharp.potentials(0.7 * tip_at, 0.0, true)[0].is_finite());
         }
-        assert!((sharp.strip.resultant() / series.resultant() - 1.0).abs() < 1e-15);
-        let pressure = tip * (0.7f64 / 0.01).acosh();
-        let plain = strip(Form::Series).potentials(0.01, 0.0, false)[1].re;
-        assert!((sharp.potentials(0.01, 0.0, false)[1].re - plain - pressure).abs() < 1e-12);
-        assert!(sharp.potentials(0.0, 0.0, true)[0].is_finite());
     }
 }

@@ -64,6 +64,10 @@ pub(super) fn envelope(strip: &Strip) -> Vec<f64> {
 impl Strip {
     /// The transform about the middle at some wavenumbers.
     pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+        if self.tip_at != 0.0 {
+            let last = wavenumbers.iter().fold(0.0, |last: f64, wavenumber| last.max(wavenumber * self.extent));
+            return self.without_tip(orders_felt(last)).transforms(wavenumbers);
+        }
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.extent).collect();
         let even = if self.is_round { self.disc_variations(&arguments) } else { self.even_variations(&arguments) };
         let is_even = self.skew.is_empty() && self.corners[0] == self.corners[1];
@@ -73,6 +77,17 @@ impl Strip {
             variation: Complex64::new(even, variation),
         };
         zip(even, odd).map(of).collect()
+    }
+
+    /// With the first terms of its series in place of what a tip makes.
+    fn without_tip(&self, orders: usize) -> Self {
+        let with = |own: &[f64], first: usize| -> Vec<f64> {
+            let count = own.len().max(orders / 2);
+            let of = |m: usize| own.get(m).unwrap_or(&0.0) + self.tip_coefficient(2 * m + first);
+            (0..count).map(of).collect()
+        };
+        let (coefficients, skew) = (with(&self.coefficients, 1), with(&self.skew, 2));
+        Self { coefficients, skew, tip: 0.0, tip_at: 0.0, ..self.clone() }
     }
 
     /// p̂ − P of the even part at some λa: O(λ²).
@@ -134,12 +149,17 @@ fn alternating(series: &[f64]) -> impl Iterator<Item = f64> + Clone {
     series.iter().zip([1.0, -1.0].into_iter().cycle()).map(|(c, sign)| sign * c)
 }
 
+/// Bessel functions of so many orders are above rounding up to z.
+fn orders_felt(z: f64) -> usize {
+    (z + BEYOND * (z.cbrt() + 1.0)) as usize + 1
+}
+
 /// The number of orders, from 0 on, of Bessel functions that are above rounding at these arguments, three at least, and their values; no more
 /// orders than the series has, unless there is a tip, whose series does not end.
 fn table(arguments: &[f64], of_series: usize, endless: bool) -> (usize, Vec<f64>) {
     let largest = arguments.iter().fold(0.0, |largest: f64, z| largest.max(*z));
     let largest = if endless { largest.min(bessel::INTEGRAL_FROM.max(of_series as f64)) } else { largest };
-    let enough = (largest + BEYOND * (largest.cbrt() + 1.0)) as usize + 1;
+    let enough = orders_felt(largest);
     let orders = if endless { enough } else { enough.min(of_series) }.max(3);
     let mut bessel = vec![0.0; orders * arguments.len()];
     bessel::table(orders, arguments, &mut bessel);

@@ -125,10 +125,14 @@ fn is_singular(point: &FieldPoint, quantity: FieldQuantity) -> bool {
 /// Whether a quantity is infinite somewhere on the face on which the punch presses, be it between the points of a grid.
 fn rises(scene: &Scene, solution: &Solution, quantity: FieldQuantity) -> bool {
     let infinite = solution.contacts().first().is_some_and(|contact| contact.peak().pressure.is_infinite());
+    let has_no_corners = |punch: &Punch| punch.is_sharp() || !punch.is_singular();
     match quantity {
         FieldQuantity::U | FieldQuantity::V => false,
         // under a tip, stresses along the face and across it are the same
-        FieldQuantity::SigmaXy | FieldQuantity::MaxShear => infinite && !scene.top.punch().is_some_and(Punch::is_sharp),
+        FieldQuantity::SigmaXy | FieldQuantity::MaxShear => {
+            let punches = scene.top.punches();
+            infinite && !punches.is_some_and(|all| all.parts().all(|(pressed, _)| has_no_corners(pressed.shape())))
+        }
         _ => infinite,
     }
 }

@@ -46,6 +46,9 @@ pub struct Pressed {
     tilt: Tilt,
 }
 
+/// So far from its tip a punch is as steep as anywhere.
+const FAR: f64 = 1e100;
+
 /// Whether a punch turns, by small angles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -115,6 +118,13 @@ impl Pressed {
     /// The force, per unit length out of the plane.
     pub fn force(&self) -> f64 {
         self.force.get()
+    }
+
+    /// Whether it is turned so far that one of its sides falls from the tip on, without end.
+    pub(crate) fn falls(&self) -> bool {
+        let (shape, angle) = (self.shape.shape(), self.tilt.angle().unwrap_or(0.0));
+        let [left, right] = shape.ends();
+        right.is_infinite() && shape.slope(FAR) + angle <= 0.0 || left.is_infinite() && shape.slope(-FAR) + angle >= 0.0
     }
 
     /// Whether it turns.

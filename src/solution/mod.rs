@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
-pub(crate) use strip::{Form, Strip, jacobi_sums, jacobi_weights};
+pub(crate) use strip::{Form, Strip, jacobi_sums, jacobi_weights, tip_coefficient};
 pub use warning::{Warning, WarningCode};
 
 /// Which contact: the punch on top, or a receding interface.

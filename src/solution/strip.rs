@@ -17,7 +17,7 @@ pub(crate) struct Strip {
     /// Half-length a of the strip, 0 of a line load.
     pub(crate) extent: f64,
     /// Of a line load its resultant alone; else p = Σ_m coefficients[m] sin((2m + 1) φ) + [left (1 − cos φ) + right (1 + cos φ)]/(2 sin φ)
-    /// + tip arcosh(1/|cos φ|) with x − at = a cos φ, left and right being the corners.
+    /// + tip arcosh((1 − s t)/|s − t|) with x − at = a cos φ, s = cos φ, left and right being the corners, and t where the tip is.
     pub(crate) coefficients: Vec<f64>,
     /// Coefficients of sin((2m + 2) φ), of what is odd about the middle.
     pub(crate) skew: Vec<f64>,
@@ -25,6 +25,8 @@ pub(crate) struct Strip {
     pub(crate) corners: [f64; 2],
     /// How strong its logarithm is under a sharp tip; 0 if there is none.
     pub(crate) tip: f64,
+    /// Where that tip is, in half-lengths from the middle.
+    pub(crate) tip_at: f64,
     /// What else is known of it.
     pub(crate) form: Form,
     /// Whether it is a disc about the axis x = 0: then its series is summed by [`jacobi_sums`], with the same singular parts, s = |x|/a.
@@ -54,6 +56,7 @@ impl Strip {
             skew: Vec::new(),
             corners: [0.0; 2],
             tip: 0.0,
+            tip_at: 0.0,
             form: Form::Series,
             is_round: false,
         }
@@ -98,7 +101,7 @@ impl Strip {
         if self.is_round {
             return 2.0 * PI / 3.0 * self.extent.powi(2) * (self.first() + 3.0 * corners + 1.5 * self.tip);
         }
-        0.5 * PI * self.extent * (self.first() + 2.0 * (corners + self.tip))
+        0.5 * PI * self.extent * (self.first() + 2.0 * corners + self.tip_coefficient(1))
     }
 
     /// p̂(0): the resultant; of a disc ∫ p r dr.
@@ -139,7 +142,11 @@ impl Strip {
                 let (sin, cos) = if s == -1.0 { (1.0, 0.0) } else { half.sin_cos() };
                 let [left, right] = self.corners;
                 let corners = corner(left, (sin, cos)) + corner(right, (cos, sin));
-                let tip = if self.tip == 0.0 { 0.0 } else { self.tip * s.abs().recip().acosh() };
+                let tip = match self.tip {
+                    0.0 => 0.0,
+                    tip if (x + self.at - self.tip_place()).abs() <= self.rounding() => tip * f64::INFINITY,
+                    tip => tip * ((1.0 - s * self.tip_at) / (s - self.tip_at).abs()).max(1.0).acosh(),
+                };
                 if self.is_round {
                     let [series] = jacobi_sums(&self.coefficients, [s.abs()]);
                     return series + corners + tip;
@@ -153,14 +160,31 @@ impl Strip {
     pub(crate) fn moment(&self) -> f64 {
         // ∫ x sin 2φ dx and ∫ x cos φ/sin φ dx with x = a cos φ
         let [_, corners] = self.even_and_odd_corners();
-        0.25 * PI * self.extent.powi(2) * (self.skew.first().copied().unwrap_or(0.0) + 2.0 * corners)
+        let skew = self.skew.first().copied().unwrap_or(0.0) + self.tip_coefficient(2);
+        0.25 * PI * self.extent.powi(2) * (skew + 2.0 * corners)
+    }
+
+    /// What rounding does to places on it.
+    fn rounding(&self) -> f64 {
+        4.0 * f64::EPSILON * (self.at.abs() + self.extent)
+    }
+
+    /// Where its tip is: at x = 0 but for rounding counts as there.
+    pub(crate) fn tip_place(&self) -> f64 {
+        let place = self.at + self.tip_at * self.extent;
+        if place.abs() <= self.rounding() { 0.0 } else { place }
+    }
+
+    /// The coefficient of sin kφ in the part of the pressure that a sharp tip makes: 2 sin kθ/k where the tip is at cos θ.
+    pub(crate) fn tip_coefficient(&self, k: usize) -> f64 {
+        if self.tip == 0.0 { 0.0 } else { self.tip * tip_coefficient(self.tip_at, k) }
     }
 
     /// Its mirror image about x = 0.
     pub(crate) fn mirrored(&self) -> Self {
         let [left, right] = self.corners;
         let skew = self.skew.iter().map(|c| -c).collect();
-        Self { at: -self.at, skew, corners: [right, left], ..self.clone() }
+        Self { at: -self.at, skew, corners: [right, left], tip_at: -self.tip_at, ..self.clone() }
     }
 
     /// Whether it is the mirror image of another one.
@@ -172,12 +196,24 @@ impl Strip {
     pub(super) fn singular(&self) -> Option<f64> {
         match self.form {
             Form::Line => Some(0.0),
-            _ if self.tip != 0.0 => Some(0.0),
+            _ if self.tip != 0.0 => Some(self.tip_place() - self.at),
             _ if self.corners[1] != 0.0 => Some(self.extent),
             _ if self.corners[0] != 0.0 => Some(-self.extent),
             _ => None,
         }
     }
+}
+
+/// 2 sin kθ/k with cos θ = t, the coefficient of sin kφ in arcosh((1 − t cos φ)/|cos φ − t|).
+pub(crate) fn tip_coefficient(t: f64, k: usize) -> f64 {
+    // exact about the middle
+    let sine = match (t == 0.0, k % 4) {
+        (true, 1) => 1.0,
+        (true, 3) => -1.0,
+        (true, _) => 0.0,
+        (false, _) => (k as f64 * t.acos()).sin(),
+    };
+    2.0 * sine / k as f64
 }
 
 /// w_m = (−1)^m ∫ P_(2m+1)(t)/t dt from 0 to 1: the transform of the term of order m is a² j_(2m+1)(λa)/(λa w_m).

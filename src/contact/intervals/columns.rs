@@ -11,7 +11,7 @@
 use std::f64::consts::PI;
 use std::ops::Range;
 
-use crate::contact::intervals::pressure::Pressure;
+use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 
 /// The intervals of one contact, with the numbers of terms on each.
@@ -223,8 +223,11 @@ impl Columns<'_> {
 
     /// The amplitudes of terms, then of singular pressures, of the pressures of its intervals.
     pub(super) fn amplitudes(&self, pressures: &[Pressure]) -> Vec<f64> {
-        let terms = pressures.iter().flat_map(|own| &own.terms);
-        terms.chain(pressures.iter().flat_map(|own| &own.singular)).copied().collect()
+        let all = pressures.iter().zip(self.intervals);
+        let of = |(own, interval): (&Pressure, &ContactInterval)| -> Vec<f64> {
+            own.terms.iter().enumerate().map(|(m, y)| y + own.tip.term(interval.order(m))).collect()
+        };
+        all.flat_map(of).chain(pressures.iter().flat_map(|own| own.singular.iter().copied())).collect()
     }
 
     /// The pressures with these amplitudes.
@@ -233,6 +236,7 @@ impl Columns<'_> {
         let of = |(interval, count): (&ContactInterval, &usize)| Pressure {
             terms: terms.by_ref().take(*count).collect(),
             singular: singular.by_ref().take(interval.sides().len()).collect(),
+            tip: Tip::default(),
         };
         self.intervals.iter().zip(self.counts).map(of).collect()
     }

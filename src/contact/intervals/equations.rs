@@ -13,10 +13,11 @@ use faer::{Mat, MatRef, Side};
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::TOGETHER;
 use crate::contact::intervals::columns::Columns;
-use crate::contact::intervals::pressure::Pressure;
+use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::space::InSpace;
-use crate::contact::intervals::support::{Intervals, Parity};
+use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::problem::Problem;
+use crate::contact::problem::placed::Placed;
 use crate::numeric::dot;
 
 /// The equations of one support.
@@ -183,7 +184,13 @@ impl<'a> Equations<'a> {
             amplitudes.extend(&q[places.ends..places.ends + columns.ends()]);
             columns.as_they_are(&mut amplitudes);
             let (terms, singular) = amplitudes.split_at(columns.terms());
-            columns.pressures(terms, singular)
+            let mut pressures = columns.pressures(terms, singular);
+            for (pressure, interval) in pressures.iter_mut().zip(columns.intervals) {
+                pressure.tip = self.tip(contact, interval);
+                let terms = pressure.terms.iter_mut().enumerate();
+                terms.for_each(|(m, y)| *y -= pressure.tip.term(interval.order(m)));
+            }
+            pressures
         };
         let rotation = |contact: usize, group: usize| {
             self.angles_of(contact, group).into_iter().map(|(angle, sign)| sign * angles[angle]).sum()
@@ -193,6 +200,16 @@ impl<'a> Equations<'a> {
         };
         let rotations = self.columns.iter().enumerate().map(of_contact).collect();
         Solved { pressures: self.problem.unknown().flat_map(of).collect(), rotations }
+    }
+
+    /// What the sharp tip of a punch, if there is one within an interval, makes on a half-plane: its terms follow from their own rows.
+    fn tip(&self, contact: usize, interval: &ContactInterval) -> Tip {
+        let tip = self.problem.placed(contact, interval.punch).and_then(Placed::tip);
+        let of = |(at, jump): (f64, f64)| {
+            let strength = jump / (PI * interval.unit() * self.layout.own[contact].limit);
+            Tip { strength, at: (at - interval.middle) / interval.half }
+        };
+        tip.map(of).filter(|tip| tip.at.abs() < 1.0).unwrap_or_default()
     }
 
     /// All rows: waves block by block of wavenumbers, then half-planes.

@@ -29,7 +29,7 @@ use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 pub(super) use anywhere::{Expected, solve as anywhere};
 use gaps::Signs;
 use newton::{Approximation, converge};
-use pressure::Pressure;
+use pressure::{Pressure, Tip};
 use support::{ContactInterval, Intervals, Parity};
 
 /// Terms on each interval: the first number of them, doubled until the tolerance is met, and the last.
@@ -226,10 +226,7 @@ impl Errors {
         let all = &level.support.0;
         let ends: Vec<[f64; 2]> = all.iter().zip(&before.support.0).map(apart).collect();
         let [new, old] = [level, before].map(|level| level.middle_pressures());
-        let size = |number: usize| {
-            let same = (0..all.len()).filter(|other| all[*other].contact == all[number].contact);
-            largest(same.map(|other| new[other].abs()))
-        };
+        let size = |number: usize| level.largest_pressure(all[number].contact, &new);
         let differ = |number: usize| {
             if new[number] == old[number] { 0.0 } else { (new[number] - old[number]).abs() / size(number) }
         };
@@ -261,10 +258,21 @@ impl Errors {
 }
 
 impl Approximation {
-    /// The pressures in the middle of all intervals, per unit of P'.
+    /// The pressures in the middle of all intervals, per unit of P', without what sharp tips make, which is known.
     fn middle_pressures(&self) -> Vec<f64> {
         let all = self.support.0.iter().enumerate();
-        all.map(|(number, interval)| self.smooth(number).strip(interval).pressure(interval.middle)).collect()
+        let smooth = |number: usize| Pressure { tip: Tip::default(), ..self.smooth(number) };
+        all.map(|(number, interval)| smooth(number).strip(interval).pressure(interval.middle)).collect()
+    }
+
+    /// The largest of the pressures in the middle, or of the mean pressures, of the intervals of a contact.
+    fn largest_pressure(&self, contact: usize, middle: &[f64]) -> f64 {
+        let own = self.support.0.iter().enumerate().filter(|(_, interval)| interval.contact == contact);
+        let of = |(number, interval): (usize, &ContactInterval)| {
+            let mean = 0.5 * self.pressures[number].force() / (interval.images() * interval.half);
+            middle[number].abs().max(mean)
+        };
+        largest(own.map(of))
     }
 
     /// The pressure of an interval as it is given to the user.
@@ -285,7 +293,7 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
             level.smooth(number).regular(interval).strip(interval)
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
-        let size = largest(numbers.clone().map(|number| pressures[number].abs()));
+        let size = level.largest_pressure(contact, &pressures);
         let peak_error = size * largest(numbers.clone().map(|number| errors.pressures[number]));
         let ends = numbers.clone().map(|number| {
             let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::quality::estimates::AVERAGED;
-use crate::solution::Strip;
+use crate::solution::{Strip, tip_coefficient};
 
 /// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
 const TENSION: f64 = 0.13;
@@ -12,11 +12,28 @@ const TENSION: f64 = 0.13;
 const FARTHEST: f64 = 0.3;
 const MOST_IN: f64 = 0.9;
 
-/// Amplitudes y_j of terms, and q of singular pressures at the ends that are no mirror images.
+/// Amplitudes y_j of terms, and q of singular pressures at the ends that are no mirror images, and what a sharp tip makes, whose terms do not fall.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pressure {
     pub(super) terms: Vec<f64>,
     pub(super) singular: Vec<f64>,
+    pub(super) tip: Tip,
+}
+
+/// The pressure that a half-plane has under a sharp tip: terms 2 y sin jθ.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Tip {
+    /// y; 0 where there is no tip.
+    pub(super) strength: f64,
+    /// cos θ, where it is, in half-lengths from the middle.
+    pub(super) at: f64,
+}
+
+impl Tip {
+    /// The amplitude y_j of its term of one order.
+    pub(super) fn term(self, order: usize) -> f64 {
+        if self.strength == 0.0 { 0.0 } else { self.strength * order as f64 * tip_coefficient(self.at, order) }
+    }
 }
 
 impl Pressure {
@@ -35,13 +52,14 @@ impl Pressure {
         }
         let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
         let series = Strip::series(interval.half, every_other(0));
-        Strip { at: interval.middle, skew: every_other(1), corners, ..series }
+        let (tip, tip_at) = (interval.unit() * self.tip.strength, self.tip.at);
+        Strip { at: interval.middle, skew: every_other(1), corners, tip, tip_at, ..series }
     }
 
     /// The resultant on the interval and its mirror image.
     pub(super) fn force(&self) -> f64 {
         let of_ends: f64 = self.singular.iter().sum();
-        self.terms[0] + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
+        self.terms[0] + self.tip.term(1) + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
     }
 
     /// The same with no singularity at an end that is found: what is left of it is rounding.
@@ -68,8 +86,10 @@ impl Pressure {
         // the last terms, which truncation changes most, do not count
         let smooth = |m: usize| (-12.0 * (m as f64 / self.terms.len() as f64).powi(4)).exp();
         let regular: f64 = self.terms.iter().enumerate().map(|(m, y)| smooth(m) * sign(m) * y).sum();
+        let [near, far] = [1.0 - side * self.tip.at, 1.0 + side * self.tip.at];
         // (1 − cos φ)/(2 sin φ) of the other end is φ/4 here
         let kappa = regular
+            + self.tip.strength * (far / near).sqrt()
             + match self.singular[..] {
                 [left, right] => 0.25 * if side > 0.0 { left } else { right },
                 _ => 0.0,

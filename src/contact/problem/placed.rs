@@ -6,6 +6,9 @@ use crate::contact::problem::twin::Twin;
 use crate::geometry::Geometry;
 use crate::scene::{Pressed, Punch, Punches, Tilt};
 
+/// So near to a tip the slope is the limit from one side.
+const JUMP: f64 = 1e-200;
+
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
 pub(crate) struct Placed<'a> {
     punch: &'a Punch,
@@ -81,6 +84,11 @@ impl<'a> Placed<'a> {
     /// Where the corner on a side is, 1 for the right one and −1 for the left one, if the punch is flat.
     pub(crate) fn corner(&self, side: f64) -> Option<f64> {
         self.profile.flat().map(|half| self.at + side * half)
+    }
+
+    /// Where it has a sharp tip, and by how much its slope jumps there, per unit of P'.
+    pub(crate) fn tip(&self) -> Option<(f64, f64)> {
+        self.punch.is_sharp().then(|| (self.at, self.profile.slope(JUMP) - self.profile.slope(-JUMP)))
     }
 
     /// Where its tip is.

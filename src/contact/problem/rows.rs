@@ -24,8 +24,8 @@ const PHASE: f64 = 150.0;
 const SPARE: f64 = 14.0;
 /// Where a circle ends its slope is infinite: about an axis it is as steep as here.
 const STEEPEST: f64 = 1.0 - 1e-12;
-/// About a tip off the middle of an interval the slope counts as a step, as far as the interval reaches over 2 to this power to either side: what it
-/// does there is odd but for the step, so that the square of this counts, which is below rounding.
+/// About a tip off the middle of an interval the slope counts as a step and its mean, as far as the interval reaches over 2 to this power to either side:
+/// what else it does there is odd, so that the square of this counts, which is below rounding.
 const TIP_CELLS: usize = 27;
 
 /// The slope of a profile, per unit of P', against the tests of an interval.
@@ -200,9 +200,9 @@ impl Profile<'_> {
             let (to, from) = (pair[0], pair[1]);
             if let Some(x) = limits.get(index).filter(|x| index > 0 && **x == -limits[index - 1]) {
                 // about the tip
-                let rise = (self.shape.slope(*x) - self.shape.slope(-x)) / self.force;
+                let [right, left] = [*x, -x].map(|x| self.shape.slope(x) / self.force);
                 let theta = (-span.middle / span.half).acos();
-                places.push((theta, [0.0, rise / theta.tan()]));
+                places.push((theta, [0.5 * (right + left) * (to - from), (right - left) / theta.tan()]));
                 continue;
             }
             let parts = (phase * (to - from) / PHASE).ceil().max(1.0);
