@@ -6,7 +6,7 @@
 //! times a phase of a wave exp(iζx), as sin jφ makes 2 J_j(ζw)/w: all tests with k > 0 are columns, too. The others are the tests with k = 0, and of
 //! the closing of gaps between two intervals.
 //!
-//! Only the first column of a group of intervals has a resultant, and if nothing is even only the second one a moment about x = 0: from all others as
+//! Only the first column of a group of intervals has a resultant, and if nothing is even only the first two have a moment about x = 0: from all others as
 //! much of both is subtracted as they have, in such a way that long waves, which feel resultants and moments most, lose no digits.
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -199,8 +199,9 @@ impl Columns<'_> {
         let first = self.first(self.head(interval));
         let mut all = vec![Subtracted { into, from: first, part: own[0] }];
         if self.moves() {
-            // the first column is left with no moment
-            all.push(Subtracted { into, from: first + 1, part: own[1] / carried[first + 1][1] });
+            // the first column keeps its moment: far from x = 0 the second one would be large without that
+            let left = own[1] - own[0] * carried[first][1];
+            all.push(Subtracted { into, from: first + 1, part: left / carried[first + 1][1] });
         }
         all.retain(|one| one.into != one.from && one.part != 0.0);
         all

@@ -124,15 +124,22 @@ impl<'a> Equations<'a> {
         if self.problem.is_known(contact) {
             return vec![Told { column: 0, known: 1.0, by_moments: vec![0.0; self.free.len()] }];
         }
-        let carried = columns.carried();
+        let (carried, groups) = (columns.carried(), self.problem.groups(contact));
+        // an unknown moment is the one about the middle of the first interval
+        let above = |group: &usize| {
+            let first = self.columns[0].groups()[*group].start;
+            self.problem.groups(0)[*group].share * self.columns[0].intervals[first].middle
+        };
         let of = |(number, group): (usize, Range<usize>)| {
-            let (own, first) = (&self.problem.groups(contact)[number], columns.first(group.start));
+            let (own, first) = (&groups[number], columns.first(group.start));
             let resultant = Told { column: first, known: own.share, by_moments: vec![0.0; self.free.len()] };
             let moment = self.moves.then(|| {
                 let unit = carried[first + 1][1].recip();
                 let by = |free: &usize| if contact > 0 || *free == number { unit } else { 0.0 };
                 let by_moments = self.free.iter().map(by).collect();
-                Told { column: first + 1, known: unit * own.moment.unwrap_or(0.0), by_moments }
+                let added = self.free.iter().filter(|free| contact > 0 || **free == number).map(above).sum::<f64>();
+                let about_first = own.moment.unwrap_or(0.0) + added - own.share * carried[first][1];
+                Told { column: first + 1, known: unit * about_first, by_moments }
             });
             std::iter::once(resultant).chain(moment)
         };

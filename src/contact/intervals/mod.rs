@@ -297,9 +297,12 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         let peak_error = size * largest(numbers.clone().map(|number| errors.pressures[number]));
         let ends = numbers.clone().map(|number| {
             let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());
-            let error = |k: usize| if interval.corners[k] { 0.0 } else { errors.ends[number][k] * sizes[k] };
-            let [from_error, to_error] = [0, 1].map(error);
-            solution::Interval::new([interval.from(), from_error], [interval.to(), to_error])
+            let places = [interval.from(), interval.to()];
+            let rounding = |k: usize| f64::EPSILON * places[k].abs();
+            let error =
+                |k: usize| if interval.corners[k] { 0.0 } else { errors.ends[number][k] * sizes[k] + rounding(k) };
+            let [from, to] = [0, 1].map(|k| [places[k], error(k)]);
+            solution::Interval::new(from, to)
         });
         let intervals: Vec<solution::Interval> = ends.collect();
         if level.support.of(contact).iter().all(|interval| interval.parity != Parity::None) {

@@ -109,7 +109,7 @@ impl Columns<'_> {
         };
         let mut all = Vec::new();
         for first in self.groups().into_iter().map(|group| self.first(group.start)) {
-            all.push((first, of(1.0, 0.0, 0.0)));
+            all.push((first, of(1.0, carried[first][1], 0.0)));
             if self.moves() {
                 all.push((first + 1, of(0.0, carried[first + 1][1], 0.0)));
             }
