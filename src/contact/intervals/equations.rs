@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use faer::linalg::solvers::Solve;
-use faer::{Mat, MatRef, Side};
+use faer::{Mat, Side};
 
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::TOGETHER;
@@ -71,6 +71,44 @@ struct System {
     d: Mat<f64>,
     f: Vec<f64>,
     left: Vec<f64>,
+}
+
+/// Two thirds of some numbers of terms.
+pub(super) fn fewer(counts: &[usize]) -> Vec<usize> {
+    counts.iter().map(|count| count - count / 3).collect()
+}
+
+impl System {
+    /// The rows and columns of some of the unknown terms.
+    fn part(&self, kept: &[usize]) -> Self {
+        let (size, border) = (kept.len(), self.d.nrows());
+        Self {
+            a: Mat::from_fn(size, size, |row, column| self.a[(kept[row], kept[column])]),
+            e: Mat::from_fn(size, border, |row, column| self.e[(kept[row], column)]),
+            b: Mat::from_fn(border, size, |row, column| self.b[(row, kept[column])]),
+            d: self.d.clone(),
+            f: kept.iter().map(|place| self.f[*place]).collect(),
+            left: self.left.clone(),
+        }
+    }
+
+    /// x and q; `None` if there are none in double precision.
+    fn solve(&self) -> Option<(Vec<f64>, Vec<f64>)> {
+        let Self { a, e, b, d, f, left } = self;
+        let (size, border) = (a.nrows(), e.ncols());
+        let llt = a.llt(Side::Lower).ok()?;
+        let right =
+            Mat::from_fn(size, border + 1, |row, column| if column < border { e[(row, column)] } else { f[row] });
+        let solved = llt.solve(&right);
+        let (by_border, regular) = (solved.subcols(0, border), solved.subcols(border, 1));
+        let reduced = d - b * by_border;
+        let residual = b * regular;
+        let residual = Mat::from_fn(border, 1, |row, _| left[row] - residual[(row, 0)]);
+        let q = reduced.partial_piv_lu().solve(&residual);
+        let x = regular - by_border * &q;
+        let [x, q] = [x, q].map(|column| column.col_as_slice(0).to_vec());
+        x.iter().chain(&q).all(|value| value.is_finite()).then_some((x, q))
+    }
 }
 
 impl<'a> Equations<'a> {
@@ -146,24 +184,34 @@ impl<'a> Equations<'a> {
         columns.groups().into_iter().enumerate().flat_map(of).collect()
     }
 
-    /// The pressures of all intervals, and rotations; `None` if there are none in double precision.
-    pub(super) fn solve(&self) -> Option<Solved> {
+    /// The pressures of all intervals, and rotations: with all terms, and with fewer and fewer of them; `None` if there are none in double precision.
+    pub(super) fn solve(&self) -> Option<[Solved; 3]> {
         let places = self.places();
-        let System { a, e, b, d, f, left } = self.system(&places)?;
-        let (size, border) = (a.nrows(), e.ncols());
-        let llt = a.llt(Side::Lower).ok()?;
-        let right =
-            Mat::from_fn(size, border + 1, |row, column| if column < border { e[(row, column)] } else { f[row] });
-        let solved = llt.solve(&right);
-        let (by_border, regular) = (solved.subcols(0, border), solved.subcols(border, 1));
-        let reduced = &d - &b * by_border;
-        let residual = &b * regular;
-        let residual = Mat::from_fn(border, 1, |row, _| left[row] - residual[(row, 0)]);
-        let q = reduced.partial_piv_lu().solve(&residual);
-        let x = regular - by_border * &q;
-        let is_finite = |column: MatRef<'_, f64>| column.col(0).iter().all(|value| value.is_finite());
-        (is_finite(x.as_ref()) && is_finite(q.as_ref()))
-            .then(|| self.solved(&places, x.col_as_slice(0), q.col_as_slice(0)))
+        let system = self.system(&places)?;
+        let counts: Vec<usize> = self.columns.iter().flat_map(|columns| columns.counts).copied().collect();
+        let [some, few] = [fewer(&counts), fewer(&fewer(&counts))];
+        let solved = |counts: &[usize]| {
+            let kept = self.kept(&places, counts);
+            let (x, q) = system.part(&kept).solve()?;
+            let mut all = vec![0.0; system.f.len()];
+            kept.iter().zip(x).for_each(|(place, value)| all[*place] = value);
+            Some(self.solved(&places, &all, &q, counts))
+        };
+        Some([solved(&counts)?, solved(&some)?, solved(&few)?])
+    }
+
+    /// The places of the unknown terms that are among so many on each interval.
+    fn kept(&self, places: &[Places], counts: &[usize]) -> Vec<usize> {
+        let mut next = counts.iter();
+        let mut kept = Vec::new();
+        for (columns, Places { terms: (terms, first), .. }) in self.columns.iter().zip(places) {
+            let last = columns.counts.iter().zip(next.by_ref()).enumerate();
+            let ranges: Vec<Range<usize>> =
+                last.map(|(interval, (_, count))| columns.first(interval)..columns.first(interval) + count).collect();
+            let is_kept = |term: &usize| ranges.iter().any(|range| range.contains(term));
+            kept.extend((*first..).zip(terms).filter(|(_, term)| is_kept(term)).map(|(place, _)| place));
+        }
+        kept
     }
 
     /// The angles by which bodies turn against each other at a group of intervals, with their signs: a punch that does not turn is turned against
@@ -176,11 +224,12 @@ impl<'a> Equations<'a> {
         below.map(|(angle, _)| (angle, -1.0)).collect()
     }
 
-    /// Amplitudes from unknowns.
-    fn solved(&self, places: &[Places], x: &[f64], q: &[f64]) -> Solved {
+    /// Amplitudes from unknowns, with so many terms on each interval.
+    fn solved(&self, places: &[Places], x: &[f64], q: &[f64], counts: &[usize]) -> Solved {
+        let mut counts = counts.iter();
         let (q, angles) = q.split_at(q.len() - self.turning.len());
         let moments = &q[q.len() - self.free.len()..];
-        let of = |contact: usize| {
+        let mut of = |contact: usize| {
             let (columns, places) = (&self.columns[contact], &places[contact]);
             let mut amplitudes = vec![0.0; columns.terms()];
             let (terms, first) = &places.terms;
@@ -192,7 +241,8 @@ impl<'a> Equations<'a> {
             columns.as_they_are(&mut amplitudes);
             let (terms, singular) = amplitudes.split_at(columns.terms());
             let mut pressures = columns.pressures(terms, singular);
-            for (pressure, interval) in pressures.iter_mut().zip(columns.intervals) {
+            for ((pressure, interval), count) in pressures.iter_mut().zip(columns.intervals).zip(counts.by_ref()) {
+                pressure.terms.truncate(*count);
                 pressure.tip = self.tip(contact, interval);
                 let terms = pressure.terms.iter_mut().enumerate();
                 terms.for_each(|(m, y)| *y -= pressure.tip.term(interval.order(m)));
@@ -206,7 +256,7 @@ impl<'a> Equations<'a> {
             (0..columns.groups().len()).map(|group| rotation(contact, group)).collect()
         };
         let rotations = self.columns.iter().enumerate().map(of_contact).collect();
-        Solved { pressures: self.problem.unknown().flat_map(of).collect(), rotations }
+        Solved { pressures: self.problem.unknown().flat_map(&mut of).collect(), rotations }
     }
 
     /// What the sharp tip of a punch, if there is one within an interval, makes on a half-plane: its terms follow from their own rows.

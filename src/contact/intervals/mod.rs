@@ -32,9 +32,12 @@ use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
 use support::{ContactInterval, Intervals, Parity};
 
-/// Terms on each interval: the first number of them, doubled until the tolerance is met, and the last.
+/// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
 const FINEST: usize = 256;
+/// From level to level the number of terms grows by a factor between these.
+const LEAST_GROWTH: f64 = 1.5;
+const MOST_GROWTH: f64 = 2.25;
 /// Changes from level to level are said to fall at least this fast, and at most.
 const MOST_FALL: f64 = 0.5;
 const LEAST_FALL: f64 = 0.01;
@@ -80,30 +83,27 @@ fn resolved(problem: &Problem, interval: &ContactInterval) -> usize {
 
 /// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
 fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<Answer> {
-    let mut before = first;
-    let mut changes = [f64::INFINITY; 2];
-    let mut stalls = false;
-    let mut best: Option<([Approximation; 2], Errors)> = None;
-    loop {
-        let counts: Vec<usize> = before.counts.iter().map(|count| count + count / 2).collect();
-        if counts.iter().any(|count| *count > FINEST) {
-            break;
-        }
-        let Ok(level) = converge(problem, before.support.clone(), &counts, ROUNDING, work) else { break };
-        let errors = Errors::between(&level, &before, &mut changes);
+    let mut counts = grown(&first, &Errors::of(&first), problem.tolerance);
+    let (mut support, mut stalls) = (first.support, false);
+    let mut best: Option<(Errors, Approximation)> = None;
+    while counts.iter().all(|count| *count <= FINEST) {
+        let Ok(level) = converge(problem, support, &counts, ROUNDING, work) else { break };
+        let errors = Errors::of(&level);
         // more terms do not help against what is due to something else
-        let is_better = best.as_ref().is_none_or(|(_, best)| errors.worst() < best.worst());
         let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
+        let is_better = best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
+        counts = grown(&level, &errors, problem.tolerance);
+        support = level.support.clone();
         if is_better {
-            best = Some(([level.clone(), before], errors));
+            best = Some((errors, level));
         }
         // one change may be small by chance
         if is_done || !is_better && stalls {
             break;
         }
-        (before, stalls) = (level, !is_better);
+        stalls = !is_better;
     }
-    let ([level, coarse], mut errors) = best?;
+    let (mut errors, level) = best?;
     if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
         return None;
     }
@@ -117,7 +117,8 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         );
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
-    let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, Some(&coarse), errors.worst()).ok()?;
+    let Signs { min_pressure, min_gap, tensions } =
+        gaps::check(problem, &level, Some(&level.coarse()), errors.worst()).ok()?;
     // pressures in tension are wrong by that
     for (interval, error) in level.support.0.iter().zip(&mut errors.pressures) {
         *error = error.max(SAFETY * tensions[interval.contact]);
@@ -132,6 +133,14 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     };
     let contacts = found(problem, &level, &errors);
     Some(Answer { contacts, min_pressure, min_gap, rotations: level.rotations, stats, warnings })
+}
+
+/// As many terms on each interval as are expected to meet a tolerance.
+fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
+    let steps = (errors.worst() / tolerance).ln() / -errors.fall.ln();
+    let most = FINEST as f64 / level.counts.iter().copied().fold(1, usize::max) as f64;
+    let growth = LEAST_GROWTH.powf(steps).min(most.min(MOST_GROWTH)).max(LEAST_GROWTH);
+    level.counts.iter().map(|count| (growth * *count as f64) as usize).collect()
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
@@ -205,7 +214,7 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
     (kernel.remainder(i, end) / kernel.asymptote(i).limit).abs() / end
 }
 
-/// By how much two levels differ.
+/// How well ends and pressures are known, from what fewer terms tell of them.
 struct Errors {
     /// Of the ends of each interval, relative.
     ends: Vec<[f64; 2]>,
@@ -213,42 +222,50 @@ struct Errors {
     pressures: Vec<f64>,
     /// The most that is due to something else than the number of terms.
     floor: f64,
+    /// How much less half as many terms more change than those before.
+    fall: f64,
 }
 
 impl Errors {
-    /// Estimates them from what has changed since the level before, and how much less that is than the largest changes then, of ends and of pressures.
-    fn between(level: &Approximation, before: &Approximation, largest_changes: &mut [f64; 2]) -> Self {
-        let apart = |(new, old): (&ContactInterval, &ContactInterval)| {
-            let sizes = new.sizes();
-            let moved = [new.from() - old.from(), new.to() - old.to()];
-            [0, 1].map(|k| if moved[k] == 0.0 { 0.0 } else { (moved[k] / sizes[k]).abs() })
-        };
+    /// Estimates them from what the last third of the terms changes, and how much less that is than what the third before changes.
+    fn of(level: &Approximation) -> Self {
         let all = &level.support.0;
-        let ends: Vec<[f64; 2]> = all.iter().zip(&before.support.0).map(apart).collect();
-        let [new, old] = [level, before].map(|level| level.middle_pressures());
-        let size = |number: usize| level.largest_pressure(all[number].contact, &new);
+        let moves = level.moves();
+        let [own, some, few] =
+            [&level.pressures, &level.coarser[0], &level.coarser[1]].map(|pressures| level.middle_pressures(pressures));
+        let size = |number: usize| level.largest_pressure(all[number].contact, &own);
         let differ = |number: usize| {
-            if new[number] == old[number] { 0.0 } else { (new[number] - old[number]).abs() / size(number) }
+            [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())
         };
-        let pressures: Vec<f64> = (0..all.len()).map(differ).collect();
+        let changes: Vec<[f64; 2]> = (0..all.len()).map(differ).collect();
         // next to graded faces changes fall like a power
         let least = if level.graded.contains(&true) { LEAST_FALL_GRADED } else { LEAST_FALL };
-        let mut left = |kind: usize, change: f64| {
-            let fall = change / std::mem::replace(&mut largest_changes[kind], change);
-            let fall = if fall > 0.0 { fall.clamp(least, MOST_FALL) } else { MOST_FALL };
-            SAFETY * fall / (1.0 - fall)
+        let fall = |changes: &[[f64; 2]]| {
+            let [last, before] = [0, 1].map(|k| largest(changes.iter().map(|change| change[k].abs())));
+            if last > 0.0 { (last / before).clamp(least, MOST_FALL) } else { least }
         };
-        let (of_ends, of_pressures) =
-            (left(0, largest(ends.iter().flatten().copied())), left(1, largest(pressures.iter().copied())));
+        let falls = [fall(&moves), fall(&changes)];
+        let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
         let last = largest(level.steps.iter().map(|step| step.abs()));
         // short waves are felt where an interval is short
         let rest =
             |interval: &ContactInterval| last + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
         let rests: Vec<f64> = all.iter().map(rest).collect();
+        let mut next = moves.iter();
+        let ends = |(interval, rest): (&ContactInterval, &f64)| {
+            let mut errors = [*rest; 2];
+            for side in interval.sides() {
+                let k = usize::from(*side > 0.0);
+                let moved = next.next().map_or(0.0, |[moved, _]| moved.abs() * interval.half / interval.sizes()[k]);
+                errors[k] += of_ends * moved;
+            }
+            errors
+        };
         Self {
-            ends: ends.iter().zip(&rests).map(|(own, rest)| own.map(|change| of_ends * change + rest)).collect(),
-            pressures: pressures.iter().zip(&rests).map(|(change, rest)| of_pressures * change + rest).collect(),
-            floor: largest(rests),
+            ends: all.iter().zip(&rests).map(ends).collect(),
+            pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
+            floor: largest(rests.iter().copied()),
+            fall: falls[0].max(falls[1]),
         }
     }
 
@@ -259,10 +276,12 @@ impl Errors {
 
 impl Approximation {
     /// The pressures in the middle of all intervals, per unit of P', without what sharp tips make, which is known.
-    fn middle_pressures(&self) -> Vec<f64> {
-        let all = self.support.0.iter().enumerate();
-        let smooth = |number: usize| Pressure { tip: Tip::default(), ..self.smooth(number) };
-        all.map(|(number, interval)| smooth(number).strip(interval).pressure(interval.middle)).collect()
+    fn middle_pressures(&self, pressures: &[Pressure]) -> Vec<f64> {
+        let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
+            let smooth = Pressure { tip: Tip::default(), ..self.smooth(interval, pressure) };
+            smooth.strip(interval).pressure(interval.middle)
+        };
+        self.support.0.iter().zip(pressures).map(of).collect()
     }
 
     /// The largest of the pressures in the middle, or of the mean pressures, of the intervals of a contact.
@@ -276,21 +295,20 @@ impl Approximation {
     }
 
     /// The pressure of an interval as it is given to the user.
-    fn smooth(&self, number: usize) -> Pressure {
-        let (interval, pressure) = (&self.support.0[number], &self.pressures[number]);
+    fn smooth(&self, interval: &ContactInterval, pressure: &Pressure) -> Pressure {
         if self.graded[interval.contact] { pressure.averaged(interval) } else { pressure.clone() }
     }
 }
 
 /// What was found of each contact.
 fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found> {
-    let pressures = level.middle_pressures();
+    let pressures = level.middle_pressures(&level.pressures);
     let of = |contact: usize| {
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
             let interval = &level.support.0[number];
-            level.smooth(number).regular(interval).strip(interval)
+            level.smooth(interval, &level.pressures[number]).regular(interval).strip(interval)
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
         let size = level.largest_pressure(contact, &pressures);

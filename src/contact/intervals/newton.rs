@@ -2,7 +2,7 @@
 use crate::contact::ends::broyden::Secants;
 use crate::contact::ends::newton::Work;
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
-use crate::contact::intervals::equations::{Equations, Solved};
+use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::problem::Problem;
@@ -27,6 +27,8 @@ pub(super) struct Approximation {
     pub(super) counts: Vec<usize>,
     /// Of each interval.
     pub(super) pressures: Vec<Pressure>,
+    /// The same with two thirds of the terms between the same ends, and with four ninths.
+    pub(super) coarser: [Vec<Pressure>; 2],
     /// Of each contact, for each group of intervals, what turning bodies add to the slope of the gap.
     pub(super) rotations: Vec<Vec<f64>>,
     /// The last step of each end, in half-lengths.
@@ -35,6 +37,25 @@ pub(super) struct Approximation {
     pub(super) left_out: Vec<f64>,
     /// Whether each contact is next to a graded face.
     pub(super) graded: Vec<bool>,
+}
+
+impl Approximation {
+    /// With two thirds of the terms between the same ends.
+    pub(super) fn coarse(&self) -> Self {
+        Self { counts: fewer(&self.counts), pressures: self.coarser[0].clone(), ..self.clone() }
+    }
+
+    /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
+    /// depends on an end.
+    pub(super) fn moves(&self) -> Vec<[f64; 2]> {
+        let [own, some, few] =
+            [&self.pressures, &self.coarser[0], &self.coarser[1]].map(|pressures| looks(&self.support, pressures));
+        let of = |k: usize| {
+            let is_weak = own[k].is_weak(own[k].step);
+            if is_weak { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
+        };
+        (0..own.len()).map(of).collect()
+    }
 }
 
 /// Why ends do not converge.
@@ -91,7 +112,7 @@ pub(super) fn converge(
         let products = layout.zeta.len() as f64 * terms * (terms + 64.0);
         work.operations.spend(products + terms.powi(3) / 3.0).ok_or_else(|| Failure::Stuck(support.clone()))?;
         work.step();
-        let Solved { pressures, rotations } = Equations::new(problem, &layout, &support, counts)
+        let [Solved { pressures, rotations }, some, few] = Equations::new(problem, &layout, &support, counts)
             .solve()
             .ok_or_else(|| Failure::Stuck(support.clone()))?;
         if let Some(failure) = changes(&support, &pressures) {
@@ -107,8 +128,8 @@ pub(super) fn converge(
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
             let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
-            let counts = counts.to_vec();
-            return Ok(Approximation { support, counts, pressures, rotations, steps, left_out, graded });
+            let (counts, coarser) = (counts.to_vec(), [some, few].map(|solved| solved.pressures));
+            return Ok(Approximation { support, counts, pressures, coarser, rotations, steps, left_out, graded });
         }
         if !progress.goes_on(longest) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
