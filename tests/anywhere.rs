@@ -252,6 +252,10 @@ fn a_parabola_that_is_turned_is_one_that_is_moved() {
         let turned = press_punches(model, &[(parabola(), 1.0, 0.01, Tilt::Fixed(2e-3))]);
         let moved = press_punches(model, &[(parabola(), 1.0 - 80.0 * 2e-3, 0.01, Tilt::None)]);
         close(&all_ends(&turned), &all_ends(&moved), 2e-10);
+        // also where that is many times as far as the contact is long
+        let turned = press_punches(model, &[(parabola(), 1.0, 1e-3, Tilt::Fixed(0.02))]);
+        let moved_far = press_punches(model, &[(parabola(), 1.0 - 80.0 * 0.02, 1e-3, Tilt::None)]);
+        close(&all_ends(&turned), &all_ends(&moved_far), 2e-10);
         // a force beside the tip turns it as far as it would have to be moved
         let free = press_punches(model, &[(parabola(), 1.0, 0.01, Tilt::Free { eccentricity: -0.16 })]);
         close(&all_ends(&free), &all_ends(&moved), 2e-10);

@@ -6,6 +6,9 @@ use crate::contact::problem::twin::Twin;
 use crate::geometry::Geometry;
 use crate::scene::{Pressed, Punch, Punches, Tilt};
 
+/// The lowest place of a turned punch is looked for as far from its tip, in units of L, and found by so many halvings.
+const FARTHEST: f64 = 1e6;
+const HALVINGS: usize = 60;
 /// So near to a tip the slope is the limit from one side.
 const JUMP: f64 = 1e-200;
 
@@ -89,6 +92,27 @@ impl<'a> Placed<'a> {
     /// Where it has a sharp tip, and by how much its slope jumps there, per unit of P'.
     pub(crate) fn tip(&self) -> Option<(f64, f64)> {
         self.punch.is_sharp().then(|| (self.at, self.profile.slope(JUMP) - self.profile.slope(-JUMP)))
+    }
+
+    /// Where it is lowest, turned by its angle: the slope of the profile is minus that there.
+    pub(crate) fn lowest(&self) -> f64 {
+        let angle = self.angle().unwrap_or(0.0);
+        if angle == 0.0 || self.profile.flat().is_some() {
+            return self.at;
+        }
+        let side = -angle.signum();
+        let rises = |x: f64| side * (self.profile.slope(side * x) + angle) >= 0.0;
+        let edge = self.ends[usize::from(side > 0.0)].abs();
+        // the last place before it rises, found to a small part of its distance from the tip
+        let (mut low, mut high) = (0.0, edge.min(1.0));
+        while high < edge && high < FARTHEST && !rises(high) {
+            (low, high) = (high, (2.0 * high).min(edge));
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if rises(middle) { high = middle } else { low = middle }
+        }
+        self.at + side * 0.5 * (low + high)
     }
 
     /// Where its tip is.

@@ -99,10 +99,10 @@ pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
     all
 }
 
-/// From where to where the contact under a punch anywhere is expected: about the line of action of a force that may turn it. A flat punch is touched
+/// From where to where the contact under a punch anywhere is expected: about the line of action of a force that may turn it, or about its lowest place. A flat punch is touched
 /// over its whole width, or, as on a half-plane, from a corner to three times as far beyond a force in the outer quarter of it.
 fn under(kernel: &Kernel, punch: &Placed) -> [f64; 2] {
-    let (middle, ends) = (punch.line_of_action().unwrap_or(punch.at()), punch.ends());
+    let (middle, ends) = (punch.line_of_action().unwrap_or_else(|| punch.lowest()), punch.ends());
     if punch.corner(1.0).is_some() {
         let [from_left, from_right] = ends.map(|end| 4.0 * (middle - end));
         return [ends[0].max(ends[1] + from_right), ends[1].min(ends[0] + from_left)];
