@@ -7,8 +7,7 @@
 use std::f64::consts::PI;
 use std::ops::Range;
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use faer::Mat;
 
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::TOGETHER;
@@ -16,6 +15,8 @@ use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
+use crate::contact::intervals::system::System;
+use crate::contact::intervals::waves::{combined, product};
 use crate::contact::problem::Problem;
 use crate::contact::problem::placed::Placed;
 use crate::numeric::dot;
@@ -63,52 +64,9 @@ struct Told {
     by_moments: Vec<f64>,
 }
 
-/// [A E; B D] [x; q] = [f; b].
-struct System {
-    a: Mat<f64>,
-    e: Mat<f64>,
-    b: Mat<f64>,
-    d: Mat<f64>,
-    f: Vec<f64>,
-    left: Vec<f64>,
-}
-
 /// Two thirds of some numbers of terms.
 pub(super) fn fewer(counts: &[usize]) -> Vec<usize> {
     counts.iter().map(|count| count - count / 3).collect()
-}
-
-impl System {
-    /// The rows and columns of some of the unknown terms.
-    fn part(&self, kept: &[usize]) -> Self {
-        let (size, border) = (kept.len(), self.d.nrows());
-        Self {
-            a: Mat::from_fn(size, size, |row, column| self.a[(kept[row], kept[column])]),
-            e: Mat::from_fn(size, border, |row, column| self.e[(kept[row], column)]),
-            b: Mat::from_fn(border, size, |row, column| self.b[(row, kept[column])]),
-            d: self.d.clone(),
-            f: kept.iter().map(|place| self.f[*place]).collect(),
-            left: self.left.clone(),
-        }
-    }
-
-    /// x and q; `None` if there are none in double precision.
-    fn solve(&self) -> Option<(Vec<f64>, Vec<f64>)> {
-        let Self { a, e, b, d, f, left } = self;
-        let (size, border) = (a.nrows(), e.ncols());
-        let llt = a.llt(Side::Lower).ok()?;
-        let right =
-            Mat::from_fn(size, border + 1, |row, column| if column < border { e[(row, column)] } else { f[row] });
-        let solved = llt.solve(&right);
-        let (by_border, regular) = (solved.subcols(0, border), solved.subcols(border, 1));
-        let reduced = d - b * by_border;
-        let residual = b * regular;
-        let residual = Mat::from_fn(border, 1, |row, _| left[row] - residual[(row, 0)]);
-        let q = reduced.partial_piv_lu().solve(&residual);
-        let x = regular - by_border * &q;
-        let [x, q] = [x, q].map(|column| column.col_as_slice(0).to_vec());
-        x.iter().chain(&q).all(|value| value.is_finite()).then_some((x, q))
-    }
 }
 
 impl<'a> Equations<'a> {
@@ -480,26 +438,4 @@ impl<'a> Equations<'a> {
             field.iter_mut().zip(values).for_each(|(sum, value)| *sum += amplitude * value);
         }
     }
-}
-
-/// The sum of the first columns with these amplitudes.
-fn combined(columns: &Mat<f64>, amplitudes: &[f64]) -> Vec<f64> {
-    let mut sum = vec![0.0; columns.nrows()];
-    for (column, amplitude) in amplitudes.iter().enumerate().filter(|(_, amplitude)| **amplitude != 0.0) {
-        sum.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
-    }
-    sum
-}
-
-/// leftᵀ · weights · right, over as many wavenumbers as there are weights and values on both sides, real parts and imaginary ones.
-fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>, parts: usize) -> Mat<f64> {
-    let [own, other] = [left, right].map(|columns| columns.nrows() / parts);
-    let count = weights.len().min(own).min(other);
-    let mut product = Mat::zeros(left.ncols(), right.ncols());
-    for part in 0..parts {
-        let right = right.as_ref().subrows(part * other, count);
-        let weighted = Mat::from_fn(count, right.ncols(), |k, column| right[(k, column)] * weights[k]);
-        product += left.as_ref().subrows(part * own, count).transpose() * &weighted;
-    }
-    product
 }

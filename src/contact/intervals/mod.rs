@@ -9,6 +9,7 @@ mod pressure;
 mod short_waves;
 mod space;
 mod support;
+mod system;
 #[cfg(test)]
 mod tests;
 mod waves;

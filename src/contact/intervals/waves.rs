@@ -134,3 +134,25 @@ fn cosine_minus_one(z: f64) -> f64 {
 fn less_one(a: f64, b: f64) -> f64 {
     a + b + a * b
 }
+
+/// The sum of the first columns with these amplitudes.
+pub(super) fn combined(columns: &Mat<f64>, amplitudes: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; columns.nrows()];
+    for (column, amplitude) in amplitudes.iter().enumerate().filter(|(_, amplitude)| **amplitude != 0.0) {
+        sum.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
+    }
+    sum
+}
+
+/// leftᵀ · weights · right, over as many wavenumbers as there are weights and values on both sides, real parts and imaginary ones.
+pub(super) fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>, parts: usize) -> Mat<f64> {
+    let [own, other] = [left, right].map(|columns| columns.nrows() / parts);
+    let count = weights.len().min(own).min(other);
+    let mut product = Mat::zeros(left.ncols(), right.ncols());
+    for part in 0..parts {
+        let right = right.as_ref().subrows(part * other, count);
+        let weighted = Mat::from_fn(count, right.ncols(), |k, column| right[(k, column)] * weights[k]);
+        product += left.as_ref().subrows(part * own, count).transpose() * &weighted;
+    }
+    product
+}
