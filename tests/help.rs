@@ -85,6 +85,11 @@ fn alternatives_in_the_first_scene_are_legal() {
         let run = recede(&["check", "-"], text.as_bytes());
         assert_eq!(run.status, Some(0), "{text}\n{}", run.stderr);
     };
+    for other in ["two-rollers", "eccentric-seal"] {
+        let run = recede(&["init", "-", "--scene", other], b"");
+        assert!(run.status == Some(0) && run.stdout.contains("punches: ["), "{other}: {}", run.stderr);
+        checks(&run.stdout);
+    }
     let graded = scene.split_once("profiles: ").unwrap().1.split_once(".\n").unwrap().0;
     assert!(graded.starts_with("Graded("), "{graded}");
     checks(&scene.replace("Exponential(thickness: 1.0, young: 67600.0, poisson: 0.3, beta: -1.0)", graded));
