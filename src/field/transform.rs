@@ -1,5 +1,5 @@
 //! The transform of the pressure on one strip, and the potentials of which closed forms in x consist.
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::iter::zip;
 
 use num_complex::Complex64;
@@ -11,6 +11,10 @@ use crate::solution::{Form, Strip};
 /// λa = 2^20, beyond the cut-off of any field.
 const SAMPLES: i32 = 41;
 const SAMPLED: f64 = std::f64::consts::SQRT_2;
+
+/// The transform of a tip at t follows from this z (1 − |t|) on from so many terms of its asymptotic series.
+const LONG: f64 = 40.0;
+const TERMS: u32 = 30;
 
 /// Bessel functions whose order is above z + BEYOND z^(1/3) + BEYOND are below rounding, by Airy's function at 15.
 const BEYOND: f64 = 12.0;
@@ -65,8 +69,7 @@ impl Strip {
     /// The transform about the middle at some wavenumbers.
     pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
         if self.tip_at != 0.0 {
-            let last = wavenumbers.iter().fold(0.0, |last: f64, wavenumber| last.max(wavenumber * self.extent));
-            return self.without_tip(orders_felt(last)).transforms(wavenumbers);
+            return self.transforms_with_tip(wavenumbers);
         }
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.extent).collect();
         let even = if self.is_round { self.disc_variations(&arguments) } else { self.even_variations(&arguments) };
@@ -77,6 +80,29 @@ impl Strip {
             variation: Complex64::new(even, variation),
         };
         zip(even, odd).map(of).collect()
+    }
+
+    /// The same with a tip off the middle: by the terms of its series, which waves feel up to their own order, or by its asymptotic series.
+    fn transforms_with_tip(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+        let last = LONG / (1.0 - self.tip_at.abs());
+        let is_long = |wavenumber: &f64| wavenumber * self.extent > last;
+        let [long, short]: [Vec<f64>; 2] =
+            [true, false].map(|wanted| wavenumbers.iter().copied().filter(|l| is_long(l) == wanted).collect());
+        let plain = Self { tip: 0.0, tip_at: 0.0, ..self.clone() };
+        let mut of_long = plain.transforms(&long).into_iter();
+        let largest = short.iter().fold(0.0, |largest: f64, l| largest.max(l * self.extent));
+        let mut of_short = self.without_tip(orders_felt(largest)).transforms(&short).into_iter();
+        let (resultant, moment) = (self.resultant() - plain.resultant(), self.moment() - plain.moment());
+        let of = |wavenumber: &f64| {
+            if !is_long(wavenumber) {
+                return of_short.next().unwrap_or_default();
+            }
+            let Transform { value, variation } = of_long.next().unwrap_or_default();
+            let tip = self.tip * self.extent * transform_of_tip(self.tip_at, wavenumber * self.extent);
+            let long_waves = Complex64::new(resultant, wavenumber * moment);
+            Transform { value: value + tip, variation: variation + (tip - long_waves) }
+        };
+        wavenumbers.iter().map(of).collect()
     }
 
     /// With the first terms of its series in place of what a tip makes.
@@ -147,6 +173,27 @@ impl Strip {
 /// The terms (−1)^m c_m of a series.
 fn alternating(series: &[f64]) -> impl Iterator<Item = f64> + Clone {
     series.iter().zip([1.0, -1.0].into_iter().cycle()).map(|(c, sign)| sign * c)
+}
+
+/// ∫ arcosh((1 − st)/|s − t|) e^(izs) ds over |s| < 1 for large z (1 − |t|): (π/z) √(1 − t²) e^(itz) ∫ e^(−itτ) J_0(τ) dτ from 0 to z, where the integral is
+/// 1/√(1 − t²) less the one from z on, an asymptotic series.
+fn transform_of_tip(t: f64, z: f64) -> Complex64 {
+    // ∫ e^(iqτ) √(2/πτ) e^(−iπ/4) Σ c_k τ^(−k) dτ from z on, where H_0 is e^(iτ) times the sum with q = 0
+    let beyond = |q: f64| {
+        let (mut c, mut d, mut sum, mut power) = (Complex64::ONE, Complex64::ZERO, Complex64::ZERO, 1.0);
+        for k in 0..TERMS {
+            let order = f64::from(k);
+            d = (c + (order - 0.5) * d) / Complex64::new(0.0, q);
+            sum += d * power;
+            power /= z;
+            let odd = 2.0 * order + 1.0;
+            c *= Complex64::new(0.0, -odd * odd / (8.0 * (order + 1.0)));
+        }
+        -Complex64::cis(q * z - FRAC_PI_4) * (2.0 / (PI * z)).sqrt() * sum
+    };
+    let sine = (1.0 - t * t).sqrt();
+    let rest = 0.5 * (beyond(1.0 - t) + beyond(1.0 + t).conj());
+    PI / z * sine * Complex64::cis(t * z) * (sine.recip() - rest)
 }
 
 /// Bessel functions of so many orders are above rounding up to z.

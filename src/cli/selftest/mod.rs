@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-use recede::selftest::{Ranges, about_axis, scene, scene_of_any_kind, variant};
+use recede::selftest::{Ranges, about_axis, scene, scene_of_any_kind, scene_with_punches, variant};
 use recede::{Scene, files};
 
 use super::Failure;
@@ -25,8 +25,9 @@ that takes more than the allowed memory or time is counted as killed.
 
 Layers: none to 6, homogeneous and graded (beta * thickness -8 to 8), bonded and up to 3 receding, thicknesses and moduli up \
 to 1 : 1000 and 1 : 10000, Poisson's ratio -0.5 to 0.5; contacts under the punch from 1e-4 to 10 times the thickness. Some \
-of the punches, layers, interfaces and bases are then exchanged for others of all kinds. Every third scene is one of the \
-examples that ship with the program, with numbers, layers, interfaces, base and punch changed at random.
+of the punches, layers, interfaces and bases are then exchanged for others of all kinds. Every fourth scene has one to four \
+punches that may be turned, or pressed beside their tips. Every third scene is one of the examples that ship with the program, \
+with numbers, layers, interfaces, base and punch changed at random.
 
 Examples:
   recede selftest --count 2000 --seed 1
@@ -75,6 +76,8 @@ pub struct SelftestArguments {
     worker: bool,
 }
 
+/// One scene in this many has several punches, or one that is turned.
+const PUNCHES: u64 = 4;
 /// The number of slowest scenes that are listed.
 const SLOWEST: usize = 10;
 /// One scene in this many is drawn, too.
@@ -139,6 +142,8 @@ impl SelftestArguments {
             scene(&ranges, self.seed, number).scene()
         } else if number % VARIED == VARIED - 1 {
             variant(self.seed, number)
+        } else if number.is_multiple_of(PUNCHES) && !self.axisymmetric {
+            scene_with_punches(&ranges, self.seed, number)
         } else {
             scene_of_any_kind(&ranges, self.seed, number)
         };
