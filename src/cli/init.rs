@@ -27,7 +27,7 @@ impl First {
     }
 }
 
-/// Write a scene to begin with
+/// Write a scene to begin with, every line explained
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
