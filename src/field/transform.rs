@@ -12,7 +12,7 @@ use crate::solution::{Form, Strip};
 const SAMPLES: i32 = 41;
 const SAMPLED: f64 = std::f64::consts::SQRT_2;
 
-/// The transform of a tip at t follows from this z (1 − |t|) on from so many terms of its asymptotic series.
+/// From this z (1 − |t|) on, the transform of a tip at t follows from an asymptotic series with this number of terms.
 const LONG: f64 = 40.0;
 const TERMS: u32 = 30;
 
@@ -196,7 +196,7 @@ fn transform_of_tip(t: f64, z: f64) -> Complex64 {
     PI / z * sine * Complex64::cis(t * z) * (sine.recip() - rest)
 }
 
-/// Bessel functions of so many orders are above rounding up to z.
+/// The number of orders of Bessel functions that are above rounding up to z.
 fn orders_felt(z: f64) -> usize {
     (z + BEYOND * (z.cbrt() + 1.0)) as usize + 1
 }

@@ -158,7 +158,7 @@ impl<'a> Equations<'a> {
         Some([solved(&counts)?, solved(&some)?, solved(&few)?])
     }
 
-    /// The places of the unknown terms that are among so many on each interval.
+    /// The places of the unknown terms that are among the first ones of each interval, as many as `counts` says.
     fn kept(&self, places: &[Places], counts: &[usize]) -> Vec<usize> {
         let mut next = counts.iter();
         let mut kept = Vec::new();
@@ -182,7 +182,7 @@ impl<'a> Equations<'a> {
         below.map(|(angle, _)| (angle, -1.0)).collect()
     }
 
-    /// Amplitudes from unknowns, with so many terms on each interval.
+    /// Amplitudes from unknowns, with `counts` terms on the intervals.
     fn solved(&self, places: &[Places], x: &[f64], q: &[f64], counts: &[usize]) -> Solved {
         let mut counts = counts.iter();
         let (q, angles) = q.split_at(q.len() - self.turning.len());

@@ -9,7 +9,7 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
 use crate::numeric::quadrature::rule;
 
-/// Gaps are found from waves up to so many times the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
+/// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
 const FARTHER: f64 = 2.0;
 

@@ -1,7 +1,7 @@
 //! What short waves do next to graded faces, where kernels fall like 1/ζ, within each interval.
 //!
 //! Columns and tests of one interval have the same phase exp(iζ middle), which drops out of their products: products of Bessel functions of one argument
-//! are left, and the integrals over these go on in a [`Tail`]. Terms and tests of odd orders do nothing to those of even orders. Products of different
+//! are left, and the integrals over these go on in a [`Tail`]. Terms and tests of odd orders do nothing to tests and terms of even orders. Products of different
 //! intervals oscillate, and the first powers of 1/ζ are taken out of their kernel as a sum of exponentials: what these do is found in space, for different
 //! intervals with closed forms, and for each interval with itself from the wavenumbers and the tail here.
 use std::f64::consts::PI;

@@ -6,7 +6,7 @@ use crate::contact::problem::twin::Twin;
 use crate::geometry::Geometry;
 use crate::scene::{Pressed, Punch, Punches, Tilt};
 
-/// The lowest place of a turned punch is looked for as far from its tip, in units of L, and found by so many halvings.
+/// The lowest place of a turned punch is looked for up to this distance from its tip, in units of L, and found by this number of halvings.
 const FARTHEST: f64 = 1e6;
 const HALVINGS: usize = 60;
 /// So near to a tip the slope is the limit from one side.
