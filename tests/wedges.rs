@@ -1,6 +1,6 @@
 //! Wedges with two slopes, turned, pressed beside their tips or beside other punches.
 //!
-//! Goal: ends and pressures on a half-plane are those of the closed form; contacts move and are mirrored with the punches; what is even but for its place or
+//! Goal: ends and pressures on a half-plane are as the closed form says; contacts move and are mirrored with the punches; what is even but for its place or
 //! a rounding is what the solver for even contacts finds; everything that commands do goes through.
 //!
 //! Source of the closed form: ∫ f'(x)/√((x − l)(r − x)) dx = 0 and ∫ x f'(x)/√(...) dx = 2 P/E* between the ends l and r, of a slope that jumps.
