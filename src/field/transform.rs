@@ -82,7 +82,7 @@ impl Strip {
         zip(even, odd).map(of).collect()
     }
 
-    /// The same with a tip off the middle: by the terms of its series, which waves feel up to their own order, or by its asymptotic series.
+    /// The same with a tip off the middle: by the terms of its series up to the orders whose Bessel functions are above rounding, or by its asymptotic series.
     fn transforms_with_tip(&self, wavenumbers: &[f64]) -> Vec<Transform> {
         let last = LONG / (1.0 - self.tip_at.abs());
         let is_long = |wavenumber: &f64| wavenumber * self.extent > last;
@@ -91,7 +91,7 @@ impl Strip {
         let plain = Self { tip: 0.0, tip_at: 0.0, ..self.clone() };
         let mut of_long = plain.transforms(&long).into_iter();
         let largest = short.iter().fold(0.0, |largest: f64, l| largest.max(l * self.extent));
-        let mut of_short = self.without_tip(orders_felt(largest)).transforms(&short).into_iter();
+        let mut of_short = self.without_tip(orders_up_to(largest)).transforms(&short).into_iter();
         let (resultant, moment) = (self.resultant() - plain.resultant(), self.moment() - plain.moment());
         let of = |wavenumber: &f64| {
             if !is_long(wavenumber) {
@@ -197,7 +197,7 @@ fn transform_of_tip(t: f64, z: f64) -> Complex64 {
 }
 
 /// The number of orders of Bessel functions that are above rounding up to z.
-fn orders_felt(z: f64) -> usize {
+fn orders_up_to(z: f64) -> usize {
     (z + BEYOND * (z.cbrt() + 1.0)) as usize + 1
 }
 
@@ -206,7 +206,7 @@ fn orders_felt(z: f64) -> usize {
 fn table(arguments: &[f64], of_series: usize, endless: bool) -> (usize, Vec<f64>) {
     let largest = arguments.iter().fold(0.0, |largest: f64, z| largest.max(*z));
     let largest = if endless { largest.min(bessel::INTEGRAL_FROM.max(of_series as f64)) } else { largest };
-    let enough = orders_felt(largest);
+    let enough = orders_up_to(largest);
     let orders = if endless { enough } else { enough.min(of_series) }.max(3);
     let mut bessel = vec![0.0; orders * arguments.len()];
     bessel::table(orders, arguments, &mut bessel);

@@ -95,7 +95,7 @@ impl Asymptote {
     }
 
     /// The first powers of 1/ζ in the remainder as a sum of c exp(−ζb), in pairs of b and c: 1/ζⁿ = ∫ bⁿ⁻¹/(n − 1)! exp(−ζb) db, up to a depth b
-    /// that no wave beyond `from` reaches. A half-plane feels exp(−ζb) at x as a load feels the place x + ib.
+    /// that no wave beyond `from` reaches. A half-plane with the kernel exp(−ζb) has at x the slope that it has at x + ib with the kernel 1.
     pub(crate) fn exponentials(&self) -> Vec<[f64; 2]> {
         let Some(remainder) = &self.remainder else { return Vec::new() };
         let powers: [f64; POWERS] = remainder.powers();

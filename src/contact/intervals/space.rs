@@ -17,7 +17,7 @@ use crate::numeric::quadrature::rule;
 const POINTS: usize = 48;
 
 /// Powers below this are less than rounding of what the first terms do.
-const UNFELT: f64 = 1e-18;
+const SMALLEST: f64 = 1e-18;
 
 /// What columns do on a half-plane with λμ₀C = 1, and what they do to a gap with a slope of its own.
 pub(super) struct InSpace {
@@ -130,8 +130,8 @@ impl Columns<'_> {
                 for (m, out) in out[first..first + self.counts[number]].iter_mut().enumerate() {
                     *out += sign * unit * power.re / interval.order(m) as f64;
                     power *= by;
-                    // far from an interval its higher terms are not felt
-                    if power.norm_sqr() < UNFELT * UNFELT {
+                    // far from an interval its higher terms are below rounding
+                    if power.norm_sqr() < SMALLEST * SMALLEST {
                         break;
                     }
                 }
