@@ -9,11 +9,13 @@ use crate::contact::intervals::newton::{Approximation, Failure, TOGETHER, conver
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::intervals::{COARSEST, refine, resolved};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, PER_MODE};
+use crate::contact::problem::accuracy::{COARSE, PER_MODE, SAFETY};
 use crate::contact::problem::iteration::Operations;
 
 /// Changes of the list at most.
 const MOST_CHANGES: usize = 30;
+/// So many times more terms than usual at most before a list is changed.
+const FINER: usize = 16;
 
 /// An interval to begin with, in units of L.
 pub(crate) struct Expected {
@@ -37,9 +39,9 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, 
     let start = Intervals(expected.iter().map(of).collect());
     let mut failure = None;
     // few terms take the least; where they lead nowhere, twice as many may not
-    for least in [COARSEST, 2 * COARSEST, 4 * COARSEST] {
+    for finer in [1, 2, 4] {
         work.operations.start();
-        match follow(problem, start.clone(), least, &mut work) {
+        match follow(problem, start.clone(), finer, &mut work) {
             Ok(answer) => return Ok(answer),
             Err(last) => failure = failure.or_else(|| outgrown(problem, &last.0)),
         }
@@ -47,16 +49,22 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, 
     Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
 }
 
-/// Changes a list of intervals with this number of terms at least until it is an answer; the last list if it does not become one.
-fn follow(problem: &Problem, mut support: Intervals, least: usize, work: &mut Work) -> Result<Answer, Intervals> {
+/// Changes a list of intervals until it is an answer, with so many times more terms than usual; the last list if it does not become one.
+fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mut Work) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
         work.steps.clear();
+        let [least, most] = [COARSEST, 4 * COARSEST].map(|count| finer * count);
         let counts: Vec<usize> =
-            support.0.iter().map(|interval| resolved(problem, interval).clamp(least, 4 * COARSEST)).collect();
+            support.0.iter().map(|interval| resolved(problem, interval).clamp(least, most)).collect();
         support = match converge(problem, support, &counts, COARSE, work) {
-            Ok(level) => match negative(&level) {
-                Some(split) => split,
-                None => match checked(problem, &level, work) {
+            Ok(level) => match tension(&level) {
+                Tension::Split(split) => split,
+                // the list is not changed for what more terms may mend
+                Tension::Unresolved if finer < FINER => {
+                    finer *= 2;
+                    level.support
+                }
+                _ => match checked(problem, &level, work) {
                     Ok(answer) => return Ok(answer),
                     Err(next) => next.ok_or(level.support)?,
                 },
@@ -83,7 +91,11 @@ fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactE
 
 /// The answer, or a list that is nearer to it, if there is one.
 fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<Intervals>> {
-    match gaps::check(problem, level, None, COARSE) {
+    let mut check = gaps::check(problem, level, None, COARSE);
+    if matches!(check, Err(Fault::Penetration { .. })) {
+        check = gaps::check(problem, level, Some(&level.coarse()), COARSE);
+    }
+    match check {
         Ok(_) => refine(problem, level.clone(), work).ok_or(None),
         Err(Fault::Penetration { contact, punch, at, over }) => {
             Err(Some(with_interval(&level.support, (contact, punch), at, over)))
@@ -92,17 +104,37 @@ fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<
     }
 }
 
-/// The list with an interval split where its pressure is negative between places where it is not; `None` if none is.
-fn negative(level: &Approximation) -> Option<Intervals> {
-    for (number, (interval, pressure)) in level.support.0.iter().zip(&level.pressures).enumerate() {
+/// What is done about tension within intervals.
+enum Tension {
+    None,
+    /// As much as terms that are missing may make.
+    Unresolved,
+    /// The list with an interval split about where its pressure is negative.
+    Split(Intervals),
+}
+
+/// Looks for negative pressures, and whether fewer terms have them, too.
+fn tension(level: &Approximation) -> Tension {
+    let mut found = Tension::None;
+    let all = level.support.0.iter().zip(&level.pressures).zip(&level.coarser[0]);
+    for (number, ((interval, pressure), coarser)) in all.enumerate() {
         let places = 2 * PER_MODE * pressure.terms.len();
         let phi = |k: usize| PI * k as f64 / places as f64;
-        let strip = pressure.regular(interval).strip(interval);
-        let all: Vec<f64> = (1..places).map(|k| strip.pressure(interval.place(phi(k)))).collect();
-        let largest = all.iter().copied().fold(0.0, f64::max);
-        let is_negative = |k: &usize| all[*k] < -COARSE * largest;
-        let Some(first) = (0..all.len()).find(is_negative) else { continue };
-        let last = (first..all.len()).take_while(|k| all[*k] < 0.0).last().unwrap_or(first);
+        let [own, coarser] = [pressure, coarser].map(|pressure| {
+            let strip = pressure.regular(interval).strip(interval);
+            (1..places).map(|k| strip.pressure(interval.place(phi(k)))).collect::<Vec<f64>>()
+        });
+        let largest = own.iter().copied().fold(0.0, f64::max);
+        let is_negative = |k: &usize| own[*k] < -COARSE * largest;
+        let is_certain = |k: &usize| is_negative(k) && own[*k] < -SAFETY * (own[*k] - coarser[*k]).abs();
+        let Some(first) = (0..own.len()).find(is_certain) else {
+            if (0..own.len()).any(|k| is_negative(&k)) {
+                found = Tension::Unresolved;
+            }
+            continue;
+        };
+        let last = (first..own.len()).take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
+        let first = (0..=first).rev().take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
         let place = |k: usize| interval.place(phi(k + 1));
         let mut parts = level.support.0.clone();
         let ends = [[interval.from(), place(last)], [place(first), interval.to()]];
@@ -112,9 +144,9 @@ fn negative(level: &Approximation) -> Option<Intervals> {
             |k: usize| ContactInterval::anywhere(interval.contact, interval.punch, ends[k]).with_corners(corners[k]);
         let parts_of = [0, 1].map(part);
         parts.splice(number..=number, parts_of.into_iter().filter(|part| part.half > 0.0));
-        return Some(Intervals(parts));
+        return Tension::Split(Intervals(parts));
     }
-    None
+    found
 }
 
 /// The list with an interval about a place of penetration, half as wide as that.

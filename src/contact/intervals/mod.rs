@@ -2,6 +2,7 @@
 //! nothing is even.
 mod anywhere;
 mod columns;
+mod derivatives;
 mod equations;
 mod gaps;
 mod newton;
@@ -18,7 +19,7 @@ use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
 use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::integrals::tail::turning;
-use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
@@ -35,7 +36,7 @@ use support::{ContactInterval, Intervals, Parity};
 
 /// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
-const FINEST: usize = 256;
+const FINEST: usize = 768;
 /// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
@@ -87,22 +88,22 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     let mut counts = grown(&first, &Errors::of(&first), problem.tolerance);
     let (mut support, mut stalls) = (first.support, false);
     let mut best: Option<(Errors, Approximation)> = None;
-    while counts.iter().all(|count| *count <= FINEST) {
-        let Ok(level) = converge(problem, support, &counts, ROUNDING, work) else { break };
+    while let Ok(level) = converge(problem, support, &counts, ROUNDING, work) {
         let errors = Errors::of(&level);
         // more terms do not help against what is due to something else
         let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
         let is_better = best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
-        counts = grown(&level, &errors, problem.tolerance);
+        let next = grown(&level, &errors, problem.tolerance);
+        let is_finest = next == level.counts;
         support = level.support.clone();
         if is_better {
             best = Some((errors, level));
         }
         // one change may be small by chance
-        if is_done || !is_better && stalls {
+        if is_done || is_finest || !is_better && stalls {
             break;
         }
-        stalls = !is_better;
+        (stalls, counts) = (!is_better, next);
     }
     let (mut errors, level) = best?;
     if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
@@ -136,12 +137,20 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     Some(Answer { contacts, min_pressure, min_gap, rotations: level.rotations, stats, warnings })
 }
 
-/// As many terms on each interval as are expected to meet a tolerance.
+/// As many terms on each interval as are expected to meet a tolerance: errors are due to intervals as their last terms are large.
 fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
-    let steps = (errors.worst() / tolerance).ln() / -errors.fall.ln();
-    let most = FINEST as f64 / level.counts.iter().copied().fold(1, usize::max) as f64;
-    let growth = LEAST_GROWTH.powf(steps).min(most.min(MOST_GROWTH)).max(LEAST_GROWTH);
-    level.counts.iter().map(|count| (growth * *count as f64) as usize).collect()
+    let weights = level.last_terms();
+    let most = largest(weights.iter().copied());
+    let grown = |(count, weight): (&usize, &f64)| {
+        let error = if most > 0.0 { errors.worst() * weight / most } else { errors.worst() };
+        if error < MINOR * tolerance {
+            return *count;
+        }
+        let steps = (error / tolerance).ln() / -errors.fall.ln();
+        let growth = LEAST_GROWTH.powf(steps.max(1.0)).min(MOST_GROWTH);
+        ((growth * *count as f64) as usize).min(FINEST.max(*count))
+    };
+    level.counts.iter().zip(&weights).map(grown).collect()
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
@@ -283,6 +292,22 @@ impl Approximation {
             smooth.strip(interval).pressure(interval.middle)
         };
         self.support.0.iter().zip(pressures).map(of).collect()
+    }
+
+    /// How large the last third of the terms of each interval is, and what averaging changes, as a part of the largest pressure of the contact.
+    fn last_terms(&self) -> Vec<f64> {
+        let middle = self.middle_pressures(&self.pressures);
+        let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
+            let smooth = self.smooth(interval, pressure);
+            let first = pressure.terms.len() - pressure.terms.len() / 3;
+            let term = |(m, (y, smooth)): (usize, (&f64, &f64))| {
+                let last = if m < first { 0.0 } else { y.abs() };
+                last.max((y - smooth).abs()) / interval.order(m) as f64
+            };
+            let sum: f64 = pressure.terms.iter().zip(&smooth.terms).enumerate().map(term).sum();
+            interval.unit() * sum / self.largest_pressure(interval.contact, &middle)
+        };
+        self.support.0.iter().zip(&self.pressures).map(of).collect()
     }
 
     /// The largest of the pressures in the middle, or of the mean pressures, of the intervals of a contact.

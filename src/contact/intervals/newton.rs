@@ -1,7 +1,7 @@
 //! The ends of all intervals at which no pressure is singular.
-use crate::contact::ends::broyden::Secants;
 use crate::contact::ends::newton::Work;
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
+use crate::contact::intervals::derivatives::Derivatives;
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
@@ -95,7 +95,7 @@ pub(super) fn converge(
     let negligible = negligible(problem.tolerance);
     let mut kept: Option<(Layout, Vec<f64>)> = None;
     let mut progress = Progress::default();
-    let mut secants = Secants::default();
+    let mut derivatives = Derivatives::default();
     let mut limits = Limits::default();
     work.steps.push(0);
     loop {
@@ -110,7 +110,8 @@ pub(super) fn converge(
         let terms = counts.iter().sum::<usize>() as f64;
         // a Bessel function takes as long as some 64 multiplications
         let products = layout.zeta.len() as f64 * terms * (terms + 64.0);
-        work.operations.spend(products + terms.powi(3) / 3.0).ok_or_else(|| Failure::Stuck(support.clone()))?;
+        let cost = products + terms.powi(3) / 3.0;
+        work.operations.spend(cost).ok_or_else(|| Failure::Stuck(support.clone()))?;
         work.step();
         let [Solved { pressures, rotations }, some, few] = Equations::new(problem, &layout, &support, counts)
             .solve()
@@ -120,32 +121,34 @@ pub(super) fn converge(
         }
         let looks = looks(&support, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
-        let longest =
+        let farthest =
             looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(0.0, f64::max);
         // intervals that overlap, as they may to begin with, are moved apart
         let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
-        if are_apart && (longest < enough || progress.is_rounding(longest, 1e-7)) {
+        if are_apart && (farthest < enough || progress.is_rounding(farthest, 1e-7)) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
             let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
             let (counts, coarser) = (counts.to_vec(), [some, few].map(|solved| solved.pressures));
             return Ok(Approximation { support, counts, pressures, coarser, rotations, steps, left_out, graded });
         }
-        if !progress.goes_on(longest) || work.steps.last() > Some(&MOST_STEPS) {
+        if !progress.goes_on(farthest) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
-        if longest < SHORT {
-            secants.improve(&Vec::new(), &mut Vec::new(), &mut steps);
-        } else {
-            secants = Secants::default();
+        let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
+        let perturbed = |moved: &Intervals| {
+            work.operations.spend(cost)?;
+            let [solved, ..] = Equations::new(problem, &layout, moved, counts).solve()?;
+            Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
+        };
+        let stuck = || Failure::Stuck(support.clone());
+        if !derivatives.improve(&support, &q, &mut steps, perturbed).ok_or_else(stuck)? {
+            limits.limit(&mut steps);
         }
-        for (look, step) in looks.iter().zip(&mut steps) {
-            if look.is_weak(*step) {
-                *step = 0.0;
-            }
-        }
-        limits.limit(&mut steps);
-        support = moved(problem, &support, &steps).ok_or(Failure::Stuck(support))?;
+        looks.iter().zip(&mut steps).filter(|(look, step)| look.is_weak(**step)).for_each(|(_, step)| *step = 0.0);
+        let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
+        derivatives.taken = support.steps_to(&next);
+        support = next;
         kept = Some((layout, about));
     }
 }
