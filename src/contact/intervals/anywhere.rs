@@ -14,7 +14,7 @@ use crate::contact::problem::iteration::Operations;
 
 /// Changes of the list at most.
 const MOST_CHANGES: usize = 30;
-/// So many times more terms than usual at most before a list is changed.
+/// The usual number of terms is multiplied by this at most before a list is changed.
 const FINER: usize = 16;
 
 /// An interval to begin with, in units of L.
@@ -49,7 +49,7 @@ pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, 
     Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
 }
 
-/// Changes a list of intervals until it is an answer, with so many times more terms than usual; the last list if it does not become one.
+/// Changes a list of intervals until it is an answer, with the usual number of terms times `finer`; the last list if it does not become one.
 fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mut Work) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
         work.steps.clear();

@@ -11,7 +11,7 @@ use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::support::longest;
 use crate::numeric::dot;
 
-/// Steps, in half-lengths, from which derivatives are found. Twice as long: nothing changes but the last steps.
+/// Steps, in half-lengths, from which derivatives are found.
 const DIFFERENCE: f64 = 1e-4;
 /// The longest step from derivatives, in half-lengths.
 const LONGEST: f64 = 0.5;

@@ -12,7 +12,7 @@ use crate::contact::problem::iteration::Progress;
 const MOST_OUT: f64 = 0.4;
 /// Steps at most.
 const MOST_STEPS: usize = 40;
-/// Steps that are shorter, in half-lengths, are Newton's.
+/// An end that would take a longer step, in half-lengths, from next to no singularity need not be known.
 const SHORT: f64 = 0.1;
 /// Intervals that both grow into a gap shorter than this part of the shorter one are one.
 pub(super) const TOGETHER: f64 = 0.03;
