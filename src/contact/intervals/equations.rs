@@ -18,7 +18,6 @@ use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::system::System;
 use crate::contact::intervals::waves::{combined, product};
 use crate::contact::problem::Problem;
-use crate::contact::problem::placed::Placed;
 use crate::numeric::dot;
 
 /// The equations of one support.
@@ -219,7 +218,7 @@ impl<'a> Equations<'a> {
 
     /// What the sharp tip of a punch, if there is one within an interval, makes on a half-plane: its terms follow from their own rows.
     fn tip(&self, contact: usize, interval: &ContactInterval) -> Tip {
-        let tip = self.problem.placed(contact, interval.punch).and_then(Placed::tip);
+        let tip = self.problem.tip(contact, interval.punch);
         let of = |(at, jump): (f64, f64)| {
             let strength = jump / (PI * interval.unit() * self.layout.own[contact].limit);
             Tip { strength, at: (at - interval.middle) / interval.half }

@@ -1,6 +1,5 @@
 //! Contacts in any list of intervals: bodies that touch about the middle and again farther out, are apart about the middle, or touch anywhere where
 //! nothing is even.
-mod anywhere;
 mod columns;
 mod derivatives;
 mod equations;
@@ -13,22 +12,23 @@ mod support;
 mod system;
 #[cfg(test)]
 mod tests;
+mod topology;
 mod waves;
 
 use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
+use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::integrals::tail::turning;
-use crate::contact::problem::accuracy::{COARSE, MINOR, ROUNDING, SAFETY};
+use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
 use crate::contact::problem::twin::Twin;
-use crate::contact::problem::{Problem, Side};
 use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
-pub(super) use anywhere::{Expected, solve as anywhere};
 use gaps::Signs;
 use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
@@ -45,11 +45,35 @@ const MOST_FALL: f64 = 0.5;
 const LEAST_FALL: f64 = 0.01;
 const LEAST_FALL_GRADED: f64 = 0.1;
 
-/// Presses a punch on a stack some contacts of which have several intervals, about where `active` says; `None` if no admissible answer was
-/// found, or the pressure under the punch is of another kind.
-pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Answer> {
-    let is_plane = problem.twin() == Twin::Plane;
-    if !is_plane || problem.sides.iter().any(Side::is_sharp) {
+/// An interval to begin with, in units of L.
+pub(crate) struct Expected {
+    pub(crate) contact: usize,
+    pub(crate) punch: usize,
+    pub(crate) ends: [f64; 2],
+}
+
+/// Presses punches or loads, from where contacts are expected.
+///
+/// # Errors
+/// See [`topology::solve`].
+pub(super) fn from_expected(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
+    let of = |Expected { contact, punch, ends }: &Expected| {
+        if problem.is_even() {
+            let corners = [problem.sides[*contact].is_flat(); 2];
+            let half = [ends[0].max(0.0), ends[1]];
+            return (ends[1] > 0.0).then(|| ContactInterval::even(*contact, half).with_corners(corners));
+        }
+        let corner = |side: f64| problem.placed(*contact, *punch).and_then(|punch| punch.corner(side));
+        let corners = [corner(-1.0) == Some(ends[0]), corner(1.0) == Some(ends[1])];
+        Some(ContactInterval::anywhere(*contact, *punch, *ends).with_corners(corners))
+    };
+    let start = Intervals(expected.iter().filter_map(of).collect());
+    topology::solve(problem, &[start], &mut work_for(problem))
+}
+
+/// Presses an even punch or loads in the plane, from where the quadratic programme sees contacts; `None` if no admissible answer was found.
+pub(super) fn from_programme(problem: &Problem, active: &[ActiveIntervals]) -> Option<Answer> {
+    if problem.twin() != Twin::Plane {
         return None;
     }
     // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
@@ -59,21 +83,11 @@ pub(super) fn solve(problem: &Problem, active: &[ActiveIntervals]) -> Option<Ans
     let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
     let mut starts: Vec<_> = loaded.into_iter().chain([all, merged]).collect();
     starts.dedup();
-    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    // few terms take the least; where they do not converge, twice as many may
-    for count in [COARSEST, 2 * COARSEST, 4 * COARSEST] {
-        for support in &starts {
-            work.steps.clear();
-            let counts: Vec<usize> =
-                support.0.iter().map(|interval| resolved(problem, interval).clamp(count, 4 * COARSEST)).collect();
-            if let Ok(first) = converge(problem, support.clone(), &counts, COARSE, &mut work)
-                && let Some(answer) = refine(problem, first, &mut work)
-            {
-                return Some(answer);
-            }
-        }
-    }
-    None
+    topology::solve(problem, &starts, &mut work_for(problem)).ok()
+}
+
+fn work_for(problem: &Problem) -> Work {
+    Work { operations: Operations::at_most(problem.operations), ..Work::default() }
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
@@ -351,7 +365,11 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         let intervals: Vec<solution::Interval> = ends.collect();
         if level.support.of(contact).iter().all(|interval| interval.parity != Parity::None) {
             // the bodies may be apart about x = 0
-            let peak = if level.support.0[first].is_even() { [pressures[first], peak_error] } else { [0.0; 2] };
+            let peak = match &level.support.0[first] {
+                first if !first.is_even() => [0.0; 2],
+                _ if problem.sides[contact].is_sharp() => [f64::INFINITY, 0.0],
+                _ => [pressures[first], peak_error],
+            };
             return Found::even(&intervals, peak, &strips);
         }
         let force = |number: &usize| level.pressures[*number].force();

@@ -4,7 +4,7 @@ use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::derivatives::Derivatives;
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
+use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::iteration::Progress;
 
@@ -61,10 +61,8 @@ impl Approximation {
 /// Why ends do not converge.
 #[derive(Debug)]
 pub(super) enum Failure {
-    /// Nothing presses on an interval of this list.
-    Vanishes(Intervals, usize),
-    /// An interval of this list grows together with the next one.
-    Meet(Intervals, usize),
+    /// The list changes to this one: nothing presses on an interval, or two grow together.
+    Changed(Intervals),
     /// Steps lead nowhere from this list, or take too long.
     Stuck(Intervals),
 }
@@ -116,8 +114,8 @@ pub(super) fn converge(
         let [Solved { pressures, rotations }, some, few] = Equations::new(problem, &layout, &support, counts)
             .solve()
             .ok_or_else(|| Failure::Stuck(support.clone()))?;
-        if let Some(failure) = changes(&support, &pressures) {
-            return Err(failure);
+        if let Some(changed) = changed(&support, &pressures) {
+            return Err(Failure::Changed(changed));
         }
         let looks = looks(&support, &pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
@@ -153,22 +151,41 @@ pub(super) fn converge(
     }
 }
 
-/// Whether the list of intervals changes, where nothing is even.
-fn changes(support: &Intervals, pressures: &[Pressure]) -> Option<Failure> {
+/// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.
+fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
     let all = &support.0;
-    let is_free = |number: &usize| all[*number].parity == Parity::None;
     let vanishes = |number: &usize| pressures[*number].force() <= 0.0 && support.of(all[*number].contact).len() > 1;
-    if let Some(number) = (0..all.len()).filter(is_free).find(vanishes) {
-        return Some(Failure::Vanishes(support.clone(), number));
+    if let Some(number) = (0..all.len()).find(vanishes) {
+        let mut all = all.clone();
+        all.remove(number);
+        return Some(Intervals(all));
     }
-    let meets = |number: &usize| {
-        let [own, next] = [&all[*number], &all[*number + 1]];
-        let is_short = next.from() - own.to() < TOGETHER * own.half.min(next.half);
-        let grow = pressures[*number].singular[1] > 0.0 && pressures[*number + 1].singular[0] > 0.0;
-        (own.contact, own.punch) == (next.contact, next.punch) && is_short && grow
+    let grows = |end: End| {
+        let [left, right] = [0, 1].map(|place| pressures[end.interval].singular.get(place).copied());
+        if end.side > 0.0 { right.or(left) } else { left }.is_some_and(|q| q > 0.0)
     };
-    let meet = (0..all.len().saturating_sub(1)).filter(is_free).find(meets);
-    meet.map(|number| Failure::Meet(support.clone(), number))
+    let meets = |end: &End| {
+        let own = &all[end.interval];
+        if end.side > 0.0 {
+            let Some(next) = all.get(end.interval + 1) else { return false };
+            let is_short = next.from() - own.to() < TOGETHER * own.half.min(next.half);
+            let is_next = (own.contact, own.punch) == (next.contact, next.punch);
+            return is_next && is_short && grows(*end) && grows(End { interval: end.interval + 1, side: -1.0 });
+        }
+        // an interval meets its mirror image
+        let is_innermost = own.parity == Parity::Pair && support.of(own.contact)[0] == *own;
+        is_innermost && 2.0 * own.from() < TOGETHER * own.half && grows(*end)
+    };
+    let end = support.ends().into_iter().find(meets)?;
+    let mut merged = all.clone();
+    let own = &all[end.interval];
+    merged[end.interval] = if end.side > 0.0 {
+        let next = merged.remove(end.interval + 1);
+        own.between([own.from(), next.to()]).with_corners([own.corners[0], next.corners[1]])
+    } else {
+        own.between([0.0, own.to()]).with_corners([own.corners[1]; 2])
+    };
+    Some(Intervals(merged))
 }
 
 /// How far each end may move, in half-lengths: steps back and forth grow shorter.

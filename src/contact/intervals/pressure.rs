@@ -47,12 +47,12 @@ impl Pressure {
             _ => [0.0; 2],
         };
         let corners = singular.map(|q| interval.unit() * q);
+        let (tip, tip_at) = (interval.unit() * self.tip.strength, self.tip.at);
         if interval.is_even() {
-            return Strip { corners, ..Strip::series(interval.half, all) };
+            return Strip { corners, tip, tip_at, ..Strip::series(interval.half, all) };
         }
         let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
         let series = Strip::series(interval.half, every_other(0));
-        let (tip, tip_at) = (interval.unit() * self.tip.strength, self.tip.at);
         Strip { at: interval.middle, skew: every_other(1), corners, tip, tip_at, ..series }
     }
 

@@ -47,6 +47,12 @@ impl ContactInterval {
         Self { contact, punch, middle, half, parity: Parity::None, corners: [false; 2] }
     }
 
+    /// An interval of the same contact and punch between other places, without corners.
+    pub(super) fn between(&self, ends: [f64; 2]) -> Self {
+        let is_even = self.parity != Parity::None;
+        if is_even { Self::even(self.contact, ends) } else { Self::anywhere(self.contact, self.punch, ends) }
+    }
+
     /// The same interval with ends at corners, or not.
     pub(super) fn with_corners(self, corners: [bool; 2]) -> Self {
         Self { corners, ..self }

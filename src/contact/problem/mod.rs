@@ -162,6 +162,15 @@ impl<'a> Problem<'a> {
         if let Side::Punches(all) = &self.sides[contact] { all.get(punch) } else { None }
     }
 
+    /// Where the punch of this number has a sharp tip, if it has one, and by how much its slope jumps there, per unit of P'.
+    pub(crate) fn tip(&self, contact: usize, punch: usize) -> Option<(f64, f64)> {
+        match &self.sides[contact] {
+            Side::Punches(all) => all.get(punch).and_then(Placed::tip),
+            Side::Profile(profile) => profile.jump().map(|jump| (0.0, jump)),
+            _ => None,
+        }
+    }
+
     /// The profiles of all punches, with the contacts where they press.
     pub(crate) fn profiles(&self) -> impl Iterator<Item = (usize, &Profile<'a>)> {
         self.sides.iter().enumerate().filter_map(|(i, side)| side.profile().map(|profile| (i, profile)))

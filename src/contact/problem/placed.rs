@@ -9,8 +9,6 @@ use crate::scene::{Pressed, Punch, Punches, Tilt};
 /// The lowest place of a turned punch is looked for up to this distance from its tip, in units of L, and found by this number of halvings.
 const FARTHEST: f64 = 1e6;
 const HALVINGS: usize = 60;
-/// So near to a tip the slope is the limit from one side.
-const JUMP: f64 = 1e-200;
 
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
 pub(crate) struct Placed<'a> {
@@ -91,7 +89,7 @@ impl<'a> Placed<'a> {
 
     /// Where it has a sharp tip, and by how much its slope jumps there, per unit of P'.
     pub(crate) fn tip(&self) -> Option<(f64, f64)> {
-        self.punch.is_sharp().then(|| (self.at, self.profile.slope(JUMP) - self.profile.slope(-JUMP)))
+        self.profile.jump().map(|jump| (self.at, jump))
     }
 
     /// Where it is lowest, turned by its angle: the slope of the profile is minus that there.

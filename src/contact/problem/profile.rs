@@ -9,6 +9,9 @@ use crate::scene::{Punch, Shape};
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
 pub(super) const NEARLY: f64 = 0.999;
+/// So near to a tip the slope is the limit from one side.
+const JUMP: f64 = 1e-200;
+
 /// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
@@ -69,6 +72,11 @@ impl<'a> Profile<'a> {
     /// Whether the pressure is infinite at the apex.
     pub(crate) fn is_sharp(&self) -> bool {
         self.punch.is_sharp()
+    }
+
+    /// By how much the slope jumps at a sharp tip, per unit of P'.
+    pub(crate) fn jump(&self) -> Option<f64> {
+        self.is_sharp().then(|| self.slope(JUMP) - self.slope(-JUMP))
     }
 
     /// Whether the profile is a parabola.

@@ -83,6 +83,10 @@ pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
         if let Side::Punches(punches) = &problem.sides[contact] {
             own = punches.iter().map(|punch| under(problem.kernel, punch)).collect();
             all.extend(own.iter().enumerate().map(|(punch, ends)| Expected { contact, punch, ends: *ends }));
+        } else if let Side::Profile(profile) = &problem.sides[contact] {
+            let half = profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, Kernel::closed));
+            own = vec![[-half, half]];
+            all.push(Expected { contact, punch: 0, ends: own[0] });
         } else {
             let carried = carried(problem.kernel, contact - 1);
             for [left, right] in &above {

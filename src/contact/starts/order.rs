@@ -124,7 +124,7 @@ impl Search<'_> {
             let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
             let is_asked = certain.is_some() || left_out && several(self.problem, all, false).is_some();
             if self.several.is_none() && is_asked {
-                if let Some(answer) = intervals::solve(self.problem, all) {
+                if let Some(answer) = intervals::from_programme(self.problem, all) {
                     return Ok(Outcome::Solved(Box::new(answer)));
                 }
                 // one of the intervals may carry a force next to nothing
@@ -265,7 +265,7 @@ impl Search<'_> {
         let uncertain = several(self.problem, active, false);
         let is_apart = |active: &ActiveIntervals| active.intervals().first().is_some_and(|first| first[0] > 0.0);
         let may_be_several = uncertain.is_some() || active.iter().any(is_apart);
-        let answer = may_be_several.then(|| intervals::solve(self.problem, active)).flatten();
+        let answer = may_be_several.then(|| intervals::from_programme(self.problem, active)).flatten();
         answer.map(|answer| Outcome::Solved(Box::new(answer))).or_else(|| uncertain.map(failed))
     }
 

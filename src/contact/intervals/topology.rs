@@ -1,4 +1,4 @@
-//! Intervals where nothing is even: where they begin, and how their list changes until no pressure and no gap is negative.
+//! How the list of intervals changes until no pressure and no gap is negative.
 use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
@@ -10,40 +10,27 @@ use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::intervals::{COARSEST, refine, resolved};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, SAFETY};
-use crate::contact::problem::iteration::Operations;
 
 /// Changes of the list at most.
 const MOST_CHANGES: usize = 30;
 /// The usual number of terms is multiplied by this at most before a list is changed.
 const FINER: usize = 16;
 
-/// An interval to begin with, in units of L.
-pub(crate) struct Expected {
-    pub(crate) contact: usize,
-    pub(crate) punch: usize,
-    pub(crate) ends: [f64; 2],
-}
-
-/// Presses punches or loads that are not even, from where contacts are expected.
+/// Presses punches or loads, from lists of intervals where contacts may be, one after the other.
 ///
 /// # Errors
 /// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together, else [`NoSolution::NotConverged`], if no list of intervals was
 /// found without tension and penetration.
-pub(crate) fn solve(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
-    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    let of = |Expected { contact, punch, ends }: &Expected| {
-        let corner = |side: f64| problem.placed(*contact, *punch).and_then(|punch| punch.corner(side));
-        let corners = [corner(-1.0) == Some(ends[0]), corner(1.0) == Some(ends[1])];
-        ContactInterval::anywhere(*contact, *punch, *ends).with_corners(corners)
-    };
-    let start = Intervals(expected.iter().map(of).collect());
+pub(super) fn solve(problem: &Problem, starts: &[Intervals], work: &mut Work) -> Result<Answer, ContactError> {
     let mut failure = None;
     // few terms take the least; where they lead nowhere, twice as many may not
     for finer in [1, 2, 4] {
-        work.operations.start();
-        match follow(problem, start.clone(), finer, &mut work) {
-            Ok(answer) => return Ok(answer),
-            Err(last) => failure = failure.or_else(|| outgrown(problem, &last.0)),
+        for start in starts {
+            work.operations.start();
+            match follow(problem, start.clone(), finer, work) {
+                Ok(answer) => return Ok(answer),
+                Err(last) => failure = failure.or_else(|| outgrown(problem, &last.0)),
+            }
         }
     }
     Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
@@ -69,7 +56,8 @@ fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mu
                     Err(next) => next.ok_or(level.support)?,
                 },
             },
-            Err(failure) => changed(failure)?,
+            Err(Failure::Changed(next)) => next,
+            Err(Failure::Stuck(last)) => return Err(last),
         };
     }
     Err(support)
@@ -120,9 +108,11 @@ fn tension(level: &Approximation) -> Tension {
     for (number, ((interval, pressure), coarser)) in all.enumerate() {
         let places = 2 * PER_MODE * pressure.terms.len();
         let phi = |k: usize| PI * k as f64 / places as f64;
+        // of what is even the right half
+        let looked_at = if interval.is_even() { places / 2 + 1 } else { places };
         let [own, coarser] = [pressure, coarser].map(|pressure| {
             let strip = pressure.regular(interval).strip(interval);
-            (1..places).map(|k| strip.pressure(interval.place(phi(k)))).collect::<Vec<f64>>()
+            (1..looked_at).map(|k| strip.pressure(interval.place(phi(k)))).collect::<Vec<f64>>()
         });
         let largest = own.iter().copied().fold(0.0, f64::max);
         let is_negative = |k: &usize| own[*k] < -COARSE * largest;
@@ -137,13 +127,13 @@ fn tension(level: &Approximation) -> Tension {
         let first = (0..=first).rev().take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
         let place = |k: usize| interval.place(phi(k + 1));
         let mut parts = level.support.0.clone();
-        let ends = [[interval.from(), place(last)], [place(first), interval.to()]];
+        // tension about the middle of what is even leaves the outer part only
+        let inner = (!interval.is_even() || last + 1 < own.len()).then(|| [interval.from(), place(last)]);
         let [left, right] = interval.corners;
-        let corners = [[left, false], [false, right]];
-        let part =
-            |k: usize| ContactInterval::anywhere(interval.contact, interval.punch, ends[k]).with_corners(corners[k]);
-        let parts_of = [0, 1].map(part);
-        parts.splice(number..=number, parts_of.into_iter().filter(|part| part.half > 0.0));
+        let inner = inner.map(|ends| interval.between(ends).with_corners([left && !interval.is_even(), false]));
+        let outer = interval.between([place(first), interval.to()]).with_corners([false, right]);
+        let parts_of = inner.into_iter().chain([outer]);
+        parts.splice(number..=number, parts_of.filter(|part| part.half > 0.0));
         return Tension::Split(Intervals(parts));
     }
     found
@@ -153,26 +143,8 @@ fn tension(level: &Approximation) -> Tension {
 fn with_interval(support: &Intervals, (contact, punch): (usize, usize), at: f64, over: [f64; 2]) -> Intervals {
     let mut all = support.0.clone();
     let ends = over.map(|end| 0.5 * (at + end));
-    let interval = ContactInterval::anywhere(contact, punch, ends);
+    let interval = ContactInterval { contact, punch, ..all[0] }.between(ends);
     let place = all.partition_point(|other| (other.contact, other.middle) < (contact, interval.middle));
     all.insert(place, interval);
     Intervals(all)
-}
-
-/// The list after a failure: without an interval that vanishes, or with two as one that meet; the last list as an error if there is no other.
-fn changed(failure: Failure) -> Result<Intervals, Intervals> {
-    match failure {
-        Failure::Vanishes(Intervals(mut all), number) => {
-            all.remove(number);
-            Ok(Intervals(all))
-        }
-        Failure::Meet(Intervals(mut all), number) => {
-            let next = all.remove(number + 1);
-            let own = &mut all[number];
-            let corners = [own.corners[0], next.corners[1]];
-            *own = ContactInterval::anywhere(own.contact, own.punch, [own.from(), next.to()]).with_corners(corners);
-            Ok(Intervals(all))
-        }
-        Failure::Stuck(last) => Err(last),
-    }
 }
