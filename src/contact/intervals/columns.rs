@@ -41,6 +41,15 @@ pub(super) struct Subtracted {
 type Carried = [f64; 2];
 
 impl Columns<'_> {
+    /// Whether the columns and tests of another contact are of the same kinds.
+    pub(super) fn are_like(&self, other: &Self) -> bool {
+        let kinds = |columns: &Self| columns.intervals.iter().map(|interval| interval.parity).collect::<Vec<_>>();
+        !self.intervals.is_empty()
+            && self.counts == other.counts
+            && kinds(self) == kinds(other)
+            && self.groups().len() == other.groups().len()
+    }
+
     /// Number of terms.
     pub(super) fn terms(&self) -> usize {
         self.counts.iter().sum()

@@ -16,7 +16,7 @@ use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::system::System;
-use crate::contact::intervals::waves::{combined, product};
+use crate::contact::intervals::waves::{combined, differences, product};
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
 
@@ -26,6 +26,8 @@ pub(super) struct Equations<'a> {
     pub(super) layout: &'a Layout,
     /// Of each contact, none where the pressure is given.
     pub(super) columns: Vec<Columns<'a>>,
+    /// Of each laminate, whether the unknowns of the contact below are what it has more than the contact above.
+    linked: Vec<bool>,
     /// Whether nothing is even.
     moves: bool,
     /// The groups of intervals of the uppermost contact under which the moment is an unknown.
@@ -63,6 +65,14 @@ struct Told {
     by_moments: Vec<f64>,
 }
 
+impl Told {
+    /// What it is more than the same column of the contact above.
+    fn count_from(&mut self, above: &Self) {
+        self.known -= above.known;
+        self.by_moments.iter_mut().zip(&above.by_moments).for_each(|(own, above)| *own -= above);
+    }
+}
+
 /// Two thirds of some numbers of terms.
 pub(super) fn fewer(counts: &[usize]) -> Vec<usize> {
     counts.iter().map(|count| count - count / 3).collect()
@@ -82,7 +92,9 @@ impl<'a> Equations<'a> {
             next += intervals.len();
             Columns { intervals, counts }
         });
-        let columns = columns.collect();
+        let columns: Vec<Columns> = columns.collect();
+        let is_linked = |pair: &[Columns]| pair[0].are_like(&pair[1]);
+        let linked = columns.windows(2).map(is_linked).collect();
         let moves = support.0.iter().any(|interval| interval.parity == Parity::None);
         let groups = problem.groups(0);
         let free = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).collect();
@@ -91,14 +103,23 @@ impl<'a> Equations<'a> {
             turning.map(move |(group, _)| (contact, group))
         };
         let turning = (0..problem.contacts()).flat_map(of).collect();
-        Self { problem, layout, columns, moves, free, turning }
+        Self { problem, layout, columns, linked, moves, free, turning }
+    }
+
+    /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.
+    fn chain(&self, contact: usize) -> Range<usize> {
+        let linked = (0..contact).rev().take_while(|laminate| self.linked[*laminate]).count();
+        contact - linked..contact + 1
     }
 
     fn places(&self) -> Vec<Places> {
         let (mut term, mut end, mut row) = (0, 0, 0);
         let of = |contact: usize| {
             let columns = &self.columns[contact];
-            let told = self.told(contact);
+            let mut told = self.told(contact);
+            if self.chain(contact).len() > 1 {
+                told.iter_mut().zip(self.told(contact - 1)).for_each(|(own, above)| own.count_from(&above));
+            }
             let is_told = |term: usize| told.iter().any(|told| told.column == term);
             let terms: Vec<usize> = (0..columns.terms()).filter(|term| !is_told(*term)).collect();
             let first = columns.terms() + columns.ends();
@@ -186,6 +207,7 @@ impl<'a> Equations<'a> {
         let mut counts = counts.iter();
         let (q, angles) = q.split_at(q.len() - self.turning.len());
         let moments = &q[q.len() - self.free.len()..];
+        let mut before: Vec<f64> = Vec::new();
         let mut of = |contact: usize| {
             let (columns, places) = (&self.columns[contact], &places[contact]);
             let mut amplitudes = vec![0.0; columns.terms()];
@@ -195,6 +217,10 @@ impl<'a> Equations<'a> {
                 amplitudes[told.column] = told.known + dot(&told.by_moments, moments);
             }
             amplitudes.extend(&q[places.ends..places.ends + columns.ends()]);
+            if self.chain(contact).len() > 1 {
+                amplitudes.iter_mut().zip(&before).for_each(|(own, above)| *own += above);
+            }
+            before.clone_from(&amplitudes);
             columns.as_they_are(&mut amplitudes);
             let (terms, singular) = amplitudes.split_at(columns.terms());
             let mut pressures = columns.pressures(terms, singular);
@@ -243,9 +269,7 @@ impl<'a> Equations<'a> {
             let nodes = first..all.min(first + TOGETHER);
             let waves: Vec<Mat<f64>> =
                 (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
-            for contact in self.problem.unknown() {
-                self.add_waves(places, &mut system, contact, first, &waves);
-            }
+            self.add_waves(places, &mut system, first, &waves);
         }
         for contact in self.problem.unknown() {
             self.add_in_space(places, &mut system, contact)?;
@@ -257,7 +281,10 @@ impl<'a> Equations<'a> {
             for (place, other) in (first..).zip(columns.others()) {
                 let Some(group) = columns.tells_rotation_of(other) else { continue };
                 for (angle, sign) in self.angles_of(contact, group) {
-                    system.d[(place, angles + angle)] = -sign * columns.rotation(other);
+                    for row in self.chain(contact) {
+                        let place = places[row].left.1 + place - places[contact].left.1;
+                        system.d[(place, angles + angle)] -= sign * columns.rotation(other);
+                    }
                 }
             }
         }
@@ -296,38 +323,78 @@ impl<'a> Equations<'a> {
         &weights[first.min(weights.len())..]
     }
 
-    /// Adds what waves, from wavenumber number `first` on, do to the rows of one contact.
-    fn add_waves(&self, places: &[Places], system: &mut System, contact: usize, first: usize, waves: &[Mat<f64>]) {
-        let (zeta, columns) = (self.zeta(contact, first..first + TOGETHER), &self.columns[contact]);
-        if zeta.is_empty() {
-            return;
+    /// Adds what waves, from wavenumber number `first` on, do to all rows: kernels under equal pressures of neighbours to each contact, and laminates to
+    /// what pressures on both of their faces differ by.
+    fn add_waves(&self, places: &[Places], system: &mut System, first: usize, waves: &[Mat<f64>]) {
+        let zeta = |contact: usize| self.zeta(contact, first..first + TOGETHER);
+        let tests = |contact: usize| {
+            let mut tests = waves[contact].clone();
+            if !self.problem.is_known(contact) {
+                for (column, values) in self.columns[contact].long_waves(zeta(contact)) {
+                    tests.col_as_slice_mut(column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+                }
+            }
+            tests
+        };
+        let tests: Vec<Mat<f64>> = (0..waves.len()).map(tests).collect();
+        for contact in self.problem.unknown().filter(|contact| !zeta(*contact).is_empty()) {
+            let columns = &self.columns[contact];
+            let (parts, tests) = (columns.parts(), &tests[contact]);
+            let long = columns.long_waves(zeta(contact));
+            let mut weights = vec![0.0; zeta(contact).len()];
+            weights.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
+            // neighbours carry the same resultants and moments, which do nothing between them
+            let by_long = Mat::from_fn(tests.nrows(), long.len(), |k, n| long[n].1[k]);
+            let by_long = product(tests, &weights, &by_long, parts);
+            for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
+                let coupling = self.coupling(laminate, first);
+                weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
+                let block = product(tests, coupling, &waves[other], parts);
+                self.add(places, system, (self.chain(contact), self.chain(other)), &block, -1.0 / PI);
+            }
+            let mut block = product(tests, &weights, &waves[contact], parts);
+            for (n, (column, _)) in long.iter().enumerate() {
+                (0..block.nrows()).for_each(|row| block[(row, *column)] += by_long[(row, n)]);
+            }
+            self.add(places, system, (self.chain(contact), self.chain(contact)), &block, 1.0 / PI);
         }
-        let parts = columns.parts();
-        let mut tests = waves[contact].clone();
-        let long = columns.long_waves(zeta);
-        for (column, values) in &long {
-            tests.col_as_slice_mut(*column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+        for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
+            let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
+            let count = coupling.len().min(zeta(laminate).len()).min(zeta(laminate + 1).len());
+            let [tested, pressed] =
+                [&tests, waves].map(|all| differences(&all[laminate], &all[laminate + 1], count, parts));
+            let [test, press] = [&tests[laminate + 1], &waves[laminate + 1]];
+            let [above, below] = [self.chain(laminate), laminate + 1..laminate + 2];
+            for (rows, columns, left, right, factor) in [
+                (&above, &above, &tested, &pressed, 1.0),
+                (&above, &below, &tested, press, -1.0),
+                (&below, &above, test, &pressed, -1.0),
+                (&below, &below, test, press, 1.0),
+            ] {
+                let block = product(left, coupling, right, parts);
+                self.add(places, system, (rows.clone(), columns.clone()), &block, factor / PI);
+            }
         }
-        let mut weights = vec![0.0; zeta.len()];
-        weights.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
-        // neighbours carry the same resultants and moments, which do nothing between them
-        let by_long = Mat::from_fn(tests.nrows(), long.len(), |k, n| long[n].1[k]);
-        let by_long = product(&tests, &weights, &by_long, parts);
-        for (other, laminate) in self.neighbours(contact) {
-            let coupling = self.coupling(laminate, first);
-            weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
-            let block = product(&tests, coupling, &waves[other], parts);
-            self.add(places, system, (contact, other), &block, -1.0 / PI);
-        }
-        let mut block = product(&tests, &weights, &waves[contact], parts);
-        for (n, (column, _)) in long.iter().enumerate() {
-            (0..block.nrows()).for_each(|row| block[(row, *column)] += by_long[(row, n)]);
-        }
-        self.add(places, system, (contact, contact), &block, 1.0 / PI);
     }
 
-    /// Adds what the columns of one contact do to the rows of another, given as products of all columns of both.
+    /// Adds what the columns of some contacts do to the rows of others, given as products of all columns of two of them.
     fn add(
+        &self,
+        places: &[Places],
+        system: &mut System,
+        (rows, columns): (Range<usize>, Range<usize>),
+        block: &Mat<f64>,
+        factor: f64,
+    ) {
+        for rows in rows {
+            for columns in columns.clone() {
+                self.add_one(places, system, (rows, columns), block, factor);
+            }
+        }
+    }
+
+    /// The same for two contacts.
+    fn add_one(
         &self,
         places: &[Places],
         system: &mut System,
@@ -371,10 +438,11 @@ impl<'a> Equations<'a> {
         columns.add_short_waves(&mut space.matrix, self.problem.kernel, self.layout, contact)?;
         columns.subtract(&mut space);
         let InSpace { matrix, load } = space;
-        self.add(places, system, (contact, contact), &matrix, self.layout.own[contact].limit);
-        let Places { terms, left, .. } = &places[contact];
-        terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
-        left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
+        self.add(places, system, (self.chain(contact), self.chain(contact)), &matrix, self.layout.own[contact].limit);
+        for Places { terms, left, .. } in &places[self.chain(contact)] {
+            terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
+            left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
+        }
         Some(())
     }
 

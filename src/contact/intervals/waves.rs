@@ -144,6 +144,15 @@ pub(super) fn combined(columns: &Mat<f64>, amplitudes: &[f64]) -> Vec<f64> {
     sum
 }
 
+/// What the columns of one contact are more than the columns of another, at the first wavenumbers.
+pub(super) fn differences(one: &Mat<f64>, other: &Mat<f64>, count: usize, parts: usize) -> Mat<f64> {
+    let [of_one, of_other] = [one, other].map(|columns| columns.nrows() / parts);
+    Mat::from_fn(parts * count, one.ncols(), |k, column| {
+        let (part, k) = (k / count, k % count);
+        one[(part * of_one + k, column)] - other[(part * of_other + k, column)]
+    })
+}
+
 /// leftᵀ · weights · right, over as many wavenumbers as there are weights and values on both sides, real parts and imaginary ones.
 pub(super) fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>, parts: usize) -> Mat<f64> {
     let [own, other] = [left, right].map(|columns| columns.nrows() / parts);
