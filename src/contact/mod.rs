@@ -52,26 +52,6 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
     let problem = asked.problem(own, force);
     let answer = if problem.unknown().next().is_none() {
         Answer::known(&problem)
-    } else if std::env::var("NEW").is_ok() && problem.twin() == problem::twin::Twin::Plane {
-        match intervals::from_expected(&problem, &formulas::anywhere(&problem)) {
-            Ok(a) => {
-                if std::env::var("WHO").is_ok() {
-                    eprintln!("first");
-                }
-                a
-            }
-            Err(e) => {
-                let half = formulas::half_lengths(&problem);
-                let active = programme::active(&problem, &half, 0.0).unwrap_or_default();
-                if std::env::var("WHO").is_ok() {
-                    eprintln!("second");
-                }
-                match intervals::from_programme(&problem, &active) {
-                    Some(a) => a,
-                    None => return Err(e),
-                }
-            }
-        }
     } else if problem.is_even() {
         // a table is for one kernel
         let table = asked.table.filter(|_| asked.top.material().is_none());

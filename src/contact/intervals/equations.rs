@@ -13,10 +13,8 @@ use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::tail::TOGETHER;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
-use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
-use crate::contact::intervals::system::System;
-use crate::contact::intervals::waves::{combined, differences, product};
+use crate::contact::intervals::waves::combined;
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
 
@@ -27,13 +25,13 @@ pub(super) struct Equations<'a> {
     /// Of each contact, none where the pressure is given.
     pub(super) columns: Vec<Columns<'a>>,
     /// Of each laminate, whether the unknowns of the contact below are what it has more than the contact above.
-    linked: Vec<bool>,
+    pub(super) linked: Vec<bool>,
     /// Whether nothing is even.
     moves: bool,
     /// The groups of intervals of the uppermost contact under which the moment is an unknown.
-    free: Vec<usize>,
+    pub(super) free: Vec<usize>,
     /// The contacts and groups of intervals at which bodies turn against each other.
-    turning: Vec<(usize, usize)>,
+    pub(super) turning: Vec<(usize, usize)>,
 }
 
 /// What the equations tell.
@@ -46,23 +44,23 @@ pub(super) struct Solved {
 }
 
 /// Where the unknowns and rows of one contact stand among all.
-struct Places {
+pub(super) struct Places {
     /// Columns of the unknown terms, and the place of the first one.
-    terms: (Vec<usize>, usize),
+    pub(super) terms: (Vec<usize>, usize),
     /// The place of the first end; moments, and then rotations, stand behind all ends.
-    ends: usize,
+    pub(super) ends: usize,
     /// Columns of the other rows, and the place of the first one.
-    left: (Vec<usize>, usize),
+    pub(super) left: (Vec<usize>, usize),
     /// The columns whose amplitudes are told.
-    told: Vec<Told>,
+    pub(super) told: Vec<Told>,
 }
 
 /// A column whose amplitude is told by a resultant or a moment.
-struct Told {
-    column: usize,
-    known: f64,
+pub(super) struct Told {
+    pub(super) column: usize,
+    pub(super) known: f64,
     /// Per unit of each unknown moment.
-    by_moments: Vec<f64>,
+    pub(super) by_moments: Vec<f64>,
 }
 
 impl Told {
@@ -107,7 +105,7 @@ impl<'a> Equations<'a> {
     }
 
     /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.
-    fn chain(&self, contact: usize) -> Range<usize> {
+    pub(super) fn chain(&self, contact: usize) -> Range<usize> {
         let linked = (0..contact).rev().take_while(|laminate| self.linked[*laminate]).count();
         contact - linked..contact + 1
     }
@@ -194,7 +192,7 @@ impl<'a> Equations<'a> {
 
     /// The angles by which bodies turn against each other at a group of intervals, with their signs: a punch that does not turn is turned against
     /// the layer below by what all layers turn.
-    fn angles_of(&self, contact: usize, group: usize) -> Vec<(usize, f64)> {
+    pub(super) fn angles_of(&self, contact: usize, group: usize) -> Vec<(usize, f64)> {
         if let Some(own) = self.turning.iter().position(|turning| *turning == (contact, group)) {
             return vec![(own, 1.0)];
         }
@@ -252,52 +250,13 @@ impl<'a> Equations<'a> {
         tip.map(of).filter(|tip| tip.at.abs() < 1.0).unwrap_or_default()
     }
 
-    /// All rows: waves block by block of wavenumbers, then half-planes.
-    fn system(&self, places: &[Places]) -> Option<System> {
-        let size = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
-        let border = places.last().map_or(0, |last| last.left.1 + last.left.0.len());
-        let mut system = System {
-            a: Mat::zeros(size, size),
-            e: Mat::zeros(size, border),
-            b: Mat::zeros(border, size),
-            d: Mat::zeros(border, border),
-            f: vec![0.0; size],
-            left: vec![0.0; border],
-        };
-        let all = self.layout.zeta.len();
-        for first in (0..all).step_by(TOGETHER) {
-            let nodes = first..all.min(first + TOGETHER);
-            let waves: Vec<Mat<f64>> =
-                (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
-            self.add_waves(places, &mut system, first, &waves);
-        }
-        for contact in self.problem.unknown() {
-            self.add_in_space(places, &mut system, contact)?;
-        }
-        let angles = border - self.turning.len();
-        for contact in self.problem.unknown() {
-            let columns = &self.columns[contact];
-            let first = places[contact].left.1 + places[contact].told.len();
-            for (place, other) in (first..).zip(columns.others()) {
-                let Some(group) = columns.tells_rotation_of(other) else { continue };
-                for (angle, sign) in self.angles_of(contact, group) {
-                    for row in self.chain(contact) {
-                        let place = places[row].left.1 + place - places[contact].left.1;
-                        system.d[(place, angles + angle)] -= sign * columns.rotation(other);
-                    }
-                }
-            }
-        }
-        Some(system)
-    }
-
-    fn zeta(&self, contact: usize, nodes: Range<usize>) -> &[f64] {
+    pub(super) fn zeta(&self, contact: usize, nodes: Range<usize>) -> &[f64] {
         let reach = self.layout.own[contact].reach;
         &self.layout.zeta[nodes.start.min(reach)..nodes.end.min(reach)]
     }
 
     /// The columns of a contact at some wavenumbers, what resultants and moments do to long waves left out; of a given pressure one column.
-    fn waves(&self, contact: usize, nodes: Range<usize>) -> Mat<f64> {
+    pub(super) fn waves(&self, contact: usize, nodes: Range<usize>) -> Mat<f64> {
         let zeta = self.zeta(contact, nodes);
         let Some(given) = self.problem.sides[contact].given() else { return self.columns[contact].waves(zeta) };
         let even = zeta.iter().map(|zeta| zeta * given.transform_minus_one(*zeta));
@@ -307,143 +266,20 @@ impl<'a> Equations<'a> {
     }
 
     /// The neighbours of a contact, with the laminates between.
-    fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
+    pub(super) fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
         let below = (contact + 1 < self.columns.len()).then_some((contact + 1, contact));
         contact.checked_sub(1).map(|above| (above, above)).into_iter().chain(below)
     }
 
     /// Weights of a coupling from a wavenumber on, as many as there are.
-    fn coupling(&self, laminate: usize, first: usize) -> &[f64] {
+    pub(super) fn coupling(&self, laminate: usize, first: usize) -> &[f64] {
         let weights = &self.layout.coupling[laminate].plain;
         &weights[first.min(weights.len())..]
     }
 
-    fn own(&self, contact: usize, first: usize) -> &[f64] {
+    pub(super) fn own(&self, contact: usize, first: usize) -> &[f64] {
         let weights = &self.layout.own[contact].unit.plain;
         &weights[first.min(weights.len())..]
-    }
-
-    /// Adds what waves, from wavenumber number `first` on, do to all rows: kernels under equal pressures of neighbours to each contact, and laminates to
-    /// what pressures on both of their faces differ by.
-    fn add_waves(&self, places: &[Places], system: &mut System, first: usize, waves: &[Mat<f64>]) {
-        let zeta = |contact: usize| self.zeta(contact, first..first + TOGETHER);
-        let tests = |contact: usize| {
-            let mut tests = waves[contact].clone();
-            if !self.problem.is_known(contact) {
-                for (column, values) in self.columns[contact].long_waves(zeta(contact)) {
-                    tests.col_as_slice_mut(column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-                }
-            }
-            tests
-        };
-        let tests: Vec<Mat<f64>> = (0..waves.len()).map(tests).collect();
-        for contact in self.problem.unknown().filter(|contact| !zeta(*contact).is_empty()) {
-            let columns = &self.columns[contact];
-            let (parts, tests) = (columns.parts(), &tests[contact]);
-            let long = columns.long_waves(zeta(contact));
-            let mut weights = vec![0.0; zeta(contact).len()];
-            weights.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
-            // neighbours carry the same resultants and moments, which do nothing between them
-            let by_long = Mat::from_fn(tests.nrows(), long.len(), |k, n| long[n].1[k]);
-            let by_long = product(tests, &weights, &by_long, parts);
-            for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
-                let coupling = self.coupling(laminate, first);
-                weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
-                let block = product(tests, coupling, &waves[other], parts);
-                self.add(places, system, (self.chain(contact), self.chain(other)), &block, -1.0 / PI);
-            }
-            let mut block = product(tests, &weights, &waves[contact], parts);
-            for (n, (column, _)) in long.iter().enumerate() {
-                (0..block.nrows()).for_each(|row| block[(row, *column)] += by_long[(row, n)]);
-            }
-            self.add(places, system, (self.chain(contact), self.chain(contact)), &block, 1.0 / PI);
-        }
-        for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
-            let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
-            let count = coupling.len().min(zeta(laminate).len()).min(zeta(laminate + 1).len());
-            let [tested, pressed] =
-                [&tests, waves].map(|all| differences(&all[laminate], &all[laminate + 1], count, parts));
-            let [test, press] = [&tests[laminate + 1], &waves[laminate + 1]];
-            let [above, below] = [self.chain(laminate), laminate + 1..laminate + 2];
-            for (rows, columns, left, right, factor) in [
-                (&above, &above, &tested, &pressed, 1.0),
-                (&above, &below, &tested, press, -1.0),
-                (&below, &above, test, &pressed, -1.0),
-                (&below, &below, test, press, 1.0),
-            ] {
-                let block = product(left, coupling, right, parts);
-                self.add(places, system, (rows.clone(), columns.clone()), &block, factor / PI);
-            }
-        }
-    }
-
-    /// Adds what the columns of some contacts do to the rows of others, given as products of all columns of two of them.
-    fn add(
-        &self,
-        places: &[Places],
-        system: &mut System,
-        (rows, columns): (Range<usize>, Range<usize>),
-        block: &Mat<f64>,
-        factor: f64,
-    ) {
-        for rows in rows {
-            for columns in columns.clone() {
-                self.add_one(places, system, (rows, columns), block, factor);
-            }
-        }
-    }
-
-    /// The same for two contacts.
-    fn add_one(
-        &self,
-        places: &[Places],
-        system: &mut System,
-        (rows, columns): (usize, usize),
-        block: &Mat<f64>,
-        factor: f64,
-    ) {
-        let own = &places[columns];
-        let (terms, ends) = (self.columns[columns].terms(), self.columns[columns].ends());
-        let moments = system.e.ncols() - self.turning.len() - self.free.len();
-        let add = |row: usize, place: usize, [into, border]: [&mut Mat<f64>; 2], right: &mut [f64]| {
-            for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
-                into[(place, at)] += factor * block[(row, *column)];
-            }
-            for (column, at) in (terms..terms + ends).zip(own.ends..) {
-                border[(place, at)] += factor * block[(row, column)];
-            }
-            for told in &own.told {
-                let value = factor * block[(row, told.column)];
-                right[place] -= value * told.known;
-                let moments = (moments..).zip(&told.by_moments);
-                moments.for_each(|(at, part)| border[(place, at)] += value * part);
-            }
-        };
-        let System { a, e, b, d, f, left } = system;
-        for (row, place) in places[rows].terms.0.iter().zip(places[rows].terms.1..) {
-            add(*row, place, [a, e], f);
-        }
-        for (row, place) in places[rows].left.0.iter().zip(places[rows].left.1..) {
-            add(*row, place, [b, d], left);
-        }
-    }
-
-    /// Adds what half-planes and short waves do, and the slope of the punch.
-    fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) -> Option<()> {
-        let columns = &self.columns[contact];
-        let own = &self.layout.own[contact];
-        let per_limit = own.exponentials.0.iter().map(|[b, c]| [*b, c / own.limit]);
-        let exponentials: Vec<[f64; 2]> = per_limit.collect();
-        let mut space = columns.in_space(&self.problem.sides[contact], &exponentials);
-        columns.add_short_waves(&mut space.matrix, self.problem.kernel, self.layout, contact)?;
-        columns.subtract(&mut space);
-        let InSpace { matrix, load } = space;
-        self.add(places, system, (self.chain(contact), self.chain(contact)), &matrix, self.layout.own[contact].limit);
-        for Places { terms, left, .. } in &places[self.chain(contact)] {
-            terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
-            left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
-        }
-        Some(())
     }
 
     /// Slopes of waves outside contacts, weights included, what half-planes do left out: of both parts of exp(iζx), one after the other.

@@ -1,5 +1,6 @@
 //! Contacts in any list of intervals: bodies that touch about the middle and again farther out, are apart about the middle, or touch anywhere where
 //! nothing is even.
+mod assemble;
 mod columns;
 mod derivatives;
 mod equations;
@@ -97,27 +98,10 @@ fn resolved(problem: &Problem, interval: &ContactInterval) -> usize {
     (count as usize).min(FINEST / 2)
 }
 
-/// The same numbers of terms on neighbours that touch alike.
-fn level_counts(problem: &Problem, support: &Intervals, counts: &mut [usize]) {
-    let kinds = |contact: usize| support.of(contact).iter().map(|interval| interval.parity).collect::<Vec<_>>();
-    let starts: Vec<usize> = (0..=problem.contacts()).map(|contact| support.0.partition_point(|interval| interval.contact < contact)).collect();
-    let forwards = 0..problem.contacts() - 1;
-    for laminate in forwards.clone().chain(forwards.rev()) {
-        if kinds(laminate) != kinds(laminate + 1) {
-            continue;
-        }
-        for k in 0..starts[laminate + 1] - starts[laminate] {
-            let [above, below] = [starts[laminate] + k, starts[laminate + 1] + k];
-            let most = counts[above].max(counts[below]);
-            (counts[above], counts[below]) = (most, most);
-        }
-    }
-}
-
 /// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
 fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<Answer> {
     let mut counts = grown(&first, &Errors::of(&first), problem.tolerance);
-    level_counts(problem, &first.support, &mut counts);
+    first.support.equalise(&mut counts);
     let (mut support, mut stalls) = (first.support, false);
     let mut best: Option<(Errors, Approximation)> = None;
     while let Ok(level) = converge(problem, support, &counts, ROUNDING, work) {
@@ -126,7 +110,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
         let is_better = best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
         let mut next = grown(&level, &errors, problem.tolerance);
-        level_counts(problem, &level.support, &mut next);
+        level.support.equalise(&mut next);
         let is_finest = next == level.counts;
         support = level.support.clone();
         if is_better {

@@ -105,10 +105,7 @@ pub(super) fn converge(
                 (layout.ok_or_else(|| Failure::Stuck(support.clone()))?, lengths.ends.clone())
             }
         };
-        let terms = counts.iter().sum::<usize>() as f64;
-        // a Bessel function takes as long as some 64 multiplications
-        let products = layout.zeta.len() as f64 * terms * (terms + 64.0);
-        let cost = products + terms.powi(3) / 3.0;
+        let cost = operations(&layout, &support, counts);
         work.operations.spend(cost).ok_or_else(|| Failure::Stuck(support.clone()))?;
         work.step();
         let [Solved { pressures, rotations }, some, few] = Equations::new(problem, &layout, &support, counts)
@@ -149,6 +146,21 @@ pub(super) fn converge(
         support = next;
         kept = Some((layout, about));
     }
+}
+
+/// Multiplications, about, that it takes to solve the equations of a list.
+fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> f64 {
+    let contacts = support.0.iter().map(|interval| interval.contact + 1).max().unwrap_or(0);
+    let of = |contact: usize| {
+        let own = support.0.iter().zip(counts).filter(|(interval, _)| interval.contact == contact);
+        own.map(|(_, count)| *count).sum::<usize>() as f64
+    };
+    let terms: Vec<f64> = (0..contacts).map(of).collect();
+    let nodes = layout.zeta.len() as f64;
+    // a Bessel function takes as long as some 64 multiplications
+    let own: f64 = terms.iter().map(|terms| nodes * terms * (terms + 64.0)).sum();
+    let between: f64 = terms.windows(2).map(|pair| nodes * (pair[0] + pair[1]).powi(2)).sum();
+    own + between + terms.iter().sum::<f64>().powi(3) / 3.0
 }
 
 /// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.

@@ -120,6 +120,19 @@ impl Intervals {
         &self.0[first..after]
     }
 
+    /// Makes numbers of terms the same on neighbours the lists of which are alike, so that their unknowns can be counted from each other.
+    pub(super) fn equalise(&self, counts: &mut [usize]) {
+        let last = self.0.last().map_or(0, |interval| interval.contact);
+        let first = |contact: usize| self.0.partition_point(|interval| interval.contact < contact);
+        let kinds = |contact: usize| self.of(contact).iter().map(|interval| interval.parity);
+        for laminate in (0..last).chain((0..last).rev()).filter(|laminate| kinds(*laminate).eq(kinds(laminate + 1))) {
+            for (above, below) in (first(laminate)..first(laminate + 1)).zip(first(laminate + 1)..) {
+                let most = counts[above].max(counts[below]);
+                (counts[above], counts[below]) = (most, most);
+            }
+        }
+    }
+
     /// All ends, from the top down and outwards.
     pub(super) fn ends(&self) -> Vec<End> {
         let of = |(interval, own): (usize, &ContactInterval)| {

@@ -43,7 +43,7 @@ fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mu
         let [least, most] = [COARSEST, 4 * COARSEST].map(|count| finer * count);
         let mut counts: Vec<usize> =
             support.0.iter().map(|interval| resolved(problem, interval).clamp(least, most)).collect();
-        super::level_counts(problem, &support, &mut counts);
+        support.equalise(&mut counts);
         support = match converge(problem, support, &counts, COARSE, work) {
             Ok(level) => match tension(&level) {
                 Tension::Split(split) => split,
