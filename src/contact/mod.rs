@@ -58,7 +58,8 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
         let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
         thin::solve(&problem, |problem| solve_in_order(problem, table_of(problem)))?
     } else {
-        intervals::from_expected(&problem, &formulas::anywhere(&problem))?
+        let start = intervals::of_formulas(&problem, &formulas::anywhere(&problem));
+        intervals::solve(&problem, start.as_slice())?
     };
     Ok(answer.into_solution(&problem, force, Some(asked.stack)))
 }

@@ -33,7 +33,8 @@ use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 use gaps::Signs;
 use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
-use support::{ContactInterval, Intervals, Parity};
+pub(super) use support::Intervals;
+use support::{ContactInterval, Parity};
 
 /// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
@@ -53,11 +54,17 @@ pub(crate) struct Expected {
     pub(crate) ends: [f64; 2],
 }
 
-/// Presses punches or loads, from where contacts are expected.
+/// Presses punches or loads, from lists of intervals where contacts may be.
 ///
 /// # Errors
 /// See [`topology::solve`].
-pub(super) fn from_expected(problem: &Problem, expected: &[Expected]) -> Result<Answer, ContactError> {
+pub(super) fn solve(problem: &Problem, starts: &[Intervals]) -> Result<Answer, ContactError> {
+    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
+    topology::solve(problem, starts, &mut work)
+}
+
+/// The list where contacts are expected; none about an axis.
+pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {
     let of = |Expected { contact, punch, ends }: &Expected| {
         if problem.is_even() {
             let corners = [problem.sides[*contact].is_flat(); 2];
@@ -68,27 +75,22 @@ pub(super) fn from_expected(problem: &Problem, expected: &[Expected]) -> Result<
         let corners = [corner(-1.0) == Some(ends[0]), corner(1.0) == Some(ends[1])];
         Some(ContactInterval::anywhere(*contact, *punch, *ends).with_corners(corners))
     };
-    let start = Intervals(expected.iter().filter_map(of).collect());
-    topology::solve(problem, &[start], &mut work_for(problem))
+    (problem.twin() == Twin::Plane).then(|| Intervals(expected.iter().filter_map(of).collect()))
 }
 
-/// Presses an even punch or loads in the plane, from where the quadratic programme sees contacts; `None` if no admissible answer was found.
-pub(super) fn from_programme(problem: &Problem, active: &[ActiveIntervals]) -> Option<Answer> {
+/// Lists where the quadratic programme sees contacts, if all is even and in the plane.
+pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
     if problem.twin() != Twin::Plane {
-        return None;
+        return Vec::new();
     }
     // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
     let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
         .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_even()));
-    let all = starting_intervals(problem, active, |active| active.intervals().to_vec())?;
-    let merged = starting_intervals(problem, active, ActiveIntervals::merged)?;
-    let mut starts: Vec<_> = loaded.into_iter().chain([all, merged]).collect();
+    let all = starting_intervals(problem, active, |active| active.intervals().to_vec());
+    let merged = starting_intervals(problem, active, ActiveIntervals::merged);
+    let mut starts: Vec<Intervals> = [loaded, all, merged].into_iter().flatten().collect();
     starts.dedup();
-    topology::solve(problem, &starts, &mut work_for(problem)).ok()
-}
-
-fn work_for(problem: &Problem) -> Work {
-    Work { operations: Operations::at_most(problem.operations), ..Work::default() }
+    starts
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.

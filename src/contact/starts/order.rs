@@ -3,8 +3,9 @@
 //! 1. Closed-form estimates of the half-lengths ([`super::formulas`]).
 //! 2. The coarse quadratic programme, asked once the former have failed: it cannot converge to a non-physical root. Where it
 //!    sees several intervals in a contact, [`intervals`] solves for these; else Newton's method begins at its ends.
-//! 3. If Newton's method fails from there, the fine quadratic programme gives the low-accuracy answer, with a warning, unless there is
-//!    a solution with a large error estimate that has the same pressures.
+//! 3. If that fails, [`intervals`] looks for the list of intervals from there, and from the closed-form estimates.
+//! 4. The fine quadratic programme gives the low-accuracy answer, with a warning, unless there is a solution with a large error
+//!    estimate that has the same pressures.
 use crate::contact::answer::{Answer, Found};
 use crate::contact::ends::newton::Work;
 use crate::contact::error::{ContactError, NoSolution};
@@ -25,12 +26,6 @@ use crate::solution::Interface;
 
 /// The quadratic programme confirms half-lengths that differ from its own by less than this, in the logarithm.
 const CONFIRMED: f64 = 0.1;
-
-/// How often Newton's method starts from the ends that the quadratic programme has seen, with a shorter contact each time there is
-/// tension. With three, two of 2,001 random scenes are not found that are with five.
-const SHORTER: usize = 5;
-/// Each time by this many thicknesses of the thinner body: over about that length it carries a bending moment.
-const BENT: f64 = 2.5;
 
 /// An admissible answer, and the contacts with intervals of re-contact the force in which is left out.
 struct Attempt {
@@ -72,14 +67,6 @@ pub(crate) fn solve_in_order(problem: &Problem, table: Option<&Table>) -> Result
     problem.too_small(&reaches).map_or(Ok(answer), Err)
 }
 
-/// A root of the equations with a contact in tension, in units of L.
-struct RootInTension {
-    half_lengths: Vec<f64>,
-    contact: usize,
-    /// Where the tension begins.
-    x: f64,
-}
-
 /// How a step of the search ended, unless there is no solution for certain.
 enum Outcome {
     Solved(Box<Answer>),
@@ -102,44 +89,39 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn run(&mut self) -> Result<Outcome, ContactError> {
-        let mut failure = match self.attempt(Start::Guess { half_lengths: self.expected.clone() })? {
+        let problem = self.problem;
+        let failure = match self.attempt(Start::Guess { half_lengths: self.expected.clone() })? {
             Outcome::Failed(failure) => failure,
             solved => return Ok(solved),
         };
-        let mut active: Option<Vec<ActiveIntervals>> = None;
-        // once more if there is penetration farther out than the grid reached
-        for attempt in 0..2 {
-            let penetration = match *failure {
-                ContactError::NoSolution(NoSolution::Penetration { x, .. }) => x / self.problem.kernel.length(),
-                _ => 0.0,
-            };
-            if attempt > 0 && penetration <= self.far {
-                break;
-            }
-            self.far = penetration;
-            active = programme::active(self.problem, &self.expected, penetration);
-            let all = active.as_deref().unwrap_or_default();
-            let certain = several(self.problem, all, true);
-            // intervals of re-contact that a solution leaves out may be short
-            let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
-            let is_asked = certain.is_some() || left_out && several(self.problem, all, false).is_some();
-            if self.several.is_none() && is_asked {
-                if let Some(answer) = intervals::from_programme(self.problem, all) {
-                    return Ok(Outcome::Solved(Box::new(answer)));
-                }
-                // one of the intervals may carry a force next to nothing
-                self.several = certain.map(|i| self.problem.interfaces[i]);
-            }
-            if let Some(answer) = self.confirmed(all) {
+        self.far = match *failure {
+            ContactError::NoSolution(NoSolution::Penetration { x, .. }) => x / problem.kernel.length(),
+            _ => 0.0,
+        };
+        let active = programme::active(problem, &self.expected, self.far).unwrap_or_default();
+        let mut starts = intervals::of_programme(problem, &active);
+        let certain = several(problem, &active, true);
+        // intervals of re-contact that a solution leaves out may be short
+        let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
+        if certain.is_some() || left_out && several(problem, &active, false).is_some() {
+            if let Ok(answer) = intervals::solve(problem, &std::mem::take(&mut starts)) {
                 return Ok(Outcome::Solved(Box::new(answer)));
             }
-            match self.solve_from_ends(self.ends(all), failure)? {
-                Outcome::Failed(last) => failure = last,
-                solved => return Ok(solved),
-            }
+            // one of the intervals may carry a force next to nothing
+            self.several = certain.map(|i| problem.interfaces[i]);
         }
-        let active = active.unwrap_or_default();
-        Ok(self.in_intervals(&active).unwrap_or(Outcome::Failed(failure)))
+        if let Some(answer) = self.confirmed(&active) {
+            return Ok(Outcome::Solved(Box::new(answer)));
+        }
+        let failure = match self.attempt(Start::Cold { half_lengths: self.ends(&active) })? {
+            Outcome::Failed(failure) => failure,
+            solved => return Ok(solved),
+        };
+        starts.extend(intervals::of_formulas(problem, &formulas::anywhere(problem)));
+        if let Ok(answer) = intervals::solve(problem, &starts) {
+            return Ok(Outcome::Solved(Box::new(answer)));
+        }
+        Ok(Outcome::Failed(certain.map_or(failure, |i| Box::new(self.error(&active, i)))))
     }
 
     /// Newton's method from a start; a solution that may belong to a non-physical root is kept aside.
@@ -207,66 +189,6 @@ impl Search<'_> {
             end => end,
         };
         self.expected.iter().enumerate().map(end).collect()
-    }
-
-    /// Newton's method from the ends of the quadratic programme; then from those of the last root in tension, with a shorter contact
-    /// where the tension is. If its other ends are next to those of the quadratic programme, they are right to more digits.
-    fn solve_from_ends(&mut self, ends: Vec<f64>, mut failure: Box<ContactError>) -> Result<Outcome, ContactError> {
-        let is_next = |root: &RootInTension| {
-            let mut others = (0..ends.len()).filter(|k| *k != root.contact);
-            others.all(|k| (root.half_lengths[k] / ends[k]).ln().abs() < CONFIRMED)
-        };
-        let mut root = self.root_in_tension(&failure).filter(is_next);
-        let mut start = ends.clone();
-        for so_far in 0..SHORTER {
-            match self.attempt(Start::Cold { half_lengths: start.clone() })? {
-                Outcome::Failed(last) => failure = last,
-                solved => return Ok(solved),
-            }
-            root = self.root_in_tension(&failure).or(root);
-            let Some(root) = &root else { break };
-            start.clone_from(if is_next(root) { &root.half_lengths } else { &ends });
-            start[root.contact] = self.shorter(root, so_far);
-        }
-        Ok(Outcome::Failed(failure))
-    }
-
-    /// The root that failed for tension in a contact whose end is sought.
-    fn root_in_tension(&self, failure: &ContactError) -> Option<RootInTension> {
-        let ContactError::NoSolution(NoSolution::Tension { interface, x, half_lengths }) = failure else { return None };
-        let length = self.problem.kernel.length();
-        let free = |i: &usize| self.problem.interfaces[*i] == *interface && !self.problem.sides[*i].is_flat();
-        let contact = (0..half_lengths.len()).find(free)?;
-        Some(RootInTension { half_lengths: half_lengths.iter().map(|a| a / length).collect(), contact, x: x / length })
-    }
-
-    /// Where a contact in tension may end: where the tension begins, or a neighbour's contact ends shortly before, since nothing presses
-    /// there any more. Tried again, where the thinner of its bodies carries no bending moment.
-    fn shorter(&self, root: &RootInTension, so_far: usize) -> f64 {
-        let RootInTension { half_lengths, contact, x } = root;
-        let laminates = self.problem.kernel.laminates();
-        let neighbours = contact.checked_sub(1).into_iter().chain([*contact]).filter_map(|l| laminates.get(l));
-        let thickness = neighbours.map(|(thickness, _)| *thickness).fold(f64::INFINITY, f64::min);
-        let shortly_before =
-            |k: &usize| k.abs_diff(*contact) == 1 && (x - BENT * thickness..*x).contains(&half_lengths[*k]);
-        match (0..half_lengths.len()).find(shortly_before) {
-            Some(k) if so_far == 0 => half_lengths[k],
-            _ => (x - BENT * so_far as f64 * thickness).max(0.5 * x),
-        }
-    }
-
-    /// What is left where Newton's method has failed from all starts: several intervals, if the quadratic programme may have
-    /// seen some.
-    fn in_intervals(&mut self, active: &[ActiveIntervals]) -> Option<Outcome> {
-        let failed = |i: usize| Outcome::Failed(Box::new(self.error(active, i)));
-        if self.several.is_some() {
-            return several(self.problem, active, true).map(failed);
-        }
-        let uncertain = several(self.problem, active, false);
-        let is_apart = |active: &ActiveIntervals| active.intervals().first().is_some_and(|first| first[0] > 0.0);
-        let may_be_several = uncertain.is_some() || active.iter().any(is_apart);
-        let answer = may_be_several.then(|| intervals::from_programme(self.problem, active)).flatten();
-        answer.map(|answer| Outcome::Solved(Box::new(answer))).or_else(|| uncertain.map(failed))
     }
 
     /// The error that says where contact i touches.
