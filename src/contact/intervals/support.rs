@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 /// What the mirror image of an interval about x = 0 is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::contact) enum Parity {
+pub(crate) enum Parity {
     /// The interval itself: its pressure is even.
     Even,
     /// Another interval with the mirror image of its pressure.
@@ -14,7 +14,7 @@ pub(in crate::contact) enum Parity {
 
 /// An interval in which the bodies of a contact touch, in units of L.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::contact) struct ContactInterval {
+pub(crate) struct ContactInterval {
     pub(super) contact: usize,
     /// The number of the punch that presses there, from the left; 0 between layers.
     pub(super) punch: usize,
@@ -110,7 +110,7 @@ impl ContactInterval {
 
 /// All intervals of all contacts.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::contact) struct Intervals(pub(super) Vec<ContactInterval>);
+pub(crate) struct Intervals(pub(super) Vec<ContactInterval>);
 
 impl Intervals {
     /// The intervals of a contact.
