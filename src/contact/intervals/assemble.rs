@@ -81,29 +81,28 @@ impl Equations<'_> {
                 let coupling = self.coupling(laminate, first);
                 weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
                 let block = product(tests, coupling, &waves[other], parts);
-                self.add(places, system, (self.chain(contact), self.chain(other)), &block, -1.0 / PI);
+                let block = Block { all: &block, first: [0; 2], factor: -1.0 / PI };
+                self.add(places, system, (self.chain(contact), self.chain(other)), &block);
             }
             let mut block = product(tests, &weights, &waves[contact], parts);
             for (n, (column, _)) in long.iter().enumerate() {
                 (0..block.nrows()).for_each(|row| block[(row, *column)] += by_long[(row, n)]);
             }
-            self.add(places, system, (self.chain(contact), self.chain(contact)), &block, 1.0 / PI);
+            let block = Block { all: &block, first: [0; 2], factor: 1.0 / PI };
+            self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
         }
         for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
             let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
             let count = coupling.len().min(zeta(laminate).len()).min(zeta(laminate + 1).len());
-            let [tested, pressed] =
+            let [tests, waves] =
                 [&tests, waves].map(|all| differences(&all[laminate], &all[laminate + 1], count, parts));
-            let [test, press] = [&tests[laminate + 1], &waves[laminate + 1]];
-            let [above, below] = [self.chain(laminate), laminate + 1..laminate + 2];
-            for (rows, columns, left, right, factor) in [
-                (&above, &above, &tested, &pressed, 1.0),
-                (&above, &below, &tested, press, -1.0),
-                (&below, &above, test, &pressed, -1.0),
-                (&below, &below, test, press, 1.0),
-            ] {
-                let block = product(left, coupling, right, parts);
-                self.add(places, system, (rows.clone(), columns.clone()), &block, factor / PI);
+            let block = product(&tests, coupling, &waves, parts);
+            let both = [(0, self.chain(laminate), 1.0), (block.nrows() / 2, laminate + 1..laminate + 2, -1.0)];
+            for (row, rows, sign) in &both {
+                for (column, columns, other) in &both {
+                    let block = Block { all: &block, first: [*row, *column], factor: sign * other / PI };
+                    self.add(places, system, (rows.clone(), columns.clone()), &block);
+                }
             }
         }
     }
@@ -114,48 +113,35 @@ impl Equations<'_> {
         places: &[Places],
         system: &mut System,
         (rows, columns): (Range<usize>, Range<usize>),
-        block: &Mat<f64>,
-        factor: f64,
+        block: &Block,
     ) {
-        for rows in rows {
-            for columns in columns.clone() {
-                self.add_one(places, system, (rows, columns), block, factor);
+        for rows in rows.map(|contact| &places[contact]) {
+            for contact in columns.clone() {
+                self.add_columns(rows, system, contact, &places[contact], block);
             }
         }
     }
 
-    /// The same for two contacts.
-    fn add_one(
-        &self,
-        places: &[Places],
-        system: &mut System,
-        (rows, columns): (usize, usize),
-        block: &Mat<f64>,
-        factor: f64,
-    ) {
-        let own = &places[columns];
-        let (terms, ends) = (self.columns[columns].terms(), self.columns[columns].ends());
+    /// The same for the rows of one contact and the columns of one.
+    fn add_columns(&self, rows: &Places, system: &mut System, contact: usize, own: &Places, block: &Block) {
+        let (terms, ends) = (self.columns[contact].terms(), self.columns[contact].ends());
         let moments = system.e.ncols() - self.turning.len() - self.free.len();
-        let add = |row: usize, place: usize, [into, border]: [&mut Mat<f64>; 2], right: &mut [f64]| {
-            for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
-                into[(place, at)] += factor * block[(row, *column)];
-            }
-            for (column, at) in (terms..terms + ends).zip(own.ends..) {
-                border[(place, at)] += factor * block[(row, column)];
-            }
-            for told in &own.told {
-                let value = factor * block[(row, told.column)];
-                right[place] -= value * told.known;
-                let moments = (moments..).zip(&told.by_moments);
-                moments.for_each(|(at, part)| border[(place, at)] += value * part);
-            }
-        };
         let System { a, e, b, d, f, left } = system;
-        for (row, place) in places[rows].terms.0.iter().zip(places[rows].terms.1..) {
-            add(*row, place, [a, e], f);
+        for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
+            block.add(*column, 1.0, &rows.terms, a.col_as_slice_mut(at));
+            block.add(*column, 1.0, &rows.left, b.col_as_slice_mut(at));
         }
-        for (row, place) in places[rows].left.0.iter().zip(places[rows].left.1..) {
-            add(*row, place, [b, d], left);
+        for (column, at) in (terms..terms + ends).zip(own.ends..) {
+            block.add(column, 1.0, &rows.terms, e.col_as_slice_mut(at));
+            block.add(column, 1.0, &rows.left, d.col_as_slice_mut(at));
+        }
+        for told in &own.told {
+            block.add(told.column, -told.known, &rows.terms, f);
+            block.add(told.column, -told.known, &rows.left, left);
+            for (at, part) in (moments..).zip(&told.by_moments) {
+                block.add(told.column, *part, &rows.terms, e.col_as_slice_mut(at));
+                block.add(told.column, *part, &rows.left, d.col_as_slice_mut(at));
+            }
         }
     }
 
@@ -169,11 +155,29 @@ impl Equations<'_> {
         columns.add_short_waves(&mut space.matrix, self.problem.kernel, self.layout, contact)?;
         columns.subtract(&mut space);
         let InSpace { matrix, load } = space;
-        self.add(places, system, (self.chain(contact), self.chain(contact)), &matrix, self.layout.own[contact].limit);
+        let block = Block { all: &matrix, first: [0; 2], factor: own.limit };
+        self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
         for Places { terms, left, .. } in &places[self.chain(contact)] {
             terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
             left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
         }
         Some(())
+    }
+}
+
+/// A factor times a part of a matrix, a column for each column of a contact and a row for each test.
+struct Block<'a> {
+    all: &'a Mat<f64>,
+    /// Its first row and column.
+    first: [usize; 2],
+    factor: f64,
+}
+
+impl Block<'_> {
+    /// Adds a multiple of some rows of a column to as many places from a first one on.
+    fn add(&self, column: usize, times: f64, (rows, first): &(Vec<usize>, usize), into: &mut [f64]) {
+        let values = &self.all.col_as_slice(self.first[1] + column)[self.first[0]..];
+        let factor = self.factor * times;
+        rows.iter().zip(&mut into[*first..]).for_each(|(row, into)| *into += factor * values[*row]);
     }
 }

@@ -14,6 +14,7 @@ use crate::contact::integrals::tail::TOGETHER;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
+use crate::contact::intervals::system::System;
 use crate::contact::intervals::waves::combined;
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
@@ -41,6 +42,12 @@ pub(super) struct Solved {
     pub(super) pressures: Vec<Pressure>,
     /// By how much the slope of the gap of each contact grows since bodies turn, for each group of intervals.
     pub(super) rotations: Vec<Vec<f64>>,
+}
+
+/// All rows of the equations.
+pub(super) struct Assembled {
+    places: Vec<Places>,
+    system: System,
 }
 
 /// Where the unknowns and rows of one contact stand among all.
@@ -160,20 +167,20 @@ impl<'a> Equations<'a> {
         columns.groups().into_iter().enumerate().flat_map(of).collect()
     }
 
-    /// The pressures of all intervals, and rotations: with all terms, and with fewer and fewer of them; `None` if there are none in double precision.
-    pub(super) fn solve(&self) -> Option<[Solved; 3]> {
+    /// All rows, for any numbers of terms up to those of the columns; `None` if short waves take too many wavenumbers.
+    pub(super) fn assembled(&self) -> Option<Assembled> {
         let places = self.places();
         let system = self.system(&places)?;
-        let counts: Vec<usize> = self.columns.iter().flat_map(|columns| columns.counts).copied().collect();
-        let [some, few] = [fewer(&counts), fewer(&fewer(&counts))];
-        let solved = |counts: &[usize]| {
-            let kept = self.kept(&places, counts);
-            let (x, q) = system.part(&kept).solve()?;
-            let mut all = vec![0.0; system.f.len()];
-            kept.iter().zip(x).for_each(|(place, value)| all[*place] = value);
-            Some(self.solved(&places, &all, &q, counts))
-        };
-        Some([solved(&counts)?, solved(&some)?, solved(&few)?])
+        Some(Assembled { places, system })
+    }
+
+    /// The pressures of all intervals, and rotations, with so many terms; `None` if there are none in double precision.
+    pub(super) fn solve(&self, Assembled { places, system }: &Assembled, counts: &[usize]) -> Option<Solved> {
+        let kept = self.kept(places, counts);
+        let (x, q) = if kept.len() < system.f.len() { system.part(&kept).solve()? } else { system.solve()? };
+        let mut all = vec![0.0; system.f.len()];
+        kept.iter().zip(x).for_each(|(place, value)| all[*place] = value);
+        Some(self.solved(places, &all, &q, counts))
     }
 
     /// The places of the unknown terms that are among the first ones of each interval, as many as `counts` says.

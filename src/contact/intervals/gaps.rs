@@ -1,5 +1,7 @@
 //! No pressure may be tension, and no gap penetrated, between the intervals of a contact and beyond them.
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
+
+use num_complex::Complex64;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::equations::Equations;
@@ -113,7 +115,11 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
         let before = k.checked_sub(1).and_then(|before| half(groups[before], group)).unwrap_or(-span);
         let after = groups.get(k + 1).and_then(|next| half(group, next)).unwrap_or(span);
         let inwards = if first.parity == Parity::None { before.max(left) } else { 0.0 };
-        let between = group.windows(2).map(|pair| [pair[0].to(), pair[1].from()]);
+        // between two intervals from both ends to the middle
+        let between = group.windows(2).flat_map(|pair| {
+            let ends = [pair[0].to(), pair[1].from()];
+            ends.map(|end| [end, 0.5 * (ends[0] + ends[1])])
+        });
         let outside = [[first.from(), inwards], [last.to(), after.min(right)]];
         // there is no punch beyond a corner
         let corners = [first.corners[0], last.corners[1]];
@@ -124,7 +130,7 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
     all
 }
 
-/// Places from one end of each gap to the other, dense next to both, and the gap there.
+/// Places from one end of each gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.
 fn gaps(
     problem: &Problem,
     level: &Approximation,
@@ -133,28 +139,64 @@ fn gaps(
     all: &[(usize, [f64; 2])],
 ) -> Vec<Vec<(f64, f64)>> {
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
-    let [even, odd] = &equations.response(contact, &level.pressures);
+    let response = equations.response(contact, &level.pressures);
     let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
     let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.pressures));
     let of = |(punch, [from, to]): &(usize, [f64; 2])| {
         let rotation = level.rotations[contact].get(*punch).unwrap_or(&0.0);
         let height = |x: f64| side.height_under(*punch, x);
-        let place = |t: f64| from + (to - from) * (FRAC_PI_2 * t).sin().powi(2);
+        let place = |t: f64| from + (to - from) * t * t;
         let mut near = 0.0;
+        let mut waves = Waves::new(&response, &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
         let at = |k: usize| {
             let t = |k: usize| k as f64 / PLACES as f64;
             for (t, weight) in rule(12).on(t(k - 1), t(k)) {
                 let slope: f64 = columns.slope(place(t), &amplitudes);
-                near += weight * FRAC_PI_2 * (PI * t).sin() * (to - from) * limit * slope;
+                near += weight * 2.0 * t * (to - from) * limit * slope;
             }
             let x = place(t(k));
-            let far = even.iter().zip(odd).zip(&layout.zeta).map(|((even, odd), zeta)| {
-                let (sin, cos) = (0.5 * zeta * (x + from)).sin_cos();
-                2.0 * (even * sin - odd * cos) * (0.5 * zeta * (x - from)).sin() / zeta
-            });
-            (x, height(x) - height(*from) - near - far.sum::<f64>() + rotation * (x - from))
+            (x, height(x) - height(*from) - near - waves.next() + rotation * (x - from))
         };
         (1..=PLACES).map(at).collect()
     };
     all.iter().map(of).collect()
+}
+
+/// What waves add to a gap between its end and places at the distances d, 4d, 9d ... from there: phases of waves grow by odd multiples of ζd from place to place, and
+/// follow by multiplication.
+struct Waves {
+    /// Amplitudes of waves over ζ, with their phases at the end.
+    amplitudes: Vec<Complex64>,
+    /// 1 − exp(iφ) for the phase φ at the last place from the end on, its next step, and what that grows by.
+    phases: Vec<[Complex64; 3]>,
+}
+
+impl Waves {
+    fn new([even, odd]: &[Vec<f64>; 2], zeta: &[f64], from: f64, d: f64) -> Self {
+        // 1 − exp(iφ)
+        let less = |phase: f64| {
+            let (sin, cos) = (0.5 * phase).sin_cos();
+            Complex64::new(2.0 * sin * sin, -2.0 * sin * cos)
+        };
+        let amplitude = |((even, odd), zeta): ((&f64, &f64), &f64)| {
+            Complex64::new(*even, -odd) * Complex64::from_polar(zeta.recip(), zeta * from)
+        };
+        let first = |zeta: &f64| {
+            let step = less(zeta * d);
+            // 1 − (1 − s)²
+            [Complex64::ZERO, step, step * (2.0 - step)]
+        };
+        let amplitudes = even.iter().zip(odd).zip(zeta).map(amplitude).collect();
+        Self { amplitudes, phases: zeta[..even.len()].iter().map(first).collect() }
+    }
+
+    /// At the next place.
+    fn next(&mut self) -> f64 {
+        let of = |(amplitude, [phase, step, growth]): (&Complex64, &mut [Complex64; 3])| {
+            *phase += (1.0 - *phase) * *step;
+            *step += (1.0 - *step) * *growth;
+            amplitude.re * phase.re - amplitude.im * phase.im
+        };
+        self.amplitudes.iter().zip(&mut self.phases).map(of).sum()
+    }
 }

@@ -63,7 +63,7 @@ pub(super) fn solve(problem: &Problem, starts: &[Intervals]) -> Result<Answer, C
     topology::solve(problem, starts, &mut work)
 }
 
-/// The list where contacts are expected; none about an axis.
+/// The list where contacts are expected; none about an axis, or where one is expected nowhere.
 pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {
     let of = |Expected { contact, punch, ends }: &Expected| {
         if problem.is_even() {
@@ -71,16 +71,21 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
             let half = [ends[0].max(0.0), ends[1]];
             return (ends[1] > 0.0).then(|| ContactInterval::even(*contact, half).with_corners(corners));
         }
-        let corner = |side: f64| problem.placed(*contact, *punch).and_then(|punch| punch.corner(side));
+        let corner = |side: f64| problem.corner(*contact, *punch, side);
         let corners = [corner(-1.0) == Some(ends[0]), corner(1.0) == Some(ends[1])];
         Some(ContactInterval::anywhere(*contact, *punch, *ends).with_corners(corners))
     };
-    (problem.twin() == Twin::Plane).then(|| Intervals(expected.iter().filter_map(of).collect()))
+    let start = Intervals(expected.iter().filter_map(of).collect());
+    let is_there = |contact: usize| {
+        let own = start.of(contact);
+        !own.is_empty() && own.iter().all(|interval| interval.half.is_normal() && interval.middle.is_finite())
+    };
+    (problem.twin() == Twin::Plane && problem.unknown().all(is_there)).then_some(start)
 }
 
-/// Lists where the quadratic programme sees contacts, if all is even and in the plane.
+/// Lists where the quadratic programme sees contacts, if it sees any, all is even and in the plane.
 pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
-    if problem.twin() != Twin::Plane {
+    if problem.twin() != Twin::Plane || active.is_empty() {
         return Vec::new();
     }
     // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
@@ -360,7 +365,11 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         let peak_error = size * largest(numbers.clone().map(|number| errors.pressures[number]));
         let ends = numbers.clone().map(|number| {
             let (interval, sizes) = (&level.support.0[number], level.support.0[number].sizes());
+            let corner = |k: usize| problem.corner(contact, interval.punch, if k > 0 { 1.0 } else { -1.0 });
             let places = [interval.from(), interval.to()];
+            // what is even begins at x = 0
+            let is_corner = |k: usize| interval.corners[k] && (k > 0 || !interval.is_even());
+            let places = [0, 1].map(|k| corner(k).filter(|_| is_corner(k)).unwrap_or(places[k]));
             let rounding = |k: usize| f64::EPSILON * places[k].abs();
             let error =
                 |k: usize| if interval.corners[k] { 0.0 } else { errors.ends[number][k] * sizes[k] + rounding(k) };

@@ -108,9 +108,10 @@ pub(super) fn converge(
         let cost = operations(&layout, &support, counts);
         work.operations.spend(cost).ok_or_else(|| Failure::Stuck(support.clone()))?;
         work.step();
-        let [Solved { pressures, rotations }, some, few] = Equations::new(problem, &layout, &support, counts)
-            .solve()
-            .ok_or_else(|| Failure::Stuck(support.clone()))?;
+        let stuck = || Failure::Stuck(support.clone());
+        let equations = Equations::new(problem, &layout, &support, counts);
+        let assembled = equations.assembled().ok_or_else(stuck)?;
+        let Solved { pressures, rotations } = equations.solve(&assembled, counts).ok_or_else(stuck)?;
         if let Some(changed) = changed(&support, &pressures) {
             return Err(Failure::Changed(changed));
         }
@@ -124,7 +125,9 @@ pub(super) fn converge(
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
             let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
-            let (counts, coarser) = (counts.to_vec(), [some, few].map(|solved| solved.pressures));
+            let [some, few] = [fewer(counts), fewer(&fewer(counts))].map(|counts| equations.solve(&assembled, &counts));
+            let (Some(some), Some(few)) = (some, few) else { return Err(stuck()) };
+            let (counts, coarser) = (counts.to_vec(), [some.pressures, few.pressures]);
             return Ok(Approximation { support, counts, pressures, coarser, rotations, steps, left_out, graded });
         }
         if !progress.goes_on(farthest) || work.steps.last() > Some(&MOST_STEPS) {
@@ -133,10 +136,10 @@ pub(super) fn converge(
         let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
         let perturbed = |moved: &Intervals| {
             work.operations.spend(cost)?;
-            let [solved, ..] = Equations::new(problem, &layout, moved, counts).solve()?;
+            let equations = Equations::new(problem, &layout, moved, counts);
+            let solved = equations.solve(&equations.assembled()?, counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
-        let stuck = || Failure::Stuck(support.clone());
         if !derivatives.improve(&support, &q, &mut steps, perturbed).ok_or_else(stuck)? {
             limits.limit(&mut steps);
         }

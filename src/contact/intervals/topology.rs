@@ -127,15 +127,19 @@ fn tension(level: &Approximation) -> Tension {
         let last = (first..own.len()).take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
         let first = (0..=first).rev().take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
         let place = |k: usize| interval.place(phi(k + 1));
-        let mut parts = level.support.0.clone();
         // tension about the middle of what is even leaves the outer part only
         let inner = (!interval.is_even() || last + 1 < own.len()).then(|| [interval.from(), place(last)]);
         let [left, right] = interval.corners;
         let inner = inner.map(|ends| interval.between(ends).with_corners([left && !interval.is_even(), false]));
         let outer = interval.between([place(first), interval.to()]).with_corners([false, right]);
-        let parts_of = inner.into_iter().chain([outer]);
-        parts.splice(number..=number, parts_of.filter(|part| part.half > 0.0));
-        return Tension::Split(Intervals(parts));
+        let parts: Vec<ContactInterval> = inner.into_iter().chain([outer]).filter(|part| part.half > 0.0).collect();
+        if parts.is_empty() {
+            found = Tension::Unresolved;
+            continue;
+        }
+        let mut all = level.support.0.clone();
+        all.splice(number..=number, parts);
+        return Tension::Split(Intervals(all));
     }
     found
 }

@@ -144,24 +144,41 @@ pub(super) fn combined(columns: &Mat<f64>, amplitudes: &[f64]) -> Vec<f64> {
     sum
 }
 
-/// What the columns of one contact are more than the columns of another, at the first wavenumbers.
+/// Columns of two neighbours at the first wavenumbers: what the first ones are more than the others, and behind these the others.
 pub(super) fn differences(one: &Mat<f64>, other: &Mat<f64>, count: usize, parts: usize) -> Mat<f64> {
+    let columns = one.ncols();
     let [of_one, of_other] = [one, other].map(|columns| columns.nrows() / parts);
-    Mat::from_fn(parts * count, one.ncols(), |k, column| {
-        let (part, k) = (k / count, k % count);
-        one[(part * of_one + k, column)] - other[(part * of_other + k, column)]
-    })
+    let mut all = Mat::zeros(parts * count, 2 * columns);
+    for column in 0..columns {
+        let [one, other] = [one, other].map(|columns| columns.col_as_slice(column));
+        for part in 0..parts {
+            let [one, other] = [&one[part * of_one..], &other[part * of_other..]].map(|values| &values[..count]);
+            let rows = part * count..(part + 1) * count;
+            let difference = all.col_as_slice_mut(column)[rows.clone()].iter_mut();
+            difference.zip(one.iter().zip(other)).for_each(|(into, (one, other))| *into = one - other);
+            all.col_as_slice_mut(columns + column)[rows].copy_from_slice(other);
+        }
+    }
+    all
 }
 
 /// leftᵀ · weights · right, over as many wavenumbers as there are weights and values on both sides, real parts and imaginary ones.
 pub(super) fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>, parts: usize) -> Mat<f64> {
     let [own, other] = [left, right].map(|columns| columns.nrows() / parts);
     let count = weights.len().min(own).min(other);
-    let mut product = Mat::zeros(left.ncols(), right.ncols());
-    for part in 0..parts {
-        let right = right.as_ref().subrows(part * other, count);
-        let weighted = Mat::from_fn(count, right.ncols(), |k, column| right[(k, column)] * weights[k]);
-        product += left.as_ref().subrows(part * own, count).transpose() * &weighted;
+    let mut weighted = Mat::zeros(parts * count, right.ncols());
+    for column in 0..right.ncols() {
+        for (part, into) in weighted.col_as_slice_mut(column).chunks_mut(count.max(1)).enumerate() {
+            let values = &right.col_as_slice(column)[part * other..];
+            into.iter_mut().zip(values.iter().zip(weights)).for_each(|(into, (value, weight))| *into = value * weight);
+        }
     }
+    let part = |part: usize| {
+        let [left, right] =
+            [(left, own), (&weighted, count)].map(|(all, rows)| all.as_ref().subrows(part * rows, count));
+        left.transpose() * right
+    };
+    let mut product = part(0);
+    (1..parts).for_each(|k| product += part(k));
     product
 }

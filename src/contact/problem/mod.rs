@@ -171,6 +171,15 @@ impl<'a> Problem<'a> {
         }
     }
 
+    /// Where the corner of the punch of this number is on a side, 1 for the right one and −1 for the left one, if the punch is flat.
+    pub(crate) fn corner(&self, contact: usize, punch: usize, side: f64) -> Option<f64> {
+        match &self.sides[contact] {
+            Side::Punches(all) => all.get(punch).and_then(|punch| punch.corner(side)),
+            Side::Profile(profile) => profile.flat().map(|half| side * half),
+            _ => None,
+        }
+    }
+
     /// The profiles of all punches, with the contacts where they press.
     pub(crate) fn profiles(&self) -> impl Iterator<Item = (usize, &Profile<'a>)> {
         self.sides.iter().enumerate().filter_map(|(i, side)| side.profile().map(|profile| (i, profile)))
