@@ -8,11 +8,10 @@ use std::ops::Range;
 
 use faer::Mat;
 
-use crate::contact::integrals::tail::TOGETHER;
 use crate::contact::intervals::equations::{Equations, Places};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::system::System;
-use crate::contact::intervals::waves::{differences, product};
+use crate::contact::intervals::waves::{AT_ONCE, Long, Weighted, differences};
 
 impl Equations<'_> {
     /// All rows: waves block by block of wavenumbers, then half-planes.
@@ -28,8 +27,8 @@ impl Equations<'_> {
             left: vec![0.0; border],
         };
         let all = self.layout.zeta.len();
-        for first in (0..all).step_by(TOGETHER) {
-            let nodes = first..all.min(first + TOGETHER);
+        for first in (0..all).step_by(AT_ONCE) {
+            let nodes = first..all.min(first + AT_ONCE);
             let waves: Vec<Mat<f64>> =
                 (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
             self.add_waves(places, &mut system, first, &waves);
@@ -57,47 +56,46 @@ impl Equations<'_> {
     /// Adds what waves, from wavenumber number `first` on, do to all rows: kernels under equal pressures of neighbours to each contact, and laminates to
     /// what pressures on both of their faces differ by.
     fn add_waves(&self, places: &[Places], system: &mut System, first: usize, waves: &[Mat<f64>]) {
-        let zeta = |contact: usize| self.zeta(contact, first..first + TOGETHER);
-        let tests = |contact: usize| {
-            let mut tests = waves[contact].clone();
-            if !self.problem.is_known(contact) {
-                for (column, values) in self.columns[contact].long_waves(zeta(contact)) {
-                    tests.col_as_slice_mut(column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-                }
-            }
-            tests
-        };
-        let tests: Vec<Mat<f64>> = (0..waves.len()).map(tests).collect();
+        let zeta = |contact: usize| self.zeta(contact, first..first + AT_ONCE);
+        // of a given pressure none
+        let long = |contact: usize| self.columns[contact].long_waves(zeta(contact));
+        let long: Vec<Long> = (0..waves.len()).map(long).collect();
+        let tests: Vec<Long> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves)).collect();
         for contact in self.problem.unknown().filter(|contact| !zeta(*contact).is_empty()) {
-            let columns = &self.columns[contact];
-            let (parts, tests) = (columns.parts(), &tests[contact]);
-            let long = columns.long_waves(zeta(contact));
-            let mut weights = vec![0.0; zeta(contact).len()];
-            weights.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
-            // neighbours carry the same resultants and moments, which do nothing between them
-            let by_long = Mat::from_fn(tests.nrows(), long.len(), |k, n| long[n].1[k]);
-            let by_long = product(tests, &weights, &by_long, parts);
+            let (parts, pressed, tests) = (self.columns[contact].parts(), &waves[contact], &tests[contact]);
+            let mut own = vec![0.0; zeta(contact).len()];
+            own.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
+            let mut weights = own.clone();
             for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
                 let coupling = self.coupling(laminate, first);
                 weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
-                let block = product(tests, coupling, &waves[other], parts);
+                let columns = Weighted::new(&waves[other], coupling, parts);
+                let mut block = columns.tested(pressed);
+                tests.put_rows(&mut block, &columns);
                 let block = Block { all: &block, first: [0; 2], factor: -1.0 / PI };
                 self.add(places, system, (self.chain(contact), self.chain(other)), &block);
             }
-            let mut block = product(tests, &weights, &waves[contact], parts);
-            for (n, (column, _)) in long.iter().enumerate() {
-                (0..block.nrows()).for_each(|row| block[(row, *column)] += by_long[(row, n)]);
-            }
+            let columns = Weighted::new(pressed, &weights, parts);
+            let mut block = columns.symmetric(pressed);
+            tests.put_rows(&mut block, &columns);
+            // neighbours carry the same resultants and moments, which do nothing between them
+            long[contact].add_columns(&mut block, tests, &own, pressed, parts);
             let block = Block { all: &block, first: [0; 2], factor: 1.0 / PI };
             self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
         }
         for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
             let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
             let count = coupling.len().min(zeta(laminate).len()).min(zeta(laminate + 1).len());
-            let [tests, waves] =
-                [&tests, waves].map(|all| differences(&all[laminate], &all[laminate + 1], count, parts));
-            let block = product(&tests, coupling, &waves, parts);
-            let both = [(0, self.chain(laminate), 1.0), (block.nrows() / 2, laminate + 1..laminate + 2, -1.0)];
+            let pressed = differences(&waves[laminate], &waves[laminate + 1], count, parts);
+            let columns = Weighted::new(&pressed, coupling, parts);
+            let mut block = columns.symmetric(&pressed);
+            let lower = block.nrows() / 2;
+            let [upper_tests, lower_tests] = [&tests[laminate], &tests[laminate + 1]];
+            let values = differences(&upper_tests.values, &lower_tests.values, count, parts);
+            let below = lower_tests.places.iter().map(|place| lower + place);
+            let all = upper_tests.places.iter().copied().chain(below).collect();
+            Long { places: all, values }.put_rows(&mut block, &columns);
+            let both = [(0, self.chain(laminate), 1.0), (lower, laminate + 1..laminate + 2, -1.0)];
             for (row, rows, sign) in &both {
                 for (column, columns, other) in &both {
                     let block = Block { all: &block, first: [*row, *column], factor: sign * other / PI };

@@ -10,12 +10,11 @@ use std::ops::Range;
 use faer::Mat;
 
 use crate::contact::integrals::layout::Layout;
-use crate::contact::integrals::tail::TOGETHER;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::system::System;
-use crate::contact::intervals::waves::combined;
+use crate::contact::intervals::waves::{AT_ONCE, combined};
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
 
@@ -293,8 +292,8 @@ impl<'a> Equations<'a> {
     pub(super) fn response(&self, contact: usize, pressures: &[Pressure]) -> [Vec<f64>; 2] {
         let reach = self.layout.own[contact].reach;
         let mut response = [vec![0.0; reach], vec![0.0; reach]];
-        for first in (0..reach).step_by(TOGETHER) {
-            let nodes = first..reach.min(first + TOGETHER);
+        for first in (0..reach).step_by(AT_ONCE) {
+            let nodes = first..reach.min(first + AT_ONCE);
             let count = nodes.len();
             let mut own = self.field(contact, nodes.clone(), pressures);
             let mut sum = vec![0.0; own.len()];
@@ -343,9 +342,10 @@ impl<'a> Equations<'a> {
         let columns = &self.columns[contact];
         let mut amplitudes = self.amplitudes(contact, pressures);
         columns.as_told(&mut amplitudes);
-        for (column, values) in columns.long_waves(self.zeta(contact, nodes)) {
-            let amplitude = amplitudes.get(column).copied().unwrap_or(0.0);
-            field.iter_mut().zip(values).for_each(|(sum, value)| *sum += amplitude * value);
+        let long = columns.long_waves(self.zeta(contact, nodes));
+        for (number, column) in long.places.iter().enumerate() {
+            let amplitude = amplitudes.get(*column).copied().unwrap_or(0.0);
+            field.iter_mut().zip(long.values.col_as_slice(number)).for_each(|(sum, value)| *sum += amplitude * value);
         }
     }
 }

@@ -2,7 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::contact::intervals::support::ContactInterval;
-use crate::contact::problem::accuracy::PER_MODE;
+use crate::contact::problem::accuracy::{MINOR, PER_MODE};
 use crate::contact::quality::estimates::AVERAGED;
 use crate::solution::{Strip, tip_coefficient};
 
@@ -98,6 +98,10 @@ impl Pressure {
             return if kappa > 0.0 { ((1.0 + 2.0 * q / kappa).sqrt() - 1.0).min(FARTHEST) } else { FARTHEST };
         }
         let newton = if kappa > 0.0 { q / kappa } else { f64::NEG_INFINITY };
+        // so short a step ends about where the pressure is zero
+        if newton > -MINOR {
+            return newton;
+        }
         let places = PER_MODE * interval.order(self.terms.len() - 1);
         let distance = self.zero(interval, side, places).unwrap_or_else(|| match newton.is_finite() {
             true => -0.5 * newton,

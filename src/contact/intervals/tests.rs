@@ -128,8 +128,13 @@ fn columns_are_transforms_of_pressures() {
         let columns = Columns { intervals: &intervals, counts: &counts };
         let zeta = [1e-4, 0.3, 2.0, 9.0];
         let mut waves = columns.waves(&zeta);
-        for (column, values) in columns.long_waves(&zeta) {
-            waves.col_as_slice_mut(column).iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+        let long = columns.long_waves(&zeta);
+        for (number, column) in long.places.iter().enumerate() {
+            waves
+                .col_as_slice_mut(*column)
+                .iter_mut()
+                .zip(long.values.col_as_slice(number))
+                .for_each(|(sum, value)| *sum += value);
         }
         let amplitudes: Vec<f64> =
             (0..columns.terms() + columns.ends()).map(|c| (1.3 * c as f64 + 0.4).sin()).collect();

@@ -1,10 +1,21 @@
 //! Columns at wavenumbers, and what resultants, moments and rotations do to long waves.
-use faer::Mat;
+use faer::linalg::matmul::triangular::BlockStructure;
+use faer::linalg::matmul::{matmul, triangular};
+use faer::{Accum, Mat, MatRef, Par};
 
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::modes::alternating;
 use crate::numeric::bessel;
+
+/// Wavenumbers of which columns are made at once: no number depends on it, but storage of many more has to be fetched from the system.
+pub(super) const AT_ONCE: usize = 192;
+
+/// What resultants, moments and rotations do to long waves, with the places of the columns or tests that these belong to.
+pub(super) struct Long {
+    pub(super) places: Vec<usize>,
+    pub(super) values: Mat<f64>,
+}
 
 impl Columns<'_> {
     /// All columns at some wavenumbers: terms, singular pressures at ends, other tests; what resultants, moments and rotations do to long waves left out.
@@ -101,7 +112,7 @@ impl Columns<'_> {
 
     /// What [`Self::waves`] leaves out, with the columns it belongs to: resultants and moments of the first ones, and rotations of the tests that tell
     /// them.
-    pub(super) fn long_waves(&self, zeta: &[f64]) -> Vec<(usize, Vec<f64>)> {
+    pub(super) fn long_waves(&self, zeta: &[f64]) -> Long {
         let carried = self.carried();
         let of = |resultant: f64, moment: f64, rotation: f64| -> Vec<f64> {
             let odd = zeta.iter().filter(|_| self.moves()).map(|wave| moment * wave * wave - rotation);
@@ -120,7 +131,8 @@ impl Columns<'_> {
                 all.push((place, of(resultant, moment, self.rotation(other))));
             }
         }
-        all
+        let values = Mat::from_fn(self.parts() * zeta.len(), all.len(), |k, column| all[column].1[k]);
+        Long { places: all.into_iter().map(|(place, _)| place).collect(), values }
     }
 }
 
@@ -162,23 +174,96 @@ pub(super) fn differences(one: &Mat<f64>, other: &Mat<f64>, count: usize, parts:
     all
 }
 
-/// leftᵀ · weights · right, over as many wavenumbers as there are weights and values on both sides, real parts and imaginary ones.
-pub(super) fn product(left: &Mat<f64>, weights: &[f64], right: &Mat<f64>, parts: usize) -> Mat<f64> {
-    let [own, other] = [left, right].map(|columns| columns.nrows() / parts);
-    let count = weights.len().min(own).min(other);
-    let mut weighted = Mat::zeros(parts * count, right.ncols());
-    for column in 0..right.ncols() {
-        for (part, into) in weighted.col_as_slice_mut(column).chunks_mut(count.max(1)).enumerate() {
-            let values = &right.col_as_slice(column)[part * other..];
-            into.iter_mut().zip(values.iter().zip(weights)).for_each(|(into, (value, weight))| *into = value * weight);
+/// Columns times weights, over as many wavenumbers as there are weights and values.
+pub(super) struct Weighted {
+    values: Mat<f64>,
+    parts: usize,
+}
+
+impl Weighted {
+    pub(super) fn new(columns: &Mat<f64>, weights: &[f64], parts: usize) -> Self {
+        let own = columns.nrows() / parts;
+        let count = weights.len().min(own);
+        let mut values = Mat::zeros(parts * count, columns.ncols());
+        for column in 0..columns.ncols() {
+            for (part, into) in values.col_as_slice_mut(column).chunks_mut(count.max(1)).enumerate() {
+                let values = &columns.col_as_slice(column)[part * own..];
+                into.iter_mut()
+                    .zip(values.iter().zip(weights))
+                    .for_each(|(into, (value, weight))| *into = value * weight);
+            }
+        }
+        Self { values, parts }
+    }
+
+    /// Adds products leftᵀ · columns, of real parts and of imaginary ones.
+    fn sums(&self, left: &Mat<f64>, mut add: impl FnMut(MatRef<f64>, MatRef<f64>)) {
+        let [own, other] = [left, &self.values].map(|columns| columns.nrows() / self.parts);
+        let count = own.min(other);
+        for part in 0..self.parts {
+            let left = left.as_ref().subrows(part * own, count);
+            add(left.transpose(), self.values.as_ref().subrows(part * other, count));
         }
     }
-    let part = |part: usize| {
-        let [left, right] =
-            [(left, own), (&weighted, count)].map(|(all, rows)| all.as_ref().subrows(part * rows, count));
-        left.transpose() * right
-    };
-    let mut product = part(0);
-    (1..parts).for_each(|k| product += part(k));
-    product
+
+    /// leftᵀ · weights · columns.
+    pub(super) fn tested(&self, left: &Mat<f64>) -> Mat<f64> {
+        let mut product = Mat::zeros(left.ncols(), self.values.ncols());
+        self.sums(left, |left, right| matmul(product.as_mut(), Accum::Add, left, right, 1.0, Par::Seq));
+        product
+    }
+
+    /// The same with the columns themselves on the left.
+    pub(super) fn symmetric(&self, columns: &Mat<f64>) -> Mat<f64> {
+        let size = columns.ncols();
+        let mut product = Mat::zeros(size, size);
+        let (lower, all) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+        self.sums(columns, |left, right| {
+            triangular::matmul(product.as_mut(), lower, Accum::Add, left, all, right, all, 1.0, Par::Seq);
+        });
+        for column in 0..size {
+            for row in column + 1..size {
+                product[(column, row)] = product[(row, column)];
+            }
+        }
+        product
+    }
+}
+
+impl Long {
+    /// The tests as they are: what [`Columns::waves`] has of them and what it leaves out, added before anything is summed, since both cancel for short waves.
+    pub(super) fn whole(&self, waves: &Mat<f64>) -> Self {
+        let mut whole = self.values.clone();
+        for (number, place) in self.places.iter().enumerate() {
+            let waves = waves.col_as_slice(*place);
+            whole.col_as_slice_mut(number).iter_mut().zip(waves).for_each(|(value, wave)| *value += wave);
+        }
+        Self { places: self.places.clone(), values: whole }
+    }
+
+    /// Puts these tests into their rows of a product with columns.
+    pub(super) fn put_rows(&self, product: &mut Mat<f64>, columns: &Weighted) {
+        let rows = columns.tested(&self.values);
+        for (number, place) in self.places.iter().enumerate() {
+            (0..rows.ncols()).for_each(|column| product[(*place, column)] = rows[(number, column)]);
+        }
+    }
+
+    /// Adds what is left out of the columns of a contact to a product of them with its tests, of which some are given as they are.
+    pub(super) fn add_columns(
+        &self,
+        product: &mut Mat<f64>,
+        tests: &Self,
+        weights: &[f64],
+        left: &Mat<f64>,
+        parts: usize,
+    ) {
+        let own = Weighted::new(&self.values, weights, parts);
+        let mut columns = own.tested(left);
+        tests.put_rows(&mut columns, &own);
+        for (number, place) in self.places.iter().enumerate() {
+            let column = product.col_as_slice_mut(*place).iter_mut();
+            column.zip(columns.col_as_slice(number)).for_each(|(sum, value)| *sum += value);
+        }
+    }
 }

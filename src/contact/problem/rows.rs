@@ -179,8 +179,10 @@ impl Profile<'_> {
         let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
         let (right, is_mirrored): (Vec<f64>, bool) = match &self.shape {
             Shape::Pieces { pieces, is_even, .. } => (pieces.iter().map(|piece| piece.start).collect(), *is_even),
-            Shape::Powers { .. } => (halves(middle.abs() + half).take(1 + TIP_CELLS).collect(), true),
-            Shape::Circle(_) | Shape::Flat(_) => (Vec::new(), false),
+            Shape::Powers { .. } if !self.shape.is_smooth() => {
+                (halves(middle.abs() + half).take(1 + TIP_CELLS).collect(), true)
+            }
+            Shape::Powers { .. } | Shape::Circle(_) | Shape::Flat(_) => (Vec::new(), false),
         };
         let left = right.iter().map(|x| -x).filter(|_| is_mirrored);
         let mut all: Vec<f64> = left.chain(right.iter().copied()).collect();
