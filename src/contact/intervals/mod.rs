@@ -54,13 +54,19 @@ pub(crate) struct Expected {
     pub(crate) ends: [f64; 2],
 }
 
-/// Presses punches or loads, from lists of intervals where contacts may be.
+/// Presses punches or loads, from lists of intervals where contacts may be, with the operations that are left.
 ///
 /// # Errors
 /// See [`topology::solve`].
-pub(super) fn solve(problem: &Problem, starts: &[Intervals]) -> Result<Answer, ContactError> {
-    let mut work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
-    topology::solve(problem, starts, &mut work)
+pub(super) fn solve(
+    problem: &Problem,
+    starts: &[Intervals],
+    operations: &mut Operations,
+) -> Result<Answer, ContactError> {
+    let mut work = Work { operations: operations.clone(), ..Work::default() };
+    let answer = topology::solve(problem, starts, &mut work);
+    *operations = work.operations;
+    answer
 }
 
 /// The list where contacts are expected; none about an axis, or where one is expected nowhere.

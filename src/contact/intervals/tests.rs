@@ -11,6 +11,7 @@ use super::{of_formulas, refine, solve};
 use crate::contact::ends::newton::Work;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::iteration::Operations;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::scene::{Load, Punch, Top};
@@ -94,7 +95,7 @@ fn random_scenes_are_solved_alike_without_symmetry() {
         };
         let uneven = Intervals(even.0.iter().map(whole).collect());
         for start in [even, uneven] {
-            let Ok(found) = solve(&problem, &[start]) else {
+            let Ok(found) = solve(&problem, &[start], &mut Operations::default()) else {
                 left += 1;
                 continue;
             };

@@ -104,7 +104,7 @@ impl Search<'_> {
         // intervals of re-contact that a solution leaves out may be short
         let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
         if certain.is_some() || left_out && several(problem, &active, false).is_some() {
-            if let Ok(answer) = intervals::solve(problem, &std::mem::take(&mut starts)) {
+            if let Ok(answer) = intervals::solve(problem, &std::mem::take(&mut starts), &mut self.work.operations) {
                 return Ok(Outcome::Solved(Box::new(answer)));
             }
             // one of the intervals may carry a force next to nothing
@@ -118,7 +118,7 @@ impl Search<'_> {
             solved => return Ok(solved),
         };
         starts.extend(intervals::of_formulas(problem, &formulas::anywhere(problem)));
-        if let Ok(answer) = intervals::solve(problem, &starts) {
+        if let Ok(answer) = intervals::solve(problem, &starts, &mut self.work.operations) {
             return Ok(Outcome::Solved(Box::new(answer)));
         }
         Ok(Outcome::Failed(certain.map_or(failure, |i| Box::new(self.error(&active, i)))))
