@@ -122,6 +122,36 @@ fn contacts_move_and_are_mirrored_with_wedges() {
     }
 }
 
+/// A wedge that turns onto its right face lets go of the layer below in between, and no spike at the tip hides that.
+#[test]
+fn a_wedge_that_turns_onto_a_face_touches_twice() {
+    let stack = Stack::builder(Plane::Strain)
+        .layer(Homogeneous::new(1.123, 7.609, 0.348).unwrap())
+        .receding()
+        .layer(Exponential::new(0.3052, 1.679, 0.228, 1.352).unwrap())
+        .receding()
+        .layer(HalfPlane::new(1.634, 0.248).unwrap());
+    let model = Model::new(stack.build().unwrap()).unwrap();
+    let pressed = |side: f64| {
+        let (right, left) = if side > 0.0 { (0.03724, 0.02921) } else { (0.02921, 0.03724) };
+        let shape = Punch::uneven_wedge(right, left).unwrap();
+        let tilt = Tilt::Free { eccentricity: 0.167_942 * side };
+        let punches = Punches::new(&[Pressed::new(shape, 1.2469 * side, 0.002_719_76, tilt).unwrap()]).unwrap();
+        model.press(&punches, punches.force()).unwrap()
+    };
+    let [right, left] = [1.0, -1.0].map(pressed);
+    for solution in [&right, &left] {
+        assert!(solution.min_pressure() >= -1e-4 * 0.002_719_76, "{}", solution.min_pressure());
+        assert_eq!(solution.contacts()[0].intervals().len(), 2, "{:?}", solution.contacts()[0].intervals());
+    }
+    for (right, left) in right.contacts().iter().zip(left.contacts()) {
+        for (right, left) in right.intervals().iter().zip(left.intervals().iter().rev()) {
+            let off = (right.left + left.right).abs().max((right.right + left.left).abs());
+            assert!(off < right.left_error + right.right_error, "{right:?} {left:?}");
+        }
+    }
+}
+
 #[test]
 fn what_is_even_but_for_rounding_is_what_another_solver_finds() {
     for model in &stacks() {

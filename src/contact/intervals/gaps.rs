@@ -42,7 +42,7 @@ pub(super) fn check(
     error: f64,
 ) -> Result<Signs, Fault> {
     let count = problem.contacts();
-    let [mut largest, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
+    let [mut means, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; count];
     let mut leasts = Vec::new();
@@ -55,7 +55,8 @@ pub(super) fn check(
             (least, most) = (least.min(pressure), most.max(pressure));
         }
         let contact = interval.contact;
-        (largest[contact], smallest[contact]) = (largest[contact].max(most), smallest[contact].min(least));
+        means[contact] = means[contact].max(pressure.mean(interval));
+        smallest[contact] = smallest[contact].min(least);
         leasts.push(least);
         if interval.is_even() {
             tensions[contact] = -least / most;
@@ -65,7 +66,7 @@ pub(super) fn check(
     // ends of the gap between them are no better known than that it is short
     let is_pulled = |number: &usize| {
         let contact = level.support.0[*number].contact;
-        leasts[*number] < -COARSE * largest[contact]
+        leasts[*number] < -COARSE * means[contact]
     };
     if (0..leasts.len()).any(|number| is_pulled(&number)) {
         return Err(Fault::Tension);

@@ -344,8 +344,7 @@ impl Approximation {
     fn largest_pressure(&self, contact: usize, middle: &[f64]) -> f64 {
         let own = self.support.0.iter().enumerate().filter(|(_, interval)| interval.contact == contact);
         let of = |(number, interval): (usize, &ContactInterval)| {
-            let mean = 0.5 * self.pressures[number].force() / (interval.images() * interval.half);
-            middle[number].abs().max(mean)
+            middle[number].abs().max(self.pressures[number].mean(interval))
         };
         largest(own.map(of))
     }

@@ -62,6 +62,11 @@ impl Pressure {
         self.terms[0] + self.tip.term(1) + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
     }
 
+    /// Its mean over the interval: with this tension is compared, since pressures next to tips and corners are as large as one looks closely.
+    pub(super) fn mean(&self, interval: &ContactInterval) -> f64 {
+        0.5 * self.force() / (interval.images() * interval.half)
+    }
+
     /// The same with no singularity at an end that is found: what is left of it is rounding.
     pub(super) fn regular(&self, interval: &ContactInterval) -> Self {
         let at_corner = |(side, q): (&f64, &f64)| if interval.is_corner(*side) { *q } else { 0.0 };

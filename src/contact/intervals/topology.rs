@@ -115,8 +115,8 @@ fn tension(level: &Approximation) -> Tension {
             let strip = pressure.regular(interval).strip(interval);
             (1..looked_at).map(|k| strip.pressure(interval.place(phi(k)))).collect::<Vec<f64>>()
         });
-        let largest = own.iter().copied().fold(0.0, f64::max);
-        let is_negative = |k: &usize| own[*k] < -COARSE * largest;
+        let mean = pressure.mean(interval);
+        let is_negative = |k: &usize| own[*k] < -COARSE * mean;
         let is_certain = |k: &usize| is_negative(k) && own[*k] < -SAFETY * (own[*k] - coarser[*k]).abs();
         let Some(first) = (0..own.len()).find(is_certain) else {
             if (0..own.len()).any(|k| is_negative(&k)) {
