@@ -173,7 +173,7 @@ impl<'a> Equations<'a> {
         Some(Assembled { places, system })
     }
 
-    /// The pressures of all intervals, and rotations, with so many terms; `None` if there are none in double precision.
+    /// The pressures of all intervals, and rotations, with these numbers of terms; `None` if there are none in double precision.
     pub(super) fn solve(&self, Assembled { places, system }: &Assembled, counts: &[usize]) -> Option<Solved> {
         let kept = self.kept(places, counts);
         let (x, q) = if kept.len() < system.f.len() { system.part(&kept).solve()? } else { system.solve()? };
