@@ -166,7 +166,7 @@ impl<'a> Equations<'a> {
         columns.groups().into_iter().enumerate().flat_map(of).collect()
     }
 
-    /// All rows, for any numbers of terms up to those of the columns; `None` if short waves take too many wavenumbers.
+    /// All rows, for numbers of terms up to the numbers that the columns have; `None` if short waves take too many wavenumbers.
     pub(super) fn assembled(&self) -> Option<Assembled> {
         let places = self.places();
         let system = self.system(&places)?;
