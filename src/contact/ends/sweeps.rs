@@ -214,7 +214,7 @@ impl<'a> Sweeps<'a> {
         Stopped::Slow
     }
 
-    fn bases(&self) -> Vec<Basis<'a>> {
+    fn bases(&self) -> Vec<Basis> {
         Basis::all(self.layout, self.problem, &self.support.half_lengths, self.counts)
     }
 

@@ -26,7 +26,7 @@ use crate::contact::problem::support::Support;
 /// The equations of one stack, one layout and one set of half-lengths.
 pub(crate) struct Equations<'a> {
     pub(super) layout: &'a Layout,
-    pub(super) bases: &'a [Basis<'a>],
+    pub(super) bases: &'a [Basis],
     /// Modes solved for, per contact, the first included.
     modes: &'a [usize],
     /// Per laminate between contacts: whether all modes below it are counted from those above it.
@@ -54,7 +54,7 @@ pub(crate) type Rows = Vec<f64>;
 impl<'a> Equations<'a> {
     pub(crate) fn new(
         layout: &'a Layout,
-        bases: &'a [Basis<'a>],
+        bases: &'a [Basis],
         modes: &'a [usize],
         strong: &'a [bool],
         support: &Support,

@@ -4,6 +4,8 @@
 //! y_1 = 1. The tests T_k/√(1 − s²) turn sin ζx into J_k(ζa). So all integrals need ψ_j for odd j, and Newton's method
 //! the derivative with respect to ln a, z (J_(j−1) − J_(j+1))/(2a) − ψ_j, z = ζa, in which even orders are sums of odd ones,
 //! J_n = z (J_(n−1) + J_(n+1))/(2n), but for J_0.
+use std::sync::Arc;
+
 use num_complex::Complex64;
 
 use crate::contact::integrals::columns::{ColumnRange, Columns};
@@ -16,7 +18,7 @@ use crate::numeric::vector::vectorised;
 use crate::numeric::workspace::Workspace;
 
 /// The modes of one contact: a row for each real wavenumber, then two for each node of the tail.
-pub(crate) struct Basis<'a> {
+pub(crate) struct Basis {
     /// Half-length in units of L.
     pub(crate) half_length: f64,
     /// 2 J_1(z)/z − 1 at the real wavenumbers: the unit pressure's transform less its resultant.
@@ -28,29 +30,21 @@ pub(crate) struct Basis<'a> {
     /// z on the turned path.
     paths: Vec<Complex64>,
     twin: Twin,
-    /// Where the storage of the table goes afterwards.
-    workspace: &'a Workspace,
 }
 
-impl Drop for Basis<'_> {
-    fn drop(&mut self) {
-        self.workspace.keep(std::mem::take(&mut self.table.values));
-    }
-}
-
-impl<'a> Basis<'a> {
+impl Basis {
     /// The first `modes` modes of each contact of a problem.
-    pub(crate) fn all(layout: &Layout, problem: &Problem<'a>, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
+    pub(crate) fn all(layout: &Layout, problem: &Problem, half_lengths: &[f64], modes: &[usize]) -> Vec<Self> {
         let workspace = &problem.kernel.workspace;
         let own = |(i, (a, modes)): (usize, (&f64, &usize))| match problem.sides[i].given() {
-            Some(given) => Self::given(layout, i, given, workspace),
+            Some(given) => Self::given(layout, i, given),
             None => Self::new(layout, i, *a, *modes, workspace),
         };
         half_lengths.iter().zip(modes).enumerate().map(own).collect()
     }
 
     /// The modes of contact `i` at one half-length.
-    fn new(layout: &Layout, i: usize, half_length: f64, modes: usize, workspace: &'a Workspace) -> Self {
+    fn new(layout: &Layout, i: usize, half_length: f64, modes: usize, workspace: &Arc<Workspace>) -> Self {
         let (tail, reach) = (layout.tail(i), layout.own[i].reach);
         let mut arguments = Vec::with_capacity(reach + 2 * tail.smooth.len());
         for zeta in [&layout.zeta[..reach], &tail.smooth, &tail.smooth] {
@@ -63,7 +57,7 @@ impl<'a> Basis<'a> {
         let mut table = Columns::new(rows, wanted.below(orders), workspace);
         bessel::scaled_orders(orders, wanted, &arguments[..reach], scale, rows, &mut table.values);
         let transform_minus_one = Vec::new();
-        let mut basis = Self { half_length, transform_minus_one, table, arguments, paths, twin, workspace };
+        let mut basis = Self { half_length, transform_minus_one, table, arguments, paths, twin };
         if rows > reach {
             tail.tabulate((half_length, scale), (wanted, orders), (reach, rows), &mut basis.table.values);
         }
@@ -91,7 +85,7 @@ impl<'a> Basis<'a> {
 
     /// The only mode of the given pressure of contact `i`, whatever its transform. Its half-length is not varied, so that
     /// other orders do not matter.
-    fn given(layout: &Layout, i: usize, given: &Given, workspace: &'a Workspace) -> Self {
+    fn given(layout: &Layout, i: usize, given: &Given) -> Self {
         let zeta = &layout.zeta[..layout.own[i].reach];
         let transform_minus_one: Vec<f64> = zeta.iter().map(|zeta| given.transform_minus_one(*zeta)).collect();
         let mut table = Columns::zeros(zeta.len(), 3);
@@ -102,7 +96,7 @@ impl<'a> Basis<'a> {
         }
         let arguments = zeta.iter().map(|zeta| zeta * given.half_length).collect();
         let (half_length, paths, twin) = (given.half_length, Vec::new(), layout.twin);
-        Self { half_length, transform_minus_one, table, arguments, paths, twin, workspace }
+        Self { half_length, transform_minus_one, table, arguments, paths, twin }
     }
 
     /// −z J_2(z)/(2a) in every row: of p = (P/πa) [1/√(1 − s²) − 2 √(1 − s²)], the pressure next to sharp corners less a unit

@@ -1,5 +1,6 @@
 //! Columns of numbers, one value for each wavenumber: sums of columns, and sums over the wavenumbers.
 use std::ops::Range;
+use std::sync::Arc;
 
 use faer::MatRef;
 
@@ -12,18 +13,34 @@ const TOGETHER: usize = 4;
 /// Columns, one after the other.
 pub(crate) struct Columns {
     rows: usize,
+    count: usize,
     pub(crate) values: Vec<f64>,
+    /// Where the storage goes afterwards.
+    workspace: Option<Arc<Workspace>>,
+}
+
+impl Drop for Columns {
+    fn drop(&mut self) {
+        if let Some(workspace) = &self.workspace {
+            workspace.keep(std::mem::take(&mut self.values));
+        }
+    }
 }
 
 impl Columns {
     /// Columns to be overwritten, in storage of a workspace.
-    pub(crate) fn new(rows: usize, columns: usize, workspace: &Workspace) -> Self {
-        Self { rows, values: workspace.take(rows * columns) }
+    pub(crate) fn new(rows: usize, columns: usize, workspace: &Arc<Workspace>) -> Self {
+        Self { rows, count: columns, values: workspace.take(rows * columns), workspace: Some(workspace.clone()) }
     }
 
     /// Columns of zeros.
     pub(crate) fn zeros(rows: usize, columns: usize) -> Self {
-        Self { rows, values: vec![0.0; rows * columns] }
+        Self { rows, count: columns, values: vec![0.0; rows * columns], workspace: None }
+    }
+
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.count
     }
 
     pub(crate) fn rows(&self) -> usize {
@@ -36,6 +53,19 @@ impl Columns {
 
     pub(crate) fn column_mut(&mut self, m: usize) -> &mut [f64] {
         &mut self.values[m * self.rows..(m + 1) * self.rows]
+    }
+
+    /// Two of them, one to be changed by the other.
+    pub(crate) fn two_mut(&mut self, one: usize, other: usize) -> [&mut [f64]; 2] {
+        let (before, after) = self.values.split_at_mut(one.max(other) * self.rows);
+        let least = &mut before[one.min(other) * self.rows..][..self.rows];
+        let most = &mut after[..self.rows];
+        if one < other { [least, most] } else { [most, least] }
+    }
+
+    /// All of them.
+    pub(crate) fn all(&self) -> ColumnRange<'_> {
+        self.part(0..self.count())
     }
 
     /// Some of them.

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use faer::Mat;
 
+use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::intervals::equations::{Equations, Places};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::system::System;
@@ -29,7 +30,7 @@ impl Equations<'_> {
         let all = self.layout.zeta.len();
         for first in (0..all).step_by(AT_ONCE) {
             let nodes = first..all.min(first + AT_ONCE);
-            let waves: Vec<Mat<f64>> =
+            let waves: Vec<Table> =
                 (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
             self.add_waves(places, &mut system, first, &waves);
         }
@@ -55,12 +56,13 @@ impl Equations<'_> {
 
     /// Adds what waves, from wavenumber number `first` on, do to all rows: kernels under equal pressures of neighbours to each contact, and laminates to
     /// what pressures on both of their faces differ by.
-    fn add_waves(&self, places: &[Places], system: &mut System, first: usize, waves: &[Mat<f64>]) {
+    fn add_waves(&self, places: &[Places], system: &mut System, first: usize, waves: &[Table]) {
+        let workspace = &self.problem.kernel.workspace;
         let zeta = |contact: usize| self.zeta(contact, first..first + AT_ONCE);
         // of a given pressure none
-        let long = |contact: usize| self.columns[contact].long_waves(zeta(contact));
+        let long = |contact: usize| self.columns[contact].long_waves(zeta(contact), workspace);
         let long: Vec<Long> = (0..waves.len()).map(long).collect();
-        let tests: Vec<Long> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves)).collect();
+        let tests: Vec<Long> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
         for contact in self.problem.unknown().filter(|contact| !zeta(*contact).is_empty()) {
             let (parts, pressed, tests) = (self.columns[contact].parts(), &waves[contact], &tests[contact]);
             let mut own = vec![0.0; zeta(contact).len()];
@@ -69,29 +71,30 @@ impl Equations<'_> {
             for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
                 let coupling = self.coupling(laminate, first);
                 weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
-                let columns = Weighted::new(&waves[other], coupling, parts);
+                let columns = Weighted::new(&waves[other], coupling, parts, workspace);
                 let mut block = columns.tested(pressed);
                 tests.put_rows(&mut block, &columns);
                 let block = Block { all: &block, first: [0; 2], factor: -1.0 / PI };
                 self.add(places, system, (self.chain(contact), self.chain(other)), &block);
             }
-            let columns = Weighted::new(pressed, &weights, parts);
+            let columns = Weighted::new(pressed, &weights, parts, workspace);
             let mut block = columns.symmetric(pressed);
             tests.put_rows(&mut block, &columns);
             // neighbours carry the same resultants and moments, which do nothing between them
-            long[contact].add_columns(&mut block, tests, &own, pressed, parts);
+            let own = Weighted::new(&long[contact].values, &own, parts, workspace);
+            long[contact].add_columns(&mut block, tests, &own, pressed);
             let block = Block { all: &block, first: [0; 2], factor: 1.0 / PI };
             self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
         }
         for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
             let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
             let count = coupling.len().min(zeta(laminate).len()).min(zeta(laminate + 1).len());
-            let pressed = differences(&waves[laminate], &waves[laminate + 1], count, parts);
-            let columns = Weighted::new(&pressed, coupling, parts);
+            let pressed = differences(&waves[laminate], &waves[laminate + 1], count, parts, workspace);
+            let columns = Weighted::new(&pressed, coupling, parts, workspace);
             let mut block = columns.symmetric(&pressed);
             let lower = block.nrows() / 2;
             let [upper_tests, lower_tests] = [&tests[laminate], &tests[laminate + 1]];
-            let values = differences(&upper_tests.values, &lower_tests.values, count, parts);
+            let values = differences(&upper_tests.values, &lower_tests.values, count, parts, workspace);
             let below = lower_tests.places.iter().map(|place| lower + place);
             let all = upper_tests.places.iter().copied().chain(below).collect();
             Long { places: all, values }.put_rows(&mut block, &columns);

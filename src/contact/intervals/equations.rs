@@ -7,14 +7,13 @@
 use std::f64::consts::PI;
 use std::ops::Range;
 
-use faer::Mat;
-
+use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::system::System;
-use crate::contact::intervals::waves::{AT_ONCE, combined};
+use crate::contact::intervals::waves::{AT_ONCE, Long};
 use crate::contact::problem::Problem;
 use crate::numeric::dot;
 
@@ -262,13 +261,21 @@ impl<'a> Equations<'a> {
     }
 
     /// The columns of a contact at some wavenumbers, what resultants and moments do to long waves left out; of a given pressure one column.
-    pub(super) fn waves(&self, contact: usize, nodes: Range<usize>) -> Mat<f64> {
-        let zeta = self.zeta(contact, nodes);
-        let Some(given) = self.problem.sides[contact].given() else { return self.columns[contact].waves(zeta) };
+    pub(super) fn waves(&self, contact: usize, nodes: Range<usize>) -> Table {
+        let (zeta, workspace) = (self.zeta(contact, nodes), &self.problem.kernel.workspace);
+        let Some(given) = self.problem.sides[contact].given() else {
+            return self.columns[contact].waves(zeta, workspace);
+        };
+        let mut column = Table::new(self.parts() * zeta.len(), 1, workspace);
         let even = zeta.iter().map(|zeta| zeta * given.transform_minus_one(*zeta));
         let odd = zeta.iter().filter(|_| self.moves).map(|zeta| zeta * given.odd_transform_less_moment(*zeta));
-        let column: Vec<f64> = even.chain(odd).collect();
-        Mat::from_fn(column.len(), 1, |k, _| column[k])
+        column.values.iter_mut().zip(even.chain(odd)).for_each(|(into, value)| *into = value);
+        column
+    }
+
+    /// The real part of exp(iζx) alone, or the imaginary one as well.
+    fn parts(&self) -> usize {
+        if self.moves { 2 } else { 1 }
     }
 
     /// The neighbours of a contact, with the laminates between.
@@ -288,35 +295,46 @@ impl<'a> Equations<'a> {
         &weights[first.min(weights.len())..]
     }
 
-    /// Slopes of waves outside contacts, weights included, what half-planes do left out: of both parts of exp(iζx), one after the other.
-    pub(super) fn response(&self, contact: usize, pressures: &[Pressure]) -> [Vec<f64>; 2] {
-        let reach = self.layout.own[contact].reach;
-        let mut response = [vec![0.0; reach], vec![0.0; reach]];
-        for first in (0..reach).step_by(AT_ONCE) {
-            let nodes = first..reach.min(first + AT_ONCE);
-            let count = nodes.len();
-            let mut own = self.field(contact, nodes.clone(), pressures);
-            let mut sum = vec![0.0; own.len()];
-            for (other, laminate) in self.neighbours(contact) {
-                let field = self.field(other, nodes.clone(), pressures);
-                let there = field.len() * count / own.len();
-                for (k, weight) in self.coupling(laminate, first).iter().take(count.min(there)).enumerate() {
-                    for part in 0..own.len() / count {
-                        sum[part * count + k] += weight / PI * (own[part * count + k] - field[part * there + k]);
+    /// Hands out, block by block of wavenumbers, the columns of each contact, what is left out of them, and the slopes of waves that pressures with these
+    /// amplitudes make outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
+    pub(super) fn responses(
+        &self,
+        amplitudes: &[Vec<f64>],
+        mut each: impl FnMut(usize, Range<usize>, &Table, &Long, &[f64]),
+    ) {
+        let (workspace, all) = (&self.problem.kernel.workspace, self.layout.zeta.len());
+        for first in (0..all).step_by(AT_ONCE) {
+            let nodes = first..all.min(first + AT_ONCE);
+            let waves: Vec<Table> =
+                (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
+            let fields = waves.iter().zip(amplitudes);
+            let fields: Vec<Vec<f64>> =
+                fields.map(|(waves, amplitudes)| waves.part(0..amplitudes.len()).combine(amplitudes)).collect();
+            for contact in self.problem.unknown() {
+                let zeta = self.zeta(contact, nodes.clone());
+                let (count, parts, mut own) = (zeta.len(), self.parts(), fields[contact].clone());
+                let mut response = vec![0.0; own.len()];
+                for (other, laminate) in self.neighbours(contact) {
+                    let there = fields[other].len() / parts;
+                    for part in 0..parts {
+                        let pair = own[part * count..].iter().zip(&fields[other][part * there..]);
+                        let weights = self.coupling(laminate, first).iter().take(count.min(there));
+                        let sums = response[part * count..].iter_mut().zip(pair).zip(weights);
+                        sums.for_each(|((sum, (own, other)), weight)| *sum += weight / PI * (own - other));
                     }
                 }
-            }
-            self.add_long_waves(contact, nodes.clone(), pressures, &mut own);
-            for (k, weight) in self.own(contact, first).iter().take(count).enumerate() {
-                for part in 0..own.len() / count {
-                    sum[part * count + k] += weight / PI * own[part * count + k];
+                let long = self.columns[contact].long_waves(zeta, workspace);
+                for (number, place) in long.places.iter().enumerate().filter(|(_, place)| **place < amplitudes[contact].len()) {
+                    let column = own.iter_mut().zip(long.values.column(number));
+                    column.for_each(|(sum, value)| *sum += amplitudes[contact][*place] * value);
                 }
-            }
-            for (part, values) in sum.chunks(count).enumerate() {
-                response[part][nodes.clone()].copy_from_slice(values);
+                for (response, own) in response.chunks_mut(count.max(1)).zip(own.chunks(count.max(1))) {
+                    let sums = response.iter_mut().zip(own).zip(self.own(contact, first));
+                    sums.for_each(|((sum, own), weight)| *sum += weight / PI * own);
+                }
+                each(contact, nodes.start..nodes.start + count, &waves[contact], &long, &response);
             }
         }
-        response
     }
 
     /// The amplitudes of all columns of a contact, of the pressures of all intervals.
@@ -326,26 +344,16 @@ impl<'a> Equations<'a> {
         columns.amplitudes(&pressures[first..first + columns.intervals.len()])
     }
 
-    /// ζ times the transform of the pressure of a contact, less what its resultant and moment do to long waves.
-    fn field(&self, contact: usize, nodes: Range<usize>, pressures: &[Pressure]) -> Vec<f64> {
-        let columns = self.waves(contact, nodes);
-        if self.problem.is_known(contact) {
-            return columns.col_as_slice(0).to_vec();
-        }
-        let mut amplitudes = self.amplitudes(contact, pressures);
-        self.columns[contact].as_told(&mut amplitudes);
-        combined(&columns, &amplitudes)
-    }
-
-    /// Adds what resultant and moment do to long waves.
-    fn add_long_waves(&self, contact: usize, nodes: Range<usize>, pressures: &[Pressure], field: &mut [f64]) {
-        let columns = &self.columns[contact];
-        let mut amplitudes = self.amplitudes(contact, pressures);
-        columns.as_told(&mut amplitudes);
-        let long = columns.long_waves(self.zeta(contact, nodes));
-        for (number, column) in long.places.iter().enumerate() {
-            let amplitude = amplitudes.get(*column).copied().unwrap_or(0.0);
-            field.iter_mut().zip(long.values.col_as_slice(number)).for_each(|(sum, value)| *sum += amplitude * value);
-        }
+    /// The amplitudes of all columns of all contacts, so that the first ones tell resultants and moments; 1 of a given pressure.
+    pub(super) fn told_amplitudes(&self, pressures: &[Pressure]) -> Vec<Vec<f64>> {
+        let of = |contact: usize| {
+            if self.problem.is_known(contact) {
+                return vec![1.0];
+            }
+            let mut amplitudes = self.amplitudes(contact, pressures);
+            self.columns[contact].as_told(&mut amplitudes);
+            amplitudes
+        };
+        (0..self.columns.len()).map(of).collect()
     }
 }

@@ -81,11 +81,13 @@ pub(super) fn check(
     let span = problem.span(&lengths.ends);
     let layout = Layout::of_intervals(problem.kernel, &lengths, negligible(FIELDS), span);
     let layout = layout.ok_or(Fault::Unknown)?;
+    let own = waves(problem, level, &layout);
+    let of_coarse = coarse.map(|coarse| (coarse, waves(problem, coarse, &layout)));
     for contact in problem.unknown() {
-        let places = |level: &Approximation| beside(problem, level.support.of(contact), contact, span);
-        let gaps = gaps(problem, level, &layout, contact, &places(level));
-        let before = coarse.map(|coarse| self::gaps(problem, coarse, &layout, contact, &places(coarse)));
-        for ((number, gaps), (punch, _)) in gaps.iter().enumerate().zip(places(level)) {
+        let all = beside(problem, level.support.of(contact), contact, span);
+        let gaps = gaps(problem, level, &layout, &own, contact, &all);
+        let before = of_coarse.as_ref().map(|(coarse, waves)| self::gaps(problem, coarse, &layout, waves, contact, &all));
+        for ((number, gaps), (punch, _)) in gaps.iter().enumerate().zip(all) {
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let before = before.iter().flat_map(|before| &before[number]);
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
@@ -131,16 +133,29 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
     all
 }
 
+/// The slopes of waves outside each contact, both parts of exp(iζx).
+fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<f64>; 2]> {
+    let equations = Equations::new(problem, layout, &level.support, &level.counts);
+    let reach = |contact: usize| layout.own[contact].reach;
+    let mut all: Vec<_> = (0..problem.contacts()).map(|contact| [0, 1].map(|_| vec![0.0; reach(contact)])).collect();
+    equations.responses(&equations.told_amplitudes(&level.pressures), |contact, nodes, _, _, response| {
+        for (part, values) in response.chunks(nodes.len().max(1)).enumerate() {
+            all[contact][part][nodes.clone()].copy_from_slice(values);
+        }
+    });
+    all
+}
+
 /// Places from one end of each gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.
 fn gaps(
     problem: &Problem,
     level: &Approximation,
     layout: &Layout,
+    waves: &[[Vec<f64>; 2]],
     contact: usize,
     all: &[(usize, [f64; 2])],
 ) -> Vec<Vec<(f64, f64)>> {
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
-    let response = equations.response(contact, &level.pressures);
     let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
     let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.pressures));
     let of = |(punch, [from, to]): &(usize, [f64; 2])| {
@@ -148,7 +163,7 @@ fn gaps(
         let height = |x: f64| side.height_under(*punch, x);
         let place = |t: f64| from + (to - from) * t * t;
         let mut near = 0.0;
-        let mut waves = Waves::new(&response, &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
+        let mut waves = Waves::new(&waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
         let at = |k: usize| {
             let t = |k: usize| k as f64 / PLACES as f64;
             for (t, weight) in rule(12).on(t(k - 1), t(k)) {

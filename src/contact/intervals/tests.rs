@@ -1,5 +1,6 @@
 //! Intervals against the answers of one interval about the middle, and columns against integrals over pressures.
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
@@ -128,14 +129,11 @@ fn columns_are_transforms_of_pressures() {
         let counts = vec![5; intervals.len()];
         let columns = Columns { intervals: &intervals, counts: &counts };
         let zeta = [1e-4, 0.3, 2.0, 9.0];
-        let mut waves = columns.waves(&zeta);
-        let long = columns.long_waves(&zeta);
+        let mut waves = columns.waves(&zeta, &Arc::default());
+        let long = columns.long_waves(&zeta, &Arc::default());
         for (number, column) in long.places.iter().enumerate() {
-            waves
-                .col_as_slice_mut(*column)
-                .iter_mut()
-                .zip(long.values.col_as_slice(number))
-                .for_each(|(sum, value)| *sum += value);
+            let sums = waves.column_mut(*column).iter_mut().zip(long.values.column(number));
+            sums.for_each(|(sum, value)| *sum += value);
         }
         let amplitudes: Vec<f64> =
             (0..columns.terms() + columns.ends()).map(|c| (1.3 * c as f64 + 0.4).sin()).collect();
@@ -160,7 +158,7 @@ fn columns_are_transforms_of_pressures() {
             for part in 0..columns.parts() {
                 let expected = wavenumber * transform(*wavenumber, if part == 0 { f64::cos } else { f64::sin });
                 let row = part * zeta.len() + k;
-                let found: f64 = amplitudes.iter().enumerate().map(|(c, amplitude)| amplitude * waves[(row, c)]).sum();
+                let found: f64 = amplitudes.iter().enumerate().map(|(c, amplitude)| amplitude * waves.column(c)[row]).sum();
                 assert!((found - expected).abs() < 1e-11 * wavenumber, "{part} at {wavenumber}: {found} {expected}");
             }
         }
@@ -173,12 +171,12 @@ fn long_waves_are_felt_through_resultants_and_moments() {
     let intervals = [ContactInterval::anywhere(0, 0, [-0.3, 0.9]), ContactInterval::anywhere(0, 0, [1.0, 1.1])];
     let columns = Columns { intervals: &intervals, counts: &[6, 4] };
     let zeta = [1e-5, 2e-5];
-    let waves = columns.waves(&zeta);
+    let waves = columns.waves(&zeta, &Arc::default());
     let carried = columns.carried().len();
     for column in 0..carried {
         // the square of the wavenumber, or the cube, is the first power left of the transform
         for (part, power) in [(0, 3), (1, 4)] {
-            let [one, two] = [0, 1].map(|k| waves[(2 * part + k, column)]);
+            let [one, two] = [0, 1].map(|k| waves.column(column)[2 * part + k]);
             let ratio = two / one / 2f64.powi(power);
             assert!(
                 one == 0.0 || (ratio - 1.0).abs() < 1e-6 || one.abs() < 1e-3 * zeta[0].powi(power),

@@ -1,12 +1,17 @@
 //! Columns at wavenumbers, and what resultants, moments and rotations do to long waves.
+use std::ops::Range;
+use std::sync::Arc;
+
 use faer::linalg::matmul::triangular::BlockStructure;
 use faer::linalg::matmul::{matmul, triangular};
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Accum, Mat, Par};
 
+use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::modes::alternating;
 use crate::numeric::bessel;
+use crate::numeric::workspace::Workspace;
 
 /// Wavenumbers of which columns are made at once: no number depends on it, but storage of many more has to be fetched from the system.
 pub(super) const AT_ONCE: usize = 192;
@@ -14,105 +19,110 @@ pub(super) const AT_ONCE: usize = 192;
 /// What resultants, moments and rotations do to long waves, with the places of the columns or tests that these belong to.
 pub(super) struct Long {
     pub(super) places: Vec<usize>,
-    pub(super) values: Mat<f64>,
+    pub(super) values: Table,
 }
 
 impl Columns<'_> {
     /// All columns at some wavenumbers: terms, singular pressures at ends, other tests; what resultants, moments and rotations do to long waves left out.
-    pub(super) fn waves(&self, zeta: &[f64]) -> Mat<f64> {
+    pub(super) fn waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Table {
         let (terms, ends, nodes) = (self.terms(), self.ends(), zeta.len());
         let others = self.others();
-        let mut all = Mat::zeros(self.parts() * nodes, terms + ends + others.len());
+        let mut all = Table::new(self.parts() * nodes, terms + ends + others.len(), workspace);
         for number in 0..self.intervals.len() {
-            self.add_waves(&mut all, number, zeta);
+            self.put_waves(&mut all, number, zeta, workspace);
         }
         for (place, other) in (terms + ends..).zip(&others) {
             if let Other::Closing(number) = *other {
                 let [from, to] = self.gap(number);
                 let ([resultant, moment], rotation) = (self.carried_by(*other), self.rotation(*other));
+                let column = all.column_mut(place);
                 for (k, wave) in zeta.iter().enumerate() {
                     let [sum, difference] =
                         [to + from, to - from].map(|length| bessel::sinc_minus_one(0.5 * wave * length));
-                    all[(k, place)] = resultant * wave * less_one(sum, difference);
+                    column[k] = resultant * wave * less_one(sum, difference);
                     if self.moves() {
                         let cos = cosine_minus_one(0.5 * wave * (to + from));
-                        all[(nodes + k, place)] = -rotation * less_one(cos, difference) - moment * wave * wave;
+                        column[nodes + k] = -rotation * less_one(cos, difference) - moment * wave * wave;
                     }
                 }
             }
         }
         for Subtracted { into, from, part } in self.subtracted() {
-            (0..all.nrows()).for_each(|k| all[(k, into)] -= part * all[(k, from)]);
+            let [into, from] = all.two_mut(into, from);
+            into.iter_mut().zip(from).for_each(|(into, from)| *into -= part * *from);
         }
         all
     }
 
-    /// Adds the columns of one interval as they are.
-    fn add_waves(&self, all: &mut Mat<f64>, number: usize, zeta: &[f64]) {
+    /// The columns and tests of one interval as they are.
+    fn put_waves(&self, all: &mut Table, number: usize, zeta: &[f64], workspace: &Arc<Workspace>) {
         let interval = &self.intervals[number];
         let ContactInterval { middle, half, .. } = *interval;
         let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
         let orders = (interval.order(count - 1) + 1).max(4);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
-        let mut table = vec![0.0; orders * nodes];
-        bessel::table(orders, &arguments, &mut table);
-        let j = |order: usize| &table[order * nodes..(order + 1) * nodes];
+        let mut table = Table::new(nodes, orders, workspace);
+        bessel::table(orders, &arguments, &mut table.values);
         let phases: Vec<(f64, f64)> = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).collect();
         for m in 0..count {
             let order = interval.order(m);
             let factor = 2.0 * alternating(order / 2) / half;
-            let column = all.col_as_slice_mut(first + m);
-            for ((k, j), (sin, cos)) in j(order).iter().enumerate().zip(&phases) {
-                let [real, imaginary] = if order.is_multiple_of(2) { [*sin, -cos] } else { [*cos, *sin] };
-                column[k] = factor * j * real;
-                if interval.parity == Parity::None {
-                    column[nodes + k] = factor * j * imaginary;
+            let (real, imaginary) = all.column_mut(first + m).split_at_mut(nodes);
+            let is_even = order.is_multiple_of(2);
+            let values = table.column(order).iter().map(|j| factor * j).zip(&phases);
+            for ((into, (j, (sin, cos))), k) in real.iter_mut().zip(values).zip(0..) {
+                *into = j * if is_even { sin } else { cos };
+                if let Some(into) = imaginary.get_mut(k) {
+                    *into = j * if is_even { -cos } else { *sin };
                 }
             }
         }
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
+        let [j1, j2, j3] = [1, 2, 3].map(|order| table.column(order));
         for (k, wave) in zeta.iter().enumerate() {
             let (sin, phase) = (phases[k].0, wave * middle);
-            let jinc = bessel::jinc_minus_one_from(arguments[k], j(1)[k]);
-            let (zeroth, cos) = (jinc - j(2)[k], cosine_minus_one(phase));
-            all[(k, first)] = wave * less_one(jinc, cos);
-            for (place, side) in interval.sides().iter().enumerate() {
-                all[(k, end + place)] = if interval.is_even() {
-                    2.0 * wave * zeroth
+            let jinc = bessel::jinc_minus_one_from(arguments[k], j1[k]);
+            let (zeroth, cos) = (jinc - j2[k], cosine_minus_one(phase));
+            let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
+            put(first, k, wave * less_one(jinc, cos));
+            for (place, side) in (end..).zip(interval.sides()) {
+                let value = if interval.is_even() {
+                    2.0 * zeroth
                 } else {
-                    wave * (less_one(zeroth, cos) - side * j(1)[k] * sin)
+                    less_one(zeroth, cos) - side * j1[k] * sin
                 };
+                put(place, k, wave * value);
             }
             if interval.parity == Parity::Pair
                 && let Some(mean) = mean
             {
-                all[(k, mean)] = 2.0 * middle / half * wave * less_one(zeroth, bessel::sinc_minus_one(phase));
+                put(mean, k, 2.0 * middle / half * wave * less_one(zeroth, bessel::sinc_minus_one(phase)));
             }
             if interval.parity != Parity::None {
                 continue;
             }
             // sin z − z of long waves
             let odd = phase * bessel::sinc_minus_one(phase);
-            let second = jinc + if arguments[k] > 0.0 { 2.0 * j(3)[k] / arguments[k] } else { 0.0 };
+            let second = jinc + if arguments[k] > 0.0 { 2.0 * j3[k] / arguments[k] } else { 0.0 };
             let row = nodes + k;
-            all[(row, first)] = wave * (odd + sin * jinc);
-            all[(row, first + 1)] = 0.25 * half * wave * wave * less_one(second, cos);
-            for (place, side) in interval.sides().iter().enumerate() {
-                let own = 0.5 * arguments[k] * jinc + j(1)[k] * cos;
-                all[(row, end + place)] = wave * (odd + sin * zeroth + side * own);
+            put(first, row, wave * (odd + sin * jinc));
+            put(first + 1, row, 0.25 * half * wave * wave * less_one(second, cos));
+            for (place, side) in (end..).zip(interval.sides()) {
+                let own = 0.5 * arguments[k] * jinc + j1[k] * cos;
+                put(place, row, wave * (odd + sin * zeroth + side * own));
             }
             if let Some(mean) = mean {
                 let [_, moment] = self.carried_by(Other::Mean(number));
-                all[(k, mean)] = 2.0 / half * (odd + sin * zeroth);
-                all[(row, mean)] = -2.0 / half * less_one(zeroth, cos) - moment * wave * wave;
+                put(mean, k, 2.0 / half * (odd + sin * zeroth));
+                put(mean, row, -2.0 / half * less_one(zeroth, cos) - moment * wave * wave);
             }
         }
     }
 
     /// What [`Self::waves`] leaves out, with the columns it belongs to: resultants and moments of the first ones, and rotations of the tests that tell
     /// them.
-    pub(super) fn long_waves(&self, zeta: &[f64]) -> Long {
+    pub(super) fn long_waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Long {
         let carried = self.carried();
         let of = |resultant: f64, moment: f64, rotation: f64| -> Vec<f64> {
             let odd = zeta.iter().filter(|_| self.moves()).map(|wave| moment * wave * wave - rotation);
@@ -131,7 +141,8 @@ impl Columns<'_> {
                 all.push((place, of(resultant, moment, self.rotation(other))));
             }
         }
-        let values = Mat::from_fn(self.parts() * zeta.len(), all.len(), |k, column| all[column].1[k]);
+        let mut values = Table::new(self.parts() * zeta.len(), all.len(), workspace);
+        all.iter().enumerate().for_each(|(column, (_, of))| values.column_mut(column).copy_from_slice(of));
         Long { places: all.into_iter().map(|(place, _)| place).collect(), values }
     }
 }
@@ -147,28 +158,25 @@ fn less_one(a: f64, b: f64) -> f64 {
     a + b + a * b
 }
 
-/// The sum of the first columns with these amplitudes.
-pub(super) fn combined(columns: &Mat<f64>, amplitudes: &[f64]) -> Vec<f64> {
-    let mut sum = vec![0.0; columns.nrows()];
-    for (column, amplitude) in amplitudes.iter().enumerate().filter(|(_, amplitude)| **amplitude != 0.0) {
-        sum.iter_mut().zip(columns.col_as_slice(column)).for_each(|(sum, value)| *sum += amplitude * value);
-    }
-    sum
-}
-
 /// Columns of two neighbours at the first wavenumbers: what the first ones are more than the others, and behind these the others.
-pub(super) fn differences(one: &Mat<f64>, other: &Mat<f64>, count: usize, parts: usize) -> Mat<f64> {
-    let columns = one.ncols();
-    let [of_one, of_other] = [one, other].map(|columns| columns.nrows() / parts);
-    let mut all = Mat::zeros(parts * count, 2 * columns);
+pub(super) fn differences(
+    one: &Table,
+    other: &Table,
+    count: usize,
+    parts: usize,
+    workspace: &Arc<Workspace>,
+) -> Table {
+    let columns = one.count();
+    let [of_one, of_other] = [one, other].map(|columns| columns.rows() / parts);
+    let mut all = Table::new(parts * count, 2 * columns, workspace);
     for column in 0..columns {
-        let [one, other] = [one, other].map(|columns| columns.col_as_slice(column));
+        let [one, other] = [one, other].map(|columns| columns.column(column));
         for part in 0..parts {
             let [one, other] = [&one[part * of_one..], &other[part * of_other..]].map(|values| &values[..count]);
             let rows = part * count..(part + 1) * count;
-            let difference = all.col_as_slice_mut(column)[rows.clone()].iter_mut();
+            let difference = all.column_mut(column)[rows.clone()].iter_mut();
             difference.zip(one.iter().zip(other)).for_each(|(into, (one, other))| *into = one - other);
-            all.col_as_slice_mut(columns + column)[rows].copy_from_slice(other);
+            all.column_mut(columns + column)[rows].copy_from_slice(other);
         }
     }
     all
@@ -176,51 +184,50 @@ pub(super) fn differences(one: &Mat<f64>, other: &Mat<f64>, count: usize, parts:
 
 /// Columns times weights, over as many wavenumbers as there are weights and values.
 pub(super) struct Weighted {
-    values: Mat<f64>,
+    values: Table,
     parts: usize,
 }
 
 impl Weighted {
-    pub(super) fn new(columns: &Mat<f64>, weights: &[f64], parts: usize) -> Self {
-        let own = columns.nrows() / parts;
+    pub(super) fn new(columns: &Table, weights: &[f64], parts: usize, workspace: &Arc<Workspace>) -> Self {
+        let own = columns.rows() / parts;
         let count = weights.len().min(own);
-        let mut values = Mat::zeros(parts * count, columns.ncols());
-        for column in 0..columns.ncols() {
-            for (part, into) in values.col_as_slice_mut(column).chunks_mut(count.max(1)).enumerate() {
-                let values = &columns.col_as_slice(column)[part * own..];
-                into.iter_mut()
-                    .zip(values.iter().zip(weights))
-                    .for_each(|(into, (value, weight))| *into = value * weight);
+        let mut values = Table::new(parts * count, columns.count(), workspace);
+        for column in 0..columns.count() {
+            for (part, into) in values.column_mut(column).chunks_mut(count.max(1)).enumerate() {
+                let values = columns.column(column)[part * own..].iter().zip(weights);
+                into.iter_mut().zip(values).for_each(|(into, (value, weight))| *into = value * weight);
             }
         }
         Self { values, parts }
     }
 
-    /// Adds products leftᵀ · columns, of real parts and of imaginary ones.
-    fn sums(&self, left: &Mat<f64>, mut add: impl FnMut(MatRef<f64>, MatRef<f64>)) {
-        let [own, other] = [left, &self.values].map(|columns| columns.nrows() / self.parts);
+    /// The rows of real parts, and of imaginary ones, of other columns and of these.
+    fn rows(&self, left: &Table) -> impl Iterator<Item = [Range<usize>; 2]> {
+        let [own, other] = [left, &self.values].map(|columns| columns.rows() / self.parts);
         let count = own.min(other);
-        for part in 0..self.parts {
-            let left = left.as_ref().subrows(part * own, count);
-            add(left.transpose(), self.values.as_ref().subrows(part * other, count));
-        }
+        (0..self.parts).map(move |part| [own, other].map(|rows| part * rows..part * rows + count))
     }
 
     /// leftᵀ · weights · columns.
-    pub(super) fn tested(&self, left: &Mat<f64>) -> Mat<f64> {
-        let mut product = Mat::zeros(left.ncols(), self.values.ncols());
-        self.sums(left, |left, right| matmul(product.as_mut(), Accum::Add, left, right, 1.0, Par::Seq));
+    pub(super) fn tested(&self, left: &Table) -> Mat<f64> {
+        let mut product = Mat::zeros(left.count(), self.values.count());
+        for [rows, own] in self.rows(left) {
+            let (left, right) = (left.all().matrix(rows).transpose(), self.values.all().matrix(own));
+            matmul(product.as_mut(), Accum::Add, left, right, 1.0, Par::Seq);
+        }
         product
     }
 
     /// The same with the columns themselves on the left.
-    pub(super) fn symmetric(&self, columns: &Mat<f64>) -> Mat<f64> {
-        let size = columns.ncols();
+    pub(super) fn symmetric(&self, columns: &Table) -> Mat<f64> {
+        let size = columns.count();
         let mut product = Mat::zeros(size, size);
         let (lower, all) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-        self.sums(columns, |left, right| {
+        for [rows, own] in self.rows(columns) {
+            let (left, right) = (columns.all().matrix(rows).transpose(), self.values.all().matrix(own));
             triangular::matmul(product.as_mut(), lower, Accum::Add, left, all, right, all, 1.0, Par::Seq);
-        });
+        }
         for column in 0..size {
             for row in column + 1..size {
                 product[(column, row)] = product[(row, column)];
@@ -232,11 +239,11 @@ impl Weighted {
 
 impl Long {
     /// The tests as they are: what [`Columns::waves`] has of them and what it leaves out, added before anything is summed, since both cancel for short waves.
-    pub(super) fn whole(&self, waves: &Mat<f64>) -> Self {
-        let mut whole = self.values.clone();
+    pub(super) fn whole(&self, waves: &Table, workspace: &Arc<Workspace>) -> Self {
+        let mut whole = Table::new(self.values.rows(), self.places.len(), workspace);
         for (number, place) in self.places.iter().enumerate() {
-            let waves = waves.col_as_slice(*place);
-            whole.col_as_slice_mut(number).iter_mut().zip(waves).for_each(|(value, wave)| *value += wave);
+            let both = self.values.column(number).iter().zip(waves.column(*place));
+            whole.column_mut(number).iter_mut().zip(both).for_each(|(sum, (value, wave))| *sum = value + wave);
         }
         Self { places: self.places.clone(), values: whole }
     }
@@ -249,18 +256,10 @@ impl Long {
         }
     }
 
-    /// Adds what is left out of the columns of a contact to a product of them with its tests, of which some are given as they are.
-    pub(super) fn add_columns(
-        &self,
-        product: &mut Mat<f64>,
-        tests: &Self,
-        weights: &[f64],
-        left: &Mat<f64>,
-        parts: usize,
-    ) {
-        let own = Weighted::new(&self.values, weights, parts);
+    /// Adds what is left out of the columns of a contact to a product of them with its tests, of which some are given as they are; `own` are weights times what is left out.
+    pub(super) fn add_columns(&self, product: &mut Mat<f64>, tests: &Self, own: &Weighted, left: &Table) {
         let mut columns = own.tested(left);
-        tests.put_rows(&mut columns, &own);
+        tests.put_rows(&mut columns, own);
         for (number, place) in self.places.iter().enumerate() {
             let column = product.col_as_slice_mut(*place).iter_mut();
             column.zip(columns.col_as_slice(number)).for_each(|(sum, value)| *sum += value);
