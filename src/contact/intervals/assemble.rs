@@ -11,7 +11,7 @@ use faer::Mat;
 use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::intervals::equations::{Equations, Places};
 use crate::contact::intervals::space::InSpace;
-use crate::contact::intervals::system::System;
+use crate::contact::intervals::system::{Rows, System};
 use crate::contact::intervals::waves::{AT_ONCE, Long, Weighted, differences};
 
 impl Equations<'_> {
@@ -24,8 +24,7 @@ impl Equations<'_> {
             e: Mat::zeros(size, border),
             b: Mat::zeros(border, size),
             d: Mat::zeros(border, border),
-            f: vec![0.0; size],
-            left: vec![0.0; border],
+            right: Rows::zeros(size, border),
         };
         let all = self.layout.zeta.len();
         for first in (0..all).step_by(AT_ONCE) {
@@ -127,7 +126,7 @@ impl Equations<'_> {
     fn add_columns(&self, rows: &Places, system: &mut System, contact: usize, own: &Places, block: &Block) {
         let (terms, ends) = (self.columns[contact].terms(), self.columns[contact].ends());
         let moments = system.e.ncols() - self.turning.len() - self.free.len();
-        let System { a, e, b, d, f, left } = system;
+        let System { a, e, b, d, right } = system;
         for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
             block.add(*column, 1.0, &rows.terms, a.col_as_slice_mut(at));
             block.add(*column, 1.0, &rows.left, b.col_as_slice_mut(at));
@@ -137,8 +136,8 @@ impl Equations<'_> {
             block.add(column, 1.0, &rows.left, d.col_as_slice_mut(at));
         }
         for told in &own.told {
-            block.add(told.column, -told.known, &rows.terms, f);
-            block.add(told.column, -told.known, &rows.left, left);
+            block.add(told.column, -told.known, &rows.terms, &mut right.terms);
+            block.add(told.column, -told.known, &rows.left, &mut right.left);
             for (at, part) in (moments..).zip(&told.by_moments) {
                 block.add(told.column, *part, &rows.terms, e.col_as_slice_mut(at));
                 block.add(told.column, *part, &rows.left, d.col_as_slice_mut(at));
@@ -148,21 +147,27 @@ impl Equations<'_> {
 
     /// Adds what half-planes and short waves do, and the slope of the punch.
     fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) -> Option<()> {
-        let columns = &self.columns[contact];
-        let own = &self.layout.own[contact];
+        let InSpace { matrix, load } = self.in_space(contact)?;
+        let block = Block { all: &matrix, first: [0; 2], factor: self.layout.own[contact].limit };
+        self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
+        for Places { terms, left, .. } in &places[self.chain(contact)] {
+            let add = |(right, row): (&mut f64, &usize)| *right += load[*row];
+            system.right.terms[terms.1..].iter_mut().zip(&terms.0).for_each(add);
+            system.right.left[left.1..].iter_mut().zip(&left.0).for_each(add);
+        }
+        Some(())
+    }
+
+    /// What half-planes, in units of the limit of the kernel, and short waves do to the tests of a contact, and the slope of the punch; `None` if
+    /// short waves take too many wavenumbers.
+    pub(super) fn in_space(&self, contact: usize) -> Option<InSpace> {
+        let (columns, own) = (&self.columns[contact], &self.layout.own[contact]);
         let per_limit = own.exponentials.0.iter().map(|[b, c]| [*b, c / own.limit]);
         let exponentials: Vec<[f64; 2]> = per_limit.collect();
         let mut space = columns.in_space(&self.problem.sides[contact], &exponentials);
         columns.add_short_waves(&mut space.matrix, self.problem.kernel, self.layout, contact)?;
         columns.subtract(&mut space);
-        let InSpace { matrix, load } = space;
-        let block = Block { all: &matrix, first: [0; 2], factor: own.limit };
-        self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
-        for Places { terms, left, .. } in &places[self.chain(contact)] {
-            terms.0.iter().zip(&mut system.f[terms.1..]).for_each(|(row, right)| *right += load[*row]);
-            left.0.iter().zip(&mut system.left[left.1..]).for_each(|(row, right)| *right += load[*row]);
-        }
-        Some(())
+        Some(space)
     }
 }
 

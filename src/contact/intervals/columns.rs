@@ -60,6 +60,11 @@ impl Columns<'_> {
         self.intervals.iter().map(|interval| interval.sides().len()).sum()
     }
 
+    /// Number of all tests, and of singular pressures, which are none.
+    pub(super) fn rows(&self) -> usize {
+        self.terms() + self.ends() + self.others().len()
+    }
+
     /// Number of the first term of an interval.
     pub(super) fn first(&self, interval: usize) -> usize {
         self.counts[..interval].iter().sum()

@@ -12,10 +12,8 @@ use crate::contact::integrals::layout::Layout;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
-use crate::contact::intervals::system::System;
 use crate::contact::intervals::waves::{AT_ONCE, Long};
 use crate::contact::problem::Problem;
-use crate::numeric::dot;
 
 /// The equations of one support.
 pub(super) struct Equations<'a> {
@@ -38,14 +36,11 @@ pub(super) struct Equations<'a> {
 pub(super) struct Solved {
     /// Of each interval.
     pub(super) pressures: Vec<Pressure>,
+    /// The unknown moments, and the angles by which bodies turn.
+    pub(super) moments: Vec<f64>,
+    pub(super) angles: Vec<f64>,
     /// By how much the slope of the gap of each contact grows since bodies turn, for each group of intervals.
     pub(super) rotations: Vec<Vec<f64>>,
-}
-
-/// All rows of the equations.
-pub(super) struct Assembled {
-    places: Vec<Places>,
-    system: System,
 }
 
 /// Where the unknowns and rows of one contact stand among all.
@@ -115,7 +110,8 @@ impl<'a> Equations<'a> {
         contact - linked..contact + 1
     }
 
-    fn places(&self) -> Vec<Places> {
+    /// Where unknowns and rows of all contacts stand.
+    pub(super) fn places(&self) -> Vec<Places> {
         let (mut term, mut end, mut row) = (0, 0, 0);
         let of = |contact: usize| {
             let columns = &self.columns[contact];
@@ -165,24 +161,8 @@ impl<'a> Equations<'a> {
         columns.groups().into_iter().enumerate().flat_map(of).collect()
     }
 
-    /// All rows, for numbers of terms up to the numbers that the columns have; `None` if short waves take too many wavenumbers.
-    pub(super) fn assembled(&self) -> Option<Assembled> {
-        let places = self.places();
-        let system = self.system(&places)?;
-        Some(Assembled { places, system })
-    }
-
-    /// The pressures of all intervals, and rotations, with these numbers of terms; `None` if there are none in double precision.
-    pub(super) fn solve(&self, Assembled { places, system }: &Assembled, counts: &[usize]) -> Option<Solved> {
-        let kept = self.kept(places, counts);
-        let (x, q) = if kept.len() < system.f.len() { system.part(&kept).solve()? } else { system.solve()? };
-        let mut all = vec![0.0; system.f.len()];
-        kept.iter().zip(x).for_each(|(place, value)| all[*place] = value);
-        Some(self.solved(places, &all, &q, counts))
-    }
-
     /// The places of the unknown terms that are among the first ones of each interval, as many as `counts` says.
-    fn kept(&self, places: &[Places], counts: &[usize]) -> Vec<usize> {
+    pub(super) fn kept(&self, places: &[Places], counts: &[usize]) -> Vec<usize> {
         let mut next = counts.iter();
         let mut kept = Vec::new();
         for (columns, Places { terms: (terms, first), .. }) in self.columns.iter().zip(places) {
@@ -205,48 +185,8 @@ impl<'a> Equations<'a> {
         below.map(|(angle, _)| (angle, -1.0)).collect()
     }
 
-    /// Amplitudes from unknowns, with `counts` terms on the intervals.
-    fn solved(&self, places: &[Places], x: &[f64], q: &[f64], counts: &[usize]) -> Solved {
-        let mut counts = counts.iter();
-        let (q, angles) = q.split_at(q.len() - self.turning.len());
-        let moments = &q[q.len() - self.free.len()..];
-        let mut before: Vec<f64> = Vec::new();
-        let mut of = |contact: usize| {
-            let (columns, places) = (&self.columns[contact], &places[contact]);
-            let mut amplitudes = vec![0.0; columns.terms()];
-            let (terms, first) = &places.terms;
-            terms.iter().zip(&x[*first..]).for_each(|(term, value)| amplitudes[*term] = *value);
-            for told in &places.told {
-                amplitudes[told.column] = told.known + dot(&told.by_moments, moments);
-            }
-            amplitudes.extend(&q[places.ends..places.ends + columns.ends()]);
-            if self.chain(contact).len() > 1 {
-                amplitudes.iter_mut().zip(&before).for_each(|(own, above)| *own += above);
-            }
-            before.clone_from(&amplitudes);
-            columns.as_they_are(&mut amplitudes);
-            let (terms, singular) = amplitudes.split_at(columns.terms());
-            let mut pressures = columns.pressures(terms, singular);
-            for ((pressure, interval), count) in pressures.iter_mut().zip(columns.intervals).zip(counts.by_ref()) {
-                pressure.terms.truncate(*count);
-                pressure.tip = self.tip(contact, interval);
-                let terms = pressure.terms.iter_mut().enumerate();
-                terms.for_each(|(m, y)| *y -= pressure.tip.term(interval.order(m)));
-            }
-            pressures
-        };
-        let rotation = |contact: usize, group: usize| {
-            self.angles_of(contact, group).into_iter().map(|(angle, sign)| sign * angles[angle]).sum()
-        };
-        let of_contact = |(contact, columns): (usize, &Columns)| {
-            (0..columns.groups().len()).map(|group| rotation(contact, group)).collect()
-        };
-        let rotations = self.columns.iter().enumerate().map(of_contact).collect();
-        Solved { pressures: self.problem.unknown().flat_map(&mut of).collect(), rotations }
-    }
-
     /// What the sharp tip of a punch, if there is one within an interval, makes on a half-plane: its terms follow from their own rows.
-    fn tip(&self, contact: usize, interval: &ContactInterval) -> Tip {
+    pub(super) fn tip(&self, contact: usize, interval: &ContactInterval) -> Tip {
         let tip = self.problem.tip(contact, interval.punch);
         let of = |(at, jump): (f64, f64)| {
             let strength = jump / (PI * interval.unit() * self.layout.own[contact].limit);

@@ -46,7 +46,7 @@ pub(super) fn check(
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; count];
     let mut leasts = Vec::new();
-    for (interval, pressure) in level.support.0.iter().zip(&level.pressures) {
+    for (interval, pressure) in level.support.0.iter().zip(&level.solved.pressures) {
         let strip = pressure.regular(interval).strip(interval);
         let places = 2 * PER_MODE * pressure.terms.len();
         let (mut least, mut most) = (0.0f64, 0.0f64);
@@ -138,7 +138,7 @@ fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
     let reach = |contact: usize| layout.own[contact].reach;
     let mut all: Vec<_> = (0..problem.contacts()).map(|contact| [0, 1].map(|_| vec![0.0; reach(contact)])).collect();
-    equations.responses(&equations.told_amplitudes(&level.pressures), |contact, nodes, _, _, response| {
+    equations.responses(&equations.told_amplitudes(&level.solved.pressures), |contact, nodes, _, _, response| {
         for (part, values) in response.chunks(nodes.len().max(1)).enumerate() {
             all[contact][part][nodes.clone()].copy_from_slice(values);
         }
@@ -157,9 +157,9 @@ fn gaps(
 ) -> Vec<Vec<(f64, f64)>> {
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
     let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
-    let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.pressures));
+    let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.solved.pressures));
     let of = |(punch, [from, to]): &(usize, [f64; 2])| {
-        let rotation = level.rotations[contact].get(*punch).unwrap_or(&0.0);
+        let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
         let height = |x: f64| side.height_under(*punch, x);
         let place = |t: f64| from + (to - from) * t * t;
         let mut near = 0.0;

@@ -5,6 +5,7 @@ mod columns;
 mod derivatives;
 mod equations;
 mod gaps;
+mod kept;
 mod newton;
 mod pressure;
 mod short_waves;
@@ -14,6 +15,7 @@ mod system;
 #[cfg(test)]
 mod tests;
 mod topology;
+mod unknowns;
 mod waves;
 
 use crate::contact::answer::{Answer, Found};
@@ -115,9 +117,9 @@ fn resolved(problem: &Problem, interval: &ContactInterval) -> usize {
 fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<Answer> {
     let mut counts = grown(&first, &Errors::of(&first), problem.tolerance);
     first.support.equalise(&mut counts);
-    let (mut support, mut stalls) = (first.support, false);
+    let (mut before, mut stalls) = (first, false);
     let mut best: Option<(Errors, Approximation)> = None;
-    while let Ok(level) = converge(problem, support, &counts, ROUNDING, work) {
+    while let Ok(level) = converge(problem, before.support.clone(), Some(&before), &counts, ROUNDING, work) {
         let errors = Errors::of(&level);
         // more terms do not help against what is due to something else
         let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
@@ -125,7 +127,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         let mut next = grown(&level, &errors, problem.tolerance);
         level.support.equalise(&mut next);
         let is_finest = next == level.counts;
-        support = level.support.clone();
+        before = level.clone();
         if is_better {
             best = Some((errors, level));
         }
@@ -164,7 +166,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         ..problem.kernel.stats()
     };
     let contacts = found(problem, &level, &errors);
-    Some(Answer { contacts, min_pressure, min_gap, rotations: level.rotations, stats, warnings })
+    Some(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 
 /// As many terms on each interval as are expected to meet a tolerance: errors are due to intervals as their last terms are large.
@@ -272,7 +274,7 @@ impl Errors {
         let all = &level.support.0;
         let moves = level.moves();
         let [own, some, few] =
-            [&level.pressures, &level.coarser[0], &level.coarser[1]].map(|pressures| level.middle_pressures(pressures));
+            [&level.solved.pressures, &level.coarser[0], &level.coarser[1]].map(|pressures| level.middle_pressures(pressures));
         let size = |number: usize| level.largest_pressure(all[number].contact, &own);
         let differ = |number: usize| {
             [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())
@@ -326,7 +328,7 @@ impl Approximation {
 
     /// How large the last third of the terms of each interval is, and what averaging changes, as a part of the largest pressure of the contact.
     fn last_terms(&self) -> Vec<f64> {
-        let middle = self.middle_pressures(&self.pressures);
+        let middle = self.middle_pressures(&self.solved.pressures);
         let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
             let smooth = self.smooth(interval, pressure);
             let first = pressure.terms.len() - pressure.terms.len() / 3;
@@ -337,14 +339,14 @@ impl Approximation {
             let sum: f64 = pressure.terms.iter().zip(&smooth.terms).enumerate().map(term).sum();
             interval.unit() * sum / self.largest_pressure(interval.contact, &middle)
         };
-        self.support.0.iter().zip(&self.pressures).map(of).collect()
+        self.support.0.iter().zip(&self.solved.pressures).map(of).collect()
     }
 
     /// The largest of the pressures in the middle, or of the mean pressures, of the intervals of a contact.
     fn largest_pressure(&self, contact: usize, middle: &[f64]) -> f64 {
         let own = self.support.0.iter().enumerate().filter(|(_, interval)| interval.contact == contact);
         let of = |(number, interval): (usize, &ContactInterval)| {
-            middle[number].abs().max(self.pressures[number].mean(interval))
+            middle[number].abs().max(self.solved.pressures[number].mean(interval))
         };
         largest(own.map(of))
     }
@@ -357,13 +359,13 @@ impl Approximation {
 
 /// What was found of each contact.
 fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found> {
-    let pressures = level.middle_pressures(&level.pressures);
+    let pressures = level.middle_pressures(&level.solved.pressures);
     let of = |contact: usize| {
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
             let interval = &level.support.0[number];
-            level.smooth(interval, &level.pressures[number]).regular(interval).strip(interval)
+            level.smooth(interval, &level.solved.pressures[number]).regular(interval).strip(interval)
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
         let size = level.largest_pressure(contact, &pressures);
@@ -391,7 +393,7 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
             };
             return Found::even(&intervals, peak, &strips);
         }
-        let force = |number: &usize| level.pressures[*number].force();
+        let force = |number: &usize| level.solved.pressures[*number].force();
         let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));
         let peak = widest.map_or(0.0, |widest| pressures[widest]);
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();

@@ -1,12 +1,17 @@
 //! The ends of all intervals at which no pressure is singular.
-use crate::contact::ends::newton::Work;
+use std::rc::Rc;
+
+use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::derivatives::Derivatives;
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
+use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::iteration::Progress;
+use crate::contact::problem::support::longest;
 
 /// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
@@ -25,12 +30,12 @@ pub(super) struct Approximation {
     pub(super) support: Intervals,
     /// Terms of each interval.
     pub(super) counts: Vec<usize>,
-    /// Of each interval.
-    pub(super) pressures: Vec<Pressure>,
-    /// The same with two thirds of the terms between the same ends, and with four ninths.
+    /// Pressures and rotations.
+    pub(super) solved: Solved,
+    /// The pressures with two thirds of the terms between the same ends, and with four ninths.
     pub(super) coarser: [Vec<Pressure>; 2],
-    /// Of each contact, for each group of intervals, what turning bodies add to the slope of the gap.
-    pub(super) rotations: Vec<Vec<f64>>,
+    /// Factorised equations of nearly the same list, if they have the same unknowns.
+    kept: Option<Rc<Kept>>,
     /// The last step of each end, in half-lengths.
     pub(super) steps: Vec<f64>,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
@@ -42,14 +47,15 @@ pub(super) struct Approximation {
 impl Approximation {
     /// With two thirds of the terms between the same ends.
     pub(super) fn coarse(&self) -> Self {
-        Self { counts: fewer(&self.counts), pressures: self.coarser[0].clone(), ..self.clone() }
+        let solved = Solved { pressures: self.coarser[0].clone(), ..self.solved.clone() };
+        Self { counts: fewer(&self.counts), solved, ..self.clone() }
     }
 
     /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
     /// depends on an end.
     pub(super) fn moves(&self) -> Vec<[f64; 2]> {
         let [own, some, few] =
-            [&self.pressures, &self.coarser[0], &self.coarser[1]].map(|pressures| looks(&self.support, pressures));
+            [&self.solved.pressures, &self.coarser[0], &self.coarser[1]].map(|pressures| looks(&self.support, pressures));
         let of = |k: usize| {
             let is_weak = own[k].is_weak(own[k].step);
             if is_weak { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
@@ -82,24 +88,29 @@ impl Look {
     }
 }
 
-/// Moves ends until no pressure is singular.
+/// Moves ends until no pressure is singular, from those of a solution with fewer terms if there is one.
 pub(super) fn converge(
     problem: &Problem,
     mut support: Intervals,
+    before: Option<&Approximation>,
     counts: &[usize],
     enough: f64,
     work: &mut Work,
 ) -> Result<Approximation, Failure> {
     let negligible = negligible(problem.tolerance);
-    let mut kept: Option<(Layout, Vec<f64>)> = None;
+    let mut laid_out: Option<(Layout, Vec<f64>)> = None;
     let mut progress = Progress::default();
     let mut derivatives = Derivatives::default();
     let mut limits = Limits::default();
+    let mut kept = before.and_then(|before| before.kept.clone()).filter(|kept| kept.serves(counts));
+    let mut last = before.map(|before| (before.support.clone(), before.solved.clone()));
+    // whether ends have moved so little that kept equations may do
+    let mut is_near = true;
     work.steps.push(0);
     loop {
         let lengths = Lengths::of(problem, &support, counts, negligible);
-        let (layout, about) = match kept.take().filter(|(_, about)| lengths.are_near(about)) {
-            Some(kept) => kept,
+        let (layout, about) = match laid_out.take().filter(|(_, about)| lengths.are_near(about)) {
+            Some(laid_out) => laid_out,
             None => {
                 let layout = Layout::of_intervals(problem.kernel, &lengths, negligible, 0.0);
                 (layout.ok_or_else(|| Failure::Stuck(support.clone()))?, lengths.ends.clone())
@@ -110,26 +121,40 @@ pub(super) fn converge(
         work.step();
         let stuck = || Failure::Stuck(support.clone());
         let equations = Equations::new(problem, &layout, &support, counts);
-        let assembled = equations.assembled().ok_or_else(stuck)?;
-        let Solved { pressures, rotations } = equations.solve(&assembled, counts).ok_or_else(stuck)?;
-        if let Some(changed) = changed(&support, &pressures) {
+        let corrected = match (&kept, &last) {
+            (Some(kept), Some((before, solved))) if is_near => {
+                kept.corrected(&equations, &solved.on(before, &support, counts), counts)
+            }
+            _ => None,
+        };
+        let (solved, changed_by) = match corrected {
+            Some(corrected) => corrected,
+            None => {
+                let (anew, solved) = Kept::new(&equations, counts).ok_or_else(stuck)?;
+                kept = Some(Rc::new(anew));
+                (solved, 0.0)
+            }
+        };
+        if let Some(changed) = changed(&support, &solved.pressures) {
             return Err(Failure::Changed(changed));
         }
-        let looks = looks(&support, &pressures);
+        let looks = looks(&support, &solved.pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         let farthest =
-            looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(0.0, f64::max);
+            looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(changed_by, f64::max);
         // intervals that overlap, as they may to begin with, are moved apart
         let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
         if are_apart && (farthest < enough || progress.is_rounding(farthest, 1e-7)) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
             let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
-            let [some, few] = [fewer(counts), fewer(&fewer(counts))].map(|counts| equations.solve(&assembled, &counts));
-            let (Some(some), Some(few)) = (some, few) else { return Err(stuck()) };
+            let with = |counts: &[usize]| kept.as_ref()?.corrected(&equations, &solved, counts);
+            let [some, few] = [fewer(counts), fewer(&fewer(counts))].map(|counts| with(&counts));
+            let (Some((some, _)), Some((few, _))) = (some, few) else { return Err(stuck()) };
             let (counts, coarser) = (counts.to_vec(), [some.pressures, few.pressures]);
-            return Ok(Approximation { support, counts, pressures, coarser, rotations, steps, left_out, graded });
+            return Ok(Approximation { support, counts, solved, coarser, kept, steps, left_out, graded });
         }
+        let leads_on = farthest <= SLOW * progress.last;
         if !progress.goes_on(farthest) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
@@ -137,7 +162,7 @@ pub(super) fn converge(
         let perturbed = |moved: &Intervals| {
             work.operations.spend(cost)?;
             let equations = Equations::new(problem, &layout, moved, counts);
-            let solved = equations.solve(&equations.assembled()?, counts)?;
+            let (_, solved) = Kept::new(&equations, counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
         if !derivatives.improve(&support, &q, &mut steps, perturbed).ok_or_else(stuck)? {
@@ -146,8 +171,10 @@ pub(super) fn converge(
         looks.iter().zip(&mut steps).filter(|(look, step)| look.is_weak(**step)).for_each(|(_, step)| *step = 0.0);
         let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
         derivatives.taken = support.steps_to(&next);
+        is_near = leads_on && longest(derivatives.taken.iter().copied()) < LAYOUT_SERVES;
+        last = Some((support, solved));
         support = next;
-        kept = Some((layout, about));
+        laid_out = Some((layout, about));
     }
 }
 

@@ -73,6 +73,30 @@ impl Pressure {
         Self { singular: interval.sides().iter().zip(&self.singular).map(at_corner).collect(), ..self.clone() }
     }
 
+    /// The same pressure on an interval with other ends, to first order in how far these are, without what is singular there: where bodies touch, the
+    /// terms of −Σ y_j cos jφ (δm + δw cos φ)/(w sin φ), the change of p at a fixed x.
+    pub(super) fn on(&self, before: &ContactInterval, after: &ContactInterval) -> Self {
+        let [middle, half] =
+            [after.middle - before.middle, after.half - before.half].map(|moved| moved / after.half);
+        let highest = before.order(self.terms.len());
+        let mut cosines = vec![0.0; highest + 2];
+        for (m, y) in self.terms.iter().enumerate() {
+            let j = before.order(m);
+            cosines[j] += middle * y;
+            cosines[j + 1] += 0.5 * half * y;
+            cosines[j - 1] += 0.5 * half * y;
+        }
+        // (1 − cos nφ)/sin φ for even n, or (cos φ − cos nφ)/sin φ for odd n, is twice the sum of sin kφ, k = n − 1, n − 3, ...
+        (0..highest).rev().for_each(|n| cosines[n] += cosines[n + 2]);
+        let mut moved = self.clone();
+        let unit = before.unit() / after.unit();
+        for (m, y) in moved.terms.iter_mut().enumerate() {
+            let k = before.order(m);
+            *y = unit * (*y + 2.0 * k as f64 * cosines[k + 1]);
+        }
+        moved
+    }
+
     /// Next to a graded face the pressure has a logarithm at its ends, and terms fall like a power: as far as they alternate about the middle, what is
     /// even as well as what is odd, the last partial sums are averaged, which leaves little of what is missing.
     pub(super) fn averaged(&self, interval: &ContactInterval) -> Self {

@@ -1,5 +1,5 @@
 //! The linear system of the contact equations, and the solutions of it with all unknown terms or with some of them.
-use faer::linalg::solvers::Solve;
+use faer::linalg::solvers::{Llt, PartialPivLu, Solve};
 use faer::{Mat, Side};
 
 /// [A E; B D] [x; q] = [f; b].
@@ -8,8 +8,32 @@ pub(super) struct System {
     pub(super) e: Mat<f64>,
     pub(super) b: Mat<f64>,
     pub(super) d: Mat<f64>,
-    pub(super) f: Vec<f64>,
+    pub(super) right: Rows,
+}
+
+/// What stands in the rows of the unknown terms, and in the other rows.
+#[derive(Clone)]
+pub(super) struct Rows {
+    pub(super) terms: Vec<f64>,
     pub(super) left: Vec<f64>,
+}
+
+/// The unknown terms; intensities, then moments, then angles.
+#[derive(Clone)]
+pub(super) struct Unknowns {
+    pub(super) x: Vec<f64>,
+    pub(super) q: Vec<f64>,
+}
+
+impl Rows {
+    pub(super) fn zeros(terms: usize, left: usize) -> Self {
+        Self { terms: vec![0.0; terms], left: vec![0.0; left] }
+    }
+
+    /// The rows of some of the unknown terms, and all others.
+    pub(super) fn part(&self, kept: &[usize]) -> Self {
+        Self { terms: kept.iter().map(|place| self.terms[*place]).collect(), left: self.left.clone() }
+    }
 }
 
 impl System {
@@ -21,26 +45,37 @@ impl System {
             e: Mat::from_fn(size, border, |row, column| self.e[(kept[row], column)]),
             b: Mat::from_fn(border, size, |row, column| self.b[(row, kept[column])]),
             d: self.d.clone(),
-            f: kept.iter().map(|place| self.f[*place]).collect(),
-            left: self.left.clone(),
+            right: self.right.part(kept),
         }
     }
 
-    /// x and q; `None` if there are none in double precision.
-    pub(super) fn solve(&self) -> Option<(Vec<f64>, Vec<f64>)> {
-        let Self { a, e, b, d, f, left } = self;
-        let (size, border) = (a.nrows(), e.ncols());
-        let llt = a.llt(Side::Lower).ok()?;
-        let right =
-            Mat::from_fn(size, border + 1, |row, column| if column < border { e[(row, column)] } else { f[row] });
-        let solved = llt.solve(&right);
-        let (by_border, regular) = (solved.subcols(0, border), solved.subcols(border, 1));
-        let reduced = d - b * by_border;
-        let residual = b * regular;
-        let residual = Mat::from_fn(border, 1, |row, _| left[row] - residual[(row, 0)]);
-        let q = reduced.partial_piv_lu().solve(&residual);
-        let x = regular - by_border * &q;
+    /// `None` if it cannot be factorised in double precision.
+    pub(super) fn factorised(&self) -> Option<Factors> {
+        let terms = self.a.llt(Side::Lower).ok()?;
+        let by_border = terms.solve(&self.e);
+        let reduced = (&self.d - &self.b * &by_border).partial_piv_lu();
+        Some(Factors { terms, by_border, reduced, b: self.b.clone() })
+    }
+}
+
+/// The factors of a system.
+pub(super) struct Factors {
+    terms: Llt<f64>,
+    /// A⁻¹E.
+    by_border: Mat<f64>,
+    /// The factors of D − BA⁻¹E.
+    reduced: PartialPivLu<f64>,
+    b: Mat<f64>,
+}
+
+impl Factors {
+    /// x and q for right-hand sides; `None` if there are none in double precision.
+    pub(super) fn solve(&self, Rows { terms, left }: &Rows) -> Option<Unknowns> {
+        let column = |values: &[f64]| Mat::from_fn(values.len(), 1, |row, _| values[row]);
+        let regular = self.terms.solve(column(terms));
+        let q = self.reduced.solve(column(left) - &self.b * &regular);
+        let x = regular - &self.by_border * &q;
         let [x, q] = [x, q].map(|column| column.col_as_slice(0).to_vec());
-        x.iter().chain(&q).all(|value| value.is_finite()).then_some((x, q))
+        x.iter().chain(&q).all(|value| value.is_finite()).then_some(Unknowns { x, q })
     }
 }

@@ -54,7 +54,7 @@ fn one_interval_is_what_another_solver_finds() {
                 let support = Intervals(problem.unknown().map(start).collect());
                 let counts = vec![20; support.0.len()];
                 let mut work = Work::default();
-                let first = converge(&problem, support, &counts, COARSE, &mut work).unwrap();
+                let first = converge(&problem, support, None, &counts, COARSE, &mut work).unwrap();
                 let found = refine(&problem, first, &mut work).unwrap().into_solution(&problem, 0.01, None);
                 for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
                     let off = found.half_length().unwrap() - expected.half_length().unwrap();

@@ -44,7 +44,7 @@ fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mu
         let mut counts: Vec<usize> =
             support.0.iter().map(|interval| resolved(problem, interval).clamp(least, most)).collect();
         support.equalise(&mut counts);
-        support = match converge(problem, support, &counts, COARSE, work) {
+        support = match converge(problem, support, None, &counts, COARSE, work) {
             Ok(level) => match tension(&level) {
                 Tension::Split(split) => split,
                 // the list is not changed for what more terms may mend
@@ -105,7 +105,7 @@ enum Tension {
 /// Looks for negative pressures, and whether fewer terms have them, too.
 fn tension(level: &Approximation) -> Tension {
     let mut found = Tension::None;
-    let all = level.support.0.iter().zip(&level.pressures).zip(&level.coarser[0]);
+    let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0]);
     for (number, ((interval, pressure), coarser)) in all.enumerate() {
         let places = 2 * PER_MODE * pressure.terms.len();
         let phi = |k: usize| PI * k as f64 / places as f64;

@@ -1,0 +1,84 @@
+//! Factorised equations, which are kept while ends move little and terms are added.
+//!
+//! Pressures on a list of intervals are corrected by what they miss there, with the factors of the equations of an earlier list: a correction costs a product of
+//! columns with one vector, twice, in place of products of all columns with each other. It leaves as much of an error as ends have moved. Terms that the
+//! equations do not have are so short that half-planes dominate in their rows.
+use crate::contact::intervals::equations::{Equations, Places, Solved};
+use crate::contact::intervals::support::Intervals;
+use crate::contact::intervals::system::{Factors, System, Unknowns};
+use crate::contact::problem::support::longest;
+
+/// The equations of a list of intervals, with their factors.
+pub(super) struct Kept {
+    system: System,
+    factors: Factors,
+    /// Terms of each interval.
+    counts: Vec<usize>,
+}
+
+impl Kept {
+    /// The equations of a list, and their solution; `None` if there is none in double precision.
+    pub(super) fn new(equations: &Equations, counts: &[usize]) -> Option<(Self, Solved)> {
+        let places = equations.places();
+        let system = equations.system(&places)?;
+        let factors = system.factorised()?;
+        let solved = equations.solved(&places, &factors.solve(&system.right)?, counts);
+        Some((Self { system, factors, counts: counts.to_vec() }, solved))
+    }
+
+    /// Whether the equations of another list have the same kinds of unknowns, with as many terms at least.
+    pub(super) fn serves(&self, counts: &[usize]) -> bool {
+        self.counts.len() == counts.len() && self.counts.iter().zip(counts).all(|(own, count)| own <= count)
+    }
+
+    /// Pressures less what they miss, with these numbers of terms, and the largest change of a term.
+    pub(super) fn corrected(&self, equations: &Equations, solved: &Solved, counts: &[usize]) -> Option<(Solved, f64)> {
+        let places = equations.places();
+        let mut unknowns = equations.unknowns(&places, solved);
+        let wanted = equations.kept(&places, counts);
+        let mut is_wanted = vec![false; unknowns.x.len()];
+        wanted.iter().for_each(|place| is_wanted[*place] = true);
+        unknowns.x.iter_mut().zip(&is_wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
+        let missed = equations.residual(&places, &unknowns)?;
+        let correction = self.correction(equations, &places, &is_wanted, &missed)?;
+        unknowns.x.iter_mut().zip(&correction.x).for_each(|(x, change)| *x += change);
+        unknowns.q.iter_mut().zip(&correction.q).for_each(|(q, change)| *q += change);
+        Some((equations.solved(&places, &unknowns, counts), longest(correction.x.iter().copied())))
+    }
+
+    /// The unknowns that make up for what tests miss.
+    fn correction(
+        &self,
+        equations: &Equations,
+        places: &[Places],
+        is_wanted: &[bool],
+        missed: &[Vec<f64>],
+    ) -> Option<Unknowns> {
+        let own = equations.kept(places, &self.counts);
+        let common: Vec<usize> = (0..own.len()).filter(|k| is_wanted[own[*k]]).collect();
+        let among: Vec<usize> = common.iter().map(|k| own[*k]).collect();
+        let rows = equations.rows_of(places, missed).part(&among);
+        let Unknowns { x: of_common, q } = if common.len() == own.len() {
+            self.factors.solve(&rows)?
+        } else {
+            self.system.part(&common).factorised()?.solve(&rows)?
+        };
+        let mut x = equations.on_half_planes(places, missed);
+        x.iter_mut().zip(is_wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
+        among.iter().zip(of_common).for_each(|(place, value)| x[*place] = value);
+        Some(Unknowns { x, q })
+    }
+}
+
+impl Solved {
+    /// Nearly the same pressures on the intervals of another list with these numbers of terms, singular at corners only.
+    pub(super) fn on(&self, before: &Intervals, after: &Intervals, counts: &[usize]) -> Self {
+        let all = self.pressures.iter().zip(before.0.iter().zip(&after.0)).zip(counts);
+        let pressures = all.map(|((pressure, (before, after)), count)| {
+            let mut moved = pressure.on(before, after);
+            moved.terms.resize(*count, 0.0);
+            moved.regular(after)
+        });
+        Self { pressures: pressures.collect(), ..self.clone() }
+    }
+}

@@ -1,0 +1,143 @@
+//! Pressures from the unknowns of the equations and the other way round, and by how much pressures miss the equations.
+use crate::contact::intervals::columns::Columns;
+use crate::contact::intervals::equations::{Equations, Places, Solved, Told};
+use crate::contact::intervals::space::InSpace;
+use crate::contact::intervals::support::ContactInterval;
+use crate::contact::intervals::system::{Rows, Unknowns};
+use crate::numeric::dot;
+
+impl Equations<'_> {
+    /// The amplitudes of all columns of all contacts, the first ones of which tell resultants and moments; 1 of a given pressure.
+    fn amplitudes_of(&self, places: &[Places], Unknowns { x, q }: &Unknowns) -> Vec<Vec<f64>> {
+        let moments = &q[q.len() - self.turning.len() - self.free.len()..];
+        let mut all: Vec<Vec<f64>> = Vec::with_capacity(places.len());
+        for (contact, (columns, places)) in self.columns.iter().zip(places).enumerate() {
+            let told = |told: &Told| told.known + dot(&told.by_moments, moments);
+            if columns.intervals.is_empty() {
+                all.push(places.told.iter().map(told).collect());
+                continue;
+            }
+            let mut amplitudes = vec![0.0; columns.terms()];
+            let (terms, first) = &places.terms;
+            terms.iter().zip(&x[*first..]).for_each(|(term, value)| amplitudes[*term] = *value);
+            places.told.iter().for_each(|own| amplitudes[own.column] = told(own));
+            amplitudes.extend(&q[places.ends..places.ends + columns.ends()]);
+            if self.chain(contact).len() > 1 {
+                amplitudes.iter_mut().zip(&all[contact - 1]).for_each(|(own, above)| *own += above);
+            }
+            all.push(amplitudes);
+        }
+        all
+    }
+
+    /// Pressures from unknowns, with `counts` terms on the intervals.
+    pub(super) fn solved(&self, places: &[Places], unknowns: &Unknowns, counts: &[usize]) -> Solved {
+        let mut counts = counts.iter();
+        let (others, angles) = unknowns.q.split_at(unknowns.q.len() - self.turning.len());
+        let moments = &others[others.len() - self.free.len()..];
+        let mut amplitudes = self.amplitudes_of(places, unknowns);
+        let mut of = |contact: usize| {
+            let (columns, amplitudes) = (&self.columns[contact], &mut amplitudes[contact]);
+            columns.as_they_are(amplitudes);
+            let (terms, singular) = amplitudes.split_at(columns.terms());
+            let mut pressures = columns.pressures(terms, singular);
+            for ((pressure, interval), count) in pressures.iter_mut().zip(columns.intervals).zip(counts.by_ref()) {
+                pressure.terms.truncate(*count);
+                pressure.tip = self.tip(contact, interval);
+                let terms = pressure.terms.iter_mut().enumerate();
+                terms.for_each(|(m, y)| *y -= pressure.tip.term(interval.order(m)));
+            }
+            pressures
+        };
+        let rotation = |contact: usize, group: usize| {
+            self.angles_of(contact, group).into_iter().map(|(angle, sign)| sign * angles[angle]).sum()
+        };
+        let of_contact = |(contact, columns): (usize, &Columns)| {
+            (0..columns.groups().len()).map(|group| rotation(contact, group)).collect()
+        };
+        let rotations = self.columns.iter().enumerate().map(of_contact).collect();
+        let (moments, angles) = (moments.to_vec(), angles.to_vec());
+        Solved { pressures: self.problem.unknown().flat_map(&mut of).collect(), moments, angles, rotations }
+    }
+
+    /// The unknowns of pressures with all terms; what resultants and moments tell is left out.
+    pub(super) fn unknowns(&self, places: &[Places], solved: &Solved) -> Unknowns {
+        let last = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
+        let (mut x, mut q) = (vec![0.0; last], Vec::new());
+        let amplitudes = self.told_amplitudes(&solved.pressures);
+        for contact in self.problem.unknown() {
+            let (columns, places) = (&self.columns[contact], &places[contact]);
+            let above = if self.chain(contact).len() > 1 { &amplitudes[contact - 1][..] } else { &[] };
+            let own = |column: usize| amplitudes[contact][column] - above.get(column).unwrap_or(&0.0);
+            let (terms, first) = &places.terms;
+            x[*first..].iter_mut().zip(terms).for_each(|(x, term)| *x = own(*term));
+            q.extend((columns.terms()..columns.terms() + columns.ends()).map(own));
+        }
+        q.extend(solved.moments.iter().chain(&solved.angles));
+        Unknowns { x, q }
+    }
+
+    /// What the tests of each contact miss with these unknowns: zero if these solve the equations. `None` if short waves take too many wavenumbers.
+    pub(super) fn residual(&self, places: &[Places], unknowns: &Unknowns) -> Option<Vec<Vec<f64>>> {
+        let amplitudes = self.amplitudes_of(places, unknowns);
+        let mut rows: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
+        let workspace = &self.problem.kernel.workspace;
+        self.responses(&amplitudes, |contact, _, waves, long, response| {
+            let mut tested = waves.all().test(response);
+            let whole = long.whole(waves, workspace).values.all().test(response);
+            long.places.iter().zip(whole).for_each(|(place, value)| tested[*place] = value);
+            rows[contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
+        });
+        let angles = &unknowns.q[unknowns.q.len() - self.turning.len()..];
+        for contact in self.problem.unknown() {
+            let columns = &self.columns[contact];
+            let InSpace { matrix, load } = self.in_space(contact)?;
+            let rows = &mut rows[contact];
+            rows.iter_mut().zip(load).for_each(|(row, load)| *row += load);
+            for (column, amplitude) in amplitudes[contact].iter().enumerate().filter(|(_, amplitude)| **amplitude != 0.0) {
+                let factor = self.layout.own[contact].limit * amplitude;
+                rows.iter_mut().zip(matrix.col_as_slice(column)).for_each(|(row, value)| *row -= factor * value);
+            }
+            for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
+                let Some(group) = columns.tells_rotation_of(other) else { continue };
+                let turned: f64 = self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
+                *row += turned * columns.rotation(other);
+            }
+        }
+        Some(rows)
+    }
+
+    /// The rows of all unknowns, from the tests of each contact.
+    pub(super) fn rows_of(&self, places: &[Places], tested: &[Vec<f64>]) -> Rows {
+        let size = |of: fn(&Places) -> usize| places.last().map_or(0, of);
+        let mut all = Rows::zeros(size(|last| last.terms.1 + last.terms.0.len()), size(|last| last.left.1 + last.left.0.len()));
+        for contact in self.problem.unknown() {
+            for Places { terms, left, .. } in &places[self.chain(contact)] {
+                let add = |(into, row): (&mut f64, &usize)| *into += tested[contact][*row];
+                all.terms[terms.1..].iter_mut().zip(&terms.0).for_each(add);
+                all.left[left.1..].iter_mut().zip(&left.0).for_each(add);
+            }
+        }
+        all
+    }
+
+    /// The unknown terms that make up for what tests miss on half-planes, where each term acts on its own test alone.
+    pub(super) fn on_half_planes(&self, places: &[Places], tested: &[Vec<f64>]) -> Vec<f64> {
+        let mut all = Vec::new();
+        let mut above: Vec<f64> = Vec::new();
+        for contact in self.problem.unknown() {
+            let columns = &self.columns[contact];
+            let of = |(interval, count): (&ContactInterval, &usize)| {
+                let unit = self.layout.own[contact].limit * interval.unit() / interval.half;
+                (0..*count).map(|m| interval.order(m) as f64 / unit).collect::<Vec<f64>>()
+            };
+            let compliances = columns.intervals.iter().zip(columns.counts).flat_map(of);
+            let own: Vec<f64> = compliances.zip(&tested[contact]).map(|(compliance, row)| compliance * row).collect();
+            let is_linked = self.chain(contact).len() > 1;
+            let more = |term: &usize| own[*term] - if is_linked { above[*term] } else { 0.0 };
+            all.extend(places[contact].terms.0.iter().map(more));
+            above = own;
+        }
+        all
+    }
+}
