@@ -119,7 +119,8 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     first.support.equalise(&mut counts);
     let (mut before, mut stalls) = (first, false);
     let mut best: Option<(Errors, Approximation)> = None;
-    while let Ok(level) = converge(problem, before.support.clone(), Some(&before), &counts, ROUNDING, work) {
+    let enough = ROUNDING.max(MINOR * problem.tolerance);
+    while let Ok(level) = converge(problem, before.support.clone(), Some(&before), &counts, enough, work) {
         let errors = Errors::of(&level);
         // more terms do not help against what is due to something else
         let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);

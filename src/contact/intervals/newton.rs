@@ -9,7 +9,7 @@ use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::SLOW;
+use crate::contact::problem::accuracy::{MINOR, SLOW};
 use crate::contact::problem::iteration::Progress;
 use crate::contact::problem::support::longest;
 
@@ -140,11 +140,14 @@ pub(super) fn converge(
         }
         let looks = looks(&support, &solved.pressures);
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
-        let farthest =
-            looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() }).fold(changed_by, f64::max);
+        let moves = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() };
+        let farthest = looks.iter().map(moves).fold(0.0, f64::max);
+        // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
+        let left = farthest.max(MINOR * changed_by);
+        let enough = enough.max(MINOR * MINOR * missing(&support, &solved.pressures));
         // intervals that overlap, as they may to begin with, are moved apart
         let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
-        if are_apart && (farthest < enough || progress.is_rounding(farthest, 1e-7)) {
+        if are_apart && (left < enough || progress.is_rounding(left, 1e-7)) {
             let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
             let left_out = (0..problem.contacts()).map(left_out).collect();
             let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
@@ -154,8 +157,8 @@ pub(super) fn converge(
             let (counts, coarser) = (counts.to_vec(), [some.pressures, few.pressures]);
             return Ok(Approximation { support, counts, solved, coarser, kept, steps, left_out, graded });
         }
-        let leads_on = farthest <= SLOW * progress.last;
-        if !progress.goes_on(farthest) || work.steps.last() > Some(&MOST_STEPS) {
+        let leads_on = left <= SLOW * progress.last;
+        if !progress.goes_on(left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
         let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
@@ -165,7 +168,8 @@ pub(super) fn converge(
             let (_, solved) = Kept::new(&equations, counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
-        if !derivatives.improve(&support, &q, &mut steps, perturbed).ok_or_else(stuck)? {
+        let is_better = left > farthest || derivatives.improve(&support, &q, &mut steps, perturbed).ok_or_else(stuck)?;
+        if !is_better {
             limits.limit(&mut steps);
         }
         looks.iter().zip(&mut steps).filter(|(look, step)| look.is_weak(**step)).for_each(|(_, step)| *step = 0.0);
@@ -176,6 +180,18 @@ pub(super) fn converge(
         support = next;
         laid_out = Some((layout, about));
     }
+}
+
+/// How large the last third of the terms is, as a part of all of an interval.
+fn missing(support: &Intervals, pressures: &[Pressure]) -> f64 {
+    let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
+        let sum = |first: usize| {
+            let terms = pressure.terms.iter().enumerate().skip(first);
+            terms.map(|(m, y)| y.abs() / interval.order(m) as f64).sum::<f64>()
+        };
+        sum(pressure.terms.len() - pressure.terms.len() / 3) / sum(0)
+    };
+    support.0.iter().zip(pressures).map(of).fold(0.0, f64::max)
 }
 
 /// Multiplications, about, that it takes to solve the equations of a list.
