@@ -210,6 +210,9 @@ impl Columns<'_> {
 
     /// What is subtracted from one of them, which has this resultant and moment.
     fn subtracted_from(&self, into: usize, interval: usize, own: Carried, carried: &[Carried]) -> Vec<Subtracted> {
+        if own == [0.0; 2] {
+            return Vec::new();
+        }
         let first = self.first(self.head(interval));
         let mut all = vec![Subtracted { into, from: first, part: own[0] }];
         if self.moves() {

@@ -9,7 +9,6 @@ use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
-use crate::numeric::quadrature::rule;
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
@@ -34,18 +33,49 @@ pub(super) enum Fault {
     Unknown,
 }
 
-/// Checks the Signorini conditions. `coarse` has fewer terms, if it is given, and tells how far gaps are known.
-pub(super) fn check(
-    problem: &Problem,
-    level: &Approximation,
-    coarse: Option<&Approximation>,
-    error: f64,
-) -> Result<Signs, Fault> {
+/// Checks the Signorini conditions on a solution with an error, relative; one with fewer terms tells how far gaps are known.
+pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Result<Signs, Fault> {
+    let (min_pressure, tensions) = pressures(problem, level)?;
+    // less than an answer is wrong by counts as zero
+    let zero = COARSE.max(error);
+    let mut min_gap = 0.0f64;
+    let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
+    lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
+    lengths.exponentials.iter_mut().for_each(Vec::clear);
+    let span = problem.span(&lengths.ends);
+    let layout = Layout::of_intervals(problem.kernel, &lengths, negligible(FIELDS), span);
+    let layout = layout.ok_or(Fault::Unknown)?;
+    let waves = self::waves(problem, level, &layout);
+    for contact in problem.unknown() {
+        for beside in beside(problem, level.support.of(contact), contact, span) {
+            let gaps = gaps(problem, level, &layout, &waves, contact, &beside);
+            let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
+            let least = gaps.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+            min_gap = min_gap.min(least.1);
+            if least.1 >= -zero * widest {
+                continue;
+            }
+            let coarse = level.coarse();
+            let before = self::gaps(problem, &coarse, &layout, &self::waves(problem, &coarse, &layout), contact, &beside);
+            let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
+            let penetrates = |gap: f64| gap < -(zero * widest + SAFETY * known);
+            if penetrates(least.1) {
+                let mut all: Vec<f64> = gaps.iter().filter(|(_, gap)| penetrates(*gap)).map(|(x, _)| *x).collect();
+                all.sort_by(f64::total_cmp);
+                let over = [all[0], all[all.len() - 1]];
+                return Err(Fault::Penetration { contact, punch: beside.0, at: least.0, over });
+            }
+        }
+    }
+    Ok(Signs { min_pressure, min_gap, tensions })
+}
+
+/// The smallest pressure, and the tension of each contact about x = 0 as a part of its largest pressure there.
+fn pressures(problem: &Problem, level: &Approximation) -> Result<(f64, Vec<f64>), Fault> {
     let count = problem.contacts();
     let [mut means, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; count];
-    let mut leasts = Vec::new();
     for (interval, pressure) in level.support.0.iter().zip(&level.solved.pressures) {
         let strip = pressure.regular(interval).strip(interval);
         let places = 2 * PER_MODE * pressure.terms.len();
@@ -57,51 +87,16 @@ pub(super) fn check(
         let contact = interval.contact;
         means[contact] = means[contact].max(pressure.mean(interval));
         smallest[contact] = smallest[contact].min(least);
-        leasts.push(least);
         if interval.is_even() {
             tensions[contact] = -least / most;
         }
     }
     // more tension than that belongs to another root, however badly its ends are known: where intervals that ought to be apart meet, the
     // ends of the gap between them are no better known than that it is short
-    let is_pulled = |number: &usize| {
-        let contact = level.support.0[*number].contact;
-        leasts[*number] < -COARSE * means[contact]
-    };
-    if (0..leasts.len()).any(|number| is_pulled(&number)) {
+    if smallest.iter().zip(&means).any(|(least, mean)| *least < -COARSE * mean) {
         return Err(Fault::Tension);
     }
-    let min_pressure = smallest.iter().copied().fold(0.0, f64::min);
-    // less than an answer is wrong by counts as zero
-    let zero = COARSE.max(error);
-    let mut min_gap = 0.0f64;
-    let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
-    lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
-    lengths.exponentials.iter_mut().for_each(Vec::clear);
-    let span = problem.span(&lengths.ends);
-    let layout = Layout::of_intervals(problem.kernel, &lengths, negligible(FIELDS), span);
-    let layout = layout.ok_or(Fault::Unknown)?;
-    let own = waves(problem, level, &layout);
-    let of_coarse = coarse.map(|coarse| (coarse, waves(problem, coarse, &layout)));
-    for contact in problem.unknown() {
-        let all = beside(problem, level.support.of(contact), contact, span);
-        let gaps = gaps(problem, level, &layout, &own, contact, &all);
-        let before = of_coarse.as_ref().map(|(coarse, waves)| self::gaps(problem, coarse, &layout, waves, contact, &all));
-        for ((number, gaps), (punch, _)) in gaps.iter().enumerate().zip(all) {
-            let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
-            let before = before.iter().flat_map(|before| &before[number]);
-            let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
-            let penetrates = |gap: f64| gap < -(zero * widest + SAFETY * known);
-            let least = gaps.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
-            if penetrates(least.1) {
-                let mut all: Vec<f64> = gaps.iter().filter(|(_, gap)| penetrates(*gap)).map(|(x, _)| *x).collect();
-                all.sort_by(f64::total_cmp);
-                return Err(Fault::Penetration { contact, punch, at: least.0, over: [all[0], all[all.len() - 1]] });
-            }
-            min_gap = min_gap.min(least.1);
-        }
-    }
-    Ok(Signs { min_pressure, min_gap, tensions })
+    Ok((smallest.into_iter().fold(0.0, f64::min), tensions))
 }
 
 /// From the ends of intervals to the next ones, and to the middle of what is even, or as far as gaps are looked at, with the number of the punch.
@@ -146,36 +141,29 @@ fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<
     all
 }
 
-/// Places from one end of each gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.
+/// Places from one end of a gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.
 fn gaps(
     problem: &Problem,
     level: &Approximation,
     layout: &Layout,
     waves: &[[Vec<f64>; 2]],
     contact: usize,
-    all: &[(usize, [f64; 2])],
-) -> Vec<Vec<(f64, f64)>> {
+    (punch, [from, to]): &(usize, [f64; 2]),
+) -> Vec<(f64, f64)> {
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
     let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
     let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.solved.pressures));
-    let of = |(punch, [from, to]): &(usize, [f64; 2])| {
-        let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
-        let height = |x: f64| side.height_under(*punch, x);
-        let place = |t: f64| from + (to - from) * t * t;
-        let mut near = 0.0;
-        let mut waves = Waves::new(&waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
-        let at = |k: usize| {
-            let t = |k: usize| k as f64 / PLACES as f64;
-            for (t, weight) in rule(12).on(t(k - 1), t(k)) {
-                let slope: f64 = columns.slope(place(t), &amplitudes);
-                near += weight * 2.0 * t * (to - from) * limit * slope;
-            }
-            let x = place(t(k));
-            (x, height(x) - height(*from) - near - waves.next() + rotation * (x - from))
-        };
-        (1..=PLACES).map(at).collect()
+    let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
+    let height = |x: f64| side.height_under(*punch, x);
+    let mut waves = Waves::new(&waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
+    let at_end = columns.closed(*from, &amplitudes);
+    let at = |k: usize| {
+        let t = k as f64 / PLACES as f64;
+        let x = from + (to - from) * t * t;
+        let near = limit * (columns.closed(x, &amplitudes) - at_end);
+        (x, height(x) - height(*from) - near - waves.next() + rotation * (x - from))
     };
-    all.iter().map(of).collect()
+    (1..=PLACES).map(at).collect()
 }
 
 /// What waves add to a gap between its end and places at the distances d, 4d, 9d ... from there: phases of waves grow by odd multiples of ζd from place to place, and

@@ -153,7 +153,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
     let Signs { min_pressure, min_gap, tensions } =
-        gaps::check(problem, &level, Some(&level.coarse()), errors.worst()).ok()?;
+        gaps::check(problem, &level, errors.worst()).ok()?;
     // pressures in tension are wrong by that
     for (interval, error) in level.support.0.iter().zip(&mut errors.pressures) {
         *error = error.max(SAFETY * tensions[interval.contact]);

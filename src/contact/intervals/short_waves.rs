@@ -6,23 +6,22 @@
 //! intervals with closed forms, and for each interval with itself from the wavenumbers and the tail here.
 use std::f64::consts::PI;
 
-use faer::Mat;
-
 use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::products::product;
 use crate::contact::integrals::tail::{Ends, Tail, Weights};
 use crate::contact::intervals::columns::{Columns, Other};
+use crate::contact::intervals::space::InSpace;
 use crate::contact::problem::modes::alternating;
 use crate::kernel::Kernel;
 use crate::numeric::bessel::{self, Wanted};
 
 impl Columns<'_> {
-    /// Adds what the kernel of a contact does, in units of its limit, to the columns as they are, of each interval to its own tests: beyond the
+    /// Adds what the kernel of a contact does, in units of its limit, with the columns as they are, of each interval to its own tests: beyond the
     /// wavenumbers of a layout, and what was taken out of the kernel there. `None` if that takes too many nodes.
     pub(super) fn add_short_waves(
         &self,
-        matrix: &mut Mat<f64>,
+        space: &mut InSpace,
         kernel: &Kernel,
         layout: &Layout,
         contact: usize,
@@ -43,42 +42,79 @@ impl Columns<'_> {
                 tail = Tail::new(kernel, &[contact], [half; 2], orders, ends)?;
                 tail.extend(&mut weights, |zeta| kernel.remainder(contact, zeta));
             }
-            // the table: J of all orders, then ζ J_0 and ζ J_1 of singular pressures
-            let (first, rows) = (taken.len(), taken.len() + tail.rows());
-            let mut table = Table::zeros(rows, orders + 2);
-            let real = &layout.zeta[..first];
-            let arguments: Vec<f64> = real.iter().map(|zeta| zeta * half).collect();
-            bessel::scaled_orders(orders, Wanted::ALL, &arguments, 1.0, rows, &mut table.values);
-            tail.tabulate((half, 1.0), (Wanted::ALL, orders), (first, rows), &mut table.values);
-            for order in 0..2 {
-                let mut column = table.column(order).to_vec();
-                column.iter_mut().zip(real).for_each(|(value, zeta)| *value *= zeta);
-                tail.times_wavenumbers(&mut column[first..]);
-                table.column_mut(orders + order).copy_from_slice(&column);
-            }
-            let products = product(table.part(0..orders), &weights, table.part(0..orders + 2));
+            let table = table(kernel, &layout.zeta[..taken.len()], &tail, half, orders);
             let factor = 4.0 / (PI * own.limit * interval.images() * half * half);
+            let sign = |order: usize| alternating(order / 2);
             let tests = (0..count).map(|m| (self.first(number) + m, interval.order(m)));
             let mean = self.place(Other::Mean(number)).map(|row| (row, 0));
-            for (row, k) in tests.chain(mean) {
-                let sign = alternating(k / 2);
-                for (m, column) in (self.first(number)..).take(count).enumerate() {
-                    let j = interval.order(m);
-                    if (k + j).is_multiple_of(2) {
-                        matrix[(row, column)] += factor * sign * alternating(j / 2) * products.column(j)[k];
+            let pressing = self.pressing(number, orders);
+            // what presses with each column, or with some amplitudes: sums of columns of even orders, and of odd ones
+            let products = match space.amplitudes {
+                None => product(table.part(0..orders), &weights, table.all()),
+                Some(amplitudes) => {
+                    let mut sums = Table::zeros(table.rows(), 2);
+                    for Pressing { column, place, is_odd, part } in &pressing {
+                        let sum = sums.column_mut(usize::from(*is_odd)).iter_mut().zip(table.column(*place));
+                        sum.for_each(|(sum, value)| *sum += part * amplitudes[*column] * value);
                     }
+                    product(table.part(0..orders), &weights, sums.all())
                 }
-                let end = self.terms() + self.end(number);
-                for (place, side) in interval.sides().iter().enumerate() {
-                    let singular = match (k.is_multiple_of(2), interval.is_even()) {
-                        (false, true) => 2.0 * products.column(orders)[k],
-                        (false, false) => products.column(orders)[k],
-                        (true, _) => -side * products.column(orders + 1)[k],
-                    };
-                    matrix[(row, end + place)] += 0.5 * half * factor * sign * singular;
+            };
+            for (row, k) in tests.chain(mean) {
+                let factor = factor * sign(k);
+                if space.amplitudes.is_some() {
+                    space.matrix[(row, 0)] += factor * products.column(k % 2)[k];
+                    continue;
+                }
+                for own in pressing.iter().filter(|own| own.is_odd == (k % 2 == 1)) {
+                    space.matrix[(row, own.column)] += factor * own.part * products.column(own.place)[k];
                 }
             }
         }
         Some(())
     }
+
+    /// What presses on an interval at short waves, as columns of [`table`].
+    fn pressing(&self, number: usize, orders: usize) -> Vec<Pressing> {
+        let interval = &self.intervals[number];
+        let first = self.first(number);
+        let term = |m: usize| {
+            let j = interval.order(m);
+            Pressing { column: first + m, place: j, is_odd: j % 2 == 1, part: alternating(j / 2) }
+        };
+        let half = 0.5 * interval.half;
+        let ends = (self.terms() + self.end(number)..).zip(interval.sides()).flat_map(|(column, side)| {
+            let images = if interval.is_even() { 2.0 } else { 1.0 };
+            let odd = Pressing { column, place: orders, is_odd: true, part: half * images };
+            let even = Pressing { column, place: orders + 1, is_odd: false, part: -half * side };
+            [odd, even]
+        });
+        (0..self.counts[number]).map(term).chain(ends).collect()
+    }
+}
+
+/// A part of a column.
+struct Pressing {
+    column: usize,
+    /// In the table.
+    place: usize,
+    /// Whether it acts on tests of odd orders only, or of even ones.
+    is_odd: bool,
+    part: f64,
+}
+
+/// J of all orders, then ζ J_0 and ζ J_1 of singular pressures, at the real wavenumbers and in the rows of a tail.
+fn table(kernel: &Kernel, real: &[f64], tail: &Tail, half: f64, orders: usize) -> Table {
+    let (first, rows) = (real.len(), real.len() + tail.rows());
+    let mut table = Table::new(rows, orders + 2, &kernel.workspace);
+    let arguments: Vec<f64> = real.iter().map(|zeta| zeta * half).collect();
+    bessel::scaled_orders(orders, Wanted::ALL, &arguments, 1.0, rows, &mut table.values);
+    tail.tabulate((half, 1.0), (Wanted::ALL, orders), (first, rows), &mut table.values);
+    for order in 0..2 {
+        let [column, into] = table.two_mut(order, orders + order);
+        into.copy_from_slice(column);
+        into.iter_mut().zip(real).for_each(|(value, zeta)| *value *= zeta);
+        tail.times_wavenumbers(&mut into[first..]);
+    }
+    table
 }

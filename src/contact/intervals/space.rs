@@ -19,55 +19,34 @@ const POINTS: usize = 48;
 /// Powers below this are less than rounding of what the first terms do.
 const SMALLEST: f64 = 1e-18;
 
-/// What columns do on a half-plane with λμ₀C = 1, and what they do to a gap with a slope of its own.
-pub(super) struct InSpace {
-    /// Rows: tests as the terms are ordered, then the others; columns: terms, then ends.
+/// What columns do to tests, in space, and what these see of a gap with a slope of its own.
+pub(super) struct InSpace<'a> {
+    /// Rows: tests as the terms are ordered, then the others; columns: terms, then ends, or one for what all of them do with some amplitudes.
     pub(super) matrix: Mat<f64>,
+    pub(super) amplitudes: Option<&'a [f64]>,
     pub(super) load: Vec<f64>,
+}
+
+impl InSpace<'_> {
+    /// Adds what a column does to a test.
+    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
+        match self.amplitudes {
+            Some(amplitudes) => self.matrix[(row, 0)] += value * amplitudes[column],
+            None => self.matrix[(row, column)] += value,
+        }
+    }
 }
 
 impl Columns<'_> {
     /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests, and the
     /// tests of the profile of a punch, if one presses.
-    pub(super) fn in_space(&self, side: &Side, exponentials: &[[f64; 2]]) -> InSpace {
+    pub(super) fn in_space<'a>(&self, side: &Side, exponentials: &[[f64; 2]], amplitudes: Option<&'a [f64]>) -> InSpace<'a> {
         let (terms, ends, others) = (self.terms(), self.ends(), self.others());
-        let rows = terms + ends + others.len();
-        let mut matrix = Mat::zeros(rows, terms + ends);
-        let mut load = vec![0.0; rows];
-        for (number, interval) in self.intervals.iter().enumerate() {
-            let (row, count) = (self.first(number), self.counts[number]);
-            let mean = self.place(Other::Mean(number));
-            // the test with k = 0 last
-            let all: Vec<(usize, usize)> =
-                (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
-            if self.intervals.len() > 1 || interval.parity == Parity::Pair {
-                let points = POINTS + PER_MODE * interval.order(count - 1);
-                // cos nπ/2 points
-                let cosines: Vec<f64> = (0..4 * points).map(|n| (FRAC_PI_2 * n as f64 / points as f64).cos()).collect();
-                let at = |q: usize, k: usize| cosines[k * (2 * q + 1) % cosines.len()];
-                let places: Vec<f64> = (0..points).map(|q| interval.middle + interval.half * at(q, 1)).collect();
-                let factor = 2.0 / (interval.half * points as f64);
-                let tests = Mat::from_fn(all.len(), points, |m, q| factor * at(q, all[m].1));
-                let tested = &tests * self.slopes_at(&places, Some(number), exponentials);
-                for (m, (row, _)) in all.iter().enumerate() {
-                    (0..terms + ends).for_each(|column| matrix[(*row, column)] = tested[(m, column)]);
-                }
-            }
-            let factor = 2.0 / (PI * interval.half);
-            let mut tests = self::tests(side, interval, count).into_iter().map(|test| factor * test);
-            if let Some(mean) = mean {
-                load[mean] = tests.next().unwrap_or(0.0);
-            }
-            load[row..row + count].iter_mut().zip(tests).for_each(|(load, test)| *load = test);
-            for m in 0..count {
-                matrix[(row + m, row + m)] += interval.unit() / (interval.half * interval.order(m) as f64);
-            }
-            if let Some(mean) = mean {
-                let end = terms + self.end(number);
-                for (place, side) in interval.sides().iter().enumerate() {
-                    matrix[(mean, end + place)] -= side * interval.unit() / interval.half;
-                }
-            }
+        let columns = if amplitudes.is_some() { 1 } else { terms + ends };
+        let (matrix, load) = (Mat::zeros(self.rows(), columns), vec![0.0; self.rows()]);
+        let mut space = InSpace { matrix, amplitudes, load };
+        for number in 0..self.intervals.len() {
+            self.add_of_interval(&mut space, side, exponentials, number);
         }
         for (row, other) in (terms + ends..).zip(&others) {
             let Other::Closing(number) = *other else { continue };
@@ -77,39 +56,85 @@ impl Columns<'_> {
             let nodes: Vec<(f64, f64)> = rule(POINTS + self.counts.iter().max().unwrap_or(&0)).on(0.0, PI).collect();
             let places: Vec<f64> = nodes.iter().map(|(theta, _)| middle + half * theta.cos()).collect();
             let tests = Mat::from_fn(1, nodes.len(), |_, q| factor * nodes[q].1 * nodes[q].0.sin());
-            let tested = &tests * self.slopes_at(&places, None, exponentials);
-            (0..terms + ends).for_each(|column| matrix[(row, column)] = tested[(0, column)]);
+            let tested = &tests * self.slopes_at(&places, None, exponentials, amplitudes);
+            (0..columns).for_each(|column| space.matrix[(row, column)] = tested[(0, column)]);
             let height = |x: f64| side.height_under(self.intervals[number].punch, x);
-            load[row] = factor / half * (height(to) - height(from));
+            space.load[row] = factor / half * (height(to) - height(from));
         }
-        InSpace { matrix, load }
+        space
+    }
+
+    /// The same of the tests on one interval.
+    fn add_of_interval(&self, space: &mut InSpace, side: &Side, exponentials: &[[f64; 2]], number: usize) {
+        let (interval, row, count) = (&self.intervals[number], self.first(number), self.counts[number]);
+        let mean = self.place(Other::Mean(number));
+        if self.intervals.len() > 1 || interval.parity == Parity::Pair {
+            // the test with k = 0 last
+            let all: Vec<(usize, usize)> =
+                (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
+            let points = POINTS + PER_MODE * interval.order(count - 1);
+            // cos nπ/2 points
+            let cosines: Vec<f64> = (0..4 * points).map(|n| (FRAC_PI_2 * n as f64 / points as f64).cos()).collect();
+            let at = |q: usize, k: usize| cosines[k * (2 * q + 1) % cosines.len()];
+            let places: Vec<f64> = (0..points).map(|q| interval.middle + interval.half * at(q, 1)).collect();
+            let factor = 2.0 / (interval.half * points as f64);
+            let tests = Mat::from_fn(all.len(), points, |m, q| factor * at(q, all[m].1));
+            let tested = &tests * self.slopes_at(&places, Some(number), exponentials, space.amplitudes);
+            for (m, (row, _)) in all.iter().enumerate() {
+                (0..tested.ncols()).for_each(|column| space.matrix[(*row, column)] = tested[(m, column)]);
+            }
+        }
+        let factor = 2.0 / (PI * interval.half);
+        let mut tests = self::tests(side, interval, count).into_iter().map(|test| factor * test);
+        if let Some(mean) = mean {
+            space.load[mean] = tests.next().unwrap_or(0.0);
+        }
+        space.load[row..row + count].iter_mut().zip(tests).for_each(|(load, test)| *load = test);
+        for m in 0..count {
+            space.add(row + m, row + m, interval.unit() / (interval.half * interval.order(m) as f64));
+        }
+        if let Some(mean) = mean {
+            let end = self.terms() + self.end(number);
+            for (place, side) in interval.sides().iter().enumerate() {
+                space.add(mean, end + place, -side * interval.unit() / interval.half);
+            }
+        }
     }
 
     /// Subtracts from the columns and tests as they are what only the first ones of a group keep.
-    pub(super) fn subtract(&self, InSpace { matrix, load }: &mut InSpace) {
+    pub(super) fn subtract(&self, InSpace { matrix, amplitudes, load }: &mut InSpace) {
         let (terms, ends) = (self.terms(), self.ends());
         let subtracted = self.subtracted();
-        for Subtracted { into, from, part } in subtracted.iter().filter(|one| one.into < terms + ends) {
+        let columns = |one: &&Subtracted| amplitudes.is_none() && one.into < terms + ends;
+        for Subtracted { into, from, part } in subtracted.iter().filter(columns) {
             (0..load.len()).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);
         }
         let tests = |one: &&Subtracted| !(terms..terms + ends).contains(&one.into);
         for Subtracted { into, from, part } in subtracted.iter().filter(tests) {
-            (0..terms + ends).for_each(|column| matrix[(*into, column)] -= part * matrix[(*from, column)]);
+            (0..matrix.ncols()).for_each(|column| matrix[(*into, column)] -= part * matrix[(*from, column)]);
             load[*into] -= part * load[*from];
         }
     }
 
     /// [`Self::add_slopes`] at some places, one row for each: on a half-plane besides some exponentials.
-    fn slopes_at(&self, places: &[f64], within: Option<usize>, exponentials: &[[f64; 2]]) -> Mat<f64> {
-        let columns = self.terms() + self.ends();
-        let mut slopes = vec![0.0; columns];
-        let mut all = Mat::zeros(places.len(), columns);
+    fn slopes_at(
+        &self,
+        places: &[f64],
+        within: Option<usize>,
+        exponentials: &[[f64; 2]],
+        amplitudes: Option<&[f64]>,
+    ) -> Mat<f64> {
+        let mut slopes = vec![0.0; self.terms() + self.ends()];
+        let mut all = Mat::zeros(places.len(), if amplitudes.is_some() { 1 } else { slopes.len() });
         for (row, x) in places.iter().enumerate() {
             slopes.fill(0.0);
             for [b, c] in std::iter::once(&[0.0, 1.0]).chain(exponentials) {
                 self.add_slopes(Complex64::new(*x, *b), *c, within, &mut slopes);
             }
-            slopes.iter().enumerate().for_each(|(column, slope)| all[(row, column)] = *slope);
+            match amplitudes {
+                Some(amplitudes) => all[(row, 0)] = dot(&slopes, amplitudes),
+                None => slopes.iter().enumerate().for_each(|(column, slope)| all[(row, column)] = *slope),
+            }
         }
         all
     }
@@ -151,11 +176,38 @@ impl Columns<'_> {
         }
     }
 
-    /// The slope at x outside the contact that pressures make on a half-plane with λμ₀C = 1.
-    pub(super) fn slope(&self, x: f64, amplitudes: &[f64]) -> f64 {
-        let mut slopes = vec![0.0; self.terms() + self.ends()];
-        self.add_slopes(x.into(), 1.0, None, &mut slopes);
-        dot(&slopes, amplitudes)
+    /// By how much less pressures on a half-plane with λμ₀C = 1 open a gap at x outside the contact than farther inwards: the integral of the slope, but for a
+    /// constant, with ds = ½ (1 − z⁻²) dz for s = ½ (z + 1/z).
+    pub(super) fn closed(&self, x: f64, amplitudes: &[f64]) -> f64 {
+        let (terms, ends) = amplitudes.split_at(self.terms());
+        let (mut terms, mut ends) = (terms.iter(), ends.iter());
+        let of = |(interval, count): (&ContactInterval, &usize)| {
+            let (terms, ends): (Vec<&f64>, Vec<&f64>) =
+                (terms.by_ref().take(*count).collect(), ends.by_ref().take(interval.sides().len()).collect());
+            let at = |x: f64| {
+                let s = (x - interval.middle) / interval.half;
+                // s less √(s² − 1)
+                let inside = (s.abs() + ((s - 1.0) * (s + 1.0)).max(0.0).sqrt()).recip().copysign(s);
+                let logarithm = -inside.abs().ln();
+                let mut power = 1.0;
+                let mut sum = 0.0;
+                for (m, y) in terms.iter().enumerate() {
+                    let j = interval.order(m) as f64;
+                    let near = if m > 0 { -power / (j - 1.0) } else { logarithm };
+                    let next = power * inside * inside;
+                    sum += 0.5 * **y / j * (near + next / (j + 1.0));
+                    power = if interval.is_even() { next } else { power * inside };
+                }
+                for (side, q) in interval.sides().iter().zip(&ends) {
+                    let at_end = if interval.is_even() { logarithm } else { 0.5 * (logarithm - side * inside) };
+                    sum += **q * at_end;
+                }
+                interval.unit() * interval.half * sum
+            };
+            // what the mirror image of an interval does at x, the interval does at −x
+            if interval.parity == Parity::Pair { at(x) + at(-x) } else { at(x) }
+        };
+        self.intervals.iter().zip(self.counts).map(of).sum()
     }
 }
 

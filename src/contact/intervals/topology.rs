@@ -80,11 +80,7 @@ fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactE
 
 /// The answer, or a list that is nearer to it, if there is one.
 fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<Intervals>> {
-    let mut check = gaps::check(problem, level, None, COARSE);
-    if matches!(check, Err(Fault::Penetration { .. })) {
-        check = gaps::check(problem, level, Some(&level.coarse()), COARSE);
-    }
-    match check {
+    match gaps::check(problem, level, COARSE) {
         Ok(_) => refine(problem, level.clone(), work).ok_or(None),
         Err(Fault::Penetration { contact, punch, at, over }) => {
             Err(Some(with_interval(&level.support, (contact, punch), at, over)))

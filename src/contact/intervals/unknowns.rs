@@ -91,13 +91,12 @@ impl Equations<'_> {
         let angles = &unknowns.q[unknowns.q.len() - self.turning.len()..];
         for contact in self.problem.unknown() {
             let columns = &self.columns[contact];
-            let InSpace { matrix, load } = self.in_space(contact)?;
+            let (mut as_they_are, limit) = (amplitudes[contact].clone(), self.layout.own[contact].limit);
+            columns.as_they_are(&mut as_they_are);
+            let InSpace { matrix, load, .. } = self.in_space(contact, Some(&as_they_are))?;
             let rows = &mut rows[contact];
-            rows.iter_mut().zip(load).for_each(|(row, load)| *row += load);
-            for (column, amplitude) in amplitudes[contact].iter().enumerate().filter(|(_, amplitude)| **amplitude != 0.0) {
-                let factor = self.layout.own[contact].limit * amplitude;
-                rows.iter_mut().zip(matrix.col_as_slice(column)).for_each(|(row, value)| *row -= factor * value);
-            }
+            let pressed = load.iter().zip(matrix.col_as_slice(0));
+            rows.iter_mut().zip(pressed).for_each(|(row, (load, pressed))| *row += load - limit * pressed);
             for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
                 let Some(group) = columns.tells_rotation_of(other) else { continue };
                 let turned: f64 = self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
