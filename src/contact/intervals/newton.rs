@@ -9,12 +9,14 @@ use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{MINOR, SLOW};
+use crate::contact::problem::accuracy::MINOR;
 use crate::contact::problem::iteration::Progress;
 use crate::contact::problem::support::longest;
 
 /// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
+/// Equations are factorised anew after a step that is longer than this part of the one before.
+const FAST: f64 = 0.1;
 /// Steps at most.
 const MOST_STEPS: usize = 40;
 /// An end that would take a longer step, in half-lengths, from next to no singularity need not be known.
@@ -157,7 +159,7 @@ pub(super) fn converge(
             let (counts, coarser) = (counts.to_vec(), [some.pressures, few.pressures]);
             return Ok(Approximation { support, counts, solved, coarser, kept, steps, left_out, graded });
         }
-        let leads_on = left <= SLOW * progress.last;
+        let leads_on = left <= FAST * progress.last;
         if !progress.goes_on(left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }

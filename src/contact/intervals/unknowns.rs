@@ -60,11 +60,15 @@ impl Equations<'_> {
         Solved { pressures: self.problem.unknown().flat_map(&mut of).collect(), moments, angles, rotations }
     }
 
-    /// The unknowns of pressures with all terms; what resultants and moments tell is left out.
+    /// The unknowns of pressures with all terms, but for tips, which are where they are; what resultants and moments tell is left out.
     pub(super) fn unknowns(&self, places: &[Places], solved: &Solved) -> Unknowns {
         let last = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
         let (mut x, mut q) = (vec![0.0; last], Vec::new());
-        let amplitudes = self.told_amplitudes(&solved.pressures);
+        let mut pressures = solved.pressures.clone();
+        let intervals = self.columns.iter().enumerate();
+        let intervals = intervals.flat_map(|(contact, own)| own.intervals.iter().map(move |own| (contact, own)));
+        pressures.iter_mut().zip(intervals).for_each(|(own, (contact, interval))| own.tip = self.tip(contact, interval));
+        let amplitudes = self.told_amplitudes(&pressures);
         for contact in self.problem.unknown() {
             let (columns, places) = (&self.columns[contact], &places[contact]);
             let above = if self.chain(contact).len() > 1 { &amplitudes[contact - 1][..] } else { &[] };
