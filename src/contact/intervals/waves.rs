@@ -14,7 +14,7 @@ use crate::numeric::bessel;
 use crate::numeric::workspace::Workspace;
 
 /// Wavenumbers of which columns are made at once: no number depends on it, but storage of many more has to be fetched from the system.
-pub(super) const AT_ONCE: usize = 192;
+pub(super) const AT_ONCE: usize = 96;
 
 /// What resultants, moments and rotations do to long waves, with the places of the columns or tests that these belong to.
 pub(super) struct Long {
