@@ -289,11 +289,13 @@ impl Errors {
         };
         let falls = [fall(&moves), fall(&changes)];
         let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
-        let last = largest(level.steps.iter().map(|step| step.abs()));
         // short waves are felt where an interval is short
-        let rest =
-            |interval: &ContactInterval| last + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half;
+        let rest = |interval: &ContactInterval| {
+            level.left + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half
+        };
         let rests: Vec<f64> = all.iter().map(rest).collect();
+        // steps go on with more terms
+        let steps = if level.is_rounding { 0.0 } else { level.left };
         let mut next = moves.iter();
         let ends = |(interval, rest): (&ContactInterval, &f64)| {
             let mut errors = [*rest; 2];
@@ -307,7 +309,7 @@ impl Errors {
         Self {
             ends: all.iter().zip(&rests).map(ends).collect(),
             pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
-            floor: largest(rests.iter().copied()),
+            floor: largest(rests.iter().copied()) - steps,
             fall: falls[0].max(falls[1]),
         }
     }

@@ -12,6 +12,7 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::MINOR;
 use crate::contact::problem::iteration::Progress;
 use crate::contact::problem::support::longest;
+use crate::numeric::largest;
 
 /// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
@@ -38,8 +39,10 @@ pub(super) struct Approximation {
     pub(super) coarser: [Vec<Pressure>; 2],
     /// Factorised equations of nearly the same list, if they have the same unknowns.
     kept: Option<Rc<Kept>>,
-    /// The last step of each end, in half-lengths.
-    pub(super) steps: Vec<f64>,
+    /// What steps have left, in half-lengths.
+    pub(super) left: f64,
+    /// Whether that is rounding.
+    pub(super) is_rounding: bool,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
     pub(super) left_out: Vec<f64>,
     /// Whether each contact is next to a graded face.
@@ -90,7 +93,8 @@ impl Look {
     }
 }
 
-/// Moves ends until no pressure is singular, from those of a solution with fewer terms if there is one.
+/// Moves ends until no pressure is singular and what steps leave is `enough`, or less than missing terms do, from the ends and pressures of a solution with
+/// fewer terms if there is one.
 pub(super) fn converge(
     problem: &Problem,
     mut support: Intervals,
@@ -101,86 +105,177 @@ pub(super) fn converge(
 ) -> Result<Approximation, Failure> {
     let negligible = negligible(problem.tolerance);
     let mut laid_out: Option<(Layout, Vec<f64>)> = None;
-    let mut progress = Progress::default();
-    let mut derivatives = Derivatives::default();
-    let mut limits = Limits::default();
-    let mut kept = before.and_then(|before| before.kept.clone()).filter(|kept| kept.serves(counts));
-    let mut last = before.map(|before| (before.support.clone(), before.solved.clone()));
-    // whether ends have moved so little that kept equations may do
-    let mut is_near = true;
+    let mut newton = Newton::new(before, counts, enough);
     work.steps.push(0);
     loop {
+        let stuck = || Failure::Stuck(support.clone());
         let lengths = Lengths::of(problem, &support, counts, negligible);
         let (layout, about) = match laid_out.take().filter(|(_, about)| lengths.are_near(about)) {
             Some(laid_out) => laid_out,
             None => {
                 let layout = Layout::of_intervals(problem.kernel, &lengths, negligible, 0.0);
-                (layout.ok_or_else(|| Failure::Stuck(support.clone()))?, lengths.ends.clone())
+                (layout.ok_or_else(stuck)?, lengths.ends.clone())
             }
         };
         let cost = operations(&layout, &support, counts);
-        work.operations.spend(cost).ok_or_else(|| Failure::Stuck(support.clone()))?;
+        work.operations.spend(cost).ok_or_else(stuck)?;
         work.step();
-        let stuck = || Failure::Stuck(support.clone());
         let equations = Equations::new(problem, &layout, &support, counts);
-        let corrected = match (&kept, &last) {
-            (Some(kept), Some((before, solved))) if is_near => {
-                kept.corrected(&equations, &solved.on(before, &support, counts), counts)
-            }
-            _ => None,
-        };
-        let (solved, changed_by) = match corrected {
-            Some(corrected) => corrected,
-            None => {
-                let (anew, solved) = Kept::new(&equations, counts).ok_or_else(stuck)?;
-                kept = Some(Rc::new(anew));
-                (solved, 0.0)
-            }
-        };
+        let solved = newton.solve(&equations, &support).ok_or_else(stuck)?;
         if let Some(changed) = changed(&support, &solved.pressures) {
             return Err(Failure::Changed(changed));
         }
         let looks = looks(&support, &solved.pressures);
-        let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
-        let moves = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() };
-        let farthest = looks.iter().map(moves).fold(0.0, f64::max);
-        // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
-        let left = farthest.max(MINOR * changed_by);
-        let enough = enough.max(MINOR * MINOR * missing(&support, &solved.pressures));
-        // intervals that overlap, as they may to begin with, are moved apart
-        let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
-        if are_apart && (left < enough || progress.is_rounding(left, 1e-7)) {
-            let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
-            let left_out = (0..problem.contacts()).map(left_out).collect();
-            let graded = (0..problem.contacts()).map(|i| !problem.kernel.asymptote(i).is_constant()).collect();
-            let with = |counts: &[usize]| kept.as_ref()?.corrected(&equations, &solved, counts);
-            let [some, few] = [fewer(counts), fewer(&fewer(counts))].map(|counts| with(&counts));
-            let (Some((some, _)), Some((few, _))) = (some, few) else { return Err(stuck()) };
-            let (counts, coarser) = (counts.to_vec(), [some.pressures, few.pressures]);
-            return Ok(Approximation { support, counts, solved, coarser, kept, steps, left_out, graded });
+        newton.look(&looks);
+        if newton.is_converged(&support, &solved.pressures) {
+            let mut level = newton.approximation(&equations, &support, solved.clone()).ok_or_else(stuck)?;
+            if newton.is_enough(&level) {
+                let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
+                level.left_out = (0..problem.contacts()).map(left_out).collect();
+                return Ok(level);
+            }
         }
-        let leads_on = left <= FAST * progress.last;
-        if !progress.goes_on(left) || work.steps.last() > Some(&MOST_STEPS) {
+        if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
-        let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
         let perturbed = |moved: &Intervals| {
             work.operations.spend(cost)?;
             let equations = Equations::new(problem, &layout, moved, counts);
             let (_, solved) = Kept::new(&equations, counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
-        let is_better = left > farthest || derivatives.improve(&support, &q, &mut steps, perturbed).ok_or_else(stuck)?;
-        if !is_better {
-            limits.limit(&mut steps);
+        let steps = newton.steps(&support, &looks, perturbed).ok_or_else(stuck)?;
+        let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
+        newton.take(&next, (support, solved));
+        (support, laid_out) = (next, Some((layout, about)));
+    }
+}
+
+/// Newton's method on ends, for one number of terms.
+struct Newton<'a> {
+    counts: &'a [usize],
+    /// What steps may leave, in half-lengths.
+    enough: f64,
+    /// The same as long as missing terms matter more.
+    aim: Option<f64>,
+    kept: Option<Rc<Kept>>,
+    /// The list before, with its solution.
+    last: Option<(Intervals, Solved)>,
+    /// Whether ends have moved so little that kept equations do.
+    is_near: bool,
+    /// Whether steps grow shorter as fast as with equations of the same list.
+    leads_on: bool,
+    /// The longest of the steps of ends that are to be taken, the largest change of a term, and what both leave.
+    farthest: f64,
+    changed_by: f64,
+    left: f64,
+    progress: Progress,
+    derivatives: Derivatives,
+    limits: Limits,
+}
+
+impl<'a> Newton<'a> {
+    fn new(before: Option<&Approximation>, counts: &'a [usize], enough: f64) -> Self {
+        Self {
+            counts,
+            enough,
+            aim: None,
+            kept: before.and_then(|before| before.kept.clone()).filter(|kept| kept.serves(counts)),
+            last: before.map(|before| (before.support.clone(), before.solved.clone())),
+            is_near: true,
+            leads_on: true,
+            farthest: 0.0,
+            changed_by: 0.0,
+            left: f64::INFINITY,
+            progress: Progress::default(),
+            derivatives: Derivatives::default(),
+            limits: Limits::default(),
+        }
+    }
+
+    /// Pressures on a list: corrected by kept equations, or from equations that are factorised anew.
+    fn solve(&mut self, equations: &Equations, support: &Intervals) -> Option<Solved> {
+        if let (Some(kept), Some((before, solved)), true) = (&self.kept, &self.last, self.is_near)
+            && let Some((solved, changed_by)) = kept.corrected(equations, &solved.on(before, support, self.counts), self.counts)
+        {
+            self.changed_by = changed_by;
+            return Some(solved);
+        }
+        let (kept, solved) = Kept::new(equations, self.counts)?;
+        (self.kept, self.changed_by) = (Some(Rc::new(kept)), 0.0);
+        Some(solved)
+    }
+
+    fn look(&mut self, looks: &[Look]) {
+        let moves = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() };
+        self.farthest = looks.iter().map(moves).fold(0.0, f64::max);
+        // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
+        self.left = self.farthest.max(MINOR * self.changed_by);
+        self.leads_on = self.left <= FAST * self.progress.last;
+    }
+
+    fn is_rounding(&self) -> bool {
+        self.progress.is_rounding(self.left, 1e-7)
+    }
+
+    /// Whether steps leave as little as that.
+    fn is_converged(&mut self, support: &Intervals, pressures: &[Pressure]) -> bool {
+        let aim = *self.aim.get_or_insert_with(|| MINOR * MINOR * missing(support, pressures));
+        // intervals that overlap, as they may to begin with, are moved apart
+        let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
+        are_apart && (self.left < aim.max(self.enough) || self.is_rounding())
+    }
+
+    /// Whether steps leave less than missing terms do.
+    fn is_enough(&mut self, level: &Approximation) -> bool {
+        let aim = MINOR * largest(level.moves().into_iter().map(|[last, _]| last.abs()));
+        self.aim = Some(aim);
+        self.left < aim.max(self.enough) || self.is_rounding()
+    }
+
+    fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
+        let kept = self.kept.as_ref()?;
+        let few = fewer(self.counts);
+        let [some, few] = [&few, &fewer(&few)].map(|counts| kept.corrected(equations, &solved, counts));
+        let kernel = equations.problem.kernel;
+        Some(Approximation {
+            support: support.clone(),
+            counts: self.counts.to_vec(),
+            solved,
+            coarser: [some?.0.pressures, few?.0.pressures],
+            kept: self.kept.clone(),
+            left: self.left,
+            is_rounding: self.is_rounding(),
+            left_out: Vec::new(),
+            graded: (0..equations.columns.len()).map(|i| !kernel.asymptote(i).is_constant()).collect(),
+        })
+    }
+
+    /// Steps of all ends outwards, in half-lengths.
+    fn steps(
+        &mut self,
+        support: &Intervals,
+        looks: &[Look],
+        perturbed: impl FnMut(&Intervals) -> Option<Vec<f64>>,
+    ) -> Option<Vec<f64>> {
+        let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
+        // derivatives do nothing about terms
+        if self.left <= self.farthest {
+            let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
+            if !self.derivatives.improve(support, &q, &mut steps, perturbed)? {
+                self.limits.limit(&mut steps);
+            }
         }
         looks.iter().zip(&mut steps).filter(|(look, step)| look.is_weak(**step)).for_each(|(_, step)| *step = 0.0);
-        let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
-        derivatives.taken = support.steps_to(&next);
-        is_near = leads_on && longest(derivatives.taken.iter().copied()) < LAYOUT_SERVES;
-        last = Some((support, solved));
-        support = next;
-        laid_out = Some((layout, about));
+        Some(steps)
+    }
+
+    /// Takes note of the next list.
+    fn take(&mut self, next: &Intervals, (support, solved): (Intervals, Solved)) {
+        let taken = support.steps_to(next);
+        self.is_near = self.leads_on && longest(taken.iter().copied()) < LAYOUT_SERVES;
+        self.derivatives.taken = taken;
+        self.last = Some((support, solved));
     }
 }
 
