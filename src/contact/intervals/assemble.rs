@@ -26,12 +26,20 @@ impl Equations<'_> {
             d: Mat::zeros(border, border),
             right: Rows::zeros(size, border),
         };
+        let mut sums = self.sums();
         let all = self.layout.zeta.len();
         for first in (0..all).step_by(AT_ONCE) {
-            let nodes = first..all.min(first + AT_ONCE);
-            let waves: Vec<Table> =
-                (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
-            self.add_waves(places, &mut system, first, &waves);
+            self.add_waves(&mut sums, first..all.min(first + AT_ONCE));
+        }
+        for sums in sums {
+            let Sums { rows, columns, factor, .. } = &sums;
+            let (rows, columns, factor, all) = (rows.clone(), columns.clone(), *factor, sums.whole());
+            for (row, rows, sign) in &rows {
+                for (column, columns, other) in &columns {
+                    let block = Block { all: &all, first: [*row, *column], factor: factor * sign * other / PI };
+                    self.add(places, &mut system, (rows.clone(), columns.clone()), &block);
+                }
+            }
         }
         for contact in self.problem.unknown() {
             self.add_in_space(places, &mut system, contact)?;
@@ -53,57 +61,74 @@ impl Equations<'_> {
         Some(system)
     }
 
-    /// Adds what waves, from wavenumber number `first` on, do to all rows: kernels under equal pressures of neighbours to each contact, and laminates to
-    /// what pressures on both of their faces differ by.
-    fn add_waves(&self, places: &[Places], system: &mut System, first: usize, waves: &[Table]) {
-        let workspace = &self.problem.kernel.workspace;
-        let zeta = |contact: usize| self.zeta(contact, first..first + AT_ONCE);
+    /// Products that are to be summed over the wavenumbers: of each contact with itself under equal pressures of its neighbours and with neighbours, and of
+    /// laminates with what pressures on both of their faces differ by.
+    fn sums(&self) -> Vec<Sums> {
+        let rows = |contact: usize| self.columns[contact].rows();
+        let of_contact = |contact: usize| {
+            let chain = vec![(0, self.chain(contact), 1.0)];
+            let told = self.columns[contact].told();
+            let own = Sums::new([chain.clone(), chain.clone()], 1.0, [rows(contact); 2], told.clone());
+            let unlinked = self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]);
+            let neighbour = move |(other, _): (usize, usize)| {
+                let columns = if self.problem.is_known(other) { 1 } else { rows(other) };
+                let both = [chain.clone(), vec![(0, self.chain(other), 1.0)]];
+                Sums::new(both, -1.0, [rows(contact), columns], told.clone())
+            };
+            std::iter::once(own).chain(unlinked.map(neighbour)).collect::<Vec<_>>()
+        };
+        let of_laminate = |laminate: usize| {
+            let lower = rows(laminate);
+            let both = vec![(0, self.chain(laminate), 1.0), (lower, laminate + 1..laminate + 2, -1.0)];
+            let below = self.columns[laminate + 1].told().into_iter().map(|place| lower + place);
+            let told = self.columns[laminate].told().into_iter().chain(below).collect();
+            Sums::new([both.clone(), both], 1.0, [2 * lower; 2], told)
+        };
+        let linked = (0..self.linked.len()).filter(|laminate| self.linked[*laminate]);
+        self.problem.unknown().flat_map(of_contact).chain(linked.map(of_laminate)).collect()
+    }
+
+    /// Adds some wavenumbers to [`Self::sums`].
+    fn add_waves(&self, sums: &mut [Sums], nodes: Range<usize>) {
+        let (workspace, first) = (&self.problem.kernel.workspace, nodes.start);
+        let all = 0..self.columns.len();
+        let waves: Vec<Table> = all.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
         // of a given pressure none
-        let long = |contact: usize| self.columns[contact].long_waves(zeta(contact), workspace);
-        let long: Vec<Long> = (0..waves.len()).map(long).collect();
-        let tests: Vec<Long> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
-        for contact in self.problem.unknown().filter(|contact| !zeta(*contact).is_empty()) {
+        let long = |contact: usize| self.columns[contact].long_waves(self.zeta(contact, nodes.clone()), workspace);
+        let long: Vec<Long> = all.map(long).collect();
+        let tests: Vec<Table> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
+        let mut sums = sums.iter_mut();
+        let mut add = |columns: &Weighted, left: &Table, told: &Table| {
+            sums.next().map(|sums| {
+                sums.add(columns, left, told);
+                sums
+            })
+        };
+        for contact in self.problem.unknown() {
             let (parts, pressed, tests) = (self.columns[contact].parts(), &waves[contact], &tests[contact]);
-            let mut own = vec![0.0; zeta(contact).len()];
+            let mut own = vec![0.0; self.zeta(contact, nodes.clone()).len()];
             own.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
             let mut weights = own.clone();
-            for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
-                let coupling = self.coupling(laminate, first);
-                weights.iter_mut().zip(coupling).for_each(|(sum, weight)| *sum += weight);
-                let columns = Weighted::new(&waves[other], coupling, parts, workspace);
-                let mut block = columns.tested(pressed);
-                tests.put_rows(&mut block, &columns);
-                let block = Block { all: &block, first: [0; 2], factor: -1.0 / PI };
-                self.add(places, system, (self.chain(contact), self.chain(other)), &block);
+            for (_, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
+                weights.iter_mut().zip(self.coupling(laminate, first)).for_each(|(sum, weight)| *sum += weight);
             }
-            let columns = Weighted::new(pressed, &weights, parts, workspace);
-            let mut block = columns.symmetric(pressed);
-            tests.put_rows(&mut block, &columns);
             // neighbours carry the same resultants and moments, which do nothing between them
-            let own = Weighted::new(&long[contact].values, &own, parts, workspace);
-            long[contact].add_columns(&mut block, tests, &own, pressed);
-            let block = Block { all: &block, first: [0; 2], factor: 1.0 / PI };
-            self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
+            let mut columns = Weighted::new(pressed, &weights, parts, workspace);
+            columns.add(&Weighted::new(&long[contact].values, &own, parts, workspace), &long[contact].places);
+            if let Some(sums) = add(&columns, pressed, tests) {
+                sums.add_told_columns(&columns, pressed);
+            }
+            for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
+                add(&Weighted::new(&waves[other], self.coupling(laminate, first), parts, workspace), pressed, tests);
+            }
         }
         for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
             let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
-            let count = coupling.len().min(zeta(laminate).len()).min(zeta(laminate + 1).len());
-            let pressed = differences(&waves[laminate], &waves[laminate + 1], count, parts, workspace);
-            let columns = Weighted::new(&pressed, coupling, parts, workspace);
-            let mut block = columns.symmetric(&pressed);
-            let lower = block.nrows() / 2;
-            let [upper_tests, lower_tests] = [&tests[laminate], &tests[laminate + 1]];
-            let values = differences(&upper_tests.values, &lower_tests.values, count, parts, workspace);
-            let below = lower_tests.places.iter().map(|place| lower + place);
-            let all = upper_tests.places.iter().copied().chain(below).collect();
-            Long { places: all, values }.put_rows(&mut block, &columns);
-            let both = [(0, self.chain(laminate), 1.0), (lower, laminate + 1..laminate + 2, -1.0)];
-            for (row, rows, sign) in &both {
-                for (column, columns, other) in &both {
-                    let block = Block { all: &block, first: [*row, *column], factor: sign * other / PI };
-                    self.add(places, system, (rows.clone(), columns.clone()), &block);
-                }
-            }
+            let reach = |contact: usize| self.zeta(contact, nodes.clone()).len();
+            let count = coupling.len().min(reach(laminate)).min(reach(laminate + 1));
+            let differ = |of: &[Table]| differences(&of[laminate], &of[laminate + 1], count, parts, workspace);
+            let pressed = differ(&waves);
+            add(&Weighted::new(&pressed, coupling, parts, workspace), &pressed, &differ(&tests));
         }
     }
 
@@ -185,5 +210,70 @@ impl Block<'_> {
         let values = &self.all.col_as_slice(self.first[1] + column)[self.first[0]..];
         let factor = self.factor * times;
         rows.iter().zip(&mut into[*first..]).for_each(|(row, into)| *into += factor * values[*row]);
+    }
+}
+
+/// Sums over wavenumbers of products of tests with weighted columns.
+struct Sums {
+    /// To the rows of which contacts the tests from a first one on are added, with a sign.
+    rows: Vec<(usize, Range<usize>, f64)>,
+    /// The contacts the unknowns of which the columns from a first one on belong to.
+    columns: Vec<(usize, Range<usize>, f64)>,
+    factor: f64,
+    /// The lower half, if tests are columns.
+    all: Mat<f64>,
+    is_symmetric: bool,
+    /// The tests of resultants, moments and rotations as they are, and where they stand.
+    told: Mat<f64>,
+    places: Vec<usize>,
+    /// Columns of resultants and moments.
+    told_columns: Option<Mat<f64>>,
+}
+
+impl Sums {
+    fn new(
+        [rows, columns]: [Vec<(usize, Range<usize>, f64)>; 2],
+        factor: f64,
+        [tests, count]: [usize; 2],
+        places: Vec<usize>,
+    ) -> Self {
+        let (all, told) = (Mat::zeros(tests, count), Mat::zeros(places.len(), count));
+        let is_symmetric = rows == columns;
+        Self { rows, columns, factor, all, is_symmetric, told, places, told_columns: None }
+    }
+
+    fn add(&mut self, columns: &Weighted, left: &Table, told: &Table) {
+        if self.is_symmetric {
+            columns.add_symmetric(left, &mut self.all);
+        } else {
+            columns.add_tested(left, &mut self.all);
+        }
+        columns.add_tested(told, &mut self.told);
+    }
+
+    /// Adds all rows of columns that no test is like.
+    fn add_told_columns(&mut self, columns: &Weighted, left: &Table) {
+        let told = self.told_columns.get_or_insert_with(|| Mat::zeros(self.all.nrows(), self.places.len()));
+        columns.part(&self.places).add_tested(left, told);
+    }
+
+    /// All products.
+    fn whole(mut self) -> Mat<f64> {
+        if self.is_symmetric {
+            for column in 0..self.all.ncols() {
+                for row in column + 1..self.all.nrows() {
+                    self.all[(column, row)] = self.all[(row, column)];
+                }
+            }
+        }
+        for (number, place) in self.places.iter().enumerate() {
+            if let Some(columns) = &self.told_columns {
+                self.all.col_as_slice_mut(*place).copy_from_slice(columns.col_as_slice(number));
+            }
+        }
+        for (number, place) in self.places.iter().enumerate() {
+            (0..self.told.ncols()).for_each(|column| self.all[(*place, column)] = self.told[(number, column)]);
+        }
+        self.all
     }
 }

@@ -71,14 +71,20 @@ impl Kept {
 }
 
 impl Solved {
-    /// Nearly the same pressures on the intervals of another list with these numbers of terms, singular at corners only.
+    /// Nearly the same pressures on the intervals of another list with these numbers of terms.
     pub(super) fn on(&self, before: &Intervals, after: &Intervals, counts: &[usize]) -> Self {
         let all = self.pressures.iter().zip(before.0.iter().zip(&after.0)).zip(counts);
         let pressures = all.map(|((pressure, (before, after)), count)| {
             let mut moved = pressure.on(before, after);
             moved.terms.resize(*count, 0.0);
-            moved.regular(after)
+            moved
         });
+        Self { pressures: pressures.collect(), ..self.clone() }
+    }
+
+    /// The same with singular pressures at corners only.
+    pub(super) fn regular(&self, support: &Intervals) -> Self {
+        let pressures = self.pressures.iter().zip(&support.0).map(|(pressure, interval)| pressure.regular(interval));
         Self { pressures: pressures.collect(), ..self.clone() }
     }
 }

@@ -138,10 +138,11 @@ pub(super) fn converge(
         if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
+        let kept = newton.kept.clone();
         let perturbed = |moved: &Intervals| {
             work.operations.spend(cost)?;
             let equations = Equations::new(problem, &layout, moved, counts);
-            let (_, solved) = Kept::new(&equations, counts)?;
+            let (solved, _) = kept.as_ref()?.corrected(&equations, &solved.on(&support, moved, counts), counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
         let steps = newton.steps(&support, &looks, perturbed).ok_or_else(stuck)?;
@@ -195,11 +196,12 @@ impl<'a> Newton<'a> {
 
     /// Pressures on a list: corrected by kept equations, or from equations that are factorised anew.
     fn solve(&mut self, equations: &Equations, support: &Intervals) -> Option<Solved> {
-        if let (Some(kept), Some((before, solved)), true) = (&self.kept, &self.last, self.is_near)
-            && let Some((solved, changed_by)) = kept.corrected(equations, &solved.on(before, support, self.counts), self.counts)
-        {
-            self.changed_by = changed_by;
-            return Some(solved);
+        if let (Some(kept), Some((before, solved)), true) = (&self.kept, &self.last, self.is_near) {
+            let expected = solved.on(before, support, self.counts).regular(support);
+            if let Some((solved, changed_by)) = kept.corrected(equations, &expected, self.counts) {
+                self.changed_by = changed_by;
+                return Some(solved);
+            }
         }
         let (kept, solved) = Kept::new(equations, self.counts)?;
         (self.kept, self.changed_by) = (Some(Rc::new(kept)), 0.0);

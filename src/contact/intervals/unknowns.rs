@@ -88,7 +88,7 @@ impl Equations<'_> {
         let workspace = &self.problem.kernel.workspace;
         self.responses(&amplitudes, |contact, _, waves, long, response| {
             let mut tested = waves.all().test(response);
-            let whole = long.whole(waves, workspace).values.all().test(response);
+            let whole = long.whole(waves, workspace).all().test(response);
             long.places.iter().zip(whole).for_each(|(place, value)| tested[*place] = value);
             rows[contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
         });

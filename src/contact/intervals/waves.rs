@@ -123,27 +123,28 @@ impl Columns<'_> {
     /// What [`Self::waves`] leaves out, with the columns it belongs to: resultants and moments of the first ones, and rotations of the tests that tell
     /// them.
     pub(super) fn long_waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Long {
-        let carried = self.carried();
-        let of = |resultant: f64, moment: f64, rotation: f64| -> Vec<f64> {
-            let odd = zeta.iter().filter(|_| self.moves()).map(|wave| moment * wave * wave - rotation);
-            zeta.iter().map(|wave| resultant * wave).chain(odd).collect()
-        };
-        let mut all = Vec::new();
-        for first in self.groups().into_iter().map(|group| self.first(group.start)) {
-            all.push((first, of(1.0, carried[first][1], 0.0)));
-            if self.moves() {
-                all.push((first + 1, of(0.0, carried[first + 1][1], 0.0)));
-            }
+        let (carried, others, places) = (self.carried(), self.others(), self.told());
+        let mut values = Table::new(self.parts() * zeta.len(), places.len(), workspace);
+        for (number, place) in places.iter().enumerate() {
+            let ([resultant, moment], rotation) = match place.checked_sub(carried.len()) {
+                None => (carried[*place], 0.0),
+                Some(other) => (self.carried_by(others[other]), self.rotation(others[other])),
+            };
+            let (even, odd) = values.column_mut(number).split_at_mut(zeta.len());
+            even.iter_mut().zip(zeta).for_each(|(into, wave)| *into = resultant * wave);
+            odd.iter_mut().zip(zeta).for_each(|(into, wave)| *into = moment * wave * wave - rotation);
         }
-        for (place, other) in (carried.len()..).zip(self.others()) {
-            if self.tells_rotation_of(other).is_some() {
-                let [resultant, moment] = self.carried_by(other);
-                all.push((place, of(resultant, moment, self.rotation(other))));
-            }
-        }
-        let mut values = Table::new(self.parts() * zeta.len(), all.len(), workspace);
-        all.iter().enumerate().for_each(|(column, (_, of))| values.column_mut(column).copy_from_slice(of));
-        Long { places: all.into_iter().map(|(place, _)| place).collect(), values }
+        Long { places, values }
+    }
+
+    /// The columns and tests that tell resultants, moments and rotations.
+    pub(super) fn told(&self) -> Vec<usize> {
+        let first = self.groups().into_iter().map(|group| self.first(group.start));
+        let first = first.flat_map(|first| first..=first + usize::from(self.moves()));
+        let carried = self.terms() + self.ends();
+        let others = self.others().into_iter().enumerate();
+        let others = others.filter(|(_, other)| self.tells_rotation_of(*other).is_some());
+        first.chain(others.map(|(number, _)| carried + number)).collect()
     }
 }
 
@@ -209,60 +210,49 @@ impl Weighted {
         (0..self.parts).map(move |part| [own, other].map(|rows| part * rows..part * rows + count))
     }
 
-    /// leftᵀ · weights · columns.
-    pub(super) fn tested(&self, left: &Table) -> Mat<f64> {
-        let mut product = Mat::zeros(left.count(), self.values.count());
+    /// Adds leftᵀ · weights · columns.
+    pub(super) fn add_tested(&self, left: &Table, product: &mut Mat<f64>) {
         for [rows, own] in self.rows(left) {
             let (left, right) = (left.all().matrix(rows).transpose(), self.values.all().matrix(own));
             matmul(product.as_mut(), Accum::Add, left, right, 1.0, Par::Seq);
         }
-        product
     }
 
-    /// The same with the columns themselves on the left.
-    pub(super) fn symmetric(&self, columns: &Table) -> Mat<f64> {
-        let size = columns.count();
-        let mut product = Mat::zeros(size, size);
+    /// Adds the lower half of the same.
+    pub(super) fn add_symmetric(&self, columns: &Table, product: &mut Mat<f64>) {
         let (lower, all) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
         for [rows, own] in self.rows(columns) {
             let (left, right) = (columns.all().matrix(rows).transpose(), self.values.all().matrix(own));
             triangular::matmul(product.as_mut(), lower, Accum::Add, left, all, right, all, 1.0, Par::Seq);
         }
-        for column in 0..size {
-            for row in column + 1..size {
-                product[(column, row)] = product[(row, column)];
-            }
+    }
+
+    /// Adds others to columns at these places.
+    pub(super) fn add(&mut self, others: &Self, places: &[usize]) {
+        for (number, place) in places.iter().enumerate() {
+            let pairs = self.values.column_mut(*place).iter_mut().zip(others.values.column(number));
+            pairs.for_each(|(sum, value)| *sum += value);
         }
-        product
+    }
+
+    /// The columns at these places.
+    pub(super) fn part(&self, places: &[usize]) -> Self {
+        let mut values = Table::zeros(self.values.rows(), places.len());
+        for (number, place) in places.iter().enumerate() {
+            values.column_mut(number).copy_from_slice(self.values.column(*place));
+        }
+        Self { values, parts: self.parts }
     }
 }
 
 impl Long {
     /// The tests as they are: what [`Columns::waves`] has of them and what it leaves out, added before anything is summed, since both cancel for short waves.
-    pub(super) fn whole(&self, waves: &Table, workspace: &Arc<Workspace>) -> Self {
+    pub(super) fn whole(&self, waves: &Table, workspace: &Arc<Workspace>) -> Table {
         let mut whole = Table::new(self.values.rows(), self.places.len(), workspace);
         for (number, place) in self.places.iter().enumerate() {
             let both = self.values.column(number).iter().zip(waves.column(*place));
             whole.column_mut(number).iter_mut().zip(both).for_each(|(sum, (value, wave))| *sum = value + wave);
         }
-        Self { places: self.places.clone(), values: whole }
-    }
-
-    /// Puts these tests into their rows of a product with columns.
-    pub(super) fn put_rows(&self, product: &mut Mat<f64>, columns: &Weighted) {
-        let rows = columns.tested(&self.values);
-        for (number, place) in self.places.iter().enumerate() {
-            (0..rows.ncols()).for_each(|column| product[(*place, column)] = rows[(number, column)]);
-        }
-    }
-
-    /// Adds what is left out of the columns of a contact to a product of them with its tests, of which some are given as they are; `own` are weights times what is left out.
-    pub(super) fn add_columns(&self, product: &mut Mat<f64>, tests: &Self, own: &Weighted, left: &Table) {
-        let mut columns = own.tested(left);
-        tests.put_rows(&mut columns, own);
-        for (number, place) in self.places.iter().enumerate() {
-            let column = product.col_as_slice_mut(*place).iter_mut();
-            column.zip(columns.col_as_slice(number)).for_each(|(sum, value)| *sum += value);
-        }
+        whole
     }
 }
