@@ -68,7 +68,8 @@ impl Equations<'_> {
         let of_contact = |contact: usize| {
             let chain = vec![(0, self.chain(contact), 1.0)];
             let told = self.columns[contact].told();
-            let own = Sums::new([chain.clone(), chain.clone()], 1.0, [rows(contact); 2], told.clone());
+            let mut own = Sums::new([chain.clone(), chain.clone()], 1.0, [rows(contact); 2], told.clone());
+            own.told_columns = Some(Mat::zeros(rows(contact), told.len()));
             let unlinked = self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]);
             let neighbour = move |(other, _): (usize, usize)| {
                 let columns = if self.problem.is_known(other) { 1 } else { rows(other) };
@@ -99,10 +100,7 @@ impl Equations<'_> {
         let tests: Vec<Table> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
         let mut sums = sums.iter_mut();
         let mut add = |columns: &Weighted, left: &Table, told: &Table| {
-            sums.next().map(|sums| {
-                sums.add(columns, left, told);
-                sums
-            })
+            sums.by_ref().take(1).for_each(|sums| sums.add(columns, left, told));
         };
         for contact in self.problem.unknown() {
             let (parts, pressed, tests) = (self.columns[contact].parts(), &waves[contact], &tests[contact]);
@@ -115,9 +113,7 @@ impl Equations<'_> {
             // neighbours carry the same resultants and moments, which do nothing between them
             let mut columns = Weighted::new(pressed, &weights, parts, workspace);
             columns.add(&Weighted::new(&long[contact].values, &own, parts, workspace), &long[contact].places);
-            if let Some(sums) = add(&columns, pressed, tests) {
-                sums.add_told_columns(&columns, pressed);
-            }
+            add(&columns, pressed, tests);
             for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
                 add(&Weighted::new(&waves[other], self.coupling(laminate, first), parts, workspace), pressed, tests);
             }
@@ -226,7 +222,7 @@ struct Sums {
     /// The tests of resultants, moments and rotations as they are, and where they stand.
     told: Mat<f64>,
     places: Vec<usize>,
-    /// Columns of resultants and moments.
+    /// The columns there with all rows, if they are not like the tests.
     told_columns: Option<Mat<f64>>,
 }
 
@@ -249,12 +245,9 @@ impl Sums {
             columns.add_tested(left, &mut self.all);
         }
         columns.add_tested(told, &mut self.told);
-    }
-
-    /// Adds all rows of columns that no test is like.
-    fn add_told_columns(&mut self, columns: &Weighted, left: &Table) {
-        let told = self.told_columns.get_or_insert_with(|| Mat::zeros(self.all.nrows(), self.places.len()));
-        columns.part(&self.places).add_tested(left, told);
+        if let Some(all_rows) = &mut self.told_columns {
+            columns.part(&self.places).add_tested(left, all_rows);
+        }
     }
 
     /// All products.

@@ -245,8 +245,7 @@ impl<'a> Equations<'a> {
         let (workspace, all) = (&self.problem.kernel.workspace, self.layout.zeta.len());
         for first in (0..all).step_by(AT_ONCE) {
             let nodes = first..all.min(first + AT_ONCE);
-            let waves: Vec<Table> =
-                (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
+            let waves: Vec<Table> = (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
             let fields = waves.iter().zip(amplitudes);
             let fields: Vec<Vec<f64>> =
                 fields.map(|(waves, amplitudes)| waves.part(0..amplitudes.len()).combine(amplitudes)).collect();
@@ -264,7 +263,9 @@ impl<'a> Equations<'a> {
                     }
                 }
                 let long = self.columns[contact].long_waves(zeta, workspace);
-                for (number, place) in long.places.iter().enumerate().filter(|(_, place)| **place < amplitudes[contact].len()) {
+                for (number, place) in
+                    long.places.iter().enumerate().filter(|(_, place)| **place < amplitudes[contact].len())
+                {
                     let column = own.iter_mut().zip(long.values.column(number));
                     column.for_each(|(sum, value)| *sum += amplitudes[contact][*place] * value);
                 }

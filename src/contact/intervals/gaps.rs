@@ -56,7 +56,8 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
                 continue;
             }
             let coarse = level.coarse();
-            let before = self::gaps(problem, &coarse, &layout, &self::waves(problem, &coarse, &layout), contact, &beside);
+            let before =
+                self::gaps(problem, &coarse, &layout, &self::waves(problem, &coarse, &layout), contact, &beside);
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
             let penetrates = |gap: f64| gap < -(zero * widest + SAFETY * known);
             if penetrates(least.1) {

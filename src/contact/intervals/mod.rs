@@ -152,8 +152,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         );
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
-    let Signs { min_pressure, min_gap, tensions } =
-        gaps::check(problem, &level, errors.worst()).ok()?;
+    let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, errors.worst()).ok()?;
     // pressures in tension are wrong by that
     for (interval, error) in level.support.0.iter().zip(&mut errors.pressures) {
         *error = error.max(SAFETY * tensions[interval.contact]);
@@ -274,8 +273,8 @@ impl Errors {
     fn of(level: &Approximation) -> Self {
         let all = &level.support.0;
         let moves = level.moves();
-        let [own, some, few] =
-            [&level.solved.pressures, &level.coarser[0], &level.coarser[1]].map(|pressures| level.middle_pressures(pressures));
+        let [own, some, few] = [&level.solved.pressures, &level.coarser[0], &level.coarser[1]]
+            .map(|pressures| level.middle_pressures(pressures));
         let size = |number: usize| level.largest_pressure(all[number].contact, &own);
         let differ = |number: usize| {
             [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())

@@ -59,8 +59,8 @@ impl Approximation {
     /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
     /// depends on an end.
     pub(super) fn moves(&self) -> Vec<[f64; 2]> {
-        let [own, some, few] =
-            [&self.solved.pressures, &self.coarser[0], &self.coarser[1]].map(|pressures| looks(&self.support, pressures));
+        let [own, some, few] = [&self.solved.pressures, &self.coarser[0], &self.coarser[1]]
+            .map(|pressures| looks(&self.support, pressures));
         let of = |k: usize| {
             let is_weak = own[k].is_weak(own[k].step);
             if is_weak { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }

@@ -76,8 +76,7 @@ impl Pressure {
     /// The same pressure on an interval with other ends, to first order in how far these are, without what is singular there: where bodies touch, the
     /// terms of −Σ y_j cos jφ (δm + δw cos φ)/(w sin φ), the change of p at a fixed x.
     pub(super) fn on(&self, before: &ContactInterval, after: &ContactInterval) -> Self {
-        let [middle, half] =
-            [after.middle - before.middle, after.half - before.half].map(|moved| moved / after.half);
+        let [middle, half] = [after.middle - before.middle, after.half - before.half].map(|moved| moved / after.half);
         let highest = before.order(self.terms.len());
         let mut cosines = vec![0.0; highest + 2];
         for (m, y) in self.terms.iter().enumerate() {

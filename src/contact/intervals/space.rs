@@ -40,7 +40,12 @@ impl InSpace<'_> {
 impl Columns<'_> {
     /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests, and the
     /// tests of the profile of a punch, if one presses.
-    pub(super) fn in_space<'a>(&self, side: &Side, exponentials: &[[f64; 2]], amplitudes: Option<&'a [f64]>) -> InSpace<'a> {
+    pub(super) fn in_space<'a>(
+        &self,
+        side: &Side,
+        exponentials: &[[f64; 2]],
+        amplitudes: Option<&'a [f64]>,
+    ) -> InSpace<'a> {
         let (terms, ends, others) = (self.terms(), self.ends(), self.others());
         let columns = if amplitudes.is_some() { 1 } else { terms + ends };
         let (matrix, load) = (Mat::zeros(self.rows(), columns), vec![0.0; self.rows()]);

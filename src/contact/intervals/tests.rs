@@ -158,7 +158,8 @@ fn columns_are_transforms_of_pressures() {
             for part in 0..columns.parts() {
                 let expected = wavenumber * transform(*wavenumber, if part == 0 { f64::cos } else { f64::sin });
                 let row = part * zeta.len() + k;
-                let found: f64 = amplitudes.iter().enumerate().map(|(c, amplitude)| amplitude * waves.column(c)[row]).sum();
+                let found: f64 =
+                    amplitudes.iter().enumerate().map(|(c, amplitude)| amplitude * waves.column(c)[row]).sum();
                 assert!((found - expected).abs() < 1e-11 * wavenumber, "{part} at {wavenumber}: {found} {expected}");
             }
         }

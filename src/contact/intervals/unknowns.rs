@@ -67,7 +67,10 @@ impl Equations<'_> {
         let mut pressures = solved.pressures.clone();
         let intervals = self.columns.iter().enumerate();
         let intervals = intervals.flat_map(|(contact, own)| own.intervals.iter().map(move |own| (contact, own)));
-        pressures.iter_mut().zip(intervals).for_each(|(own, (contact, interval))| own.tip = self.tip(contact, interval));
+        pressures
+            .iter_mut()
+            .zip(intervals)
+            .for_each(|(own, (contact, interval))| own.tip = self.tip(contact, interval));
         let amplitudes = self.told_amplitudes(&pressures);
         for contact in self.problem.unknown() {
             let (columns, places) = (&self.columns[contact], &places[contact]);
@@ -103,7 +106,8 @@ impl Equations<'_> {
             rows.iter_mut().zip(pressed).for_each(|(row, (load, pressed))| *row += load - limit * pressed);
             for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
                 let Some(group) = columns.tells_rotation_of(other) else { continue };
-                let turned: f64 = self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
+                let turned: f64 =
+                    self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
                 *row += turned * columns.rotation(other);
             }
         }
@@ -113,7 +117,8 @@ impl Equations<'_> {
     /// The rows of all unknowns, from the tests of each contact.
     pub(super) fn rows_of(&self, places: &[Places], tested: &[Vec<f64>]) -> Rows {
         let size = |of: fn(&Places) -> usize| places.last().map_or(0, of);
-        let mut all = Rows::zeros(size(|last| last.terms.1 + last.terms.0.len()), size(|last| last.left.1 + last.left.0.len()));
+        let mut all =
+            Rows::zeros(size(|last| last.terms.1 + last.terms.0.len()), size(|last| last.left.1 + last.left.0.len()));
         for contact in self.problem.unknown() {
             for Places { terms, left, .. } in &places[self.chain(contact)] {
                 let add = |(into, row): (&mut f64, &usize)| *into += tested[contact][*row];

@@ -87,11 +87,7 @@ impl Columns<'_> {
             let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
             put(first, k, wave * less_one(jinc, cos));
             for (place, side) in (end..).zip(interval.sides()) {
-                let value = if interval.is_even() {
-                    2.0 * zeroth
-                } else {
-                    less_one(zeroth, cos) - side * j1[k] * sin
-                };
+                let value = if interval.is_even() { 2.0 * zeroth } else { less_one(zeroth, cos) - side * j1[k] * sin };
                 put(place, k, wave * value);
             }
             if interval.parity == Parity::Pair
@@ -160,13 +156,7 @@ fn less_one(a: f64, b: f64) -> f64 {
 }
 
 /// Columns of two neighbours at the first wavenumbers: what the first ones are more than the others, and behind these the others.
-pub(super) fn differences(
-    one: &Table,
-    other: &Table,
-    count: usize,
-    parts: usize,
-    workspace: &Arc<Workspace>,
-) -> Table {
+pub(super) fn differences(one: &Table, other: &Table, count: usize, parts: usize, workspace: &Arc<Workspace>) -> Table {
     let columns = one.count();
     let [of_one, of_other] = [one, other].map(|columns| columns.rows() / parts);
     let mut all = Table::new(parts * count, 2 * columns, workspace);
