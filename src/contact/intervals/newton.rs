@@ -117,8 +117,8 @@ pub(super) fn converge(
                 (layout.ok_or_else(stuck)?, lengths.ends.clone())
             }
         };
-        let cost = operations(&layout, &support, counts);
-        work.operations.spend(cost).ok_or_else(stuck)?;
+        let [anew, kept] = operations(&layout, &support, counts);
+        work.operations.spend(if newton.keeps() { kept } else { anew }).ok_or_else(stuck)?;
         work.step();
         let equations = Equations::new(problem, &layout, &support, counts);
         let solved = newton.solve(&equations, &support).ok_or_else(stuck)?;
@@ -138,11 +138,12 @@ pub(super) fn converge(
         if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
-        let kept = newton.kept.clone();
+        let factorised = newton.kept.clone();
         let perturbed = |moved: &Intervals| {
-            work.operations.spend(cost)?;
+            work.operations.spend(kept)?;
             let equations = Equations::new(problem, &layout, moved, counts);
-            let (solved, _) = kept.as_ref()?.corrected(&equations, &solved.on(&support, moved, counts), counts)?;
+            let (solved, _) =
+                factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved, counts), counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
         let steps = newton.steps(&support, &looks, perturbed).ok_or_else(stuck)?;
@@ -194,14 +195,21 @@ impl<'a> Newton<'a> {
         }
     }
 
+    /// Whether pressures are corrected by kept equations.
+    fn keeps(&self) -> bool {
+        self.is_near && self.kept.is_some() && self.last.is_some()
+    }
+
     /// Pressures on a list: corrected by kept equations, or from equations that are factorised anew.
     fn solve(&mut self, equations: &Equations, support: &Intervals) -> Option<Solved> {
-        if let (Some(kept), Some((before, solved)), true) = (&self.kept, &self.last, self.is_near) {
+        let kept = self.kept.as_ref().zip(self.last.as_ref()).filter(|_| self.keeps());
+        let corrected = kept.and_then(|(kept, (before, solved))| {
             let expected = solved.on(before, support, self.counts).regular(support);
-            if let Some((solved, changed_by)) = kept.corrected(equations, &expected, self.counts) {
-                self.changed_by = changed_by;
-                return Some(solved);
-            }
+            kept.corrected(equations, &expected, self.counts)
+        });
+        if let Some((solved, changed_by)) = corrected {
+            self.changed_by = changed_by;
+            return Some(solved);
         }
         let (kept, solved) = Kept::new(equations, self.counts)?;
         (self.kept, self.changed_by) = (Some(Rc::new(kept)), 0.0);
@@ -293,19 +301,20 @@ fn missing(support: &Intervals, pressures: &[Pressure]) -> f64 {
     support.0.iter().zip(pressures).map(of).fold(0.0, f64::max)
 }
 
-/// Multiplications, about, that it takes to solve the equations of a list.
-fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> f64 {
+/// Multiplications, about, that it takes to solve the equations of a list, and to correct pressures with kept ones.
+fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> [f64; 2] {
     let contacts = support.0.iter().map(|interval| interval.contact + 1).max().unwrap_or(0);
     let of = |contact: usize| {
         let own = support.0.iter().zip(counts).filter(|(interval, _)| interval.contact == contact);
         own.map(|(_, count)| *count).sum::<usize>() as f64
     };
     let terms: Vec<f64> = (0..contacts).map(of).collect();
-    let nodes = layout.zeta.len() as f64;
+    let (nodes, all) = (layout.zeta.len() as f64, terms.iter().sum::<f64>());
     // a Bessel function takes as long as some 64 multiplications, and products are symmetric
-    let own: f64 = terms.iter().map(|terms| nodes * terms * (0.5 * terms + 64.0)).sum();
+    let columns = 64.0 * nodes * all;
+    let own: f64 = terms.iter().map(|terms| 0.5 * nodes * terms * terms).sum();
     let between: f64 = terms.windows(2).map(|pair| 0.5 * nodes * (pair[0] + pair[1]).powi(2)).sum();
-    own + between + terms.iter().sum::<f64>().powi(3) / 3.0
+    [columns + own + between + all.powi(3) / 3.0, columns + all.powi(2)]
 }
 
 /// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.
