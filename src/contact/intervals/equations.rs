@@ -235,47 +235,58 @@ impl<'a> Equations<'a> {
         &weights[first.min(weights.len())..]
     }
 
-    /// Hands out, block by block of wavenumbers, the columns of each contact, what is left out of them, and the slopes of waves that pressures with these
-    /// amplitudes make outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
+    /// Hands out, block by block of wavenumbers, the columns of each contact, what is left out of them, and the slopes of waves that pressures with each of
+    /// some sets of amplitudes make outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
     pub(super) fn responses(
         &self,
-        amplitudes: &[Vec<f64>],
-        mut each: impl FnMut(usize, Range<usize>, &Table, &Long, &[f64]),
+        sets: &[Vec<Vec<f64>>],
+        mut each: impl FnMut([usize; 2], Range<usize>, &Table, &Long, &[f64]),
     ) {
         let (workspace, all) = (&self.problem.kernel.workspace, self.layout.zeta.len());
         for first in (0..all).step_by(AT_ONCE) {
             let nodes = first..all.min(first + AT_ONCE);
-            let waves: Vec<Table> = (0..self.columns.len()).map(|contact| self.waves(contact, nodes.clone())).collect();
-            let fields = waves.iter().zip(amplitudes);
-            let fields: Vec<Vec<f64>> =
-                fields.map(|(waves, amplitudes)| waves.part(0..amplitudes.len()).combine(amplitudes)).collect();
-            for contact in self.problem.unknown() {
-                let zeta = self.zeta(contact, nodes.clone());
-                let (count, parts, mut own) = (zeta.len(), self.parts(), fields[contact].clone());
-                let mut response = vec![0.0; own.len()];
-                for (other, laminate) in self.neighbours(contact) {
-                    let there = fields[other].len() / parts;
-                    for part in 0..parts {
-                        let pair = own[part * count..].iter().zip(&fields[other][part * there..]);
-                        let weights = self.coupling(laminate, first).iter().take(count.min(there));
-                        let sums = response[part * count..].iter_mut().zip(pair).zip(weights);
-                        sums.for_each(|((sum, (own, other)), weight)| *sum += weight / PI * (own - other));
-                    }
+            let zeta = |contact: usize| self.zeta(contact, nodes.clone());
+            let contacts = 0..self.columns.len();
+            let waves: Vec<Table> = contacts.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
+            let long: Vec<Long> =
+                contacts.map(|contact| self.columns[contact].long_waves(zeta(contact), workspace)).collect();
+            for (set, amplitudes) in sets.iter().enumerate() {
+                let fields = waves.iter().zip(amplitudes);
+                let fields: Vec<Vec<f64>> =
+                    fields.map(|(waves, amplitudes)| waves.part(0..amplitudes.len()).combine(amplitudes)).collect();
+                for contact in self.problem.unknown() {
+                    let response = self.response(contact, first, &fields, &long[contact], &amplitudes[contact]);
+                    let nodes = first..first + zeta(contact).len();
+                    each([set, contact], nodes, &waves[contact], &long[contact], &response);
                 }
-                let long = self.columns[contact].long_waves(zeta, workspace);
-                for (number, place) in
-                    long.places.iter().enumerate().filter(|(_, place)| **place < amplitudes[contact].len())
-                {
-                    let column = own.iter_mut().zip(long.values.column(number));
-                    column.for_each(|(sum, value)| *sum += amplitudes[contact][*place] * value);
-                }
-                for (response, own) in response.chunks_mut(count.max(1)).zip(own.chunks(count.max(1))) {
-                    let sums = response.iter_mut().zip(own).zip(self.own(contact, first));
-                    sums.for_each(|((sum, own), weight)| *sum += weight / PI * own);
-                }
-                each(contact, nodes.start..nodes.start + count, &waves[contact], &long, &response);
             }
         }
+    }
+
+    /// The same of one contact, from a wavenumber on.
+    fn response(&self, contact: usize, first: usize, fields: &[Vec<f64>], long: &Long, amplitudes: &[f64]) -> Vec<f64> {
+        let (parts, mut own) = (self.parts(), fields[contact].clone());
+        let count = own.len() / parts;
+        let mut response = vec![0.0; own.len()];
+        for (other, laminate) in self.neighbours(contact) {
+            let there = fields[other].len() / parts;
+            for part in 0..parts {
+                let pair = own[part * count..].iter().zip(&fields[other][part * there..]);
+                let weights = self.coupling(laminate, first).iter().take(count.min(there));
+                let sums = response[part * count..].iter_mut().zip(pair).zip(weights);
+                sums.for_each(|((sum, (own, other)), weight)| *sum += weight / PI * (own - other));
+            }
+        }
+        let told = long.places.iter().enumerate().filter(|(_, place)| **place < amplitudes.len());
+        for (number, place) in told {
+            let column = own.iter_mut().zip(long.values.column(number));
+            column.for_each(|(sum, value)| *sum += amplitudes[*place] * value);
+        }
+        for (response, own) in response.chunks_mut(count.max(1)).zip(own.chunks(count.max(1))) {
+            let sums = response.iter_mut().zip(own).zip(self.own(contact, first));
+            sums.for_each(|((sum, own), weight)| *sum += weight / PI * own);
+        }
+        response
     }
 
     /// The amplitudes of all columns of a contact, of the pressures of all intervals.

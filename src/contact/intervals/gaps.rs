@@ -134,7 +134,8 @@ fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<
     let equations = Equations::new(problem, layout, &level.support, &level.counts);
     let reach = |contact: usize| layout.own[contact].reach;
     let mut all: Vec<_> = (0..problem.contacts()).map(|contact| [0, 1].map(|_| vec![0.0; reach(contact)])).collect();
-    equations.responses(&equations.told_amplitudes(&level.solved.pressures), |contact, nodes, _, _, response| {
+    let amplitudes = equations.told_amplitudes(&level.solved.pressures);
+    equations.responses(&[amplitudes], |[_, contact], nodes, _, _, response| {
         for (part, values) in response.chunks(nodes.len().max(1)).enumerate() {
             all[contact][part][nodes.clone()].copy_from_slice(values);
         }

@@ -3,9 +3,10 @@
 //! Pressures on a list of intervals are corrected by what they miss there, with the factors of the equations of an earlier list: a correction costs a product of
 //! columns with one vector, twice, in place of products of all columns with each other. It leaves as much of an error as ends have moved. Terms that the
 //! equations do not have are so short that half-planes dominate in their rows.
-use crate::contact::intervals::equations::{Equations, Places, Solved};
+use crate::contact::intervals::equations::{Equations, Places, Solved, fewer};
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
+use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::support::longest;
 
 /// The equations of a list of intervals, with their factors.
@@ -33,17 +34,61 @@ impl Kept {
 
     /// Pressures less what they miss, with these numbers of terms, and the largest change of a term.
     pub(super) fn corrected(&self, equations: &Equations, solved: &Solved, counts: &[usize]) -> Option<(Solved, f64)> {
+        self.all_corrected(equations, &[(solved, counts)])?.pop()
+    }
+
+    /// The same of several ones at once.
+    pub(super) fn all_corrected(
+        &self,
+        equations: &Equations,
+        all: &[(&Solved, &[usize])],
+    ) -> Option<Vec<(Solved, f64)>> {
         let places = equations.places();
-        let mut unknowns = equations.unknowns(&places, solved);
-        let wanted = equations.kept(&places, counts);
-        let mut is_wanted = vec![false; unknowns.x.len()];
-        wanted.iter().for_each(|place| is_wanted[*place] = true);
-        unknowns.x.iter_mut().zip(&is_wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
-        let missed = equations.residual(&places, &unknowns)?;
-        let correction = self.correction(equations, &places, &is_wanted, &missed)?;
-        unknowns.x.iter_mut().zip(&correction.x).for_each(|(x, change)| *x += change);
-        unknowns.q.iter_mut().zip(&correction.q).for_each(|(q, change)| *q += change);
-        Some((equations.solved(&places, &unknowns, counts), longest(correction.x.iter().copied())))
+        let wanted = |counts: &[usize]| {
+            let mut wanted = vec![false; places.last().map_or(0, |last| last.terms.1 + last.terms.0.len())];
+            equations.kept(&places, counts).into_iter().for_each(|place| wanted[place] = true);
+            wanted
+        };
+        let wanted: Vec<Vec<bool>> = all.iter().map(|(_, counts)| wanted(counts)).collect();
+        let unknowns = all.iter().zip(&wanted).map(|((solved, _), wanted)| {
+            let mut unknowns = equations.unknowns(&places, solved);
+            unknowns.x.iter_mut().zip(wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
+            unknowns
+        });
+        let unknowns: Vec<Unknowns> = unknowns.collect();
+        let missed = equations.residuals(&places, &unknowns)?;
+        let sets = unknowns.into_iter().zip(missed).zip(&wanted).zip(all);
+        let corrected = sets.map(|(((mut unknowns, missed), wanted), (_, counts))| {
+            let correction = self.correction(equations, &places, wanted, &missed)?;
+            unknowns.x.iter_mut().zip(&correction.x).for_each(|(x, change)| *x += change);
+            unknowns.q.iter_mut().zip(&correction.q).for_each(|(q, change)| *q += change);
+            Some((equations.solved(&places, &unknowns, counts), longest(correction.x.iter().copied())))
+        });
+        corrected.collect()
+    }
+
+    /// The solutions with fewer terms, as well known as the steps of an iteration that may change a term by this much.
+    pub(super) fn with_fewer(
+        &self,
+        equations: &Equations,
+        solved: &Solved,
+        counts: &[usize],
+        enough: f64,
+    ) -> Option<[Solved; 2]> {
+        let few = fewer(counts);
+        let counts = [few.clone(), fewer(&few)];
+        let mut coarser = [solved.clone(), solved.clone()];
+        let mut before = f64::INFINITY;
+        loop {
+            let all = [0, 1].map(|k| (&coarser[k], &counts[k][..]));
+            let corrected = self.all_corrected(equations, &all)?;
+            let change = corrected.iter().fold(0.0, |most: f64, (_, change)| most.max(*change));
+            corrected.into_iter().zip(&mut coarser).for_each(|((corrected, _), into)| *into = corrected);
+            if change <= enough || change > SLOW * before {
+                return Some(coarser);
+            }
+            before = change;
+        }
     }
 
     /// The unknowns that make up for what tests miss.
@@ -71,15 +116,11 @@ impl Kept {
 }
 
 impl Solved {
-    /// Nearly the same pressures on the intervals of another list with these numbers of terms.
-    pub(super) fn on(&self, before: &Intervals, after: &Intervals, counts: &[usize]) -> Self {
-        let all = self.pressures.iter().zip(before.0.iter().zip(&after.0)).zip(counts);
-        let pressures = all.map(|((pressure, (before, after)), count)| {
-            let mut moved = pressure.on(before, after);
-            moved.terms.resize(*count, 0.0);
-            moved
-        });
-        Self { pressures: pressures.collect(), ..self.clone() }
+    /// Nearly the same pressures on the intervals of another list.
+    pub(super) fn on(&self, before: &Intervals, after: &Intervals) -> Self {
+        let all = self.pressures.iter().zip(before.0.iter().zip(&after.0));
+        let pressures = all.map(|(pressure, (before, after))| pressure.on(before, after)).collect();
+        Self { pressures, ..self.clone() }
     }
 
     /// The same with singular pressures at corners only.

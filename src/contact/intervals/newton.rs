@@ -142,8 +142,7 @@ pub(super) fn converge(
         let perturbed = |moved: &Intervals| {
             work.operations.spend(kept)?;
             let equations = Equations::new(problem, &layout, moved, counts);
-            let (solved, _) =
-                factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved, counts), counts)?;
+            let (solved, _) = factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved), counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
         let steps = newton.steps(&support, &looks, perturbed).ok_or_else(stuck)?;
@@ -204,7 +203,7 @@ impl<'a> Newton<'a> {
     fn solve(&mut self, equations: &Equations, support: &Intervals) -> Option<Solved> {
         let kept = self.kept.as_ref().zip(self.last.as_ref()).filter(|_| self.keeps());
         let corrected = kept.and_then(|(kept, (before, solved))| {
-            let expected = solved.on(before, support, self.counts).regular(support);
+            let expected = solved.on(before, support).regular(support);
             kept.corrected(equations, &expected, self.counts)
         });
         if let Some((solved, changed_by)) = corrected {
@@ -245,14 +244,15 @@ impl<'a> Newton<'a> {
 
     fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
         let kept = self.kept.as_ref()?;
-        let few = fewer(self.counts);
-        let [some, few] = [&few, &fewer(&few)].map(|counts| kept.corrected(equations, &solved, counts));
+        // the equations of this very list need not be solved twice
+        let enough = if self.changed_by > 0.0 { self.left.max(self.enough) / MINOR } else { f64::INFINITY };
+        let coarser = kept.with_fewer(equations, &solved, self.counts, enough)?;
         let kernel = equations.problem.kernel;
         Some(Approximation {
             support: support.clone(),
             counts: self.counts.to_vec(),
             solved,
-            coarser: [some?.0.pressures, few?.0.pressures],
+            coarser: coarser.map(|coarser| coarser.pressures),
             kept: self.kept.clone(),
             left: self.left,
             is_rounding: self.is_rounding(),

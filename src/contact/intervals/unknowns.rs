@@ -1,6 +1,7 @@
 //! Pressures from the unknowns of the equations and the other way round, and by how much pressures miss the equations.
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::equations::{Equations, Places, Solved, Told};
+use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::intervals::system::{Rows, Unknowns};
@@ -60,17 +61,21 @@ impl Equations<'_> {
         Solved { pressures: self.problem.unknown().flat_map(&mut of).collect(), moments, angles, rotations }
     }
 
-    /// The unknowns of pressures with all terms, but for tips, which are where they are; what resultants and moments tell is left out.
+    /// The unknowns of pressures, but for tips, which are where they are; what resultants and moments tell is left out.
     pub(super) fn unknowns(&self, places: &[Places], solved: &Solved) -> Unknowns {
         let last = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
         let (mut x, mut q) = (vec![0.0; last], Vec::new());
-        let mut pressures = solved.pressures.clone();
-        let intervals = self.columns.iter().enumerate();
-        let intervals = intervals.flat_map(|(contact, own)| own.intervals.iter().map(move |own| (contact, own)));
-        pressures
-            .iter_mut()
-            .zip(intervals)
-            .for_each(|(own, (contact, interval))| own.tip = self.tip(contact, interval));
+        let mut pressures = solved.pressures.iter();
+        let of = |(contact, columns): (usize, &Columns)| -> Vec<Pressure> {
+            let all = columns.intervals.iter().zip(columns.counts).zip(pressures.by_ref());
+            let of = |((interval, count), pressure): ((&ContactInterval, &usize), &Pressure)| {
+                let mut terms = pressure.terms.clone();
+                terms.resize(*count, 0.0);
+                Pressure { terms, tip: self.tip(contact, interval), ..pressure.clone() }
+            };
+            all.map(of).collect()
+        };
+        let pressures: Vec<Pressure> = self.columns.iter().enumerate().flat_map(of).collect();
         let amplitudes = self.told_amplitudes(&pressures);
         for contact in self.problem.unknown() {
             let (columns, places) = (&self.columns[contact], &places[contact]);
@@ -84,34 +89,41 @@ impl Equations<'_> {
         Unknowns { x, q }
     }
 
-    /// What the tests of each contact miss with these unknowns: zero if these solve the equations. `None` if short waves take too many wavenumbers.
-    pub(super) fn residual(&self, places: &[Places], unknowns: &Unknowns) -> Option<Vec<Vec<f64>>> {
-        let amplitudes = self.amplitudes_of(places, unknowns);
-        let mut rows: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
+    /// What the tests of each contact miss, with each of some unknowns: zero if these solve the equations. `None` if short waves take too many wavenumbers.
+    pub(super) fn residuals(&self, places: &[Places], all: &[Unknowns]) -> Option<Vec<Vec<Vec<f64>>>> {
+        let sets: Vec<Vec<Vec<f64>>> = all.iter().map(|unknowns| self.amplitudes_of(places, unknowns)).collect();
+        let zeros: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
+        let mut missed = vec![zeros; all.len()];
         let workspace = &self.problem.kernel.workspace;
-        self.responses(&amplitudes, |contact, _, waves, long, response| {
+        self.responses(&sets, |[set, contact], _, waves, long, response| {
             let mut tested = waves.all().test(response);
             let whole = long.whole(waves, workspace).all().test(response);
             long.places.iter().zip(whole).for_each(|(place, value)| tested[*place] = value);
-            rows[contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
+            missed[set][contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
         });
-        let angles = &unknowns.q[unknowns.q.len() - self.turning.len()..];
-        for contact in self.problem.unknown() {
-            let columns = &self.columns[contact];
-            let (mut as_they_are, limit) = (amplitudes[contact].clone(), self.layout.own[contact].limit);
-            columns.as_they_are(&mut as_they_are);
-            let InSpace { matrix, load, .. } = self.in_space(contact, Some(&as_they_are))?;
-            let rows = &mut rows[contact];
-            let pressed = load.iter().zip(matrix.col_as_slice(0));
-            rows.iter_mut().zip(pressed).for_each(|(row, (load, pressed))| *row += load - limit * pressed);
-            for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
-                let Some(group) = columns.tells_rotation_of(other) else { continue };
-                let turned: f64 =
-                    self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
-                *row += turned * columns.rotation(other);
+        for ((rows, amplitudes), unknowns) in missed.iter_mut().zip(&sets).zip(all) {
+            let angles = &unknowns.q[unknowns.q.len() - self.turning.len()..];
+            for contact in self.problem.unknown() {
+                self.add_in_space_of(contact, &amplitudes[contact], angles, &mut rows[contact])?;
             }
         }
-        Some(rows)
+        Some(missed)
+    }
+
+    /// Adds what tests of a contact miss in space with some amplitudes and angles.
+    fn add_in_space_of(&self, contact: usize, amplitudes: &[f64], angles: &[f64], rows: &mut [f64]) -> Option<()> {
+        let (columns, limit) = (&self.columns[contact], self.layout.own[contact].limit);
+        let mut as_they_are = amplitudes.to_vec();
+        columns.as_they_are(&mut as_they_are);
+        let InSpace { matrix, load, .. } = self.in_space(contact, Some(&as_they_are))?;
+        let pressed = load.iter().zip(matrix.col_as_slice(0));
+        rows.iter_mut().zip(pressed).for_each(|(row, (load, pressed))| *row += load - limit * pressed);
+        for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
+            let Some(group) = columns.tells_rotation_of(other) else { continue };
+            let turned: f64 = self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
+            *row += turned * columns.rotation(other);
+        }
+        Some(())
     }
 
     /// The rows of all unknowns, from the tests of each contact.
