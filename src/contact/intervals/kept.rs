@@ -4,9 +4,9 @@
 //! columns with one vector, twice, in place of products of all columns with each other. It leaves as much of an error as ends have moved. Terms that the
 //! equations do not have are so short that half-planes dominate in their rows.
 use crate::contact::intervals::equations::{Equations, Places, Solved, fewer};
+use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
-use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::support::longest;
 
 /// The equations of a list of intervals, with their factors.
@@ -67,28 +67,17 @@ impl Kept {
         corrected.collect()
     }
 
-    /// The solutions with fewer terms, as well known as the steps of an iteration that may change a term by this much.
+    /// The pressures with two thirds of the terms, and with four ninths, to first order in what these change.
     pub(super) fn with_fewer(
         &self,
         equations: &Equations,
         solved: &Solved,
         counts: &[usize],
-        enough: f64,
-    ) -> Option<[Solved; 2]> {
+    ) -> Option<[Vec<Pressure>; 2]> {
         let few = fewer(counts);
-        let counts = [few.clone(), fewer(&few)];
-        let mut coarser = [solved.clone(), solved.clone()];
-        let mut before = f64::INFINITY;
-        loop {
-            let all = [0, 1].map(|k| (&coarser[k], &counts[k][..]));
-            let corrected = self.all_corrected(equations, &all)?;
-            let change = corrected.iter().fold(0.0, |most: f64, (_, change)| most.max(*change));
-            corrected.into_iter().zip(&mut coarser).for_each(|((corrected, _), into)| *into = corrected);
-            if change <= enough || change > SLOW * before {
-                return Some(coarser);
-            }
-            before = change;
-        }
+        let mut all = self.all_corrected(equations, &[(solved, &few), (solved, &fewer(&few))])?.into_iter();
+        let mut next = || all.next().map(|(solved, _)| solved.pressures);
+        Some([next()?, next()?])
     }
 
     /// The unknowns that make up for what tests miss.

@@ -244,15 +244,13 @@ impl<'a> Newton<'a> {
 
     fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
         let kept = self.kept.as_ref()?;
-        // the equations of this very list need not be solved twice
-        let enough = if self.changed_by > 0.0 { self.left.max(self.enough) / MINOR } else { f64::INFINITY };
-        let coarser = kept.with_fewer(equations, &solved, self.counts, enough)?;
+        let coarser = kept.with_fewer(equations, &solved, self.counts)?;
         let kernel = equations.problem.kernel;
         Some(Approximation {
             support: support.clone(),
             counts: self.counts.to_vec(),
             solved,
-            coarser: coarser.map(|coarser| coarser.pressures),
+            coarser,
             kept: self.kept.clone(),
             left: self.left,
             is_rounding: self.is_rounding(),
