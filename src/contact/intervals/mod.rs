@@ -124,9 +124,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         let errors = Errors::of(&level);
         // more terms do not help against what is due to something else
         let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
-        // integrals may be cut off where there are very many terms, which takes digits from ends
-        let improves = |best: &Errors| errors.worst() < best.worst() && errors.floor <= best.of_ends();
-        let is_better = best.as_ref().is_none_or(|(best, _)| improves(best));
+        let is_better = best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
         let mut next = grown(&level, &errors, problem.tolerance);
         level.support.equalise(&mut next);
         let is_finest = next == level.counts;
@@ -313,10 +311,6 @@ impl Errors {
             floor: largest(rests.iter().copied()) - steps,
             fall: falls[0].max(falls[1]),
         }
-    }
-
-    fn of_ends(&self) -> f64 {
-        largest(self.ends.iter().flatten().copied())
     }
 
     fn worst(&self) -> f64 {
