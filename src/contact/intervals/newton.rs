@@ -9,7 +9,7 @@ use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::MINOR;
+use crate::contact::problem::accuracy::{MINOR, SLOW};
 use crate::contact::problem::iteration::Progress;
 use crate::contact::problem::support::longest;
 use crate::numeric::largest;
@@ -117,16 +117,13 @@ pub(super) fn converge(
                 (layout.ok_or_else(stuck)?, lengths.ends.clone())
             }
         };
-        let [anew, kept] = operations(&layout, &support, counts);
-        work.operations.spend(if newton.keeps() { kept } else { anew }).ok_or_else(stuck)?;
         work.step();
         let equations = Equations::new(problem, &layout, &support, counts);
-        let solved = newton.solve(&equations, &support).ok_or_else(stuck)?;
+        let costs = operations(&layout, &support, counts);
+        let (solved, looks) = newton.solve(&equations, &support, costs, work).ok_or_else(stuck)?;
         if let Some(changed) = changed(&support, &solved.pressures) {
             return Err(Failure::Changed(changed));
         }
-        let looks = looks(&support, &solved.pressures);
-        newton.look(&looks);
         if newton.is_converged(&support, &solved.pressures) {
             let mut level = newton.approximation(&equations, &support, solved.clone()).ok_or_else(stuck)?;
             if newton.is_enough(&level) {
@@ -140,7 +137,7 @@ pub(super) fn converge(
         }
         let factorised = newton.kept.clone();
         let perturbed = |moved: &Intervals| {
-            work.operations.spend(kept)?;
+            work.operations.spend(costs[1])?;
             let equations = Equations::new(problem, &layout, moved, counts);
             let (solved, _) = factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved), counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
@@ -166,9 +163,8 @@ struct Newton<'a> {
     is_near: bool,
     /// Whether steps grow shorter as fast as with equations of the same list.
     leads_on: bool,
-    /// The longest of the steps of ends that are to be taken, the largest change of a term, and what both leave.
+    /// The longest of the steps of ends that are to be taken, and what these and changes of terms leave.
     farthest: f64,
-    changed_by: f64,
     left: f64,
     progress: Progress,
     derivatives: Derivatives,
@@ -186,7 +182,6 @@ impl<'a> Newton<'a> {
             is_near: true,
             leads_on: true,
             farthest: 0.0,
-            changed_by: 0.0,
             left: f64::INFINITY,
             progress: Progress::default(),
             derivatives: Derivatives::default(),
@@ -194,33 +189,40 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// Whether pressures are corrected by kept equations.
-    fn keeps(&self) -> bool {
-        self.is_near && self.kept.is_some() && self.last.is_some()
-    }
-
-    /// Pressures on a list: corrected by kept equations, or from equations that are factorised anew.
-    fn solve(&mut self, equations: &Equations, support: &Intervals) -> Option<Solved> {
-        let kept = self.kept.as_ref().zip(self.last.as_ref()).filter(|_| self.keeps());
-        let corrected = kept.and_then(|(kept, (before, solved))| {
+    /// Pressures on a list, and what they say of its ends: corrected by kept equations if that leads on, or from equations that are factorised anew.
+    fn solve(
+        &mut self,
+        equations: &Equations,
+        support: &Intervals,
+        [anew, kept]: [f64; 2],
+        work: &mut Work,
+    ) -> Option<(Solved, Vec<Look>)> {
+        if let (Some(equations_kept), Some((before, solved)), true) = (&self.kept, &self.last, self.is_near) {
+            work.operations.spend(kept)?;
             let expected = solved.on(before, support).regular(support);
-            kept.corrected(equations, &expected, self.counts)
-        });
-        if let Some((solved, changed_by)) = corrected {
-            self.changed_by = changed_by;
-            return Some(solved);
+            if let Some((solved, changed_by)) = equations_kept.corrected(equations, &expected, self.counts) {
+                let looks = self.look(support, &solved, changed_by);
+                if self.left <= SLOW * self.progress.last {
+                    return Some((solved, looks));
+                }
+            }
         }
+        work.operations.spend(anew)?;
         let (kept, solved) = Kept::new(equations, self.counts)?;
-        (self.kept, self.changed_by) = (Some(Rc::new(kept)), 0.0);
-        Some(solved)
+        self.kept = Some(Rc::new(kept));
+        let looks = self.look(support, &solved, 0.0);
+        Some((solved, looks))
     }
 
-    fn look(&mut self, looks: &[Look]) {
+    /// What pressures say of all ends, and what steps leave.
+    fn look(&mut self, support: &Intervals, solved: &Solved, changed_by: f64) -> Vec<Look> {
+        let looks = looks(support, &solved.pressures);
         let moves = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() };
         self.farthest = looks.iter().map(moves).fold(0.0, f64::max);
         // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
-        self.left = self.farthest.max(MINOR * self.changed_by);
+        self.left = self.farthest.max(MINOR * changed_by);
         self.leads_on = self.left <= FAST * self.progress.last;
+        looks
     }
 
     fn is_rounding(&self) -> bool {
