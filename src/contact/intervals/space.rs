@@ -7,14 +7,14 @@ use num_complex::Complex64;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Side;
-use crate::contact::problem::accuracy::PER_MODE;
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::profile::Span;
-use crate::numeric::dot;
 use crate::numeric::quadrature::rule;
 
-/// Quadrature points on an interval, besides the points that each term takes.
+/// Quadrature points in a gap, besides one for each term.
 const POINTS: usize = 48;
+/// Intervals nearer to each other than this, in half-lengths, are no better summed over than those that are as near.
+const NEAREST: f64 = 1e-3;
 
 /// Powers below this are less than rounding of what the first terms do.
 const SMALLEST: f64 = 1e-18;
@@ -77,7 +77,7 @@ impl Columns<'_> {
             // the test with k = 0 last
             let all: Vec<(usize, usize)> =
                 (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
-            let points = POINTS + PER_MODE * interval.order(count - 1);
+            let points = self.points(number);
             // cos nπ/2 points
             let cosines: Vec<f64> = (0..4 * points).map(|n| (FRAC_PI_2 * n as f64 / points as f64).cos()).collect();
             let at = |q: usize, k: usize| cosines[k * (2 * q + 1) % cosines.len()];
@@ -121,7 +121,24 @@ impl Columns<'_> {
         }
     }
 
-    /// [`Self::add_slopes`] at some places, one row for each: on a half-plane besides some exponentials.
+    /// Quadrature points on an interval for the slopes that the others make there: these are singular at the ends of the others only, so that their Chebyshev
+    /// coefficients fall like powers of the sum of the half-axes of the ellipse about the interval through the nearest end. Products with a test are summed
+    /// right up to degree 2 n − 1.
+    fn points(&self, number: usize) -> usize {
+        let own = &self.intervals[number];
+        let distance = |(k, other): (usize, &ContactInterval)| {
+            let beside = (other.from() - own.to()).max(own.from() - other.to());
+            let to_image = if own.parity == Parity::Pair { own.from() + other.from() } else { f64::INFINITY };
+            if k == number { to_image } else { beside.min(to_image) }
+        };
+        let nearest = self.intervals.iter().enumerate().map(distance).fold(f64::INFINITY, f64::min);
+        let gap = (nearest / own.half).max(NEAREST);
+        let degree = -f64::EPSILON.ln() / (1.0 + gap + (gap * (gap + 2.0)).sqrt()).ln();
+        let highest = own.order(self.counts[number] - 1);
+        (0.5 * (degree + highest as f64)).ceil() as usize + 1
+    }
+
+    /// [`Self::for_slopes`] at some places, one row for each: on a half-plane besides some exponentials.
     fn slopes_at(
         &self,
         places: &[f64],
@@ -129,24 +146,27 @@ impl Columns<'_> {
         exponentials: &[[f64; 2]],
         amplitudes: Option<&[f64]>,
     ) -> Mat<f64> {
-        let mut slopes = vec![0.0; self.terms() + self.ends()];
-        let mut all = Mat::zeros(places.len(), if amplitudes.is_some() { 1 } else { slopes.len() });
+        let columns = if amplitudes.is_some() { 1 } else { self.terms() + self.ends() };
+        let mut all = Mat::zeros(places.len(), columns);
         for (row, x) in places.iter().enumerate() {
-            slopes.fill(0.0);
             for [b, c] in std::iter::once(&[0.0, 1.0]).chain(exponentials) {
-                self.add_slopes(Complex64::new(*x, *b), *c, within, &mut slopes);
-            }
-            match amplitudes {
-                Some(amplitudes) => all[(row, 0)] = dot(&slopes, amplitudes),
-                None => slopes.iter().enumerate().for_each(|(column, slope)| all[(row, column)] = *slope),
+                let x = Complex64::new(*x, *b);
+                match amplitudes {
+                    Some(amplitudes) => {
+                        let mut sum = 0.0;
+                        self.for_slopes(x, *c, within, |column, slope| sum += slope * amplitudes[column]);
+                        all[(row, 0)] += sum;
+                    }
+                    None => self.for_slopes(x, *c, within, |column, slope| all[(row, column)] += slope),
+                }
             }
         }
         all
     }
 
-    /// Adds `factor` times the slopes that terms and singular pressures make at x on a half-plane with λμ₀C = 1, or at x + ib if that is exp(−ζb), but for
-    /// the pressures right there on interval `within`.
-    fn add_slopes(&self, x: Complex64, factor: f64, within: Option<usize>, out: &mut [f64]) {
+    /// Hands out `factor` times the slopes that terms and singular pressures make at x on a half-plane with λμ₀C = 1, or at x + ib if that is exp(−ζb), but
+    /// for the pressures right there on interval `within`; a column and its mirror image one after the other.
+    fn for_slopes(&self, x: Complex64, factor: f64, within: Option<usize>, mut each: impl FnMut(usize, f64)) {
         let mut end = self.terms();
         for (number, interval) in self.intervals.iter().enumerate() {
             let unit = factor * interval.unit();
@@ -157,8 +177,8 @@ impl Columns<'_> {
                 let root = root(s);
                 let inside = (s + root).inv();
                 let (mut power, by) = if interval.is_even() { (inside, inside * inside) } else { (inside, inside) };
-                for (m, out) in out[first..first + self.counts[number]].iter_mut().enumerate() {
-                    *out += sign * unit * power.re / interval.order(m) as f64;
+                for m in 0..self.counts[number] {
+                    each(first + m, sign * unit * power.re / interval.order(m) as f64);
                     power *= by;
                     // far from an interval its higher terms are below rounding
                     if power.norm_sqr() < SMALLEST * SMALLEST {
@@ -167,7 +187,7 @@ impl Columns<'_> {
                 }
                 for (place, side) in interval.sides().iter().enumerate() {
                     let at_end = if interval.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside) };
-                    out[end + place] += sign * unit * (at_end / root).re;
+                    each(end + place, sign * unit * (at_end / root).re);
                 }
             };
             if within != Some(number) {

@@ -63,25 +63,26 @@ impl Columns<'_> {
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
         let mut table = Table::new(nodes, orders, workspace);
         bessel::table(orders, &arguments, &mut table.values);
-        let phases: Vec<(f64, f64)> = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).collect();
+        let (sines, cosines): (Vec<f64>, Vec<f64>) = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).unzip();
         for m in 0..count {
             let order = interval.order(m);
             let factor = 2.0 * alternating(order / 2) / half;
             let (real, imaginary) = all.column_mut(first + m).split_at_mut(nodes);
-            let is_even = order.is_multiple_of(2);
-            let values = table.column(order).iter().map(|j| factor * j).zip(&phases);
-            for ((into, (j, (sin, cos))), k) in real.iter_mut().zip(values).zip(0..) {
-                *into = j * if is_even { sin } else { cos };
-                if let Some(into) = imaginary.get_mut(k) {
-                    *into = j * if is_even { -cos } else { *sin };
-                }
+            // cos ζm and sin ζm, or sin ζm and −cos ζm
+            let parts = match order.is_multiple_of(2) {
+                true => [(real, &sines, factor), (imaginary, &cosines, -factor)],
+                false => [(real, &cosines, factor), (imaginary, &sines, factor)],
+            };
+            for (into, phases, factor) in parts {
+                let values = table.column(order).iter().zip(phases);
+                into.iter_mut().zip(values).for_each(|(into, (j, phase))| *into = factor * j * phase);
             }
         }
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
         let [j1, j2, j3] = [1, 2, 3].map(|order| table.column(order));
         for (k, wave) in zeta.iter().enumerate() {
-            let (sin, phase) = (phases[k].0, wave * middle);
+            let (sin, phase) = (sines[k], wave * middle);
             let jinc = bessel::jinc_minus_one_from(arguments[k], j1[k]);
             let (zeroth, cos) = (jinc - j2[k], cosine_minus_one(phase));
             let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
