@@ -41,7 +41,7 @@ const SOLVED: [(&str, f64); 18] = [
     ("seed_23_number_1121", 1e-5),
     // quadratic programmes that fail by rounding, or by a laminate that bends when it is compressed, unless pressures are differences
     ("seed_30_number_269", 1e-3),
-    ("seed_21_number_1389", 1e-3),
+    ("seed_21_number_1389", 1e-7),
 ];
 /// Scenes with a decaying last contact, whose end is frozen since nothing else depends on it.
 const FADING: [&str; 2] = ["seed_1_number_28", "seed_11_number_273"];
@@ -51,7 +51,7 @@ const IN_PARTS: [(&str, &str, f64); 2] = [("seed_1_number_42", "5|6", 12.0), ("s
 
 /// Contacts of these scenes whose last part has a pressure below rounding: nothing tells where in it the contact ends, and the answers to
 /// two tolerances differ there by up to 10 %.
-const UNSEEN: [(&str, &str); 2] = [("seed_1_number_22", "4|5"), ("seed_21_number_1389", "1|2")];
+const UNSEEN: [(&str, &str); 1] = [("seed_1_number_22", "4|5")];
 
 fn check(name: &str, tolerance: f64) -> CheckedScene {
     let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));

@@ -367,7 +367,7 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
             let interval = &level.support.0[number];
-            level.smooth(interval, &level.solved.pressures[number]).regular(interval).strip(interval)
+            level.smooth(interval, &level.regular[number]).strip(interval)
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
         let size = level.largest_pressure(contact, &pressures);
@@ -395,7 +395,7 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
             };
             return Found::even(&intervals, peak, &strips);
         }
-        let force = |number: &usize| level.solved.pressures[*number].force();
+        let force = |number: &usize| level.regular[*number].force();
         let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));
         let peak = widest.map_or(0.0, |widest| pressures[widest]);
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();

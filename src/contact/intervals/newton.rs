@@ -35,6 +35,8 @@ pub(super) struct Approximation {
     pub(super) counts: Vec<usize>,
     /// Pressures and rotations.
     pub(super) solved: Solved,
+    /// The same pressures without what steps have left at ends that are found, with all resultants and moments.
+    pub(super) regular: Vec<Pressure>,
     /// The pressures with two thirds of the terms between the same ends, and with four ninths.
     pub(super) coarser: [Vec<Pressure>; 2],
     /// Factorised equations of nearly the same list, if they have the same unknowns.
@@ -247,8 +249,10 @@ impl<'a> Newton<'a> {
     fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
         let kept = self.kept.as_ref()?;
         let coarser = kept.with_fewer(equations, &solved, self.counts)?;
-        let kernel = equations.problem.kernel;
+        let (kernel, places) = (equations.problem.kernel, equations.places());
+        let regular = equations.unknowns(&places, &solved.regular(support));
         Some(Approximation {
+            regular: equations.solved(&places, &regular, self.counts).pressures,
             support: support.clone(),
             counts: self.counts.to_vec(),
             solved,
