@@ -15,10 +15,12 @@ use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 
 /// The intervals of one contact, with the numbers of terms on each.
-#[derive(Clone, Copy)]
 pub(super) struct Columns<'a> {
     pub(super) intervals: &'a [ContactInterval],
     pub(super) counts: &'a [usize],
+    /// What is subtracted from columns, and then from other tests, one after the other, so that only the first ones of a group have a resultant, a
+    /// moment or, as a test, a rotation.
+    pub(super) subtracted: Vec<Subtracted>,
 }
 
 /// A test that is no column.
@@ -39,6 +41,14 @@ pub(super) struct Subtracted {
 
 /// Resultant and moment.
 type Carried = [f64; 2];
+
+impl<'a> Columns<'a> {
+    pub(super) fn new(intervals: &'a [ContactInterval], counts: &'a [usize]) -> Self {
+        let mut columns = Self { intervals, counts, subtracted: Vec::new() };
+        columns.subtracted = columns.all_subtracted();
+        columns
+    }
+}
 
 impl Columns<'_> {
     /// Whether the columns and tests of another contact are of the same kinds.
@@ -184,9 +194,8 @@ impl Columns<'_> {
         terms.chain(all.flat_map(|number| vec![number; self.intervals[number].sides().len()])).collect()
     }
 
-    /// What is subtracted from columns, and then from other tests, one after the other, so that only the first ones of a group have a resultant, a moment
-    /// or, as a test, a rotation.
-    pub(super) fn subtracted(&self) -> Vec<Subtracted> {
+    /// See [`Self::subtracted`].
+    fn all_subtracted(&self) -> Vec<Subtracted> {
         let (carried, others) = (self.carried(), self.others());
         let mut all: Vec<Subtracted> = Vec::new();
         for (into, interval) in self.interval_of_columns().into_iter().enumerate() {
@@ -226,17 +235,17 @@ impl Columns<'_> {
 
     /// Amplitudes of columns less what is subtracted become amplitudes of the columns as they are.
     pub(super) fn as_they_are(&self, amplitudes: &mut [f64]) {
-        let subtracted = self.subtracted().into_iter().filter(|one| one.into < amplitudes.len());
         // a column that loses a part of another one takes as much from its amplitude
-        let all: Vec<Subtracted> = subtracted.collect();
-        all.iter().rev().for_each(|Subtracted { into, from, part }| amplitudes[*from] -= part * amplitudes[*into]);
+        let subtracted = self.subtracted.iter().rev().filter(|one| one.into < amplitudes.len());
+        let all: Vec<&Subtracted> = subtracted.collect();
+        all.into_iter().for_each(|Subtracted { into, from, part }| amplitudes[*from] -= part * amplitudes[*into]);
     }
 
     /// The other way round: the amplitudes of the first columns tell resultant and moment.
     pub(super) fn as_told(&self, amplitudes: &mut [f64]) {
-        let subtracted = self.subtracted().into_iter().filter(|one| one.into < amplitudes.len());
-        let all: Vec<Subtracted> = subtracted.collect();
-        all.iter().for_each(|Subtracted { into, from, part }| amplitudes[*from] += part * amplitudes[*into]);
+        let subtracted = self.subtracted.iter().filter(|one| one.into < amplitudes.len());
+        let all: Vec<&Subtracted> = subtracted.collect();
+        all.into_iter().for_each(|Subtracted { into, from, part }| amplitudes[*from] += part * amplitudes[*into]);
     }
 
     /// The amplitudes of terms, then of singular pressures, of the pressures of its intervals.

@@ -88,7 +88,7 @@ impl<'a> Equations<'a> {
             let intervals = support.of(contact);
             let counts = &counts[next..next + intervals.len()];
             next += intervals.len();
-            Columns { intervals, counts }
+            Columns::new(intervals, counts)
         });
         let columns: Vec<Columns> = columns.collect();
         let is_linked = |pair: &[Columns]| pair[0].are_like(&pair[1]);

@@ -109,7 +109,7 @@ impl Columns<'_> {
     /// Subtracts from the columns and tests as they are what only the first ones of a group keep.
     pub(super) fn subtract(&self, InSpace { matrix, amplitudes, load }: &mut InSpace) {
         let (terms, ends) = (self.terms(), self.ends());
-        let subtracted = self.subtracted();
+        let subtracted = &self.subtracted;
         let columns = |one: &&Subtracted| amplitudes.is_none() && one.into < terms + ends;
         for Subtracted { into, from, part } in subtracted.iter().filter(columns) {
             (0..load.len()).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);

@@ -127,7 +127,7 @@ fn columns_are_transforms_of_pressures() {
         ],
     ] {
         let counts = vec![5; intervals.len()];
-        let columns = Columns { intervals: &intervals, counts: &counts };
+        let columns = Columns::new(&intervals, &counts);
         let zeta = [1e-4, 0.3, 2.0, 9.0];
         let mut waves = columns.waves(&zeta, &Arc::default());
         let long = columns.long_waves(&zeta, &Arc::default());
@@ -170,7 +170,7 @@ fn columns_are_transforms_of_pressures() {
 #[test]
 fn long_waves_are_felt_through_resultants_and_moments() {
     let intervals = [ContactInterval::anywhere(0, 0, [-0.3, 0.9]), ContactInterval::anywhere(0, 0, [1.0, 1.1])];
-    let columns = Columns { intervals: &intervals, counts: &[6, 4] };
+    let columns = Columns::new(&intervals, &[6, 4]);
     let zeta = [1e-5, 2e-5];
     let waves = columns.waves(&zeta, &Arc::default());
     let carried = columns.carried().len();

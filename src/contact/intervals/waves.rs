@@ -47,8 +47,8 @@ impl Columns<'_> {
                 }
             }
         }
-        for Subtracted { into, from, part } in self.subtracted() {
-            let [into, from] = all.two_mut(into, from);
+        for Subtracted { into, from, part } in &self.subtracted {
+            let [into, from] = all.two_mut(*into, *from);
             into.iter_mut().zip(from).for_each(|(into, from)| *into -= part * *from);
         }
         all
