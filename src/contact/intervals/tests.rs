@@ -5,11 +5,14 @@ use std::sync::Arc;
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
 use super::columns::Columns;
+use super::equations::{Equations, Solved};
+use super::kept::Kept;
 use super::newton::converge;
 use super::pressure::Pressure;
 use super::support::{ContactInterval, Intervals};
 use super::{of_formulas, refine, solve};
 use crate::contact::ends::newton::Work;
+use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::iteration::Operations;
@@ -111,6 +114,51 @@ fn random_scenes_are_solved_alike_without_symmetry() {
         }
     }
     assert!(compared >= 30 && left * 10 <= compared, "{compared} compared, {left} not solved");
+}
+
+/// Pressures that solve the equations miss nothing in sums that are made without their matrix, and kept equations correct pressures between ends that have
+/// moved by a ten-thousandth to the square of that.
+#[test]
+fn kept_equations_correct_pressures() {
+    let strip = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+    let graded = || Exponential::new(0.7, 2.0, 0.3, 1.3).unwrap();
+    let stack = || Stack::builder(Plane::Strain);
+    let stack = stack().layer(strip()).receding().layer(graded()).receding().layer(HalfPlane::new(0.5, 0.3).unwrap());
+    let stack = stack.build().unwrap();
+    let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
+    let top = Top::from(Punch::parabola(30.0).unwrap());
+    let problem = Problem::new(&kernel, &interfaces, &top, 0.01, 1e-10);
+    let anywhere = |contact: usize, ends: [f64; 2]| ContactInterval::anywhere(contact, 0, ends);
+    let lists = [
+        vec![[0.0, 0.5], [0.0, 1.6], [0.0, 2.1]]
+            .into_iter()
+            .enumerate()
+            .map(|(k, ends)| ContactInterval::even(k, ends))
+            .collect(),
+        vec![
+            ContactInterval::even(0, [0.0, 0.5]),
+            ContactInterval::even(1, [0.3, 1.6]),
+            ContactInterval::even(2, [0.0, 2.1]),
+        ],
+        vec![anywhere(0, [-0.4, 0.6]), anywhere(1, [-1.5, 1.7]), anywhere(2, [-2.2, -0.3]), anywhere(2, [0.1, 2.0])],
+    ];
+    for list in lists {
+        let (before, counts) = (Intervals(list), [9; 4]);
+        let counts = &counts[..before.0.len()];
+        let lengths = Lengths::of(&problem, &before, counts, 1e-13);
+        let layout = Layout::of_intervals(&kernel, &lengths, 1e-13, 0.0).unwrap();
+        let equations = Equations::new(&problem, &layout, &before, counts);
+        let (kept, solved) = Kept::new(&equations, counts).unwrap();
+        let (_, change) = kept.corrected(&equations, &solved, counts).unwrap();
+        assert!(change < 1e-11, "{before:?}: {change:e}");
+        let after = before.moved(&vec![1e-4; before.ends().len()]);
+        let equations = Equations::new(&problem, &layout, &after, counts);
+        let (corrected, _) = kept.corrected(&equations, &solved.on(&before, &after), counts).unwrap();
+        let (_, expected) = Kept::new(&equations, counts).unwrap();
+        let terms = |solved: &Solved| solved.pressures.iter().flat_map(|own| own.terms.clone()).collect::<Vec<f64>>();
+        let off = terms(&corrected).iter().zip(terms(&expected)).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+        assert!(off < 1e-5, "{before:?}: {off:e}");
+    }
 }
 
 /// Columns with any amplitudes are the transform of the pressure that these are, by a rule that knows nothing of Bessel functions.
