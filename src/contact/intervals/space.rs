@@ -13,7 +13,7 @@ use crate::numeric::quadrature::rule;
 
 /// Quadrature points in a gap, besides one for each term.
 const POINTS: usize = 48;
-/// Intervals nearer to each other than this, in half-lengths, are no better summed over than those that are as near.
+/// The number of points grows no more for gaps between intervals that are shorter than this, in half-lengths.
 const NEAREST: f64 = 1e-3;
 
 /// Powers below this are less than rounding of what the first terms do.
