@@ -137,14 +137,18 @@ pub(super) fn converge(
         if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
-        let factorised = newton.kept.clone();
+        let (factorised, is_anew) = (newton.kept.clone(), work.derivatives_anew);
         let perturbed = |moved: &Intervals| {
-            work.operations.spend(costs[1])?;
+            work.operations.spend(costs[usize::from(!is_anew)])?;
             let equations = Equations::new(problem, &layout, moved, counts);
-            let (solved, _) = factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved), counts)?;
+            let solved = if is_anew {
+                Kept::new(&equations, counts)?.1
+            } else {
+                factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved), counts)?.0
+            };
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
-        let steps = newton.steps(&support, &looks, perturbed).ok_or_else(stuck)?;
+        let steps = newton.steps(&support, &looks, is_anew, perturbed).ok_or_else(stuck)?;
         let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
         newton.take(&next, (support, solved));
         (support, laid_out) = (next, Some((layout, about)));
@@ -270,13 +274,19 @@ impl<'a> Newton<'a> {
         &mut self,
         support: &Intervals,
         looks: &[Look],
+        is_anew: bool,
         perturbed: impl FnMut(&Intervals) -> Option<Vec<f64>>,
     ) -> Option<Vec<f64>> {
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         // derivatives do nothing about terms
         if self.left <= self.farthest {
             let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
-            if !self.derivatives.improve(support, &q, &mut steps, perturbed)? {
+            let are_all = if is_anew {
+                self.derivatives.improve_anew(support, &q, &mut steps, perturbed)?
+            } else {
+                self.derivatives.improve(support, &q, &mut steps, perturbed)?
+            };
+            if !are_all {
                 self.limits.limit(&mut steps);
             }
         }
