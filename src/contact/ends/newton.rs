@@ -40,8 +40,6 @@ pub(crate) struct Work {
     /// Why each refinement level ended.
     pub(crate) stopped: Vec<Stopped>,
     pub(crate) operations: Operations,
-    /// Whether derivatives by ends come from equations that are factorised anew for each.
-    pub(crate) derivatives_anew: bool,
 }
 
 impl Work {

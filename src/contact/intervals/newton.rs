@@ -137,18 +137,13 @@ pub(super) fn converge(
         if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
-        let (factorised, is_anew) = (newton.kept.clone(), work.derivatives_anew);
-        let perturbed = |moved: &Intervals| {
-            work.operations.spend(costs[usize::from(!is_anew)])?;
+        let perturbed = |kept: &Kept, moved: &Intervals| {
+            work.operations.spend(costs[1])?;
             let equations = Equations::new(problem, &layout, moved, counts);
-            let solved = if is_anew {
-                Kept::new(&equations, counts)?.1
-            } else {
-                factorised.as_ref()?.corrected(&equations, &solved.on(&support, moved), counts)?.0
-            };
+            let (solved, _) = kept.corrected(&equations, &solved.on(&support, moved), counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
         };
-        let steps = newton.steps(&support, &looks, is_anew, perturbed).ok_or_else(stuck)?;
+        let steps = newton.steps(&equations, &support, &looks, perturbed).ok_or_else(stuck)?;
         let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
         newton.take(&next, (support, solved));
         (support, laid_out) = (next, Some((layout, about)));
@@ -163,6 +158,8 @@ struct Newton<'a> {
     /// The same as long as missing terms matter more.
     aim: Option<f64>,
     kept: Option<Rc<Kept>>,
+    /// Whether the factorised equations are the ones of the list itself.
+    is_own: bool,
     /// The list before, with its solution.
     last: Option<(Intervals, Solved)>,
     /// Whether ends have moved so little that kept equations do.
@@ -184,6 +181,7 @@ impl<'a> Newton<'a> {
             enough,
             aim: None,
             kept: before.and_then(|before| before.kept.clone()).filter(|kept| kept.serves(counts)),
+            is_own: false,
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
             is_near: true,
             leads_on: true,
@@ -209,13 +207,14 @@ impl<'a> Newton<'a> {
             if let Some((solved, changed_by)) = equations_kept.corrected(equations, &expected, self.counts) {
                 let looks = self.look(support, &solved, changed_by);
                 if self.left <= SLOW * self.progress.last {
+                    self.is_own = false;
                     return Some((solved, looks));
                 }
             }
         }
         work.operations.spend(anew)?;
         let (kept, solved) = Kept::new(equations, self.counts)?;
-        self.kept = Some(Rc::new(kept));
+        (self.kept, self.is_own) = (Some(Rc::new(kept)), true);
         let looks = self.look(support, &solved, 0.0);
         Some((solved, looks))
     }
@@ -272,23 +271,24 @@ impl<'a> Newton<'a> {
     /// Steps of all ends outwards, in half-lengths.
     fn steps(
         &mut self,
+        equations: &Equations,
         support: &Intervals,
         looks: &[Look],
-        is_anew: bool,
-        perturbed: impl FnMut(&Intervals) -> Option<Vec<f64>>,
+        mut perturbed: impl FnMut(&Kept, &Intervals) -> Option<Vec<f64>>,
     ) -> Option<Vec<f64>> {
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         // derivatives do nothing about terms
         if self.left <= self.farthest {
             let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
-            let are_all = if is_anew {
-                self.derivatives.improve_anew(support, &q, &mut steps, perturbed)?
-            } else {
-                self.derivatives.improve(support, &q, &mut steps, perturbed)?
-            };
-            if !are_all {
-                self.limits.limit(&mut steps);
-            }
+            let (is_own, kept, counts) = (&mut self.is_own, &mut self.kept, self.counts);
+            self.derivatives.improve(support, &q, &mut steps, |[outwards, inwards]| {
+                if !*is_own {
+                    (*kept, *is_own) = (Some(Rc::new(Kept::new(equations, counts)?.0)), true);
+                }
+                let kept = kept.as_ref()?;
+                Some([perturbed(kept, outwards)?, perturbed(kept, inwards)?])
+            })?;
+            self.limits.limit(&mut steps);
         }
         looks.iter().zip(&mut steps).filter(|(look, step)| look.is_weak(**step)).for_each(|(_, step)| *step = 0.0);
         Some(steps)
@@ -298,7 +298,6 @@ impl<'a> Newton<'a> {
     fn take(&mut self, next: &Intervals, (support, solved): (Intervals, Solved)) {
         let taken = support.steps_to(next);
         self.is_near = self.leads_on && longest(taken.iter().copied()) < LAYOUT_SERVES;
-        self.derivatives.taken = taken;
         self.last = Some((support, solved));
     }
 }

@@ -24,9 +24,7 @@ const FINER: usize = 16;
 pub(super) fn solve(problem: &Problem, starts: &[Intervals], work: &mut Work) -> Result<Answer, ContactError> {
     let mut failure = None;
     // few terms take the least; where they lead nowhere, twice as many may not
-    // derivatives that are accurate where contacts depend on each other take the longest
-    for (finer, derivatives_anew) in [(1, false), (2, false), (4, false), (1, true)] {
-        work.derivatives_anew = derivatives_anew;
+    for finer in [1, 2, 4] {
         for start in starts {
             work.operations.start();
             match follow(problem, start.clone(), finer, work) {
