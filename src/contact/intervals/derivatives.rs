@@ -7,26 +7,31 @@ use faer::linalg::solvers::Solve;
 
 use crate::contact::intervals::support::{End, Intervals};
 use crate::contact::problem::accuracy::SLOW;
-use crate::contact::problem::support::longest;
 
 /// Steps to both sides, in half-lengths, from which derivatives are found: what stretches a thin layer grows with the square of a step, and drops out of the difference.
 const DIFFERENCE: f64 = 1e-6;
 /// The longest step from derivatives, in half-lengths.
 const LONGEST: f64 = 0.5;
+/// The longest step of an end that goes on and on, in half-lengths.
+const FARTHEST: f64 = 2.0;
 /// An end of which derivatives tell nothing moves at least so far, in half-lengths.
 const SHORTEST: f64 = 0.1;
 
-/// Derivatives of intensities by steps outwards, in half-lengths, if steps have led nowhere without.
+/// What is known of how intensities change, and how far each end may move.
 #[derive(Default)]
 pub(super) struct Derivatives {
+    /// Derivatives of intensities by steps outwards, in half-lengths, if steps have led nowhere without.
     matrix: Option<Mat<f64>>,
     /// The largest intensity at all steps so far.
     largest: Vec<f64>,
+    /// The last step of each end, and how far it may move, in half-lengths.
+    taken: Vec<f64>,
+    limits: Vec<f64>,
 }
 
 impl Derivatives {
     /// Newton's steps in place of others, from the intensities of lists with one end moved, 0 where an end stays where it is. An end whose intensity hardly falls as that end moves outwards, or rises, goes
-    /// the way its sign tells. `None` if derivatives cannot be found.
+    /// the way its sign tells. No end moves farther than it may, and the others take the steps that go with that. `None` if there are no such steps.
     pub(super) fn improve(
         &mut self,
         support: &Intervals,
@@ -34,28 +39,51 @@ impl Derivatives {
         steps: &mut [f64],
         perturbed: impl FnMut(&[Intervals; 2]) -> Option<[Vec<f64>; 2]>,
     ) -> Option<()> {
-        self.largest.push(longest(q.iter().copied()));
-        let [.., before, last] = self.largest[..] else { return Some(()) };
-        if last > SLOW * before {
+        self.largest.push(crate::contact::problem::support::longest(q.iter().copied()));
+        if let [.., before, last] = self.largest[..]
+            && last > SLOW * before
+        {
             self.matrix = Some(differences(support, q, perturbed)?);
         }
-        let Some(mut matrix) = self.matrix.clone() else { return Some(()) };
-        let mut right = q.to_vec();
-        for (row, step) in steps.iter().enumerate() {
-            let is_lost = q[row] != 0.0 && LONGEST * -matrix[(row, row)] <= q[row].abs();
-            if is_lost || q[row] == 0.0 {
-                (0..q.len()).for_each(|column| matrix[(row, column)] = if row == column { 1.0 } else { 0.0 });
-                right[row] = if is_lost { -q[row].signum() * step.abs().max(SHORTEST) } else { 0.0 };
+        let size = q.len();
+        let mut matrix = Mat::identity(size, size);
+        let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
+        let mut longest = vec![LONGEST; size];
+        if let Some(own) = &self.matrix {
+            for row in (0..size).filter(|row| q[*row] != 0.0) {
+                if LONGEST * -own[(row, row)] > q[row].abs() {
+                    right[(row, 0)] = -q[row];
+                    (0..size).for_each(|column| matrix[(row, column)] = own[(row, column)]);
+                } else {
+                    // a contact much too short grows faster and faster
+                    let again = 2.0 * q[row].signum() * self.taken.get(row).unwrap_or(&0.0);
+                    right[(row, 0)] = q[row].signum() * steps[row].abs().max(SHORTEST).max(again);
+                    longest[row] = if q[row] > 0.0 { FARTHEST } else { LONGEST };
+                }
             }
         }
-        let solved = matrix.partial_piv_lu().solve(Mat::from_fn(right.len(), 1, |row, _| -right[row]));
-        let better = solved.col_as_slice(0);
-        if better.iter().any(|step| !step.is_finite()) {
-            return None;
+        self.taken.resize(size, 0.0);
+        self.limits.resize(size, LONGEST);
+        for _ in 0..=size {
+            let solved = matrix.partial_piv_lu().solve(&right);
+            steps.copy_from_slice(solved.col_as_slice(0));
+            let excess = |row: usize| steps[row].abs() / self.limit(row, steps[row], longest[row]);
+            let row = (0..size).max_by(|a, b| excess(*a).total_cmp(&excess(*b)))?;
+            if excess(row) <= 1.0 + f64::EPSILON.sqrt() {
+                break;
+            }
+            right[(row, 0)] = self.limit(row, steps[row], longest[row]).copysign(steps[row]);
+            (0..size).for_each(|column| matrix[(row, column)] = if row == column { 1.0 } else { 0.0 });
         }
-        let part = (LONGEST / longest(better.iter().copied())).min(1.0);
-        steps.iter_mut().zip(better).for_each(|(step, better)| *step = part * better);
-        Some(())
+        self.limits = steps.iter().enumerate().map(|(row, step)| self.limit(row, *step, longest[row])).collect();
+        self.taken = steps.to_vec();
+        steps.iter().all(|step| step.is_finite()).then_some(())
+    }
+
+    /// How far an end may move in the direction of a step: steps back and forth grow shorter.
+    fn limit(&self, row: usize, step: f64, longest: f64) -> f64 {
+        let before = self.taken[row];
+        if step * before < 0.0 { 0.5 * before.abs() } else { (2.0 * self.limits[row]).min(longest) }
     }
 }
 

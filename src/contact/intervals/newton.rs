@@ -171,7 +171,6 @@ struct Newton<'a> {
     left: f64,
     progress: Progress,
     derivatives: Derivatives,
-    limits: Limits,
 }
 
 impl<'a> Newton<'a> {
@@ -189,7 +188,6 @@ impl<'a> Newton<'a> {
             left: f64::INFINITY,
             progress: Progress::default(),
             derivatives: Derivatives::default(),
-            limits: Limits::default(),
         }
     }
 
@@ -288,7 +286,6 @@ impl<'a> Newton<'a> {
                 let kept = kept.as_ref()?;
                 Some([perturbed(kept, outwards)?, perturbed(kept, inwards)?])
             })?;
-            self.limits.limit(&mut steps);
         }
         looks.iter().zip(&mut steps).filter(|(look, step)| look.is_weak(**step)).for_each(|(_, step)| *step = 0.0);
         Some(steps)
@@ -367,25 +364,6 @@ fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
     Some(Intervals(merged))
 }
 
-/// How far each end may move, in half-lengths: steps back and forth grow shorter.
-#[derive(Default)]
-struct Limits {
-    before: Vec<f64>,
-    limits: Vec<f64>,
-}
-
-impl Limits {
-    fn limit(&mut self, steps: &mut [f64]) {
-        self.limits.resize(steps.len(), 1.0);
-        self.before.resize(steps.len(), 0.0);
-        for ((step, limit), before) in steps.iter_mut().zip(&mut self.limits).zip(&mut self.before) {
-            *limit = if *step * *before < 0.0 { 0.5 * before.abs() } else { (2.0 * *limit).min(1.0) };
-            *step = step.clamp(-*limit, *limit);
-            *before = *step;
-        }
-    }
-}
-
 /// Takes steps, none longer than allowed; `None` if intervals vanish. An end that reaches the corner of a flat punch stays there, one that leaves it
 /// does not.
 fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Option<Intervals> {
@@ -399,6 +377,13 @@ fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Option<Interv
         let interval = &support.0[end.interval];
         let outwards = (step * interval.half).min(MOST_OUT * support.gap(end));
         let place = support.place(end);
+        // next to the tip of a wedge the intensity changes as the square root of the distance from there: Newton's method for that root
+        let beyond = problem.tip(interval.contact, interval.punch).map_or(0.0, |(at, _)| end.side * (place - at));
+        let outwards = if (-2.0 * beyond..0.0).contains(&outwards) {
+            outwards * (1.0 + 0.25 * outwards / beyond)
+        } else {
+            outwards
+        };
         let side = &problem.sides[interval.contact];
         let after = place + end.side * outwards;
         let at_corner = &mut corners[end.interval][usize::from(end.side > 0.0)];
