@@ -120,7 +120,8 @@ fn contacts_of_several_parts_are_found_to_some_per_cent() {
         let contact = solution.contacts().iter().find(|contact| contact.interface.to_string() == place).unwrap();
         let intervals = outwards(contact);
         let first = intervals[0];
-        assert!((first.right - end).abs() < 2.0 * first.right_error, "{name}: {contact:?}");
+        // the references have two digits
+        assert!((first.right - end).abs() < 2.0 * first.right_error + 0.02 * end, "{name}: {contact:?}");
         assert!(first.right_error < 0.1 * end, "{name}: {}", first.right_error);
         assert!(intervals[1].left > 1.5 * first.right, "{name}: {intervals:?}");
     }

@@ -7,8 +7,10 @@ use faer::linalg::solvers::Solve;
 
 use crate::contact::intervals::support::{End, Intervals};
 use crate::contact::problem::accuracy::SLOW;
+use crate::contact::problem::support::longest;
 
-/// Steps to both sides, in half-lengths, from which derivatives are found: what stretches a thin layer grows with the square of a step, and drops out of the difference.
+/// Steps to both sides, in half-lengths, from which derivatives are found: where a thin layer lies between two contacts, intensities have large parts that grow with the square of a step, and
+/// drop out of the difference.
 const DIFFERENCE: f64 = 1e-6;
 /// The longest step from derivatives, in half-lengths.
 const LONGEST: f64 = 0.5;
@@ -30,8 +32,8 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    /// Newton's steps in place of others, from the intensities of lists with one end moved, 0 where an end stays where it is. An end whose intensity hardly falls as that end moves outwards, or rises, goes
-    /// the way its sign tells. No end moves farther than it may, and the others take the steps that go with that. `None` if there are no such steps.
+    /// Newton's steps in place of others, where intensities, 0 where an end stays where it is, have not fallen to half at the last step. An end whose intensity hardly falls as that end moves outwards, or
+    /// rises, goes the way its sign tells. No end moves farther than it may, and the others take the steps that go with that. `None` if there are no such steps.
     pub(super) fn improve(
         &mut self,
         support: &Intervals,
@@ -39,7 +41,7 @@ impl Derivatives {
         steps: &mut [f64],
         perturbed: impl FnMut(&[Intervals; 2]) -> Option<[Vec<f64>; 2]>,
     ) -> Option<()> {
-        self.largest.push(crate::contact::problem::support::longest(q.iter().copied()));
+        self.largest.push(longest(q.iter().copied()));
         if let [.., before, last] = self.largest[..]
             && last > SLOW * before
         {
@@ -48,7 +50,7 @@ impl Derivatives {
         let size = q.len();
         let mut matrix = Mat::identity(size, size);
         let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
-        let mut longest = vec![LONGEST; size];
+        let mut allowed = vec![LONGEST; size];
         if let Some(own) = &self.matrix {
             for row in (0..size).filter(|row| q[*row] != 0.0) {
                 if LONGEST * -own[(row, row)] > q[row].abs() {
@@ -58,7 +60,7 @@ impl Derivatives {
                     // a contact much too short grows faster and faster
                     let again = 2.0 * q[row].signum() * self.taken.get(row).unwrap_or(&0.0);
                     right[(row, 0)] = q[row].signum() * steps[row].abs().max(SHORTEST).max(again);
-                    longest[row] = if q[row] > 0.0 { FARTHEST } else { LONGEST };
+                    allowed[row] = if q[row] > 0.0 { FARTHEST } else { LONGEST };
                 }
             }
         }
@@ -67,23 +69,23 @@ impl Derivatives {
         for _ in 0..=size {
             let solved = matrix.partial_piv_lu().solve(&right);
             steps.copy_from_slice(solved.col_as_slice(0));
-            let excess = |row: usize| steps[row].abs() / self.limit(row, steps[row], longest[row]);
+            let excess = |row: usize| steps[row].abs() / self.limit(row, steps[row], allowed[row]);
             let row = (0..size).max_by(|a, b| excess(*a).total_cmp(&excess(*b)))?;
             if excess(row) <= 1.0 + f64::EPSILON.sqrt() {
                 break;
             }
-            right[(row, 0)] = self.limit(row, steps[row], longest[row]).copysign(steps[row]);
+            right[(row, 0)] = self.limit(row, steps[row], allowed[row]).copysign(steps[row]);
             (0..size).for_each(|column| matrix[(row, column)] = if row == column { 1.0 } else { 0.0 });
         }
-        self.limits = steps.iter().enumerate().map(|(row, step)| self.limit(row, *step, longest[row])).collect();
+        self.limits = steps.iter().enumerate().map(|(row, step)| self.limit(row, *step, allowed[row])).collect();
         self.taken = steps.to_vec();
         steps.iter().all(|step| step.is_finite()).then_some(())
     }
 
     /// How far an end may move in the direction of a step: steps back and forth grow shorter.
-    fn limit(&self, row: usize, step: f64, longest: f64) -> f64 {
+    fn limit(&self, row: usize, step: f64, allowed: f64) -> f64 {
         let before = self.taken[row];
-        if step * before < 0.0 { 0.5 * before.abs() } else { (2.0 * self.limits[row]).min(longest) }
+        if step * before < 0.0 { 0.5 * before.abs() } else { (2.0 * self.limits[row]).min(allowed) }
     }
 }
 

@@ -116,6 +116,33 @@ fn random_scenes_are_solved_alike_without_symmetry() {
     assert!(compared >= 30 && left * 10 <= compared, "{compared} compared, {left} not solved");
 }
 
+/// A thin layer between two contacts makes intensities at the ends of both depend on each other strongly: Newton's method takes it to the ends that another solver finds.
+#[test]
+fn contacts_on_both_faces_of_a_thin_layer_are_found_from_formulas() {
+    let layer = |thickness, modulus, poisson| Homogeneous::new(thickness, modulus, poisson).unwrap();
+    let stack = Stack::builder(Plane::Stress)
+        .layer(layer(0.58, 0.052, 0.25))
+        .bonded()
+        .layer(layer(0.27, 0.107, -0.45))
+        .receding()
+        .layer(layer(0.0316, 0.0372, -0.155))
+        .receding()
+        .layer(HalfPlane::new(0.98, -0.068).unwrap());
+    let stack = stack.build().unwrap();
+    let (top, force) = (Top::from(Punch::parabola(0.44).unwrap()), 3e-4);
+    let expected = Model::new(stack.clone()).unwrap().press(&top, force).unwrap();
+    let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
+    let problem = Problem::new(&kernel, &interfaces, &top, force, Options::default().tolerance);
+    let start = of_formulas(&problem, &formulas::anywhere(&problem)).unwrap();
+    let found = solve(&problem, &[start], &mut Operations::default()).unwrap();
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
+        let (found, expected) = (found.innermost(), expected.innermost());
+        let half = expected.right / kernel.length();
+        assert!((found.right / half - 1.0).abs() < 1e-9, "{} {half}", found.right);
+    }
+}
+
 /// Pressures that solve the equations miss nothing in sums that are made without their matrix, and kept equations correct pressures between ends that have
 /// moved by a ten-thousandth to the square of that.
 #[test]

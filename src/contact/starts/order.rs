@@ -94,6 +94,10 @@ impl Search<'_> {
             Outcome::Failed(failure) => failure,
             solved => return Ok(solved),
         };
+        let start = intervals::of_formulas(problem, &formulas::anywhere(problem));
+        if let Ok(answer) = intervals::solve(problem, start.as_slice(), &mut self.work.operations) {
+            return Ok(Outcome::Solved(Box::new(answer)));
+        }
         self.far = match *failure {
             ContactError::NoSolution(NoSolution::Penetration { x, .. }) => x / problem.kernel.length(),
             _ => 0.0,
@@ -117,7 +121,6 @@ impl Search<'_> {
             Outcome::Failed(failure) => failure,
             solved => return Ok(solved),
         };
-        starts.extend(intervals::of_formulas(problem, &formulas::anywhere(problem)));
         if let Ok(answer) = intervals::solve(problem, &starts, &mut self.work.operations) {
             return Ok(Outcome::Solved(Box::new(answer)));
         }
