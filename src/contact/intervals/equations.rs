@@ -11,6 +11,7 @@ use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
+
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::waves::{AT_ONCE, Long};
 use crate::contact::problem::Problem;

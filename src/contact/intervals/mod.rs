@@ -6,6 +6,7 @@ mod derivatives;
 mod equations;
 mod gaps;
 mod kept;
+mod local;
 mod newton;
 mod pressure;
 mod short_waves;
@@ -26,6 +27,7 @@ use crate::contact::integrals::tail::turning;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Operations;
+use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
 use crate::contact::programme::ActiveIntervals;
 use crate::contact::quality::estimates::UNKNOWN;
@@ -138,7 +140,12 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         }
         (stalls, counts) = (!is_better, next);
     }
-    let (mut errors, level) = best?;
+    let (mut errors, mut level) = best?;
+    level.local = local::locals(problem, &level.support, &level.solved, |_| 4 * FINEST);
+    let middle = level.middle_pressures(&level.solved.pressures);
+    for (k, error) in errors.pressures.iter_mut().enumerate() {
+        *error += SAFETY * level.local[k].error / level.largest_pressure(level.support.0[k].contact, &middle);
+    }
     if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
         return None;
     }
@@ -321,27 +328,31 @@ impl Errors {
 impl Approximation {
     /// The pressures in the middle of all intervals, per unit of P', without what sharp tips make, which is known.
     fn middle_pressures(&self, pressures: &[Pressure]) -> Vec<f64> {
-        let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
-            let smooth = Pressure { tip: Tip::default(), ..self.smooth(interval, pressure) };
-            smooth.strip(interval).pressure(interval.middle)
+        let of = |((number, interval), pressure): ((usize, &ContactInterval), &Pressure)| {
+            let local = &self.local[number];
+            let own = if local.terms.is_empty() { self.smooth(number, pressure) } else { pressure.clone() };
+            let mut rest = Pressure { tip: Tip::default(), ..own };
+            // of the pressure on a half-plane the sum of all terms is known
+            rest.terms.iter_mut().zip(&local.terms).for_each(|(y, local)| *y -= local);
+            rest.middle(interval) + local.middle
         };
-        self.support.0.iter().zip(pressures).map(of).collect()
+        self.support.0.iter().enumerate().zip(pressures).map(of).collect()
     }
 
-    /// How large the last third of the terms of each interval is, and what averaging changes, as a part of the largest pressure of the contact.
+    /// How large the last third of the terms of each interval is, less what is known of them, and what averaging changes, as a part of the largest pressure of the contact.
     fn last_terms(&self) -> Vec<f64> {
         let middle = self.middle_pressures(&self.solved.pressures);
-        let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
-            let smooth = self.smooth(interval, pressure);
+        let of = |((number, interval), pressure): ((usize, &ContactInterval), &Pressure)| {
+            let smooth = self.smooth(number, pressure);
             let first = pressure.terms.len() - pressure.terms.len() / 3;
             let term = |(m, (y, smooth)): (usize, (&f64, &f64))| {
-                let last = if m < first { 0.0 } else { y.abs() };
+                let last = if m < first { 0.0 } else { (y - self.local[number].terms.get(m).unwrap_or(&0.0)).abs() };
                 last.max((y - smooth).abs()) / interval.order(m) as f64
             };
             let sum: f64 = pressure.terms.iter().zip(&smooth.terms).enumerate().map(term).sum();
             interval.unit() * sum / self.largest_pressure(interval.contact, &middle)
         };
-        self.support.0.iter().zip(&self.solved.pressures).map(of).collect()
+        self.support.0.iter().enumerate().zip(&self.solved.pressures).map(of).collect()
     }
 
     /// The largest of the pressures in the middle, or of the mean pressures, of the intervals of a contact.
@@ -353,8 +364,14 @@ impl Approximation {
         largest(own.map(of))
     }
 
-    /// The pressure of an interval as it is given to the user.
-    fn smooth(&self, interval: &ContactInterval, pressure: &Pressure) -> Pressure {
+    /// The pressure of an interval as it is given to the user: under a punch that is not smooth terms go on as on a half-plane, and next to a graded face the last partial sums are averaged.
+    fn smooth(&self, number: usize, pressure: &Pressure) -> Pressure {
+        let (interval, local) = (&self.support.0[number], &self.local[number].terms);
+        if !local.is_empty() {
+            let mut pressure = pressure.clone();
+            continued(&mut pressure.terms, local);
+            return pressure;
+        }
         if self.graded[interval.contact] { pressure.averaged(interval) } else { pressure.clone() }
     }
 }
@@ -367,7 +384,7 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
         let numbers = first..first + level.support.of(contact).len();
         let strip = |number: usize| {
             let interval = &level.support.0[number];
-            level.smooth(interval, &level.regular[number]).strip(interval)
+            level.smooth(number, &level.regular[number]).strip(interval)
         };
         let strips: Vec<Strip> = numbers.clone().map(strip).collect();
         let size = level.largest_pressure(contact, &pressures);

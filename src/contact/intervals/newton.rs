@@ -6,6 +6,7 @@ use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::derivatives::Derivatives;
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::kept::Kept;
+use crate::contact::intervals::local::{Local, locals};
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
@@ -26,6 +27,9 @@ const SHORT: f64 = 0.1;
 pub(super) const TOGETHER: f64 = 0.03;
 /// An end with a weaker singularity, in units of the mean pressure, need not be known.
 const WEAK: f64 = 1e-9;
+
+/// The terms of pressures on half-planes are so many times more than the unknown ones.
+const LOCAL: usize = 16;
 
 /// Ends and pressures for one number of terms.
 #[derive(Clone)]
@@ -49,6 +53,8 @@ pub(super) struct Approximation {
     pub(super) left_out: Vec<f64>,
     /// Whether each contact is next to a graded face.
     pub(super) graded: Vec<bool>,
+    /// What half-planes of the material at the face do on each interval.
+    pub(super) local: Vec<Local>,
 }
 
 impl Approximation {
@@ -256,6 +262,7 @@ impl<'a> Newton<'a> {
             regular: equations.solved(&places, &regular, self.counts).pressures,
             support: support.clone(),
             counts: self.counts.to_vec(),
+            local: locals(equations.problem, support, &solved, |number| LOCAL * self.counts[number]),
             solved,
             coarser,
             kept: self.kept.clone(),

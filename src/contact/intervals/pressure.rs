@@ -56,6 +56,11 @@ impl Pressure {
         Strip { at: interval.middle, skew: every_other(1), corners, tip, tip_at, ..series }
     }
 
+    /// The pressure in the middle of the interval, per unit of P'.
+    pub(super) fn middle(&self, interval: &ContactInterval) -> f64 {
+        self.strip(interval).pressure(interval.middle)
+    }
+
     /// The resultant on the interval and its mirror image.
     pub(super) fn force(&self) -> f64 {
         let of_ends: f64 = self.singular.iter().sum();

@@ -250,7 +250,7 @@ fn root(s: Complex64) -> Complex64 {
 }
 
 /// ∫ f' cos kφ dφ of the slope f' of a punch over an interval, for the k of its terms, and first for k = 0 beside x = 0; none between layers.
-fn tests(side: &Side, interval: &ContactInterval, count: usize) -> Vec<f64> {
+pub(super) fn tests(side: &Side, interval: &ContactInterval, count: usize) -> Vec<f64> {
     let value = |[value, _]: [f64; 2]| value;
     match side {
         Side::Punches(all) => all

@@ -292,6 +292,15 @@ impl<'a> Side<'a> {
         self.profile().is_none_or(Profile::is_smooth)
     }
 
+    /// Whether terms of the pressure under the punch of this number fall slowly, but for what a sharp tip makes.
+    pub(crate) fn is_kinked(&self, punch: usize) -> bool {
+        match self {
+            Self::Profile(profile) => profile.is_kinked(),
+            Self::Punches(all) => all.get(punch).is_some_and(Placed::is_kinked),
+            _ => false,
+        }
+    }
+
     /// Whether the pressure is infinite at the apex of a punch.
     pub(crate) fn is_sharp(&self) -> bool {
         self.profile().is_some_and(Profile::is_sharp)

@@ -87,6 +87,11 @@ impl<'a> Placed<'a> {
         self.profile.flat().map(|half| self.at + side * half)
     }
 
+    /// Whether the profile is less smooth than with a sharp tip alone.
+    pub(crate) fn is_kinked(&self) -> bool {
+        self.profile.is_kinked()
+    }
+
     /// Where it has a sharp tip, and by how much its slope jumps there, per unit of P'.
     pub(crate) fn tip(&self) -> Option<(f64, f64)> {
         self.profile.jump().map(|jump| (self.at, jump))

@@ -69,6 +69,15 @@ impl<'a> Profile<'a> {
         self.shape.is_smooth()
     }
 
+    /// Whether the profile is less smooth than with a sharp tip alone.
+    pub(crate) fn is_kinked(&self) -> bool {
+        match &self.shape {
+            Shape::Powers { terms, .. } => terms.iter().any(|(exponent, _)| *exponent != 1.0 && exponent % 2.0 != 0.0),
+            Shape::Pieces { .. } => true,
+            Shape::Circle(_) | Shape::Flat(_) => false,
+        }
+    }
+
     /// Whether the pressure is infinite at the apex.
     pub(crate) fn is_sharp(&self) -> bool {
         self.punch.is_sharp()

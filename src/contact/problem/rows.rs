@@ -157,7 +157,7 @@ impl Profile<'_> {
     }
 
     /// ∫ f'(a cos θ)/cos θ ... from 0 to π/2, over P': the sum of all odd rows.
-    pub(super) fn apex(&self, half_length: f64) -> f64 {
+    pub(crate) fn apex(&self, half_length: f64) -> f64 {
         if matches!(self.shape, Shape::Powers { .. }) {
             let sum = |(power, slope): (f64, f64)| {
                 let moment = slope * self.twin.moment(power + 1.0) * (power + 1.0 + 2.0 * self.twin.shift) / power;
