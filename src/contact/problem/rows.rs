@@ -2,7 +2,7 @@
 //!
 //! On x = m + w s, s = cos θ, the tests are polynomials C_k of one family with C_k(1) = 1: in the plane T_k(s) dθ, about an axis P_k(s) sin θ dθ.
 //! What is tested is the slope f', and about an axis A'(t), A(t) = t ∫ f'(r)/√(t² − r²) dr from 0 to t: with r = t sin φ it is ∫ (r f')' dφ from
-//! 0 to π/2. Powers of |x| about x = 0 have closed forms, and so have polynomials in the plane about the middle of an interval. All else is
+//! 0 to π/2. Powers of |x| about x = 0 have closed forms, and so have polynomials in the plane, piece by piece. All else is
 //! integrated by Gauss rules from one place to the next where the profile is not smooth, but for a circle in the plane, which is analytic: all at
 //! once, at places as far from each other in θ.
 use std::array::from_fn;
@@ -62,36 +62,42 @@ impl Slopes {
         }
     }
 
-    /// Adds pieces between which the profile is not smooth to odd rows in the plane, up to x = `half_length` in the unit of the scene. At the start of
-    /// each, x = b, begins J_0 + J_1 y + J_2 y² more of the slope, y = x − b, and ∫ (cos θ − cos θ_b)^n cos kθ dθ from 0 to θ_b is a sum of
-    /// sin(jθ_b)/j with j from k − n to k + n.
-    fn add_pieces(&mut self, pieces: &[Piece], half_length: f64, force: f64) {
+    /// Adds pieces between which the profile is not smooth to the rows of an interval in the plane, whose middle and half-length are in the unit of the scene. At the start of each,
+    /// x = b, begins J_0 + J_1 y + J_2 y² more of the slope, y = x − b, and ∫ (cos θ − cos θ_b)^n cos kθ dθ from 0 to θ_b is a sum of sin(jθ_b)/j with j from
+    /// k − n to k + n.
+    fn add_pieces(&mut self, pieces: &[Piece], Span { middle, half, step }: Span, force: f64) {
+        let first = if step == 2 { 0.0 } else { middle - half };
         let mut before: Option<&Piece> = None;
-        let mut sines = vec![0.0; 2 * self.rows.len() + 2];
-        for piece in pieces.iter().take_while(|piece| piece.start < half_length) {
-            let old = before.replace(piece).map_or([0.0; 3], |before| before.slopes(piece.start - before.start));
-            let new = piece.slopes(0.0);
-            let [j0, j1, j2]: [f64; 3] = from_fn(|n| (new[n] - old[n]) * half_length.powi(n as i32) / force);
-            let cos = piece.start / half_length;
-            let turn = Complex64::new(cos, ((1.0 - cos) * (1.0 + cos)).sqrt());
-            sines[0] = cos.acos();
+        let mut sines = vec![0.0; step * self.rows.len() + 3];
+        let after = pieces.iter().skip(1).map(|piece| piece.start).chain([f64::INFINITY]);
+        let all = pieces.iter().zip(after).filter(|(_, end)| *end > first).map(|(piece, _)| piece);
+        for piece in all.take_while(|piece| piece.start < middle + half) {
+            let start = piece.start.max(first);
+            let old = before.replace(piece).map_or([0.0; 3], |before| before.slopes(start - before.start));
+            let new = piece.slopes(start - piece.start);
+            let [j0, j1, j2]: [f64; 3] = from_fn(|n| (new[n] - old[n]) * half.powi(n as i32) / force);
+            let begins = step == 1 && start == first;
+            let cos = if begins { -1.0 } else { (start - middle) / half };
+            let turn = Complex64::new(cos, ((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt());
+            sines[0] = turn.arg();
             let mut wave = Complex64::ONE;
             for (j, sine) in sines.iter_mut().enumerate().skip(1) {
                 wave *= turn;
                 *sine = wave.im / j as f64;
             }
-            let mut wave = turn;
+            // the place where the interval begins is none of the profile
+            let at_start = if begins { 0.0 } else { j0 * cos / turn.im };
+            let (mut wave, by) = if step == 2 { (turn, turn * turn) } else { (Complex64::ONE, turn) };
             for (m, [row, slope]) in self.rows.iter_mut().enumerate() {
-                let k = 2 * m + 1;
-                let (own, next) = (sines[k], sines[k - 1] + sines[k + 1]);
+                let (k, times) = if step == 2 { (2 * m + 1, 2.0 * alternating(m)) } else { (m, 1.0) };
+                let (own, next) = (sines[k], sines[k.abs_diff(1)] + sines[k + 1]);
                 let linear = 0.5 * next - cos * own;
                 let square = 0.5 * own + 0.25 * (sines[k.abs_diff(2)] + sines[k + 2]) - cos * next + cos * cos * own;
-                let sign = 2.0 * alternating(m);
-                *row += sign * (j0 * own + j1 * linear + j2 * square);
-                // x f'' of the same, and the jump of f' at b
-                let jump = j0 * cos / turn.im * wave.re;
-                *slope += sign * (jump + cos * j1 * own + (j1 + 2.0 * cos * j2) * linear + 2.0 * j2 * square);
-                wave *= turn * turn;
+                *row += times * (j0 * own + j1 * linear + j2 * square);
+                // the distance from the middle times f'' of the same, and the jump of f' at b
+                let jump = at_start * wave.re;
+                *slope += times * (jump + cos * j1 * own + (j1 + 2.0 * cos * j2) * linear + 2.0 * j2 * square);
+                wave *= by;
             }
         }
     }
@@ -145,8 +151,11 @@ impl Profile<'_> {
                 let place = |q: usize| self.place(span, PI * (q as f64 + 0.5) / points as f64, PI / points as f64);
                 slopes.add(span.step, count, &(0..points / span.step).map(place).collect::<Vec<_>>());
             }
-            Shape::Pieces { pieces, .. } if span.step == 2 && self.twin == Twin::Plane => {
-                slopes.add_pieces(pieces, span.half * self.length, self.force);
+            Shape::Pieces { pieces, is_even, .. } if self.twin == Twin::Plane => {
+                let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
+                let mut all = if *is_even && span.step == 1 { mirrored(pieces, half - middle) } else { Vec::new() };
+                all.extend_from_slice(pieces);
+                slopes.add_pieces(&all, Span { middle, half, ..span }, self.force);
             }
             shape => {
                 let phase = (span.step * count) as f64 + shape.degree();
@@ -304,6 +313,20 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 3] {
         before = e[0] + end * (e[1] + end * e[2]);
     }
     [whole, value, slope]
+}
+
+/// The mirror images of pieces, from left to right, as far as −`end`.
+fn mirrored(pieces: &[Piece], end: f64) -> Vec<Piece> {
+    let ends = pieces.iter().skip(1).map(|piece| piece.start.min(end)).chain([end]);
+    let inside = pieces.iter().zip(ends).filter(|(piece, end)| piece.start < *end);
+    let image = |(Piece { start, coefficients: [c0, c1, c2, c3] }, end): (&Piece, f64)| {
+        let t = end - start;
+        let [slope, curvature] = [c1 + t * (2.0 * c2 + 3.0 * t * c3), c2 + 3.0 * t * c3];
+        Piece { start: -end, coefficients: [c0 + t * (c1 + t * (c2 + t * c3)), -slope, curvature, -c3] }
+    };
+    let mut all: Vec<Piece> = inside.map(image).collect();
+    all.reverse();
+    all
 }
 
 /// A length, and then each half as long as the one before.
