@@ -60,7 +60,7 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
         thin::solve(&problem, |problem| solve_in_order(problem, table_of(problem)))?
     } else {
         let start = intervals::of_formulas(&problem, &formulas::anywhere(&problem));
-        intervals::solve(&problem, start.as_slice(), &mut Operations::at_most(problem.operations))?
+        intervals::solve(&problem, start.as_slice(), &intervals::ROUNDS, &mut Operations::at_most(problem.operations))?
     };
     Ok(answer.into_solution(&problem, force, Some(asked.stack)))
 }

@@ -58,17 +58,21 @@ pub(crate) struct Expected {
     pub(crate) ends: [f64; 2],
 }
 
-/// Presses punches or loads, from lists of intervals where contacts may be, with the operations that are left.
+/// Few terms take the least; where they lead nowhere, twice as many may not.
+pub(super) const ROUNDS: [usize; 3] = [1, 2, 4];
+
+/// Presses punches or loads, from lists of intervals where contacts may be, with the usual number of terms times each of `finer`, and the operations that are left.
 ///
 /// # Errors
 /// See [`topology::solve`].
 pub(super) fn solve(
     problem: &Problem,
     starts: &[Intervals],
+    finer: &[usize],
     operations: &mut Operations,
 ) -> Result<Answer, ContactError> {
     let mut work = Work { operations: operations.clone(), ..Work::default() };
-    let answer = topology::solve(problem, starts, &mut work);
+    let answer = topology::solve(problem, starts, finer, &mut work);
     *operations = work.operations;
     answer
 }

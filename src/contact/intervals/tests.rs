@@ -10,7 +10,7 @@ use super::kept::Kept;
 use super::newton::converge;
 use super::pressure::Pressure;
 use super::support::{ContactInterval, Intervals};
-use super::{of_formulas, refine, solve};
+use super::{ROUNDS, of_formulas, refine, solve};
 use crate::contact::ends::newton::Work;
 use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::problem::Problem;
@@ -99,7 +99,7 @@ fn random_scenes_are_solved_alike_without_symmetry() {
         };
         let uneven = Intervals(even.0.iter().map(whole).collect());
         for start in [even, uneven] {
-            let Ok(found) = solve(&problem, &[start], &mut Operations::default()) else {
+            let Ok(found) = solve(&problem, &[start], &ROUNDS, &mut Operations::default()) else {
                 left += 1;
                 continue;
             };
@@ -134,7 +134,7 @@ fn contacts_on_both_faces_of_a_thin_layer_are_found_from_formulas() {
     let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
     let problem = Problem::new(&kernel, &interfaces, &top, force, Options::default().tolerance);
     let start = of_formulas(&problem, &formulas::anywhere(&problem)).unwrap();
-    let found = solve(&problem, &[start], &mut Operations::default()).unwrap();
+    let found = solve(&problem, &[start], &ROUNDS, &mut Operations::default()).unwrap();
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
         let (found, expected) = (found.innermost(), expected.innermost());

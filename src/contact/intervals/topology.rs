@@ -16,15 +16,19 @@ const MOST_CHANGES: usize = 30;
 /// The usual number of terms is multiplied by this at most before a list is changed.
 const FINER: usize = 16;
 
-/// Presses punches or loads, from lists of intervals where contacts may be, one after the other.
+/// Presses punches or loads, from lists of intervals where contacts may be, one after the other, with the usual number of terms times each of `finer`.
 ///
 /// # Errors
 /// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together, else [`NoSolution::NotConverged`], if no list of intervals was
 /// found without tension and penetration.
-pub(super) fn solve(problem: &Problem, starts: &[Intervals], work: &mut Work) -> Result<Answer, ContactError> {
+pub(super) fn solve(
+    problem: &Problem,
+    starts: &[Intervals],
+    finer: &[usize],
+    work: &mut Work,
+) -> Result<Answer, ContactError> {
     let mut failure = None;
-    // few terms take the least; where they lead nowhere, twice as many may not
-    for finer in [1, 2, 4] {
+    for finer in finer.iter().copied() {
         for start in starts {
             work.operations.start();
             match follow(problem, start.clone(), finer, work) {

@@ -95,7 +95,9 @@ impl Search<'_> {
             solved => return Ok(solved),
         };
         let start = intervals::of_formulas(problem, &formulas::anywhere(problem));
-        if let Ok(answer) = intervals::solve(problem, start.as_slice(), &mut self.work.operations) {
+        if let Ok(answer) =
+            intervals::solve(problem, start.as_slice(), &intervals::ROUNDS[..1], &mut self.work.operations)
+        {
             return Ok(Outcome::Solved(Box::new(answer)));
         }
         self.far = match *failure {
@@ -108,7 +110,9 @@ impl Search<'_> {
         // intervals of re-contact that a solution leaves out may be short
         let left_out = self.doubtful.as_ref().is_some_and(|(_, attempt)| !attempt.recontacts.is_empty());
         if certain.is_some() || left_out && several(problem, &active, false).is_some() {
-            if let Ok(answer) = intervals::solve(problem, &std::mem::take(&mut starts), &mut self.work.operations) {
+            if let Ok(answer) =
+                intervals::solve(problem, &std::mem::take(&mut starts), &intervals::ROUNDS, &mut self.work.operations)
+            {
                 return Ok(Outcome::Solved(Box::new(answer)));
             }
             // one of the intervals may carry a force next to nothing
@@ -121,8 +125,10 @@ impl Search<'_> {
             Outcome::Failed(failure) => failure,
             solved => return Ok(solved),
         };
-        if let Ok(answer) = intervals::solve(problem, &starts, &mut self.work.operations) {
-            return Ok(Outcome::Solved(Box::new(answer)));
+        for (starts, finer) in [(&starts[..], &intervals::ROUNDS[..]), (start.as_slice(), &intervals::ROUNDS[1..])] {
+            if let Ok(answer) = intervals::solve(problem, starts, finer, &mut self.work.operations) {
+                return Ok(Outcome::Solved(Box::new(answer)));
+            }
         }
         Ok(Outcome::Failed(certain.map_or(failure, |i| Box::new(self.error(&active, i)))))
     }
