@@ -28,7 +28,7 @@ pub(super) const TOGETHER: f64 = 0.03;
 /// An end with a weaker singularity, in units of the mean pressure, need not be known.
 const WEAK: f64 = 1e-9;
 
-/// The terms of pressures on half-planes are so many times more than the unknown ones.
+/// Terms of a pressure on a half-plane under a punch that is not smooth, for each unknown term.
 const LOCAL: usize = 16;
 
 /// Ends and pressures for one number of terms.
