@@ -12,7 +12,11 @@ pub(crate) struct Workspace(Mutex<Vec<Vec<f64>>>);
 impl Workspace {
     /// A table of this length, to be overwritten.
     pub(crate) fn take(&self, length: usize) -> Vec<f64> {
-        let mut numbers = self.0.lock().ok().and_then(|mut kept| kept.pop()).unwrap_or_default();
+        let last_long_enough = |kept: &mut Vec<Vec<f64>>| {
+            let place = kept.iter().rposition(|numbers| numbers.capacity() >= length);
+            place.map(|place| kept.swap_remove(place)).or_else(|| kept.pop())
+        };
+        let mut numbers = self.0.lock().ok().and_then(|mut kept| last_long_enough(&mut kept)).unwrap_or_default();
         numbers.resize(length, 0.0);
         numbers
     }

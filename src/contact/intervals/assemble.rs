@@ -9,10 +9,10 @@ use std::ops::Range;
 use faer::Mat;
 
 use crate::contact::integrals::columns::Columns as Table;
-use crate::contact::intervals::equations::{Equations, Places};
+use crate::contact::intervals::equations::{Equations, Places, Sampled};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::system::{Rows, System};
-use crate::contact::intervals::waves::{AT_ONCE, Long, Weighted, differences};
+use crate::contact::intervals::waves::{AT_ONCE, Weighted, differences};
 
 impl Equations<'_> {
     /// All rows: waves block by block of wavenumbers, then half-planes.
@@ -27,9 +27,8 @@ impl Equations<'_> {
             right: Rows::zeros(size, border),
         };
         let mut sums = self.sums();
-        let all = self.layout.zeta.len();
-        for first in (0..all).step_by(AT_ONCE) {
-            self.add_waves(&mut sums, first..all.min(first + AT_ONCE));
+        for number in 0..self.layout.zeta.len().div_ceil(AT_ONCE) {
+            self.add_waves(&mut sums, number);
         }
         for sums in sums {
             let Sums { rows, columns, factor, .. } = &sums;
@@ -89,15 +88,12 @@ impl Equations<'_> {
         self.problem.unknown().flat_map(of_contact).chain(linked.map(of_laminate)).collect()
     }
 
-    /// Adds some wavenumbers to [`Self::sums`].
-    fn add_waves(&self, sums: &mut [Sums], nodes: Range<usize>) {
-        let (workspace, first) = (&self.problem.kernel.workspace, nodes.start);
-        let all = 0..self.columns.len();
-        let waves: Vec<Table> = all.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
-        // of a given pressure none
-        let long = |contact: usize| self.columns[contact].long_waves(self.zeta(contact, nodes.clone()), workspace);
-        let long: Vec<Long> = all.map(long).collect();
-        let tests: Vec<Table> = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
+    /// Adds a block of wavenumbers to [`Self::sums`].
+    fn add_waves(&self, sums: &mut [Sums], number: usize) {
+        let (workspace, first) = (&self.problem.kernel.workspace, number * AT_ONCE);
+        let nodes = first..first + AT_ONCE;
+        let sampled = self.sampled(number);
+        let Sampled { waves, long, whole: tests } = &*sampled;
         let mut sums = sums.iter_mut();
         let mut add = |columns: &Weighted, left: &Table, told: &Table| {
             sums.by_ref().take(1).for_each(|sums| sums.add(columns, left, told));
@@ -123,8 +119,8 @@ impl Equations<'_> {
             let reach = |contact: usize| self.zeta(contact, nodes.clone()).len();
             let count = coupling.len().min(reach(laminate)).min(reach(laminate + 1));
             let differ = |of: &[Table]| differences(&of[laminate], &of[laminate + 1], count, parts, workspace);
-            let pressed = differ(&waves);
-            add(&Weighted::new(&pressed, coupling, parts, workspace), &pressed, &differ(&tests));
+            let pressed = differ(waves);
+            add(&Weighted::new(&pressed, coupling, parts, workspace), &pressed, &differ(tests));
         }
     }
 
@@ -186,7 +182,7 @@ impl Equations<'_> {
         let per_limit = own.exponentials.0.iter().map(|[b, c]| [*b, c / own.limit]);
         let exponentials: Vec<[f64; 2]> = per_limit.collect();
         let mut space = columns.in_space(&self.problem.sides[contact], &exponentials, amplitudes);
-        columns.add_short_waves(&mut space, self.problem.kernel, self.layout, contact)?;
+        columns.add_short_waves(&mut space, self.short_waves(contact)?, own.limit);
         columns.subtract(&mut space);
         Some(space)
     }

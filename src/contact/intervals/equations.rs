@@ -4,17 +4,22 @@
 //! and so are the intensities q of the singular pressures at the ends, and the moments under punches that do not turn. The rows of the unknown terms are
 //! symmetric and positive definite; as many other rows are left as there are other unknowns: of the first and second terms, of the tests with k = 0,
 //! and of gaps to be closed. Bodies that may turn add an angle, and the test that tells it.
+use std::cell::{OnceCell, RefCell};
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::rc::Rc;
 
 use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
-
+use crate::contact::intervals::short_waves::ShortWaves;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::waves::{AT_ONCE, Long};
 use crate::contact::problem::Problem;
+
+/// Numbers in columns at wavenumbers that are kept at most, 8 bytes each: others are made again where they are needed.
+const KEPT: usize = 1 << 21;
 
 /// The equations of one support.
 pub(super) struct Equations<'a> {
@@ -30,6 +35,18 @@ pub(super) struct Equations<'a> {
     pub(super) free: Vec<usize>,
     /// The contacts and groups of intervals at which bodies turn against each other.
     pub(super) turning: Vec<(usize, usize)>,
+    /// Columns at the first wavenumbers, and at short waves for each contact, as far as they have been asked for.
+    blocks: RefCell<Vec<Rc<Sampled>>>,
+    short_waves: Vec<OnceCell<Option<Vec<ShortWaves>>>>,
+}
+
+/// The columns of all contacts at some wavenumbers.
+pub(super) struct Sampled {
+    /// What resultants, moments and rotations do to long waves left out; of a given pressure one column.
+    pub(super) waves: Vec<Table>,
+    /// What is left out, and the tests that it belongs to as they are.
+    pub(super) long: Vec<Long>,
+    pub(super) whole: Vec<Table>,
 }
 
 /// What the equations tell.
@@ -102,7 +119,8 @@ impl<'a> Equations<'a> {
             turning.map(move |(group, _)| (contact, group))
         };
         let turning = (0..problem.contacts()).flat_map(of).collect();
-        Self { problem, layout, columns, linked, moves, free, turning }
+        let short_waves = columns.iter().map(|_| OnceCell::new()).collect();
+        Self { problem, layout, columns, linked, moves, free, turning, blocks: RefCell::default(), short_waves }
     }
 
     /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.
@@ -201,8 +219,30 @@ impl<'a> Equations<'a> {
         &self.layout.zeta[nodes.start.min(reach)..nodes.end.min(reach)]
     }
 
-    /// The columns of a contact at some wavenumbers, what resultants and moments do to long waves left out; of a given pressure one column.
-    pub(super) fn waves(&self, contact: usize, nodes: Range<usize>) -> Table {
+    /// The columns at the wavenumbers of block `number`.
+    pub(super) fn sampled(&self, number: usize) -> Rc<Sampled> {
+        if let Some(kept) = self.blocks.borrow().get(number) {
+            return kept.clone();
+        }
+        let (first, workspace) = (number * AT_ONCE, &self.problem.kernel.workspace);
+        let nodes = first..self.layout.zeta.len().min(first + AT_ONCE);
+        let all = 0..self.columns.len();
+        let waves: Vec<Table> = all.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
+        // of a given pressure none
+        let long = |contact: usize| self.columns[contact].long_waves(self.zeta(contact, nodes.clone()), workspace);
+        let long: Vec<Long> = all.map(long).collect();
+        let whole = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
+        let size: usize = waves.iter().map(|waves| waves.values.len()).sum();
+        let sampled = Rc::new(Sampled { waves, long, whole });
+        let mut blocks = self.blocks.borrow_mut();
+        if blocks.len() == number && (number + 1) * size <= KEPT {
+            blocks.push(sampled.clone());
+        }
+        sampled
+    }
+
+    /// The columns of a contact at some wavenumbers.
+    fn waves(&self, contact: usize, nodes: Range<usize>) -> Table {
         let (zeta, workspace) = (self.zeta(contact, nodes), &self.problem.kernel.workspace);
         let Some(given) = self.problem.sides[contact].given() else {
             return self.columns[contact].waves(zeta, workspace);
@@ -212,6 +252,12 @@ impl<'a> Equations<'a> {
         let odd = zeta.iter().filter(|_| self.moves).map(|zeta| zeta * given.odd_transform_less_moment(*zeta));
         column.values.iter_mut().zip(even.chain(odd)).for_each(|(into, value)| *into = value);
         column
+    }
+
+    /// What the columns of a contact are at short waves; `None` if these take too many wavenumbers.
+    pub(super) fn short_waves(&self, contact: usize) -> Option<&[ShortWaves]> {
+        let made = || self.columns[contact].short_waves(self.problem.kernel, self.layout, contact);
+        self.short_waves[contact].get_or_init(made).as_deref()
     }
 
     /// The real part of exp(iζx) alone, or the imaginary one as well.
@@ -236,29 +282,23 @@ impl<'a> Equations<'a> {
         &weights[first.min(weights.len())..]
     }
 
-    /// Hands out, block by block of wavenumbers, the columns of each contact, what is left out of them, and the slopes of waves that pressures with each of
-    /// some sets of amplitudes make outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
+    /// Hands out, block by block of wavenumbers, the columns of each contact, and the slopes of waves that pressures with each of some sets of amplitudes make
+    /// outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
     pub(super) fn responses(
         &self,
         sets: &[Vec<Vec<f64>>],
-        mut each: impl FnMut([usize; 2], Range<usize>, &Table, &Long, &[f64]),
+        mut each: impl FnMut([usize; 2], Range<usize>, &Sampled, &[f64]),
     ) {
-        let (workspace, all) = (&self.problem.kernel.workspace, self.layout.zeta.len());
-        for first in (0..all).step_by(AT_ONCE) {
-            let nodes = first..all.min(first + AT_ONCE);
-            let zeta = |contact: usize| self.zeta(contact, nodes.clone());
-            let contacts = 0..self.columns.len();
-            let waves: Vec<Table> = contacts.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
-            let long: Vec<Long> =
-                contacts.map(|contact| self.columns[contact].long_waves(zeta(contact), workspace)).collect();
+        for (number, first) in (0..self.layout.zeta.len()).step_by(AT_ONCE).enumerate() {
+            let sampled = self.sampled(number);
             for (set, amplitudes) in sets.iter().enumerate() {
-                let fields = waves.iter().zip(amplitudes);
+                let fields = sampled.waves.iter().zip(amplitudes);
                 let fields: Vec<Vec<f64>> =
                     fields.map(|(waves, amplitudes)| waves.part(0..amplitudes.len()).combine(amplitudes)).collect();
                 for contact in self.problem.unknown() {
-                    let response = self.response(contact, first, &fields, &long[contact], &amplitudes[contact]);
-                    let nodes = first..first + zeta(contact).len();
-                    each([set, contact], nodes, &waves[contact], &long[contact], &response);
+                    let response = self.response(contact, first, &fields, &sampled.long[contact], &amplitudes[contact]);
+                    let nodes = first..first + self.zeta(contact, first..first + AT_ONCE).len();
+                    each([set, contact], nodes, &sampled, &response);
                 }
             }
         }

@@ -1,6 +1,4 @@
 //! No pressure may be tension, and no gap penetrated, between the intervals of a contact and beyond them.
-use std::f64::consts::PI;
-
 use num_complex::Complex64;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
@@ -8,7 +6,7 @@ use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, PER_MODE, PLACES, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, PLACES, SAFETY};
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
@@ -78,13 +76,9 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<(f64, Vec<f64>)
     // about the middle, where pressures are said to be right to a part of what they are there
     let mut tensions = vec![0.0f64; count];
     for (interval, pressure) in level.support.0.iter().zip(&level.solved.pressures) {
-        let strip = pressure.regular(interval).strip(interval);
-        let places = 2 * PER_MODE * pressure.terms.len();
-        let (mut least, mut most) = (0.0f64, 0.0f64);
-        for k in 1..places {
-            let pressure = strip.pressure(interval.place(PI * k as f64 / places as f64));
-            (least, most) = (least.min(pressure), most.max(pressure));
-        }
+        let inside = pressure.regular(interval).inside(interval, pressure.places(interval));
+        let extremes = |(least, most): (f64, f64), p: &f64| (least.min(*p), most.max(*p));
+        let (least, most) = inside.iter().fold((0.0, 0.0), extremes);
         let contact = interval.contact;
         means[contact] = means[contact].max(pressure.mean(interval));
         smallest[contact] = smallest[contact].min(least);
@@ -135,7 +129,7 @@ fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<
     let reach = |contact: usize| layout.own[contact].reach;
     let mut all: Vec<_> = (0..problem.contacts()).map(|contact| [0, 1].map(|_| vec![0.0; reach(contact)])).collect();
     let amplitudes = equations.told_amplitudes(&level.solved.pressures);
-    equations.responses(&[amplitudes], |[_, contact], nodes, _, _, response| {
+    equations.responses(&[amplitudes], |[_, contact], nodes, _, response| {
         for (part, values) in response.chunks(nodes.len().max(1)).enumerate() {
             all[contact][part][nodes.clone()].copy_from_slice(values);
         }

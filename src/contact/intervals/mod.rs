@@ -43,9 +43,10 @@ use support::{ContactInterval, Parity};
 /// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
 const FINEST: usize = 768;
-/// From level to level the number of terms grows by a factor between these.
+/// From level to level the number of terms grows by a factor between these, or to the terms of so many orders, which cost next to nothing.
 const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
+const CHEAP: usize = 84;
 /// Changes from level to level are said to fall at least this fast, and at most.
 const MOST_FALL: f64 = 0.5;
 const LEAST_FALL: f64 = 0.01;
@@ -112,11 +113,11 @@ pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec
     starts
 }
 
-/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
-fn resolved(problem: &Problem, interval: &ContactInterval) -> usize {
+/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone, from the usual number times `finer` on.
+fn resolved(problem: &Problem, interval: &ContactInterval, finer: usize) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
     let count = if interval.is_even() { 0.5 * orders } else { orders };
-    (count as usize).min(FINEST / 2)
+    (count as usize).clamp(finer * COARSEST, finer * 4 * COARSEST).min(FINEST / 2)
 }
 
 /// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
@@ -184,16 +185,19 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
 fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
     let weights = level.last_terms();
     let most = largest(weights.iter().copied());
-    let grown = |(count, weight): (&usize, &f64)| {
+    let grown = |((count, weight), interval): ((&usize, &f64), &ContactInterval)| {
         let error = if most > 0.0 { errors.worst() * weight / most } else { errors.worst() };
         if error < MINOR * tolerance {
             return *count;
         }
-        let steps = (error / tolerance).ln() / -errors.fall.ln();
-        let growth = LEAST_GROWTH.powf(steps.max(1.0)).min(MOST_GROWTH);
-        ((growth * *count as f64) as usize).min(FINEST.max(*count))
+        // a third of the terms more makes errors fall so much
+        let thirds = (error / tolerance).ln() / -errors.fall.ln();
+        let [wanted, least, most] =
+            [1.0 + thirds / 3.0, LEAST_GROWTH, MOST_GROWTH].map(|growth| growth * *count as f64);
+        let cheap = if interval.is_even() { CHEAP / 2 } else { CHEAP };
+        (wanted.clamp(least, most.max(cheap as f64)) as usize).min(FINEST.max(*count))
     };
-    level.counts.iter().zip(&weights).map(grown).collect()
+    level.counts.iter().zip(&weights).zip(&level.support.0).map(grown).collect()
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch

@@ -17,8 +17,6 @@ use crate::numeric::largest;
 
 /// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
-/// Equations are factorised anew after a step that is longer than this part of the one before.
-const FAST: f64 = 0.1;
 /// Steps at most.
 const MOST_STEPS: usize = 40;
 /// An end that would take a longer step, in half-lengths, from next to no singularity need not be known.
@@ -170,8 +168,6 @@ struct Newton<'a> {
     last: Option<(Intervals, Solved)>,
     /// Whether ends have moved so little that kept equations do.
     is_near: bool,
-    /// Whether steps grow shorter as fast as with equations of the same list.
-    leads_on: bool,
     /// The longest of the steps of ends that are to be taken, and what these and changes of terms leave.
     farthest: f64,
     left: f64,
@@ -189,7 +185,6 @@ impl<'a> Newton<'a> {
             is_own: false,
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
             is_near: true,
-            leads_on: true,
             farthest: 0.0,
             left: f64::INFINITY,
             progress: Progress::default(),
@@ -205,15 +200,24 @@ impl<'a> Newton<'a> {
         [anew, kept]: [f64; 2],
         work: &mut Work,
     ) -> Option<(Solved, Vec<Look>)> {
-        if let (Some(equations_kept), Some((before, solved)), true) = (&self.kept, &self.last, self.is_near) {
-            work.operations.spend(kept)?;
-            let expected = solved.on(before, support).regular(support);
-            if let Some((solved, changed_by)) = equations_kept.corrected(equations, &expected, self.counts) {
+        if let (Some(equations_kept), Some((before, solved)), true) = (self.kept.clone(), &self.last, self.is_near) {
+            let mut expected = solved.on(before, support).regular(support);
+            let mut changed = f64::INFINITY;
+            loop {
+                work.operations.spend(kept)?;
+                let Some((solved, changed_by)) = equations_kept.corrected(equations, &expected, self.counts) else {
+                    break;
+                };
                 let looks = self.look(support, &solved, changed_by);
-                if self.left <= SLOW * self.progress.last {
+                if self.left <= self.farthest.max(self.enough) && self.left <= SLOW * self.progress.last {
                     self.is_own = false;
                     return Some((solved, looks));
                 }
+                // terms that miss more than ends do are corrected again between the same ends, if that leads on
+                if self.left <= self.farthest || changed_by > SLOW * changed {
+                    break;
+                }
+                (expected, changed) = (solved, changed_by);
             }
         }
         work.operations.spend(anew)?;
@@ -230,7 +234,6 @@ impl<'a> Newton<'a> {
         self.farthest = looks.iter().map(moves).fold(0.0, f64::max);
         // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
         self.left = self.farthest.max(MINOR * changed_by);
-        self.leads_on = self.left <= FAST * self.progress.last;
         looks
     }
 
@@ -300,8 +303,7 @@ impl<'a> Newton<'a> {
 
     /// Takes note of the next list.
     fn take(&mut self, next: &Intervals, (support, solved): (Intervals, Solved)) {
-        let taken = support.steps_to(next);
-        self.is_near = self.leads_on && longest(taken.iter().copied()) < LAYOUT_SERVES;
+        self.is_near = longest(support.steps_to(next)) < LAYOUT_SERVES;
         self.last = Some((support, solved));
     }
 }

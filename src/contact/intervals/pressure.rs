@@ -56,6 +56,17 @@ impl Pressure {
         Strip { at: interval.middle, skew: every_other(1), corners, tip, tip_at, ..series }
     }
 
+    /// The pressure at angles πk/places, k = 1, 2, ..., from the right end inwards; of what is even, on the right half.
+    pub(super) fn inside(&self, interval: &ContactInterval, places: usize) -> Vec<f64> {
+        let (strip, last) = (self.strip(interval), if interval.is_even() { places / 2 } else { places - 1 });
+        (1..=last).map(|k| strip.pressure(interval.place(PI * k as f64 / places as f64))).collect()
+    }
+
+    /// In how many places, all angles together, it is looked at.
+    pub(super) fn places(&self, interval: &ContactInterval) -> usize {
+        PER_MODE * interval.order(self.terms.len() - 1)
+    }
+
     /// The pressure in the middle of the interval, per unit of P'.
     pub(super) fn middle(&self, interval: &ContactInterval) -> f64 {
         self.strip(interval).pressure(interval.middle)
@@ -135,7 +146,7 @@ impl Pressure {
         if newton > -MINOR {
             return newton;
         }
-        let places = PER_MODE * interval.order(self.terms.len() - 1);
+        let places = self.places(interval);
         let distance = self.zero(interval, side, places).unwrap_or_else(|| match newton.is_finite() {
             true => -0.5 * newton,
             false => 1.0 - (0.5 * PI / places as f64).cos(),

@@ -1,6 +1,8 @@
 //! Where bodies touch, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
 use std::f64::consts::PI;
 
+use crate::numeric::bessel::Wanted;
+
 /// What the mirror image of an interval about x = 0 is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Parity {
@@ -95,6 +97,16 @@ impl ContactInterval {
     /// The order j of the term sin jφ of number m of its pressure, x = middle + half cos φ.
     pub(super) fn order(&self, m: usize) -> usize {
         if self.is_even() { 2 * m + 1 } else { m + 1 }
+    }
+
+    /// The Bessel functions that its terms need.
+    pub(super) fn wanted(&self) -> Wanted {
+        if self.is_even() { Wanted::ZERO_AND_ODD } else { Wanted::ALL }
+    }
+
+    /// The place of one order among these.
+    pub(super) fn among_wanted(&self, order: usize) -> usize {
+        if self.is_even() { order.div_ceil(2) } else { order }
     }
 
     /// The amplitude of sin φ on the interval and its mirror image that has the resultant 1.

@@ -7,9 +7,9 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::gaps::{self, Fault};
 use crate::contact::intervals::newton::{Approximation, Failure, TOGETHER, converge};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
-use crate::contact::intervals::{COARSEST, refine, resolved};
+use crate::contact::intervals::{refine, resolved};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, PER_MODE, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, SAFETY};
 
 /// Changes of the list at most.
 const MOST_CHANGES: usize = 30;
@@ -44,9 +44,7 @@ pub(super) fn solve(
 fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mut Work) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
         work.steps.clear();
-        let [least, most] = [COARSEST, 4 * COARSEST].map(|count| finer * count);
-        let mut counts: Vec<usize> =
-            support.0.iter().map(|interval| resolved(problem, interval).clamp(least, most)).collect();
+        let mut counts: Vec<usize> = support.0.iter().map(|interval| resolved(problem, interval, finer)).collect();
         support.equalise(&mut counts);
         support = match converge(problem, support, None, &counts, COARSE, work) {
             Ok(level) => match tension(&level) {
@@ -107,14 +105,8 @@ fn tension(level: &Approximation) -> Tension {
     let mut found = Tension::None;
     let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0]);
     for (number, ((interval, pressure), coarser)) in all.enumerate() {
-        let places = 2 * PER_MODE * pressure.terms.len();
-        let phi = |k: usize| PI * k as f64 / places as f64;
-        // of what is even the right half
-        let looked_at = if interval.is_even() { places / 2 + 1 } else { places };
-        let [own, coarser] = [pressure, coarser].map(|pressure| {
-            let strip = pressure.regular(interval).strip(interval);
-            (1..looked_at).map(|k| strip.pressure(interval.place(phi(k)))).collect::<Vec<f64>>()
-        });
+        let places = pressure.places(interval);
+        let [own, coarser] = [pressure, coarser].map(|pressure| pressure.regular(interval).inside(interval, places));
         let mean = pressure.mean(interval);
         let is_negative = |k: &usize| own[*k] < -COARSE * mean;
         let is_certain = |k: &usize| is_negative(k) && own[*k] < -SAFETY * (own[*k] - coarser[*k]).abs();
@@ -126,7 +118,7 @@ fn tension(level: &Approximation) -> Tension {
         };
         let last = (first..own.len()).take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
         let first = (0..=first).rev().take_while(|k| own[*k] < 0.0).last().unwrap_or(first);
-        let place = |k: usize| interval.place(phi(k + 1));
+        let place = |k: usize| interval.place(PI * (k + 1) as f64 / places as f64);
         // tension about the middle of what is even leaves the outer part only
         let inner = (!interval.is_even() || last + 1 < own.len()).then(|| [interval.from(), place(last)]);
         let [left, right] = interval.corners;

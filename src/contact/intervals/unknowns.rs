@@ -94,11 +94,10 @@ impl Equations<'_> {
         let sets: Vec<Vec<Vec<f64>>> = all.iter().map(|unknowns| self.amplitudes_of(places, unknowns)).collect();
         let zeros: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
         let mut missed = vec![zeros; all.len()];
-        let workspace = &self.problem.kernel.workspace;
-        self.responses(&sets, |[set, contact], _, waves, long, response| {
-            let mut tested = waves.all().test(response);
-            let whole = long.whole(waves, workspace).all().test(response);
-            long.places.iter().zip(whole).for_each(|(place, value)| tested[*place] = value);
+        self.responses(&sets, |[set, contact], _, sampled, response| {
+            let mut tested = sampled.waves[contact].all().test(response);
+            let whole = sampled.whole[contact].all().test(response);
+            sampled.long[contact].places.iter().zip(whole).for_each(|(place, value)| tested[*place] = value);
             missed[set][contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
         });
         for ((rows, amplitudes), unknowns) in missed.iter_mut().zip(&sets).zip(all) {

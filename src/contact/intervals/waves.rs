@@ -61,30 +61,19 @@ impl Columns<'_> {
         let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
         let orders = (interval.order(count - 1) + 1).max(4);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
-        let mut table = Table::new(nodes, orders, workspace);
-        bessel::table(orders, &arguments, &mut table.values);
+        let wanted = interval.wanted();
+        let mut table = Table::new(nodes, wanted.below(orders), workspace);
+        bessel::scaled_orders(orders, wanted, &arguments, 1.0, nodes, &mut table.values);
         let (sines, cosines): (Vec<f64>, Vec<f64>) = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).unzip();
-        for m in 0..count {
-            let order = interval.order(m);
-            let factor = 2.0 * alternating(order / 2) / half;
-            let (real, imaginary) = all.column_mut(first + m).split_at_mut(nodes);
-            // cos ζm and sin ζm, or sin ζm and −cos ζm
-            let parts = match order.is_multiple_of(2) {
-                true => [(real, &sines, factor), (imaginary, &cosines, -factor)],
-                false => [(real, &cosines, factor), (imaginary, &sines, factor)],
-            };
-            for (into, phases, factor) in parts {
-                let values = table.column(order).iter().zip(phases);
-                into.iter_mut().zip(values).for_each(|(into, (j, phase))| *into = factor * j * phase);
-            }
-        }
+        self.put_terms(all, number, &table, [&sines, &cosines]);
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
-        let [j1, j2, j3] = [1, 2, 3].map(|order| table.column(order));
+        let [j1, j3] = [1, 3].map(|order| table.column(interval.among_wanted(order)));
         for (k, wave) in zeta.iter().enumerate() {
             let (sin, phase) = (sines[k], wave * middle);
             let jinc = bessel::jinc_minus_one_from(arguments[k], j1[k]);
-            let (zeroth, cos) = (jinc - j2[k], cosine_minus_one(phase));
+            let j2 = 0.25 * arguments[k] * (j1[k] + j3[k]);
+            let (zeroth, cos) = (jinc - j2, cosine_minus_one(phase));
             let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
             put(first, k, wave * less_one(jinc, cos));
             for (place, side) in (end..).zip(interval.sides()) {
@@ -113,6 +102,30 @@ impl Columns<'_> {
                 let [_, moment] = self.carried_by(Other::Mean(number));
                 put(mean, k, 2.0 / half * (odd + sin * zeroth));
                 put(mean, row, -2.0 / half * less_one(zeroth, cos) - moment * wave * wave);
+            }
+        }
+    }
+
+    /// The terms of one interval, from a table of Bessel functions and the sines and cosines of ζ middle.
+    fn put_terms(&self, all: &mut Table, number: usize, table: &Table, [sines, cosines]: [&Vec<f64>; 2]) {
+        let interval = &self.intervals[number];
+        for m in 0..self.counts[number] {
+            let order = interval.order(m);
+            let values = table.column(interval.among_wanted(order));
+            let factor = 2.0 * alternating(order / 2) / interval.half;
+            let (real, imaginary) = all.column_mut(self.first(number) + m).split_at_mut(table.rows());
+            if interval.is_even() {
+                real.iter_mut().zip(values).for_each(|(into, j)| *into = factor * j);
+                continue;
+            }
+            // cos ζm and sin ζm, or sin ζm and −cos ζm
+            let parts = match order.is_multiple_of(2) {
+                true => [(real, sines, factor), (imaginary, cosines, -factor)],
+                false => [(real, cosines, factor), (imaginary, sines, factor)],
+            };
+            for (into, phases, factor) in parts {
+                let waves = values.iter().zip(phases);
+                into.iter_mut().zip(waves).for_each(|(into, (j, phase))| *into = factor * j * phase);
             }
         }
     }
