@@ -5,7 +5,6 @@
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-use crate::contact::ends::newton::LAYOUT_SERVES;
 use crate::contact::intervals::support::{End, Intervals};
 use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::support::longest;
@@ -30,9 +29,6 @@ pub(super) struct Derivatives {
     /// The last step of each end, and how far it may move, in half-lengths.
     taken: Vec<f64>,
     limits: Vec<f64>,
-    /// The steps that ends called for at the last list, and how these shorten as ends move.
-    wanted: Vec<f64>,
-    secant: Option<Mat<f64>>,
 }
 
 impl Derivatives {
@@ -52,7 +48,7 @@ impl Derivatives {
             self.matrix = Some(differences(support, q, perturbed)?);
         }
         let size = q.len();
-        let mut matrix = self.shortening(steps);
+        let mut matrix = Mat::identity(size, size);
         let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
         let mut allowed = vec![LONGEST; size];
         if let Some(own) = &self.matrix {
@@ -84,25 +80,6 @@ impl Derivatives {
         self.limits = steps.iter().enumerate().map(|(row, step)| self.limit(row, *step, allowed[row])).collect();
         self.taken = steps.to_vec();
         steps.iter().all(|step| step.is_finite()).then_some(())
-    }
-
-    /// How steps shorten as ends move: each by what its own end moves, and near the answer what the steps taken there tell, by Broyden's method.
-    fn shortening(&mut self, steps: &[f64]) -> Mat<f64> {
-        let size = steps.len();
-        let [wanted, taken] = [&self.wanted, &self.taken].map(|all| longest(all.iter().copied()));
-        let is_near = 0.0 < taken && taken < LAYOUT_SERVES && longest(steps.iter().copied()) < SLOW * wanted;
-        let mut matrix = self.secant.take().filter(|_| is_near).unwrap_or_else(|| Mat::identity(size, size));
-        if is_near {
-            let square: f64 = self.taken.iter().map(|step| step * step).sum();
-            for row in 0..size {
-                let expected: f64 = (0..size).map(|column| matrix[(row, column)] * self.taken[column]).sum();
-                let missed = self.wanted[row] - steps[row] - expected;
-                (0..size).for_each(|column| matrix[(row, column)] += missed * self.taken[column] / square);
-            }
-        }
-        self.wanted = steps.to_vec();
-        self.secant = Some(matrix.clone());
-        matrix
     }
 
     /// How far an end may move in the direction of a step: steps back and forth grow shorter.

@@ -43,10 +43,9 @@ use support::{ContactInterval, Parity};
 /// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
 const FINEST: usize = 768;
-/// From level to level the number of terms grows by a factor between these, or to the terms of so many orders, which cost next to nothing.
+/// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
-const CHEAP: usize = 84;
 /// Changes from level to level are said to fall at least this fast, and at most.
 const MOST_FALL: f64 = 0.5;
 const LEAST_FALL: f64 = 0.01;
@@ -151,7 +150,8 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
     for (k, error) in errors.pressures.iter_mut().enumerate() {
         *error += SAFETY * level.local[k].error / level.largest_pressure(level.support.0[k].contact, &middle);
     }
-    if errors.ends.iter().flatten().any(|error| error.is_nan() || *error > UNKNOWN) || errors.worst().is_nan() {
+    // what still changes so much is not known to be near its limit
+    if errors.worst().is_nan() || errors.worst() > UNKNOWN {
         return None;
     }
     let mut warnings = Vec::new();
@@ -185,19 +185,16 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
 fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
     let weights = level.last_terms();
     let most = largest(weights.iter().copied());
-    let grown = |((count, weight), interval): ((&usize, &f64), &ContactInterval)| {
+    let grown = |(count, weight): (&usize, &f64)| {
         let error = if most > 0.0 { errors.worst() * weight / most } else { errors.worst() };
         if error < MINOR * tolerance {
             return *count;
         }
-        // a third of the terms more makes errors fall so much
-        let thirds = (error / tolerance).ln() / -errors.fall.ln();
-        let [wanted, least, most] =
-            [1.0 + thirds / 3.0, LEAST_GROWTH, MOST_GROWTH].map(|growth| growth * *count as f64);
-        let cheap = if interval.is_even() { CHEAP / 2 } else { CHEAP };
-        (wanted.clamp(least, most.max(cheap as f64)) as usize).min(FINEST.max(*count))
+        let steps = (error / tolerance).ln() / -errors.fall.ln();
+        let growth = LEAST_GROWTH.powf(steps.max(1.0)).min(MOST_GROWTH);
+        ((growth * *count as f64) as usize).min(FINEST.max(*count))
     };
-    level.counts.iter().zip(&weights).zip(&level.support.0).map(grown).collect()
+    level.counts.iter().zip(&weights).map(grown).collect()
 }
 
 /// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch

@@ -162,8 +162,9 @@ struct Newton<'a> {
     /// The same as long as missing terms matter more.
     aim: Option<f64>,
     kept: Option<Rc<Kept>>,
-    /// Whether the factorised equations are the ones of the list itself.
+    /// Whether the factorised equations are the ones of the list itself, and whether the ones at the last list were.
     is_own: bool,
+    was_own: bool,
     /// The list before, with its solution.
     last: Option<(Intervals, Solved)>,
     /// Whether ends have moved so little that kept equations do.
@@ -183,6 +184,7 @@ impl<'a> Newton<'a> {
             aim: None,
             kept: before.and_then(|before| before.kept.clone()).filter(|kept| kept.serves(counts)),
             is_own: false,
+            was_own: false,
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
             is_near: true,
             farthest: 0.0,
@@ -200,6 +202,7 @@ impl<'a> Newton<'a> {
         [anew, kept]: [f64; 2],
         work: &mut Work,
     ) -> Option<(Solved, Vec<Look>)> {
+        self.was_own = std::mem::take(&mut self.is_own);
         if let (Some(equations_kept), Some((before, solved)), true) = (self.kept.clone(), &self.last, self.is_near) {
             let mut expected = solved.on(before, support).regular(support);
             let mut changed = f64::INFINITY;
@@ -210,7 +213,6 @@ impl<'a> Newton<'a> {
                 };
                 let looks = self.look(support, &solved, changed_by);
                 if self.left <= self.farthest.max(self.enough) && self.left <= SLOW * self.progress.last {
-                    self.is_own = false;
                     return Some((solved, looks));
                 }
                 // terms that miss more than ends do are corrected again between the same ends, if that leads on
@@ -237,8 +239,9 @@ impl<'a> Newton<'a> {
         looks
     }
 
+    /// Whether steps leave rounding: hardly less than at the last list, and not for want of equations of its own there.
     fn is_rounding(&self) -> bool {
-        self.progress.is_rounding(self.left, 1e-7)
+        self.was_own >= self.is_own && self.progress.is_rounding(self.left, 1e-7)
     }
 
     /// Whether steps leave as little as that.
