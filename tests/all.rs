@@ -39,6 +39,7 @@ mod intervals;
 mod invariance;
 mod json;
 mod kinds;
+mod laws;
 mod layers;
 mod list;
 mod loads;

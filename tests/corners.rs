@@ -124,6 +124,26 @@ fn two_level_punches_press_the_more_the_farther_out() {
     }
 }
 
+/// Two level punches on a < |x| < b with forces of their own: p = ±(A + Bx)/√((x² − a²)(b² − x²)), where ∫ x dx/√... over one of them is π/2, and ∫ dx/√... is K(√(1 − a²/b²))/b,
+/// a complete elliptic integral: π/2 over the arithmetic-geometric mean of b and a.
+#[test]
+fn two_level_punches_share_their_forces_by_elliptic_integrals() {
+    let (model, _) = half_plane();
+    let [a, b] = [0.8 - HALF_WIDTH, 0.8 + HALF_WIDTH];
+    let mean = (0..8).fold([b, a], |[b, a], _| [0.5 * (a + b), (a * b).sqrt()])[0];
+    for [left, right] in [[0.01, 0.006], [0.006, 0.009f64]] {
+        let solution = press(&model, &[flat(-0.8, left, Tilt::None), flat(0.8, right, Tilt::None)]);
+        let (constant, slope) = ((right - left) * mean / PI, (right + left) / PI);
+        for x in [0.31, 0.5, 1.0, 1.29f64] {
+            for x in [x, -x] {
+                let root = ((x * x - a * a) * (b * b - x * x)).sqrt();
+                let expected = (constant + slope * x) * x.signum() / root;
+                near(solution.contacts()[0].pressure(x), expected, 1e-10 * expected.abs());
+            }
+        }
+    }
+}
+
 #[test]
 fn contacts_move_and_are_mirrored_with_flat_punches() {
     let cases = |sign: f64, by: f64| {
