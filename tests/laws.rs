@@ -1,6 +1,6 @@
 //! Laws of mechanics for punches anywhere on random stacks.
 //!
-//! Goal: without knowing a single number, contacts are where mechanics says: they move with the punches and are mirrored with them, without symmetry they are those of the
+//! Goal: without knowing a single number, contacts are where mechanics says: they move with the punches and are mirrored with them, without symmetry they are the contacts of the
 //! solver for even contacts, bonded stacks obey Betti's theorem, and strips of the pressure of a punch press what lies below as the punch does.
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

@@ -24,7 +24,7 @@ pub(super) struct ShortWaves {
 }
 
 impl Columns<'_> {
-    /// Those of each interval of a contact: beyond the wavenumbers of a layout, and what was taken out of the kernel there; of none if there are no such waves.
+    /// The short waves of each interval of a contact: beyond the wavenumbers of a layout, and what was taken out of the kernel there; empty if there are none.
     /// `None` if that takes too many nodes.
     pub(super) fn short_waves(&self, kernel: &Kernel, layout: &Layout, contact: usize) -> Option<Vec<ShortWaves>> {
         let (own, from) = (&layout.own[contact], layout.tails_from[contact]);
