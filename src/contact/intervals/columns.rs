@@ -252,7 +252,7 @@ impl Columns<'_> {
     pub(super) fn amplitudes(&self, pressures: &[Pressure]) -> Vec<f64> {
         let all = pressures.iter().zip(self.intervals);
         let of = |(own, interval): (&Pressure, &ContactInterval)| -> Vec<f64> {
-            own.terms.iter().enumerate().map(|(m, y)| y + own.tip.term(interval.order(m))).collect()
+            own.terms.iter().enumerate().map(|(m, y)| y + own.tip.term(interval, m)).collect()
         };
         all.flat_map(of).chain(pressures.iter().flat_map(|own| own.singular.iter().copied())).collect()
     }

@@ -208,7 +208,7 @@ impl<'a> Equations<'a> {
     pub(super) fn tip(&self, contact: usize, interval: &ContactInterval) -> Tip {
         let tip = self.problem.tip(contact, interval.punch);
         let of = |(at, jump): (f64, f64)| {
-            let strength = jump / (PI * interval.unit() * self.layout.own[contact].limit);
+            let strength = interval.twin.under_jump * jump / (interval.unit() * self.layout.own[contact].limit);
             Tip { strength, at: (at - interval.middle) / interval.half }
         };
         tip.map(of).filter(|tip| tip.at.abs() < 1.0).unwrap_or_default()

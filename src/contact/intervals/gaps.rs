@@ -1,4 +1,6 @@
 //! No pressure may be tension, and no gap penetrated, between the intervals of a contact and beyond them.
+use std::f64::consts::PI;
+
 use num_complex::Complex64;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
@@ -6,7 +8,9 @@ use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
+use crate::contact::problem::abel;
 use crate::contact::problem::accuracy::{COARSE, PLACES, SAFETY};
+use crate::contact::problem::twin::Twin;
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
@@ -152,14 +156,17 @@ fn gaps(
     let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
     let height = |x: f64| side.height_under(*punch, x);
     let mut waves = Waves::new(&waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
-    let at_end = columns.closed(*from, &amplitudes);
+    let is_round = problem.twin() == Twin::Round;
+    // what pressures do on a half-plane is nothing to the transform of a gap about an axis
+    let closed = |x: f64| if is_round { 0.0 } else { limit * columns.closed(x, &amplitudes) };
+    let (at_end, unit) = (closed(*from), if is_round { PI } else { 1.0 });
     let at = |k: usize| {
         let t = k as f64 / PLACES as f64;
         let x = from + (to - from) * t * t;
-        let near = limit * (columns.closed(x, &amplitudes) - at_end);
-        (x, height(x) - height(*from) - near - waves.next() + rotation * (x - from))
+        (x, height(x) - height(*from) - (closed(x) - at_end) - unit * waves.next() + rotation * (x - from))
     };
-    (1..=PLACES).map(at).collect()
+    let gaps: Vec<(f64, f64)> = (1..=PLACES).map(at).collect();
+    if is_round { gaps.iter().map(|(x, _)| *x).zip(abel::gaps(*from, &gaps)).collect() } else { gaps }
 }
 
 /// What waves add to a gap between its end and places at the distances d, 4d, 9d ... from there: phases of waves grow by odd multiples of ζd from place to place, and

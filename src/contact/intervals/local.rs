@@ -1,6 +1,4 @@
 //! What half-planes do under punches that are not smooth, where terms fall slowly: short waves see no more of a stack than its face.
-use std::f64::consts::PI;
-
 use crate::contact::intervals::equations::Solved;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::space::tests;
@@ -25,10 +23,8 @@ impl Local {
         if !side.is_kinked(interval.punch) {
             return Self::default();
         }
-        let factor = 2.0 / (PI * interval.unit() * limit);
         let term = |(m, test): (usize, f64)| {
-            let order = interval.order(m);
-            factor * order as f64 * test - tip.term(order)
+            interval.test(m) * test / (limit * interval.on_half_plane(m)) - tip.term(interval, m)
         };
         // no term has the test with k = 0
         let first = usize::from(!interval.is_even());
@@ -41,7 +37,9 @@ impl Local {
         };
         let apex = side.profile().filter(|profile| interval.is_even() && !profile.is_sharp());
         let (middle, error) = match apex {
-            Some(profile) => (middle(vec![factor * profile.apex(interval.half)]), 0.0),
+            Some(profile) => {
+                (middle(vec![interval.twin.alone(interval.half) / limit * profile.apex(interval.half)]), 0.0)
+            }
             None => (summed(&terms), (summed(&terms) - summed(&terms[..count / 2])).abs()),
         };
         Self { terms, middle, error }

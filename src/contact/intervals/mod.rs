@@ -77,13 +77,14 @@ pub(super) fn solve(
     answer
 }
 
-/// The list where contacts are expected; none about an axis, or where one is expected nowhere.
+/// The list where contacts are expected; none where one is expected nowhere.
 pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {
     let of = |Expected { contact, punch, ends }: &Expected| {
         if problem.is_even() {
             let corners = [problem.sides[*contact].is_flat(); 2];
             let half = [ends[0].max(0.0), ends[1]];
-            return (ends[1] > 0.0).then(|| ContactInterval::even(*contact, half).with_corners(corners));
+            return (ends[1] > 0.0)
+                .then(|| ContactInterval::even(problem.twin(), *contact, half).with_corners(corners));
         }
         let corner = |side: f64| problem.corner(*contact, *punch, side);
         let corners = [corner(-1.0) == Some(ends[0]), corner(1.0) == Some(ends[1])];
@@ -94,7 +95,7 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
         let own = start.of(contact);
         !own.is_empty() && own.iter().all(|interval| interval.half.is_normal() && interval.middle.is_finite())
     };
-    (problem.twin() == Twin::Plane && problem.unknown().all(is_there)).then_some(start)
+    problem.unknown().all(is_there).then_some(start)
 }
 
 /// Lists where the quadratic programme sees contacts, if it sees any, all is even and in the plane.
@@ -215,7 +216,8 @@ fn starting_intervals(
             return None;
         }
         let corners = [problem.sides[contact].is_flat(); 2];
-        intervals.extend(parts.iter().map(|part| ContactInterval::even(contact, *part).with_corners(corners)));
+        intervals
+            .extend(parts.iter().map(|part| ContactInterval::even(Twin::Plane, contact, *part).with_corners(corners)));
     }
     Some(Intervals(intervals))
 }
@@ -417,7 +419,7 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
             };
             return Found::even(&intervals, peak, &strips);
         }
-        let force = |number: &usize| level.regular[*number].force();
+        let force = |number: &usize| level.regular[*number].force(&level.support.0[*number]);
         let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));
         let peak = widest.map_or(0.0, |widest| pressures[widest]);
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();

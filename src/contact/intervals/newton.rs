@@ -342,7 +342,8 @@ fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> [f64; 2
 /// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.
 fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
     let all = &support.0;
-    let vanishes = |number: &usize| pressures[*number].force() <= 0.0 && support.of(all[*number].contact).len() > 1;
+    let vanishes =
+        |number: &usize| pressures[*number].force(&all[*number]) <= 0.0 && support.of(all[*number].contact).len() > 1;
     if let Some(number) = (0..all.len()).find(vanishes) {
         let mut all = all.clone();
         all.remove(number);

@@ -3,6 +3,8 @@ use std::f64::consts::PI;
 
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::{MINOR, PER_MODE};
+use crate::contact::problem::modes::alternating;
+use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::AVERAGED;
 use crate::solution::{Strip, tip_coefficient};
 
@@ -30,9 +32,14 @@ pub(super) struct Tip {
 }
 
 impl Tip {
-    /// The amplitude y_j of its term of one order.
-    pub(super) fn term(self, order: usize) -> f64 {
-        if self.strength == 0.0 { 0.0 } else { self.strength * order as f64 * tip_coefficient(self.at, order) }
+    /// The amplitude y_j of its term number m on an interval.
+    pub(super) fn term(self, interval: &ContactInterval, m: usize) -> f64 {
+        let order = interval.order(m);
+        match (self.strength, interval.twin) {
+            (0.0, _) => 0.0,
+            (strength, Twin::Plane) => strength * order as f64 * tip_coefficient(self.at, order),
+            (strength, Twin::Round) => alternating(m) * order as f64 * Twin::Round.tip_mode(m, strength),
+        }
     }
 }
 
@@ -40,16 +47,19 @@ impl Pressure {
     /// The same as a pressure of a solution, per unit of P', without the mirror image.
     pub(super) fn strip(&self, interval: &ContactInterval) -> Strip {
         let terms = self.terms.iter().enumerate();
-        let all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
+        let mut all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
         let singular = match self.singular[..] {
             [q] => [q, q],
             [left, right] => [left, right],
             _ => [0.0; 2],
         };
-        let corners = singular.map(|q| interval.unit() * q);
+        let corners = singular.map(|q| interval.unit() / interval.twin.norm * q);
         let (tip, tip_at) = (interval.unit() * self.tip.strength, self.tip.at);
         if interval.is_even() {
-            return Strip { corners, tip, tip_at, ..Strip::series(interval.half, all) };
+            let is_round = interval.twin == Twin::Round;
+            // Jacobi polynomials are 1 in the middle
+            all.iter_mut().enumerate().filter(|_| is_round).for_each(|(m, term)| *term *= alternating(m));
+            return Strip { corners, tip, tip_at, is_round, ..Strip::series(interval.half, all) };
         }
         let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
         let series = Strip::series(interval.half, every_other(0));
@@ -73,14 +83,14 @@ impl Pressure {
     }
 
     /// The resultant on the interval and its mirror image.
-    pub(super) fn force(&self) -> f64 {
+    pub(super) fn force(&self, interval: &ContactInterval) -> f64 {
         let of_ends: f64 = self.singular.iter().sum();
-        self.terms[0] + self.tip.term(1) + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
+        self.terms[0] + self.tip.term(interval, 0) + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
     }
 
     /// Its mean over the interval: with this tension is compared, since pressures next to tips and corners are as large as one looks closely.
     pub(super) fn mean(&self, interval: &ContactInterval) -> f64 {
-        0.5 * self.force() / (interval.images() * interval.half)
+        interval.twin.mean * interval.unit() * self.force(interval)
     }
 
     /// The same with no singularity at an end that is found: what is left of it is rounding.
@@ -93,10 +103,10 @@ impl Pressure {
     /// terms of −Σ y_j cos jφ (δm + δw cos φ)/(w sin φ), the change of p at a fixed x.
     pub(super) fn on(&self, before: &ContactInterval, after: &ContactInterval) -> Self {
         let [middle, half] = [after.middle - before.middle, after.half - before.half].map(|moved| moved / after.half);
-        let highest = before.order(self.terms.len());
+        let (twin, highest) = (before.twin, before.order(self.terms.len()));
         let mut cosines = vec![0.0; highest + 2];
         for (m, y) in self.terms.iter().enumerate() {
-            let j = before.order(m);
+            let (j, y) = (before.order(m), twin.scale(m) * y);
             cosines[j] += middle * y;
             cosines[j + 1] += 0.5 * half * y;
             cosines[j - 1] += 0.5 * half * y;
@@ -107,7 +117,8 @@ impl Pressure {
         let unit = before.unit() / after.unit();
         for (m, y) in moved.terms.iter_mut().enumerate() {
             let k = before.order(m);
-            *y = unit * (*y + 2.0 * k as f64 * cosines[k + 1]);
+            let of_all = 2.0 * (k as f64 + twin.shift) * cosines[k + 1] / twin.scale(m);
+            *y = unit * (*y - twin.shift * half * *y + of_all);
         }
         moved
     }
@@ -129,11 +140,12 @@ impl Pressure {
         let sign = |m: usize| if side > 0.0 || interval.order(m) % 2 == 1 { 1.0 } else { -1.0 };
         // the last terms, which truncation changes most, do not count
         let smooth = |m: usize| (-12.0 * (m as f64 / self.terms.len() as f64).powi(4)).exp();
-        let regular: f64 = self.terms.iter().enumerate().map(|(m, y)| smooth(m) * sign(m) * y).sum();
+        let term = |(m, y): (usize, &f64)| smooth(m) * sign(m) * interval.at_end(m) * y;
+        let regular: f64 = self.terms.iter().enumerate().map(term).sum();
         let [near, far] = [1.0 - side * self.tip.at, 1.0 + side * self.tip.at];
         // (1 − cos φ)/(2 sin φ) of the other end is φ/4 here
         let kappa = regular
-            + self.tip.strength * (far / near).sqrt()
+            + interval.twin.norm * self.tip.strength * (far / near).sqrt()
             + match self.singular[..] {
                 [left, right] => 0.25 * if side > 0.0 { left } else { right },
                 _ => 0.0,

@@ -13,7 +13,6 @@ use crate::contact::integrals::tail::{Ends, Tail, Weights};
 use crate::contact::intervals::columns::{Columns, Other};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::ContactInterval;
-use crate::contact::problem::modes::alternating;
 use crate::kernel::Kernel;
 use crate::numeric::bessel;
 
@@ -53,9 +52,9 @@ impl Columns<'_> {
         for (number, (interval, ShortWaves { table, weights })) in self.intervals.iter().zip(short_waves).enumerate() {
             let (half, count, orders) = (interval.half, self.counts[number], self.orders(number));
             let factor = 4.0 / (PI * limit * interval.images() * half * half);
-            let sign = |order: usize| alternating(order / 2);
-            let tests = (0..count).map(|m| (self.first(number) + m, interval.order(m)));
-            let mean = self.place(Other::Mean(number)).map(|row| (row, 0));
+            let tests =
+                (0..count).map(|m| (self.first(number) + m, interval.order(m), 0.5 * half * interval.transform(m)));
+            let mean = self.place(Other::Mean(number)).map(|row| (row, 0, 1.0));
             let (pressing, tested) = (self.pressing(number), 0..interval.wanted().below(orders));
             // what presses with each column, or with some amplitudes: sums of columns of even orders, and of odd ones
             let products = match space.amplitudes {
@@ -69,8 +68,8 @@ impl Columns<'_> {
                     product(table.part(tested), weights, sums.all())
                 }
             };
-            for (row, k) in tests.chain(mean) {
-                let factor = factor * sign(k);
+            for (row, k, part) in tests.chain(mean) {
+                let factor = factor * part;
                 if space.amplitudes.is_some() {
                     space.matrix[(row, 0)] += factor * products.column(k % 2)[interval.among_wanted(k)];
                     continue;
@@ -98,7 +97,7 @@ impl Columns<'_> {
                 column: first + m,
                 place: interval.among_wanted(j),
                 is_odd: j % 2 == 1,
-                part: alternating(j / 2),
+                part: 0.5 * interval.half * interval.transform(m),
             }
         };
         let half = 0.5 * interval.half;

@@ -89,14 +89,15 @@ impl Columns<'_> {
                 (0..tested.ncols()).for_each(|column| space.matrix[(*row, column)] = tested[(m, column)]);
             }
         }
-        let factor = 2.0 / (PI * interval.half);
-        let mut tests = self::tests(side, interval, count).into_iter().map(|test| factor * test);
+        let mut tests = self::tests(side, interval, count).into_iter();
         if let Some(mean) = mean {
-            space.load[mean] = tests.next().unwrap_or(0.0);
+            space.load[mean] = interval.test(0) * tests.next().unwrap_or(0.0);
         }
-        space.load[row..row + count].iter_mut().zip(tests).for_each(|(load, test)| *load = test);
+        for (m, test) in tests.enumerate().take(count) {
+            space.load[row + m] = interval.test(m) * test;
+        }
         for m in 0..count {
-            space.add(row + m, row + m, interval.unit() / (interval.half * interval.order(m) as f64));
+            space.add(row + m, row + m, interval.on_half_plane(m));
         }
         if let Some(mean) = mean {
             let end = self.terms() + self.end(number);

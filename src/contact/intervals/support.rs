@@ -1,6 +1,8 @@
 //! Where bodies touch, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
 use std::f64::consts::PI;
 
+use crate::contact::problem::modes::alternating;
+use crate::contact::problem::twin::Twin;
 use crate::numeric::bessel::Wanted;
 
 /// What the mirror image of an interval about x = 0 is.
@@ -18,6 +20,8 @@ pub(crate) enum Parity {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ContactInterval {
     pub(super) contact: usize,
+    /// Whether it is a disc about an axis: then it is even.
+    pub(super) twin: Twin,
     /// The number of the punch that presses there, from the left; 0 between layers.
     pub(super) punch: usize,
     pub(super) middle: f64,
@@ -38,21 +42,21 @@ pub(super) struct End {
 
 impl ContactInterval {
     /// From one place to another on x ≥ 0 where all is even; about x = 0 if it begins there.
-    pub(super) fn even(contact: usize, [from, to]: [f64; 2]) -> Self {
+    pub(super) fn even(twin: Twin, contact: usize, [from, to]: [f64; 2]) -> Self {
         let (middle, parity) = if from > 0.0 { (0.5 * (from + to), Parity::Pair) } else { (0.0, Parity::Even) };
-        Self { contact, punch: 0, middle, half: to - middle, parity, corners: [false; 2] }
+        Self { contact, twin, punch: 0, middle, half: to - middle, parity, corners: [false; 2] }
     }
 
     /// From one place to another where nothing is even.
     pub(super) fn anywhere(contact: usize, punch: usize, [left, right]: [f64; 2]) -> Self {
         let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-        Self { contact, punch, middle, half, parity: Parity::None, corners: [false; 2] }
+        Self { contact, twin: Twin::Plane, punch, middle, half, parity: Parity::None, corners: [false; 2] }
     }
 
     /// An interval of the same contact and punch between other places, without corners.
     pub(super) fn between(&self, ends: [f64; 2]) -> Self {
         let is_even = self.parity != Parity::None;
-        if is_even { Self::even(self.contact, ends) } else { Self::anywhere(self.contact, self.punch, ends) }
+        if is_even { Self::even(self.twin, self.contact, ends) } else { Self::anywhere(self.contact, self.punch, ends) }
     }
 
     /// The same interval with ends at corners, or not.
@@ -101,7 +105,7 @@ impl ContactInterval {
 
     /// The Bessel functions that its terms need.
     pub(super) fn wanted(&self) -> Wanted {
-        if self.is_even() { Wanted::ZERO_AND_ODD } else { Wanted::ALL }
+        if self.is_even() { Wanted::ZERO_AND_ODD.of_kind(self.twin.bessel) } else { Wanted::ALL }
     }
 
     /// The place of one order among these.
@@ -111,7 +115,27 @@ impl ContactInterval {
 
     /// The amplitude of sin φ on the interval and its mirror image that has the resultant 1.
     pub(super) fn unit(&self) -> f64 {
-        2.0 / (PI * self.images() * self.half)
+        self.twin.unit(self.half) / (PI * self.images())
+    }
+
+    /// How term number m rises next to an end, per unit of sin φ with the amplitude [`Self::unit`].
+    pub(super) fn at_end(&self, m: usize) -> f64 {
+        self.twin.norm * self.twin.scale(m)
+    }
+
+    /// The column of term number m, and its test, over the Bessel function of its order.
+    pub(super) fn transform(&self, m: usize) -> f64 {
+        2.0 * alternating(self.order(m) / 2) * self.at_end(m) / self.half
+    }
+
+    /// What the test of term number m sees of ∫ f' cos kφ dφ of a slope f'.
+    pub(super) fn test(&self, m: usize) -> f64 {
+        4.0 / (PI * self.half) * self.twin.load(m)
+    }
+
+    /// What term number m does to its own test on a half-plane with λμ₀C = 1.
+    pub(super) fn on_half_plane(&self, m: usize) -> f64 {
+        4.0 / (PI * self.images()) * self.twin.product(self.order(m), m, self.half)
     }
 
     /// Its ends that are not the mirror images of others: 1 for a right one, −1 for a left one.

@@ -46,7 +46,7 @@ impl Equations<'_> {
                 pressure.terms.truncate(*count);
                 pressure.tip = self.tip(contact, interval);
                 let terms = pressure.terms.iter_mut().enumerate();
-                terms.for_each(|(m, y)| *y -= pressure.tip.term(interval.order(m)));
+                terms.for_each(|(m, y)| *y -= pressure.tip.term(interval, m));
             }
             pressures
         };
@@ -147,8 +147,8 @@ impl Equations<'_> {
         for contact in self.problem.unknown() {
             let columns = &self.columns[contact];
             let of = |(interval, count): (&ContactInterval, &usize)| {
-                let unit = self.layout.own[contact].limit * interval.unit() / interval.half;
-                (0..*count).map(|m| interval.order(m) as f64 / unit).collect::<Vec<f64>>()
+                let limit = self.layout.own[contact].limit;
+                (0..*count).map(|m| (limit * interval.on_half_plane(m)).recip()).collect::<Vec<f64>>()
             };
             let compliances = columns.intervals.iter().zip(columns.counts).flat_map(of);
             let own: Vec<f64> = compliances.zip(&tested[contact]).map(|(compliance, row)| compliance * row).collect();

@@ -9,7 +9,6 @@ use faer::{Accum, Mat, Par};
 use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
-use crate::contact::problem::modes::alternating;
 use crate::numeric::bessel;
 use crate::numeric::workspace::Workspace;
 
@@ -59,7 +58,7 @@ impl Columns<'_> {
         let interval = &self.intervals[number];
         let ContactInterval { middle, half, .. } = *interval;
         let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
-        let orders = (interval.order(count - 1) + 1).max(4);
+        let (orders, twin) = ((interval.order(count - 1) + 1).max(4), interval.twin);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
         let wanted = interval.wanted();
         let mut table = Table::new(nodes, wanted.below(orders), workspace);
@@ -71,8 +70,8 @@ impl Columns<'_> {
         let [j1, j3] = [1, 3].map(|order| table.column(interval.among_wanted(order)));
         for (k, wave) in zeta.iter().enumerate() {
             let (sin, phase) = (sines[k], wave * middle);
-            let jinc = bessel::jinc_minus_one_from(arguments[k], j1[k]);
-            let j2 = 0.25 * arguments[k] * (j1[k] + j3[k]);
+            let jinc = twin.jinc_minus_one(arguments[k], j1[k]);
+            let j2 = 0.5 * arguments[k] * (j1[k] + j3[k]) / (2.0 + twin.shift);
             let (zeroth, cos) = (jinc - j2, cosine_minus_one(phase));
             let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
             put(first, k, wave * less_one(jinc, cos));
@@ -112,7 +111,7 @@ impl Columns<'_> {
         for m in 0..self.counts[number] {
             let order = interval.order(m);
             let values = table.column(interval.among_wanted(order));
-            let factor = 2.0 * alternating(order / 2) / interval.half;
+            let factor = interval.transform(m);
             let (real, imaginary) = all.column_mut(self.first(number) + m).split_at_mut(table.rows());
             if interval.is_even() {
                 real.iter_mut().zip(values).for_each(|(into, j)| *into = factor * j);

@@ -1,6 +1,7 @@
 //! The contact problem: a kernel, what presses on each contact, and where the contacts are.
 //!
 //! Every contact has a [`Side`] that says what is special about it. No other room asks which contact belongs to the punch.
+pub(crate) mod abel;
 pub(crate) mod accuracy;
 pub(crate) mod estimate;
 pub(crate) mod iteration;

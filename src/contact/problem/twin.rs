@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 
 use crate::contact::problem::modes::{FINEST, alternating, order};
 use crate::geometry::Geometry;
-use crate::numeric::bessel::Kind;
+use crate::numeric::bessel::{self, Kind};
 use crate::solution::jacobi_weights;
 
 /// A plane problem, or its axisymmetric twin: the numbers in which they differ.
@@ -45,6 +45,10 @@ pub(crate) struct Numbers {
     unit: f64,
     /// The first of the modes of arcosh(1/s), in the unit of `unit` over π.
     tip: f64,
+    /// The amplitude of arcosh(1/s) next to a tip at which the slope jumps by 1, on a half-plane with g∞ = 1.
+    pub(crate) under_jump: f64,
+    /// The mean of √(1 − s²) over a contact, by which a mean pressure is told from a force.
+    pub(crate) mean: f64,
 }
 
 static PLANE: Numbers = Numbers {
@@ -59,6 +63,8 @@ static PLANE: Numbers = Numbers {
     parabola_row: 0.5 * PI,
     unit: 2.0,
     tip: 2.0,
+    under_jump: 1.0 / PI,
+    mean: 0.25 * PI,
 };
 
 static ROUND: Numbers = Numbers {
@@ -74,6 +80,8 @@ static ROUND: Numbers = Numbers {
     unit: 3.0 * PI,
     // the first mode of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
     tip: 1.5,
+    under_jump: 0.5,
+    mean: 2.0 / 3.0,
 };
 
 impl Deref for Twin {
@@ -92,12 +100,12 @@ static TIPS: LazyLock<Vec<f64>> = LazyLock::new(|| {
         integral *= order(m) / (order(m) + 3.0);
         tip
     };
-    (0..8 * FINEST).map(tip).collect()
+    (0..24 * FINEST).map(tip).collect()
 });
 
 /// κ_m = 1/(j w_m).
 static SCALES: LazyLock<Vec<f64>> =
-    LazyLock::new(|| jacobi_weights().take(8 * FINEST).enumerate().map(|(m, w)| 1.0 / (order(m) * w)).collect());
+    LazyLock::new(|| jacobi_weights().take(24 * FINEST).enumerate().map(|(m, w)| 1.0 / (order(m) * w)).collect());
 
 impl Twin {
     pub(crate) fn of(geometry: Geometry) -> Self {
@@ -141,8 +149,13 @@ impl Twin {
 
     /// g∞ ∫ ψ_m² over all wavenumbers, for a contact of half-length a.
     pub(crate) fn diagonal(self, limit: f64, m: usize, half_length: f64) -> f64 {
-        let product = self.diagonal * limit * self.scale(m).powi(2);
-        product / ((order(m) + self.shift) * half_length.powi(self.lengths + 1))
+        limit * self.product(2 * m + 1, m, half_length)
+    }
+
+    /// ∫ ψ_m² over all wavenumbers of the mode of number m, which has this order.
+    pub(crate) fn product(self, order: usize, m: usize, half_length: f64) -> f64 {
+        let product = self.diagonal * self.scale(m).powi(2);
+        product / ((order as f64 + self.shift) * half_length.powi(self.lengths + 1))
     }
 
     /// What the row of the slope of a punch with mode m is multiplied by.
@@ -213,6 +226,11 @@ impl Twin {
     pub(crate) fn coefficients(self, modes: &[f64]) -> Vec<f64> {
         let sign = |m: usize| if self == Self::Plane { alternating(m) } else { 1.0 };
         modes.iter().enumerate().map(|(m, y)| sign(m) * y / (order(m) * PI)).collect()
+    }
+
+    /// 2 J_1(z)/z − 1 from J_1(z), or its twin: the transform of the first mode less its resultant.
+    pub(crate) fn jinc_minus_one(self, z: f64, first: f64) -> f64 {
+        if self == Self::Round { bessel::spherical_jinc_minus_one(z) } else { bessel::jinc_minus_one_from(z, first) }
     }
 
     /// Multiplies by κ_m.

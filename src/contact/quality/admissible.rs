@@ -10,11 +10,12 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::integrals::basis::Basis;
 use crate::contact::integrals::layout::{FIELDS, Layout};
 use crate::contact::problem::Problem;
+use crate::contact::problem::abel;
 use crate::contact::problem::modes::{COARSEST, FINEST, alternating, order};
 use crate::contact::problem::profile::Profile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::Level;
-use crate::contact::quality::round;
+
 use crate::kernel::Kernel;
 use crate::numeric::trigonometry::sin_cos;
 use crate::numeric::vector::{LANES, vectorised};
@@ -338,15 +339,17 @@ fn gaps_outside(problem: &Problem, level: &Level, i: usize, modes: &[f64], waves
     let mut gaps = Vec::with_capacity(2 * PLACES);
     for (step, regular) in steps.into_iter().zip(regular) {
         let places: [f64; PLACES] = std::array::from_fn(|k| a + step * (k + 1) as f64);
-        let of = |elastic: &dyn Fn(usize) -> f64| {
-            std::array::from_fn(|k| side.height(places[k]) - side.height(a) - elastic(k))
+        let of = |elastic: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
+            (0..PLACES).map(|k| (places[k], side.height(places[k]) - side.height(a) - elastic(k))).collect()
         };
-        let found = match problem.twin() {
+        gaps.extend(match problem.twin() {
             Twin::Plane => of(&|k| 2.0 * (limit * cauchy_deflection(modes, places[k] / a) + regular[k]) / PI),
             // the modes themselves bring nothing to the transform beyond a
-            Twin::Round => round::gap(a, step, of(&|k| 2.0 * regular[k])),
-        };
-        gaps.extend(places.into_iter().zip(found));
+            Twin::Round => {
+                let transformed = of(&|k| 2.0 * regular[k]);
+                places.into_iter().zip(abel::gaps(a, &transformed)).collect()
+            }
+        });
     }
     gaps
 }

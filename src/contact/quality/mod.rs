@@ -3,4 +3,3 @@ pub(crate) mod admissible;
 pub(crate) mod answer;
 pub(crate) mod estimates;
 pub(crate) mod levels;
-mod round;
